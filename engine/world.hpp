@@ -1,0 +1,125 @@
+// The world behind the robots, as the engine and scenarios see it: a simulation, or the real one with next to no answers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/arena_spec.hpp"
+#include "engine/error.hpp"
+#include "engine/messages.hpp"
+#include "engine/robot_spec.hpp"
+
+namespace nezumi {
+
+/// One value for the left wheel and one for the right.
+struct Wheels {
+    double left = 0;
+    double right = 0;
+    bool operator==(const Wheels&) const = default;
+};
+
+/// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,
+/// safety and odometry. Called once or more a tick, from the thread that ticks (sensing may run on several threads at once,
+/// one robot each).
+class RobotBody {
+  public:
+    virtual ~RobotBody() = default;
+
+    /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
+    virtual Wheels wheel_angles() const = 0;
+    /// Distances [m] seen by the range sensors of the spec, in its order, one for each; infinity: nothing in sight.
+    virtual void read_ranges(std::span<double> distances) const = 0;
+    /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
+    virtual bool is_pressed(std::size_t index) const = 0;
+    /// Yaw rate [rad/s] of the hull, as a gyro feels it.
+    virtual double yaw_rate() const = 0;
+
+    /// Surface speed [m/s] of each wheel to hold from now on, already limited.
+    virtual void set_wheel_speeds(Wheels speeds) = 0;
+    /// Lets the wheels roll freely until the next `set_wheel_speeds`.
+    virtual void coast() = 0;
+    /// Angle [rad] of servo `index` of the spec's actuators, already limited.
+    virtual void set_servo(std::size_t index, double angle) = 0;
+};
+
+/// A robot of the world, in the order of adding, from 0.
+using RobotId = std::size_t;
+
+/// What a world knows of a robot and no sensor tells.
+struct Truth {
+    Pose2D pose;
+    Velocity2D velocity;  ///< in the robot's frame
+    double height = 0;    ///< [m] of the body frame's origin over the floor
+    double tilt = 0;      ///< [rad] between the body's z axis and the vertical
+};
+
+/// A thing of the arena where it is now: for pictures and cameras.
+struct ThingPose {
+    enum class Shape { box, cylinder };
+    Shape shape = Shape::box;
+    Point3D size{};       ///< [m] a box's edges, or diameter, diameter, height
+    Pose3D pose;          ///< of its centre
+    std::string color;
+};
+
+/// What a range sensor's ray goes through: for pictures.
+struct Ray {
+    Point3D from{};       ///< [m] in the world
+    Point3D to{};         ///< [m] where it hits or ends
+    bool hit = false;
+};
+
+/// Speeds that a hand forces on a robot; what is not set stays free.
+struct Push {
+    std::optional<double> vx;  ///< [m/s] along the robot's x axis
+    std::optional<double> vy;  ///< [m/s]
+    std::optional<double> va;  ///< [rad/s]
+};
+
+class World {
+  public:
+    virtual ~World() = default;
+
+    /// Puts a robot on the floor. The spec must outlive the world. The body belongs to the world's robot and must not outlive
+    /// the world. An error when it overlaps a robot or a thing that is already there, naming both.
+    virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec, Pose2D pose) = 0;
+
+    /// Advances by this many physics steps.
+    virtual void step(int count) = 0;
+
+    /// The truth about a robot.
+    virtual Truth truth(RobotId robot) const = 0;
+    /// Whether the robot touched anything but the floor during the last `step` call.
+    virtual bool collided(RobotId robot) const = 0;
+    /// What the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty when nothing.
+    virtual std::string collided_with(RobotId robot) const = 0;
+
+    /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken.
+    virtual Expected<void> teleport(RobotId robot, Pose2D pose) = 0;
+    /// A hand forces these speeds until the next call; an empty push lets go.
+    virtual void disturb(RobotId robot, const Push& push) = 0;
+    /// Presses or lets go of a button or touch sensor, by its index in the spec's sensors.
+    virtual void press(RobotId robot, std::size_t sensor, bool pressed) = 0;
+
+    /// Walls, boxes and cylinders where they are now.
+    virtual std::vector<ThingPose> things() const = 0;
+    /// The rays of the robot's range sensors as they are now.
+    virtual std::vector<Ray> rays(RobotId robot) const = 0;
+};
+
+/// How the physics of a world runs.
+struct PhysicsSpec {
+    double step = 0.005;     ///< [s] fixed, independent of every rate
+    std::uint64_t seed = 0;  ///< decides everything that is drawn at random
+};
+
+/// Makes a world with this arena in it. Warnings go to `warn`.
+using WorldFactory = std::function<Expected<std::unique_ptr<World>>(
+    const ArenaSpec& arena, const PhysicsSpec& physics, std::function<void(const std::string&)> warn)>;
+
+}  // namespace nezumi
