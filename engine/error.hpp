@@ -20,8 +20,14 @@ struct Place {
 
 /// An error of the outside world: bad input, a missing file, a device that is gone. Never a mistake of this program.
 struct Error {
-    std::string message;  ///< one plain sentence: what was found, what was expected, what to do
-    Place place{};        ///< where it was found, if it is in a file
+    enum class Kind {
+        ordinary,
+        out_of_time,  ///< a script ran longer than its budget: what comes after would depend on the machine
+    };
+
+    std::string message;          ///< one plain sentence: what was found, what was expected, what to do
+    Place place{};                ///< where it was found, if it is in a file
+    Kind kind = Kind::ordinary;
 
     bool operator==(const Error&) const = default;
 };
@@ -32,7 +38,7 @@ using Unexpected = tl::unexpected<Error>;
 
 /// Returns an `Unexpected` that converts to any `Expected<T>`.
 inline Unexpected failure(std::string message, Place place = {}) {
-    return Unexpected(Error{std::move(message), std::move(place)});
+    return Unexpected(Error{std::move(message), std::move(place), Error::Kind::ordinary});
 }
 
 /// "file:line:column: message", leaving out what is not known.

@@ -1,0 +1,25 @@
+// Log lines: who said what, when in simulated time, how loud.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace nezumi {
+
+enum class LogLevel { debug, info, warn, error };
+
+/// "debug", "info", "warn", "error".
+std::string_view to_text(LogLevel level);
+
+struct LogLine {
+    LogLevel level = LogLevel::info;
+    double seconds = 0;     ///< simulated time
+    std::string component;  ///< its name, or "" for the system itself
+    std::string text;
+};
+
+/// Where log lines go. Called from the thread that ticks.
+using LogSink = std::function<void(const LogLine&)>;
+
+}  // namespace nezumi
