@@ -49,6 +49,11 @@ Expected<void> Component::use(std::string_view set) {
     }
     ParameterValues values = found->second;
     values.insert(configured.begin(), configured.end());
+    for (const auto& [name, other] : sets) {
+        for (const auto& [parameter, value] : other) {
+            if (const auto* known = parameters_.find(parameter)) values.emplace(parameter, known->spec.initial);
+        }
+    }
     if (auto ok = parameters_.set_all(values); !ok) return failure(fmt::format("set '{}': {}", set, ok.error().message));
     set_in_use_ = found->first;
     return {};
@@ -117,7 +122,7 @@ void Component::execute(const Time& now) {
         return;
     }
     parameters_.take_staged();
-    dt_ = executed_at_ < 0 ? (rate > 0 ? 1.0 / rate : tick_period_) : now.seconds - executed_at_;
+    dt_ = executed_at_ < 0 ? 1.0 / (rate > 0 ? rate : tick_rate_) : now.seconds - executed_at_;
     executed_at_ = now.seconds;
     ++executions_;
     if (auto ok = run(Hook::on_execute, [this] { return on_execute(); }); !ok) abort(std::move(ok.error()));

@@ -94,8 +94,9 @@ class Component {
     /// Where log lines go; set when a system takes the component.
     void set_log(LogSink sink) { log_ = std::move(sink); }
     void log(LogLevel level, std::string text) const;
-    /// [s] of the system's tick; set when a system takes the component.
-    void set_tick_period(double seconds) { tick_period_ = seconds; }
+    /// Ticks a second [Hz] of its system; set when a system takes the component.
+    void set_tick_rate(double hertz) { tick_rate_ = hertz; }
+    double tick_rate() const { return tick_rate_; }
 
   protected:
     virtual Expected<void> on_activated() { return {}; }
@@ -144,7 +145,7 @@ class Component {
     Error last_error_;
     Time now_;
     double dt_ = 0;
-    double tick_period_ = 0.01;
+    double tick_rate_ = 100;
     double executed_at_ = -1;
     std::int64_t executions_ = 0;
     LifeState state_ = LifeState::inactive;

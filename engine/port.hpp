@@ -50,6 +50,9 @@ class Port {
     std::size_t type() const { return type_; }
     std::string_view type_name() const { return message_type_names[type_]; }
     Override override() const { return override_; }
+    /// What a person should know about it, for example that its values are clamped; "" for nothing.
+    const std::string& note() const { return note_; }
+    void set_note(std::string note) { note_ = std::move(note); }
 
     /// A copy of the value a look shows: of an in-port the latest that arrived, of an out-port the latest that was latched;
     /// the type's zero value before.
@@ -74,6 +77,7 @@ class Port {
 
     std::string name_;
     std::string doc_;
+    std::string note_;
     double tm_ = 0;
     std::uint64_t count_ = 0;
     std::size_t type_;

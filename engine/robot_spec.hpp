@@ -62,6 +62,9 @@ class ResponseTable {
     /// The value at this distance [m]; infinity, or anything past the range, means nothing in sight.
     double operator()(double distance) const;
 
+    /// A value brought back between `minimum` and `maximum`, for a value with noise on it.
+    double clamp(double value) const { return value < minimum_ ? minimum_ : value > maximum_ ? maximum_ : value; }
+
   private:
     std::vector<Point> points_;     // for a table of points
     std::vector<double> samples_;   // for even samples
@@ -119,6 +122,7 @@ struct PortSpec {
     enum class Quantity { value, distance } quantity = Quantity::value;
     double rate = 0;                 ///< [Hz] of an out-port; 0: every tick
     std::size_t queue = 0;           ///< length of an in-port's queue; 0: the latest value
+    bool off_when_silent = false;    ///< in-port of an actuator: it goes off when nothing came for `silence` seconds
     std::string doc;
 };
 

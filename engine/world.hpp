@@ -45,6 +45,10 @@ class RobotBody {
     virtual void coast() = 0;
     /// Angle [rad] of servo `index` of the spec's actuators, already limited.
     virtual void set_servo(std::size_t index, double angle) = 0;
+    /// Lights, in order; called when one changes.
+    virtual void set_leds(const std::vector<bool>& /*on*/) {}
+    /// Tone of the buzzer [Hz], 0 for silence; called when it changes.
+    virtual void set_buzzer(int /*hertz*/) {}
 };
 
 /// A robot of the world, in the order of adding, from 0.
