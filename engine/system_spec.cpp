@@ -23,8 +23,11 @@ constexpr std::array<std::string_view, 48> console_words{
     "restart", "restore",   "rollback", "run",      "save",     "select",     "speed",    "step",    "string",   "system",
     "table",   "tonumber",  "tostring", "type",     "utf8",     "watch",      "world",    "xpcall"};
 
+// Wide enough for a tick number times a rate; not of ISO C++, which -Wpedantic wants to hear.
+__extension__ using Wide = __int128;
+
 // Rates as whole micro-hertz, so that "due" is exact.
-__int128 micro(double rate) { return static_cast<__int128>(std::llround(rate * 1e6)); }
+Wide micro(double rate) { return static_cast<Wide>(std::llround(rate * 1e6)); }
 
 }  // namespace
 
@@ -54,8 +57,8 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
 
 bool is_due(std::int64_t k, double rate, double tick_rate) {
     if (rate <= 0 || rate >= tick_rate || k == 0) return true;
-    const __int128 component = micro(rate);
-    const __int128 tick = micro(tick_rate);
+    const Wide component = micro(rate);
+    const Wide tick = micro(tick_rate);
     return (k * component) / tick > ((k - 1) * component) / tick;
 }
 
