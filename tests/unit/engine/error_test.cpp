@@ -32,11 +32,11 @@ TEST_CASE("a failure becomes any Expected and keeps its message and place", "[en
 TEST_CASE("the nearest name is one slip away", "[engine][error]") {
     const std::vector<std::string_view> names{"on_activated", "on_execute", "on_deactivated", "on_error"};
     CHECK(nearest("on_execute", names) == "on_execute");
-    CHECK(nearest("on_exekute", names) == "on_execute");    // replaced
-    CHECK(nearest("on_exeute", names) == "on_execute");     // left out
-    CHECK(nearest("on_exxecute", names) == "on_execute");   // too many
-    CHECK(nearest("on_exceute", names) == "on_execute");    // swapped
-    CHECK(nearest("ON_Execute", names) == "on_execute");    // case is not counted
+    CHECK(nearest("on_exekute", names) == "on_execute");   // replaced
+    CHECK(nearest("on_exeute", names) == "on_execute");    // left out
+    CHECK(nearest("on_exxecute", names) == "on_execute");  // too many
+    CHECK(nearest("on_exceute", names) == "on_execute");   // swapped
+    CHECK(nearest("ON_Execute", names) == "on_execute");   // case is not counted
     CHECK(nearest("on_activate", names) == "on_activated");
 }
 
