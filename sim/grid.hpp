@@ -1,0 +1,91 @@
+// A uniform grid over the floor, hashed so that it needs no bounds: who is near a place.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nezumi::sim {
+
+/// Numbers kept by square cells of the floor. What it visits, and in which order, depends on what was inserted and on
+/// nothing else. Reading it from several threads at once is safe.
+class Grid {
+  public:
+    /// `cell` is the edge of a cell [m].
+    explicit Grid(double cell) : cell_(cell), inverse_(1 / cell) { heads_.assign(16, kEnd); }
+
+    double cell() const { return cell_; }
+    bool empty() const { return nodes_.empty(); }
+
+    void clear() {
+        nodes_.clear();
+        heads_.assign(heads_.size(), kEnd);
+    }
+
+    /// Keeps `id` in the cell that holds (x, y).
+    void insert(std::uint32_t id, double x, double y) { insert_in_cell(id, index(x), index(y)); }
+
+    /// Keeps `id` in the cell with these indices, as `index` gives them.
+    void insert_in_cell(std::uint32_t id, std::int32_t column, std::int32_t row) {
+        if (nodes_.size() * 2 >= heads_.size()) grow();
+        link({column, row, id, kEnd});
+    }
+
+    /// The column of an x, or the row of a y. Far away (a million cells) all places share the outermost cells.
+    std::int32_t index(double at) const {
+        const double cell = std::floor(at * inverse_);
+        return static_cast<std::int32_t>(cell < -1e6 ? -1e6 : (cell > 1e6 ? 1e6 : cell));
+    }
+
+    /// Calls `visit(id)` for everything kept in a cell that the square of half-edge `reach` about (x, y) touches. What lies
+    /// in several cells is visited once for each.
+    template <class Visit>
+    void for_each_near(double x, double y, double reach, Visit&& visit) const {
+        const std::int32_t right = index(x + reach), top = index(y + reach), bottom = index(y - reach);
+        for (std::int32_t column = index(x - reach); column <= right; ++column) {
+            for (std::int32_t row = bottom; row <= top; ++row) {
+                for (std::uint32_t n = heads_[bucket(column, row)]; n != kEnd; n = nodes_[n].next) {
+                    if (nodes_[n].column == column && nodes_[n].row == row) visit(nodes_[n].id);
+                }
+            }
+        }
+    }
+
+  private:
+    static constexpr std::uint32_t kEnd = ~std::uint32_t{0};
+
+    struct Node {
+        std::int32_t column;
+        std::int32_t row;
+        std::uint32_t id;
+        std::uint32_t next;
+    };
+
+    std::size_t bucket(std::int32_t column, std::int32_t row) const {
+        const std::uint32_t mixed =
+            static_cast<std::uint32_t>(column) * 0x9E3779B1u ^ static_cast<std::uint32_t>(row) * 0x85EBCA77u;
+        return (mixed ^ (mixed >> 15)) & (heads_.size() - 1);
+    }
+
+    void link(Node node) {
+        std::uint32_t& head = heads_[bucket(node.column, node.row)];
+        node.next = head;
+        head = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back(node);
+    }
+
+    void grow() {
+        const std::vector<Node> old = std::move(nodes_);
+        nodes_.clear();
+        heads_.assign(heads_.size() * 2, kEnd);
+        for (const Node& node : old) link(node);
+    }
+
+    double cell_;
+    double inverse_;
+    std::vector<std::uint32_t> heads_;  // a power of two of them
+    std::vector<Node> nodes_;
+};
+
+}  // namespace nezumi::sim

@@ -1,0 +1,63 @@
+// Filling the grids of a scene.
+#include "sim/scene.hpp"
+
+namespace nezumi::sim {
+
+Scene::Index Scene::add_fixed(const Shape& shape) {
+    const Index index = static_cast<Index>(fixed_.size());
+    fixed_.push_back(shape);
+    const Rotation& r = shape.rotation;
+    const bool box = shape.kind == Shape::Kind::box;
+    const double x = box ? std::abs(r.x.x) * shape.half.x + std::abs(r.y.x) * shape.half.y + std::abs(r.z.x) * shape.half.z
+                         : shape.half.x + std::abs(r.z.x) * shape.half.z;
+    const double y = box ? std::abs(r.x.y) * shape.half.x + std::abs(r.y.y) * shape.half.y + std::abs(r.z.y) * shape.half.z
+                         : shape.half.x + std::abs(r.z.y) * shape.half.z;
+    const Bounds bounds{shape.centre.x - x, shape.centre.x + x, shape.centre.y - y, shape.centre.y + y};
+    bounds_.push_back(bounds);
+
+    const double columns = (bounds.max_x - bounds.min_x) / kCell + 2, rows = (bounds.max_y - bounds.min_y) / kCell + 2;
+    if (!(columns * rows <= kMostCells)) {
+        large_fixed_.push_back(index);
+        return index;
+    }
+    for (auto column = fixed_grid_.index(bounds.min_x); column <= fixed_grid_.index(bounds.max_x); ++column) {
+        for (auto row = fixed_grid_.index(bounds.min_y); row <= fixed_grid_.index(bounds.max_y); ++row) {
+            const double half = kCell / 2;
+            // A slanting wall's rectangle holds many cells that the wall itself is far from.
+            if (distance_from_above(shape, column * kCell + half, row * kCell + half) <= kCell * 0.7072) {
+                fixed_grid_.insert_in_cell(index, column, row);
+            }
+        }
+    }
+    return index;
+}
+
+Scene::Index Scene::add_mover(const Shape& shape) {
+    const Index index = static_cast<Index>(movers_.size());
+    movers_.push_back(shape);
+    spots_.push_back({shape.centre.x, shape.centre.y, shape.reach()});
+    if (spots_.back().reach > kLargeMover) {
+        large_movers_.push_back(index);
+    } else {
+        largest_reach_ = std::max(largest_reach_, spots_.back().reach);
+    }
+    keep(index);
+    return index;
+}
+
+void Scene::keep(Index mover) {
+    const Spot& spot = spots_[mover];
+    if (spot.reach <= kLargeMover) mover_grid_.insert(mover, spot.x, spot.y);
+}
+
+void Scene::refresh() {
+    for (std::size_t i = 0; i < movers_.size(); ++i) {
+        spots_[i].x = movers_[i].centre.x;
+        spots_[i].y = movers_[i].centre.y;
+    }
+    if (movers_.size() <= kFew) return;
+    mover_grid_.clear();
+    for (Index i = 0; i < movers_.size(); ++i) keep(i);
+}
+
+}  // namespace nezumi::sim

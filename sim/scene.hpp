@@ -1,0 +1,99 @@
+// The shapes of a world and who is near whom: what stands still, and what may move.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/grid.hpp"
+#include "sim/shape.hpp"
+
+namespace nezumi::sim {
+
+/// Shapes by number, in the order of adding. Fixed ones and movers are numbered apart, each from 0. Looking is safe from
+/// several threads at once as long as nobody adds, moves or refreshes.
+class Scene {
+  public:
+    using Index = std::uint32_t;
+    static constexpr Index kNobody = ~Index{0};
+
+    Index add_fixed(const Shape& shape);
+    Index add_mover(const Shape& shape);
+
+    const std::vector<Shape>& fixed() const { return fixed_; }
+    const std::vector<Shape>& movers() const { return movers_; }
+
+    /// Where a mover is now. Searches still find it where it was at the last refresh.
+    void place(Index mover, const Vec3& centre, const Rotation& rotation) {
+        movers_[mover].centre = centre;
+        movers_[mover].rotation = rotation;
+    }
+
+    /// Lets searches find all movers where they are now.
+    void refresh();
+
+    /// Calls `visit(index, shape)` for every fixed shape that may lie within `reach` of (x, y) as seen from above; some may
+    /// be farther, and one may be visited twice. Without order.
+    template <class Visit>
+    void for_each_fixed_near(double x, double y, double reach, Visit&& visit) const {
+        const auto look = [&](Index i) {
+            if (bounds_[i].touches(x, y, reach)) visit(i, fixed_[i]);
+        };
+        if (fixed_.size() <= kFew) {
+            for (Index i = 0; i < fixed_.size(); ++i) look(i);
+            return;
+        }
+        fixed_grid_.for_each_near(x, y, reach, look);
+        for (const Index i : large_fixed_) look(i);
+    }
+
+    /// The same for movers, each visited once.
+    template <class Visit>
+    void for_each_mover_near(double x, double y, double reach, Index except, Visit&& visit) const {
+        const auto look = [&](Index i) {
+            const Spot& spot = spots_[i];
+            const double dx = spot.x - x, dy = spot.y - y, far = reach + spot.reach;
+            if (i != except && dx * dx + dy * dy <= far * far) visit(i, movers_[i]);
+        };
+        if (movers_.size() <= kFew) {
+            for (Index i = 0; i < movers_.size(); ++i) look(i);
+            return;
+        }
+        mover_grid_.for_each_near(x, y, reach + largest_reach_, look);
+        for (const Index i : large_movers_) look(i);
+    }
+
+  private:
+    static constexpr double kCell = 0.5;          // [m]
+    static constexpr std::size_t kFew = 8;        // up to so many, looking at each beats the grid
+    static constexpr double kLargeMover = 0.5;    // [m] reach from which on a mover is kept out of the grid
+    static constexpr double kMostCells = 20'000;  // a fixed shape over more cells is kept out of the grid
+
+    // The rectangle that holds a shape as seen from above.
+    struct Bounds {
+        double min_x, max_x, min_y, max_y;
+        bool touches(double x, double y, double reach) const {
+            return x + reach >= min_x && x - reach <= max_x && y + reach >= min_y && y - reach <= max_y;
+        }
+    };
+    // What the search for movers looks at: small, so that many fit into a cache line.
+    struct Spot {
+        double x, y, reach;
+    };
+
+    void keep(Index mover);
+
+    std::vector<Shape> fixed_;
+    std::vector<Bounds> bounds_;
+    Grid fixed_grid_{kCell};
+    std::vector<Index> large_fixed_;
+
+    std::vector<Shape> movers_;
+    std::vector<Spot> spots_;
+    Grid mover_grid_{kCell};
+    std::vector<Index> large_movers_;
+    double largest_reach_ = 0;  // of the movers in the grid
+};
+
+}  // namespace nezumi::sim
