@@ -1,0 +1,122 @@
+// Entries become components, in order, each error with the place of its line.
+#include "engine/build_system.hpp"
+
+#include <fmt/format.h>
+
+namespace nezumi {
+namespace {
+
+Unexpected at(const Place& place, const Error& error) {
+    return failure(error.message, error.place.file.empty() ? place : error.place);
+}
+
+Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec) {
+    const auto model = spec.models.find(entry.model);
+    if (model == spec.models.end()) return failure(fmt::format("robot '{}': there is no model '{}'", entry.name, entry.model), entry.place);
+    if (system.world() == nullptr) return failure(fmt::format("robot '{}': there is no world to put it in", entry.name), entry.place);
+    Limits limits = model->second.drive.limits;
+    limits.speed = entry.speed.value_or(limits.speed);
+    limits.yaw_rate = entry.yaw_rate.value_or(limits.yaw_rate);
+    limits.acceleration = entry.acceleration.value_or(limits.acceleration);
+    limits.yaw_acceleration = entry.yaw_acceleration.value_or(limits.yaw_acceleration);
+
+    auto robot = Robot::make(entry.name, model->second, limits, system.robots().size(), system.settings().seed);
+    if (!robot) return at(entry.place, robot.error());
+    Robot* made = robot->get();
+    made->place = entry.place;
+    auto added = system.add(std::move(*robot));
+    if (!added) return added;
+    auto body = system.world()->add_robot(entry.name, model->second, entry.pose);
+    if (!body) return at(entry.place, body.error());
+    made->take_body(std::move(*body));
+    return added;
+}
+
+Expected<void> configure(Component& component, const ParameterValues& config, const Place& place) {
+    component.configured = config;
+    if (auto ok = component.parameters().set_all(config); !ok) {
+        return failure(fmt::format("{}: config: {}", component.name(), ok.error().message), place);
+    }
+    return {};
+}
+
+Expected<Component*> add_behavior(System& system, const BehaviorEntry& entry, const Makers& makers) {
+    auto made = makers.behavior(entry, {.seed = system.settings().seed, .tick_rate = system.settings().rate});
+    if (!made) return at(entry.place, made.error());
+    Component& component = **made;
+    component.rate = entry.rate;
+    component.place = entry.place;
+    if (auto ok = configure(component, entry.config, entry.place); !ok) return Unexpected(ok.error());
+    component.sets = entry.sets;
+    for (const auto& [name, values] : entry.sets) {
+        Parameters trial = component.parameters();
+        if (auto ok = trial.set_all(values); !ok) {
+            return failure(fmt::format("{}: set '{}': {}", entry.name, name, ok.error().message), entry.place);
+        }
+    }
+    if (!entry.set.empty()) {
+        if (auto ok = component.use(entry.set); !ok) return at(entry.place, ok.error());
+    }
+    return system.add(std::move(*made));
+}
+
+Expected<Component*> add_native(System& system, const ComponentEntry& entry, const Makers& makers) {
+    const auto maker = makers.components.find(entry.type);
+    if (maker == makers.components.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [name, make] : makers.components) names.push_back(name);
+        return failure(fmt::format("component '{}': there is no type '{}'{}", entry.name, entry.type, did_you_mean(entry.type, names)),
+                       entry.place);
+    }
+    auto made = maker->second(entry, system);
+    if (!made) return at(entry.place, made.error());
+    (*made)->rate = entry.rate;
+    (*made)->place = entry.place;
+    if (auto ok = configure(**made, entry.config, entry.place); !ok) return Unexpected(ok.error());
+    return system.add(std::move(*made));
+}
+
+}  // namespace
+
+Expected<Component*> add_entry(System& system, const Entry& entry, const SystemSpec& spec, const Makers& makers) {
+    if (const auto* robot = std::get_if<RobotEntry>(&entry)) return add_robot(system, *robot, spec);
+    if (const auto* behavior = std::get_if<BehaviorEntry>(&entry)) return add_behavior(system, *behavior, makers);
+    return add_native(system, std::get<ComponentEntry>(entry), makers);
+}
+
+Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Makers& makers, const BuildOptions& options) {
+    if (auto steps = steps_per_tick(spec.rate, spec.physics_step); !steps) return at(spec.rate_place, steps.error());
+    const std::uint64_t seed = options.seed_wins ? options.seed : spec.seed.value_or(options.seed);
+    auto system = std::make_unique<System>(System::Settings{.rate = spec.rate,
+                                                            .physics_step = spec.physics_step,
+                                                            .seed = seed,
+                                                            .threads = options.threads,
+                                                            .out_of_time_is_fatal = options.out_of_time_is_fatal},
+                                           options.log);
+    if (makers.world) {
+        auto world = makers.world(spec.arena, {.step = spec.physics_step, .seed = seed},
+                                  [log = options.log](const std::string& text) {
+                                      if (log) log({LogLevel::warn, 0, "", text});
+                                  });
+        if (!world) return Unexpected(world.error());
+        system->take_world(std::move(*world));
+    }
+    for (const Entry& entry : spec.entries) {
+        if (auto added = add_entry(*system, entry, spec, makers); !added) return Unexpected(added.error());
+    }
+    for (const ConnectionSpec& connection : spec.connections) {
+        if (auto ok = system->connect(connection.from, connection.to); !ok) return at(connection.place, ok.error());
+    }
+    return system;
+}
+
+void activate_all(System& system, const SystemSpec& spec) {
+    for (const Entry& entry : spec.entries) {
+        if (!std::visit([](const auto& e) { return e.active; }, entry)) continue;
+        Component* component = system.find(name_of(entry));
+        // A failure has put the component into ERROR and is in the log.
+        if (component != nullptr) static_cast<void>(component->activate(system.now()));
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,293 @@
+// The phases of a tick, and wiring with errors that name the nearest.
+#include "engine/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/worker_pool.hpp"
+
+namespace nezumi {
+namespace {
+
+// Fewer components than this are quicker on one thread.
+constexpr std::size_t worth_threads = 64;
+
+// The worker that runs this thread's share; 0 on the thread that ticks.
+thread_local std::size_t current_worker = 0;
+
+std::vector<std::string_view> port_names(const Component& component, Direction direction) {
+    std::vector<std::string_view> names;
+    if (direction == Direction::in) {
+        for (const auto& port : component.in_ports()) names.push_back(port->name());
+    } else {
+        for (const auto& port : component.out_ports()) names.push_back(port->name());
+    }
+    return names;
+}
+
+std::string path(const Component& component, const Port& port) { return component.name() + "." + port.name(); }
+
+}  // namespace
+
+System::System(const Settings& settings, LogSink log)
+    : settings_(settings),
+      steps_per_tick_(steps_per_tick(settings.rate, settings.physics_step).value()),
+      log_(std::move(log)),
+      worker_logs_(static_cast<std::size_t>(std::max(1, settings.threads))) {
+    if (settings.threads > 1) workers_ = std::make_unique<WorkerPool>(settings.threads);
+}
+
+System::~System() = default;
+
+void System::log(LogLevel level, std::string text) const {
+    if (log_) log_({level, now_.seconds, "", std::move(text)});
+}
+
+Expected<Component*> System::add(std::unique_ptr<Component> component) {
+    const std::string& name = component->name();
+    if (!is_identifier(name)) {
+        return failure(fmt::format("'{}' is no name: letters, digits and _, not beginning with a digit, and no keyword of Lua", name),
+                       component->place);
+    }
+    if (is_reserved_name(name)) return failure(fmt::format("'{}' is a word of the console: choose another name", name), component->place);
+    if (const Component* other = find(name)) {
+        std::string first = other->place.line > 0 ? fmt::format(", first in line {}", other->place.line) : "";
+        return failure(fmt::format("the name '{}' is given twice{}", name, first), component->place);
+    }
+    if (component->rate > settings_.rate) {
+        return failure(fmt::format("{}: a rate of {} Hz is above the tick's {} Hz", name, component->rate, settings_.rate), component->place);
+    }
+    component->set_log([this](const LogLine& line) {
+        if (workers_ != nullptr) {
+            worker_logs_[current_worker].push_back(line);
+        } else if (log_) {
+            log_(line);
+        }
+    });
+    component->set_tick_rate(settings_.rate);
+    Component* added = component.get();
+    if (auto* device = dynamic_cast<Device*>(added)) {
+        devices_.push_back(device);
+        if (auto* robot = dynamic_cast<Robot*>(device)) robots_.push_back(robot);
+    } else {
+        behaviors_.push_back(added);
+    }
+    components_.push_back(std::move(component));
+    return added;
+}
+
+Expected<void> System::remove(std::string_view name) {
+    const auto found = component(name);
+    if (!found) return Unexpected(found.error());
+    Component* gone = *found;
+    if (gone->state() == LifeState::active) {
+        if (auto ok = gone->deactivate(now_); !ok) log(LogLevel::warn, describe(ok.error()));
+    }
+    gone->latch_outputs(now_);
+    for (const Connection& connection : connections_) {
+        if (connection.from_component == gone) connection.to->latch(now_);
+        if (connection.from_component == gone || connection.to_component == gone) connection.to->disconnect(*connection.from);
+    }
+    std::erase_if(connections_, [&](const Connection& c) { return c.from_component == gone || c.to_component == gone; });
+    std::erase(behaviors_, gone);
+    std::erase_if(devices_, [&](const Device* device) { return device == gone; });
+    std::erase_if(robots_, [&](const Robot* robot) { return robot == gone; });
+    std::erase_if(components_, [&](const auto& component) { return component.get() == gone; });
+    return {};
+}
+
+Component* System::find(std::string_view name) const {
+    for (const auto& component : components_) {
+        if (component->name() == name) return component.get();
+    }
+    return nullptr;
+}
+
+Robot* System::find_robot(std::string_view name) const {
+    for (Robot* robot : robots_) {
+        if (robot->name() == name) return robot;
+    }
+    return nullptr;
+}
+
+Expected<Component*> System::component(std::string_view name) const {
+    if (Component* found = find(name)) return found;
+    std::vector<std::string_view> names;
+    for (const auto& component : components_) names.push_back(component->name());
+    return failure(fmt::format("there is no component '{}'{}", name, did_you_mean(name, names)));
+}
+
+Expected<std::pair<Component*, std::string>> System::split(std::string_view port_path) const {
+    const auto dot = port_path.find('.');
+    if (dot == std::string_view::npos || dot == 0 || dot + 1 == port_path.size()) {
+        return failure(fmt::format("'{}' names no port: expected \"name.port\"", port_path));
+    }
+    const auto owner = component(port_path.substr(0, dot));
+    if (!owner) return failure(fmt::format("'{}': {}", port_path, owner.error().message));
+    return std::pair{*owner, std::string(port_path.substr(dot + 1))};
+}
+
+Expected<Port*> System::port(std::string_view port_path) const {
+    const auto parts = split(port_path);
+    if (!parts) return Unexpected(parts.error());
+    const auto& [owner, name] = *parts;
+    if (Port* found = owner->find_port(name)) return found;
+    auto names = port_names(*owner, Direction::in);
+    for (const std::string_view out : port_names(*owner, Direction::out)) names.push_back(out);
+    return failure(fmt::format("{} has no port '{}'{}", owner->name(), name, did_you_mean(name, names)));
+}
+
+Expected<void> System::connect(std::string_view from, std::string_view to) {
+    const auto source = split(from);
+    if (!source) return Unexpected(source.error());
+    const auto sink = split(to);
+    if (!sink) return Unexpected(sink.error());
+    const auto& [from_component, from_name] = *source;
+    const auto& [to_component, to_name] = *sink;
+
+    OutPortBase* out = from_component->find_out_port(from_name);
+    InPortBase* in = to_component->find_in_port(to_name);
+    if (out == nullptr) {
+        if (from_component->find_in_port(from_name) != nullptr) {
+            return failure(fmt::format("'{}' is an in-port: connect goes from an out-port to an in-port", from));
+        }
+        return failure(fmt::format("{} has no out-port '{}'{}", from_component->name(), from_name,
+                                   did_you_mean(from_name, port_names(*from_component, Direction::out))));
+    }
+    if (in == nullptr) {
+        if (to_component->find_out_port(to_name) != nullptr) {
+            return failure(fmt::format("'{}' is an out-port: connect goes from an out-port to an in-port", to));
+        }
+        return failure(fmt::format("{} has no in-port '{}'{}", to_component->name(), to_name,
+                                   did_you_mean(to_name, port_names(*to_component, Direction::in))));
+    }
+    if (out->type() != in->type()) {
+        std::vector<std::string> fitting;
+        for (const auto& port : to_component->in_ports()) {
+            if (port->type() == out->type()) fitting.push_back(path(*to_component, *port));
+        }
+        for (const auto& port : from_component->out_ports()) {
+            if (port->type() == in->type()) fitting.push_back(path(*from_component, *port));
+        }
+        const std::string hint = fitting.empty() ? "" : fmt::format(" (did you mean '{}'?)", fitting.front());
+        return failure(fmt::format("types differ: {} is {}, {} is {}{}", from, out->type_name(), to, in->type_name(), hint));
+    }
+    bool fed = false;
+    for (const Connection& connection : connections_) {
+        if (connection.from == out && connection.to == in) return failure(fmt::format("{} is connected to {} already", from, to));
+        fed = fed || connection.to == in;
+    }
+    if (fed && dynamic_cast<Device*>(to_component) != nullptr && !std::exchange(said_many_commands_, true)) {
+        log(LogLevel::warn, fmt::format("{} is fed by several connections: the last one in the order of the connect lines wins (said once)", to));
+    }
+    in->connect(*out);
+    connections_.push_back({from_component, out, to_component, in});
+    return {};
+}
+
+Expected<void> System::disconnect(std::string_view from, std::string_view to) {
+    const auto source = port(from);
+    if (!source) return Unexpected(source.error());
+    const auto sink = port(to);
+    if (!sink) return Unexpected(sink.error());
+    const auto found = std::find_if(connections_.begin(), connections_.end(),
+                                    [&](const Connection& c) { return c.from == *source && c.to == *sink; });
+    if (found == connections_.end()) return failure(fmt::format("{} is not connected to {}", from, to));
+    found->to->disconnect(*found->from);
+    connections_.erase(found);
+    return {};
+}
+
+std::vector<std::string> System::peers(const Port& port) const {
+    std::vector<std::string> all;
+    for (const Connection& connection : connections_) {
+        if (connection.from == &port) all.push_back(path(*connection.to_component, *connection.to));
+        if (connection.to == &port) all.push_back(path(*connection.from_component, *connection.from));
+    }
+    return all;
+}
+
+std::vector<std::string> System::disconnect_all(const Port& port) {
+    std::vector<std::string> all = peers(port);
+    for (const Connection& connection : connections_) {
+        if (connection.from == &port || connection.to == &port) connection.to->disconnect(*connection.from);
+    }
+    std::erase_if(connections_, [&](const Connection& c) { return c.from == &port || c.to == &port; });
+    return all;
+}
+
+bool System::is_due(const Component& component) const { return nezumi::is_due(now_.tick, component.rate, settings_.rate); }
+
+template <class Action>
+void System::for_each_in_parallel(std::size_t count, const Action& action) {
+    if (workers_ == nullptr || count < worth_threads) {
+        for (std::size_t i = 0; i < count; ++i) action(i);
+    } else {
+        workers_->run(count, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+            current_worker = worker;
+            for (std::size_t i = begin; i < end; ++i) action(i);
+            current_worker = 0;
+        });
+    }
+    flush_logs();
+}
+
+void System::flush_logs() {
+    // Shares are in order and each worker's lines are in order: together they are in the order of one thread.
+    for (std::vector<LogLine>& lines : worker_logs_) {
+        if (log_) {
+            for (const LogLine& line : lines) log_(line);
+        }
+        lines.clear();
+    }
+}
+
+void System::notify_observers() {
+    for (const auto& component : components_) {
+        for (const auto& port : component->out_ports()) {
+            if (port->latched_tick() != now_.tick) continue;
+            for (PortObserver* observer : observers_) observer->latched(*component, *port, now_);
+        }
+    }
+}
+
+void System::tick() {
+    for_each_in_parallel(devices_.size(), [this](std::size_t i) {
+        devices_[i]->sense(now_);
+        devices_[i]->latch_outputs(now_);
+    });
+
+    for_each_in_parallel(behaviors_.size(), [this](std::size_t i) { behaviors_[i]->latch_inputs(now_); });
+    due_.clear();
+    for (Component* behavior : behaviors_) {
+        if (is_due(*behavior)) due_.push_back(behavior);
+    }
+    for_each_in_parallel(due_.size(), [this](std::size_t i) { due_[i]->execute(now_); });
+    if (settings_.out_of_time_is_fatal && !fatal_error_) {
+        for (const Component* behavior : due_) {
+            if (behavior->last_error().kind == Error::Kind::out_of_time) fatal_error_ = behavior->last_error();
+        }
+    }
+
+    for_each_in_parallel(behaviors_.size(), [this](std::size_t i) { behaviors_[i]->latch_outputs(now_); });
+    for_each_in_parallel(devices_.size(), [this](std::size_t i) {
+        devices_[i]->latch_inputs(now_);
+        devices_[i]->actuate(now_);
+    });
+    if (!observers_.empty()) notify_observers();
+    if (world_ != nullptr) world_->step(steps_per_tick_);
+    ++now_.tick;
+    now_.seconds = static_cast<double>(now_.tick) / settings_.rate;
+}
+
+void System::stop(int brake_ticks) {
+    for (auto component = components_.rbegin(); component != components_.rend(); ++component) {
+        if ((*component)->state() != LifeState::active) continue;
+        if (auto ok = (*component)->deactivate(now_); !ok) log(LogLevel::warn, describe(ok.error()));
+    }
+    for (int i = 0; i < brake_ticks; ++i) tick();
+}
+
+}  // namespace nezumi

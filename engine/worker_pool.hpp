@@ -1,0 +1,41 @@
+// Threads that share out the numbers 0 to n - 1; what each number does must not depend on the others.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace nezumi {
+
+class WorkerPool {
+  public:
+    /// `threads` counts the calling thread too, so a pool of one starts none.
+    explicit WorkerPool(int threads);
+    ~WorkerPool();
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
+
+    std::size_t size() const { return threads_.size() + 1; }
+
+    /// Calls `work(begin, end, worker)` once for each of `size()` even shares of [0, count), the caller's own included, and
+    /// returns when all are done.
+    void run(std::size_t count, const std::function<void(std::size_t begin, std::size_t end, std::size_t worker)>& work);
+
+  private:
+    void serve(std::size_t worker);
+
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    std::condition_variable done_;
+    const std::function<void(std::size_t, std::size_t, std::size_t)>* work_ = nullptr;
+    std::size_t count_ = 0;
+    std::size_t running_ = 0;
+    std::size_t round_ = 0;
+    bool quit_ = false;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace nezumi
