@@ -231,8 +231,8 @@ void Robot::read_sensors(const Time& now) {
             case SensorSpec::Kind::button:
             case SensorSpec::Kind::touch: values_[i] = body_->is_pressed(i) ? 1 : 0; break;
             case SensorSpec::Kind::gyro: {
-                const double rate = body_->yaw_rate();
-                gyro_angle_ += (sensor.max_rate > 0 ? std::clamp(rate, -sensor.max_rate, sensor.max_rate) : rate) / tick_rate() +
+                const double measured = body_->yaw_rate();
+                gyro_angle_ += (sensor.max_rate > 0 ? std::clamp(measured, -sensor.max_rate, sensor.max_rate) : measured) / tick_rate() +
                                sensor.drift / tick_rate();
                 values_[i] = with_noise(i, gyro_angle_, now.tick);
                 break;
