@@ -1,0 +1,100 @@
+// Maps in CSV: what is taken, and what is said about a bad row.
+#include <catch2/catch.hpp>
+
+#include "engine/arena_spec.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+std::vector<BoxSpec> boxes(std::string_view text) {
+    auto read = read_csv_map(text, "map.csv");
+    INFO((read ? std::string() : describe(read.error())));
+    REQUIRE(read.has_value());
+    return *read;
+}
+
+std::string error(std::string_view text) {
+    const auto read = read_csv_map(text, "map.csv");
+    return read ? "no error" : describe(read.error());
+}
+
+const std::string header = "x,y,z,lx,ly,lz,yaw\n";
+
+}  // namespace
+
+TEST_CASE("every row of a map is a fixed box", "[engine][csv]") {
+    const auto read = boxes("x,y,z,lx,ly,lz,yaw\n0.5,-1,0.1,0.2,0.3,0.4,1.57\n1,2,3,4,5,6,-7\n");
+    REQUIRE(read.size() == 2);
+    CHECK(read[0].at == Point3D{0.5, -1, 0.1});
+    CHECK(read[0].size == Point3D{0.2, 0.3, 0.4});
+    CHECK(read[0].yaw == 1.57);
+    CHECK(read[0].mass == 0);
+    CHECK(read[0].place == Place{"map.csv", 2});
+    CHECK(read[1].yaw == -7);
+    CHECK(read[1].place.line == 3);
+}
+
+TEST_CASE("a map's columns are found by their names, whatever their order", "[engine][csv]") {
+    const auto read = boxes("yaw,lz,ly,lx,z,y,x\n7,6,5,4,3,2,1\n");
+    REQUIRE(read.size() == 1);
+    CHECK(read[0].at == Point3D{1, 2, 3});
+    CHECK(read[0].size == Point3D{4, 5, 6});
+    CHECK(read[0].yaw == 7);
+}
+
+TEST_CASE("a map may come from a spreadsheet on any system", "[engine][csv]") {
+    const auto read = boxes(
+        "\xef\xbb\xbfx, y ,z,lx,ly,lz,\"yaw\",,\r\n\r\n# a wall\r\n \"1\" ,+2,3e0,4,.5,6,0,,\r\n,,,,,,\r\n  "
+        "\r\n1,2,3,4,5,6,7");
+    REQUIRE(read.size() == 2);
+    CHECK(read[0].at == Point3D{1, 2, 3});
+    CHECK(read[0].size == Point3D{4, 0.5, 6});
+    CHECK(read[0].place.line == 4);
+    CHECK(read[1].place.line == 7);
+}
+
+TEST_CASE("a map without rows is an empty map", "[engine][csv]") { CHECK(boxes(header).empty()); }
+
+TEST_CASE("a bad field of a map is named with its line, column and what was expected", "[engine][csv]") {
+    CHECK(error(header + "1,2,3,4,5,6,7\n\n0,0,0,abc,1,1,0\n") ==
+          "map.csv:4: column 'lx': expected a positive number, got 'abc'");
+    CHECK(error(header + "0,0,0,1,1,0,0\n") == "map.csv:2: column 'lz': expected a positive number, got '0'");
+    CHECK(error(header + "0,0,0,1,-1,1,0\n") == "map.csv:2: column 'ly': expected a positive number, got '-1'");
+    CHECK(error(header + "0,,0,1,1,1,0\n") == "map.csv:2: column 'y': expected a number, got ''");
+    CHECK(error(header + "0,0,0,1,1,1,nan\n") == "map.csv:2: column 'yaw': expected a number, got 'nan'");
+    CHECK(error(header + "inf,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got 'inf'");
+    CHECK(error(header + "1e999,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1e999'");
+    CHECK(error(header + "0,0,0,1e300,1,1,0\n") ==
+          "map.csv:2: column 'lx': expected a number up to 1000000, got '1e300'");
+    CHECK(error(header + "0,0,0x10,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '0x10'");
+    CHECK(error(header + "0,0,+-1,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '+-1'");
+    CHECK(error(header + "0,0,1 2,1,1,1,0\n") == "map.csv:2: column 'z': expected a number, got '1 2'");
+    CHECK(error(header + "\"1\"\"\",0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1\"'");
+}
+
+TEST_CASE("a row of a map has as many values as its header", "[engine][csv]") {
+    CHECK(error(header + "1,2,3\n") == "map.csv:2: expected 7 values (x,y,z,lx,ly,lz,yaw), got 3");
+    CHECK(error(header + "1,2,3,4,5,6,7,8\n") == "map.csv:2: expected 7 values (x,y,z,lx,ly,lz,yaw), got 8");
+    CHECK(error(header + "\"1,2,3,4,5,6,7\n") == "map.csv:2: a quote is not closed");
+}
+
+TEST_CASE("a map's header names every column once and no other", "[engine][csv]") {
+    CHECK(error("x,y,z,lx,ly,lz\n") == "map.csv:1: column 'yaw' is missing; expected a header row x,y,z,lx,ly,lz,yaw");
+    CHECK(error("x,y,z,lx,ly,lz,yaww\n") ==
+          "map.csv:1: unknown column 'yaww' (did you mean 'yaw'?); expected a header row x,y,z,lx,ly,lz,yaw");
+    CHECK(error("x,y,z,lx,ly,lz,yaw,colour\n") ==
+          "map.csv:1: unknown column 'colour'; expected a header row x,y,z,lx,ly,lz,yaw");
+    CHECK(error("x,y,z,lx,ly,lx,yaw\n") == "map.csv:1: column 'lx' is there twice");
+    CHECK(error("x;y;z;lx;ly;lz;yaw\n") ==
+          "map.csv:1: expected a header row x,y,z,lx,ly,lz,yaw, got columns that are not separated by commas");
+    CHECK(error("1,2,3,4,5,6,7\n") == "map.csv:1: expected a header row x,y,z,lx,ly,lz,yaw, got the numbers '1, ...'");
+    CHECK(error("") == "map.csv: is empty: expected a header row x,y,z,lx,ly,lz,yaw");
+    CHECK(error("\n# nothing\n") == "map.csv: is empty: expected a header row x,y,z,lx,ly,lz,yaw");
+}
+
+TEST_CASE("bytes that are no text stay out of a map's messages", "[engine][csv]") {
+    CHECK(error(header + "a\x1b[2J\x01,0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got 'a?[2J?'");
+    CHECK(error(header + std::string(100, 'q') + ",0,0,1,1,1,0\n") ==
+          "map.csv:2: column 'x': expected a number, got '" + std::string(40, 'q') + "...'");
+}
