@@ -50,13 +50,14 @@ class ResponseTable {
         double value;
     };
 
-    /// Points in ascending order of distance, at least two. `minimum` and `maximum` bound every value; beyond the last
-    /// point the value goes straight to `nothing` at `range`; before the first it goes on as a power law through the first two
-    /// points. Returns an error when the points are too few or not in order.
+    /// Points in ascending order of distance, at least two; their values are met exactly. `minimum` and `maximum` bound every
+    /// value; beyond the last point the value goes straight to `nothing` at `range`; before the first it goes on as a power
+    /// law through the first two points (or straight, where a power law can't). With a `range` nearer than the last point the
+    /// sensor sees nothing beyond it. Returns an error when the points are too few, not in order or not finite.
     static Expected<ResponseTable> from_points(std::vector<Point> points, double range, double nothing, double minimum,
                                                double maximum);
 
-    /// Values at 0, h, 2h, ... range (at least two); `nothing` is the value with nothing in sight.
+    /// Values at 0, h, 2h, ... range (at least two, all finite); `nothing` is the value with nothing in sight.
     static ResponseTable from_samples(std::vector<double> samples, double range, double nothing);
 
     /// The value at this distance [m]; infinity, or anything past the range, means nothing in sight.
@@ -65,14 +66,23 @@ class ResponseTable {
     /// A value brought back between `minimum` and `maximum`, for a value with noise on it.
     double clamp(double value) const { return value < minimum_ ? minimum_ : value > maximum_ ? maximum_ : value; }
 
+    double range() const { return range_; }      ///< [m] from here on there is nothing in sight
+    double nothing() const { return nothing_; }  ///< the value with nothing in sight
+
   private:
-    std::vector<Point> points_;     // for a table of points
-    std::vector<double> samples_;   // for even samples
+    std::vector<Point> points_;    // for a table of points
+    std::vector<double> samples_;  // for even samples
     double range_ = 0;
     double nothing_ = 0;
     double minimum_ = -std::numeric_limits<double>::infinity();
     double maximum_ = std::numeric_limits<double>::infinity();
+    double exponent_ = 0;             // of the power law before the first point; 0: a straight line
+    double samples_per_metre_ = 0;
 };
+
+/// The points of a response table in CSV: columns `distance_m` (ascending, not negative) and `value`. `file` is named in
+/// errors.
+Expected<std::vector<ResponseTable::Point>> read_csv_response(std::string_view text, const std::string& file);
 
 /// One sensor. `kind` decides which of the fields count.
 struct SensorSpec {
