@@ -12,8 +12,10 @@ Unexpected at(const Place& place, const Error& error) {
 
 Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec) {
     const auto model = spec.models.find(entry.model);
-    if (model == spec.models.end()) return failure(fmt::format("robot '{}': there is no model '{}'", entry.name, entry.model), entry.place);
-    if (system.world() == nullptr) return failure(fmt::format("robot '{}': there is no world to put it in", entry.name), entry.place);
+    if (model == spec.models.end())
+        return failure(fmt::format("robot '{}': there is no model '{}'", entry.name, entry.model), entry.place);
+    if (system.world() == nullptr)
+        return failure(fmt::format("robot '{}': there is no world to put it in", entry.name), entry.place);
     Limits limits = model->second.drive.limits;
     limits.speed = entry.speed.value_or(limits.speed);
     limits.yaw_rate = entry.yaw_rate.value_or(limits.yaw_rate);
@@ -65,7 +67,8 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
     if (maker == makers.components.end()) {
         std::vector<std::string_view> names;
         for (const auto& [name, make] : makers.components) names.push_back(name);
-        return failure(fmt::format("component '{}': there is no type '{}'{}", entry.name, entry.type, did_you_mean(entry.type, names)),
+        return failure(fmt::format("component '{}': there is no type '{}'{}", entry.name, entry.type,
+                                   did_you_mean(entry.type, names)),
                        entry.place);
     }
     auto made = maker->second(entry, system);
@@ -84,7 +87,8 @@ Expected<Component*> add_entry(System& system, const Entry& entry, const SystemS
     return add_native(system, std::get<ComponentEntry>(entry), makers);
 }
 
-Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Makers& makers, const BuildOptions& options) {
+Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Makers& makers,
+                                               const BuildOptions& options) {
     if (auto steps = steps_per_tick(spec.rate, spec.physics_step); !steps) return at(spec.rate_place, steps.error());
     const std::uint64_t seed = options.seed_wins ? options.seed : spec.seed.value_or(options.seed);
     auto system = std::make_unique<System>(System::Settings{.rate = spec.rate,

@@ -16,8 +16,8 @@ std::string_view to_text(LifeState state) {
 }
 
 std::string_view to_text(Hook hook) {
-    constexpr std::string_view names[] = {"",         "on_activated", "on_execute", "on_deactivated", "on_aborting",
-                                          "on_error", "on_reset",     "on_reload",  ""};
+    constexpr std::string_view names[] = {
+        "", "on_activated", "on_execute", "on_deactivated", "on_aborting", "on_error", "on_reset", "on_reload", ""};
     return names[static_cast<int>(hook)];
 }
 
@@ -54,7 +54,8 @@ Expected<void> Component::use(std::string_view set) {
             if (const auto* known = parameters_.find(parameter)) values.emplace(parameter, known->spec.initial);
         }
     }
-    if (auto ok = parameters_.set_all(values); !ok) return failure(fmt::format("set '{}': {}", set, ok.error().message));
+    if (auto ok = parameters_.set_all(values); !ok)
+        return failure(fmt::format("set '{}': {}", set, ok.error().message));
     set_in_use_ = found->first;
     return {};
 }
@@ -96,7 +97,8 @@ Expected<void> Component::deactivate(const Time& now) {
 }
 
 Expected<void> Component::reset(const Time& now) {
-    if (state_ != LifeState::error) return failure(fmt::format("{} is {}: only a component in ERROR can be reset", name_, to_text(state_)));
+    if (state_ != LifeState::error)
+        return failure(fmt::format("{} is {}: only a component in ERROR can be reset", name_, to_text(state_)));
     now_ = now;
     auto ok = run(Hook::on_reset, [this] { return on_reset(); });
     if (!ok) {
@@ -117,7 +119,8 @@ void Component::execute(const Time& now) {
         if (auto ok = run(Hook::on_error, [this] { return on_error(); }); !ok) {
             error_hook_failed_ = true;  // said once; it has nothing to lose but our patience
             last_error_ = ok.error();
-            log(LogLevel::error, fmt::format("on_error failed and is not called again before a reset: {}", describe(ok.error())));
+            log(LogLevel::error,
+                fmt::format("on_error failed and is not called again before a reset: {}", describe(ok.error())));
         }
         return;
     }
@@ -133,8 +136,9 @@ void Component::latch_inputs(const Time& now) {
         const bool overflowed = port->dropped() > 0;
         port->latch(now);
         if (!overflowed && port->dropped() > 0) {
-            log(LogLevel::warn, fmt::format("input '{}': its queue of {} is full, the oldest message was dropped (said once)",
-                                            port->name(), port->queue()));
+            log(LogLevel::warn,
+                fmt::format("input '{}': its queue of {} is full, the oldest message was dropped (said once)",
+                            port->name(), port->queue()));
         }
     }
 }

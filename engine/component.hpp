@@ -26,7 +26,7 @@ enum class Hook { none, on_activated, on_execute, on_deactivated, on_aborting, o
 std::string_view to_text(Hook hook);
 
 class Component {
-  public:
+public:
     Component(std::string name, std::string type) : name_(std::move(name)), type_(std::move(type)) {}
     Component(const Component&) = delete;
     Component& operator=(const Component&) = delete;
@@ -81,7 +81,8 @@ class Component {
     void latch_outputs(const Time& now) {
         for (const auto& port : out_ports_) port->latch(now);
     }
-    /// ACTIVE to ERROR because of this: nothing of the execution is published, `on_aborting` runs, safe values are written.
+    /// ACTIVE to ERROR because of this: nothing of the execution is published, `on_aborting` runs, safe values are
+    /// written.
     void abort(Error error);
 
     /// Time as the hook that runs sees it.
@@ -98,7 +99,7 @@ class Component {
     void set_tick_rate(double hertz) { tick_rate_ = hertz; }
     double tick_rate() const { return tick_rate_; }
 
-  protected:
+protected:
     virtual Expected<void> on_activated() { return {}; }
     virtual Expected<void> on_execute() { return {}; }
     virtual Expected<void> on_deactivated() { return {}; }
@@ -135,7 +136,7 @@ class Component {
     std::vector<std::unique_ptr<OutPortBase>> out_ports_;
     Parameters parameters_;
 
-  private:
+private:
     void write_safe();
 
     std::string name_;
@@ -155,7 +156,7 @@ class Component {
 
 /// A component at the edge: it senses before the behaviours of a tick and acts after them.
 class Device : public Component {
-  public:
+public:
     using Component::Component;
     /// Writes the out-ports from what the outside is like now. Called every tick, whatever the state.
     virtual void sense(const Time& now) = 0;

@@ -52,18 +52,22 @@ constexpr std::size_t member_count() {
 
 /// A structure that has a `Describe`.
 template <class T>
-concept Described = requires { Describe<T>::fields; };
+concept Described = requires {
+    Describe<T>::fields;
+};
 
-/// Calls `visit(field, value)` for every field of `object`, in order. A member that `Describe<T>` forgets does not compile.
+/// Calls `visit(field, value)` for every field of `object`, in order. A member that `Describe<T>` forgets does not
+/// compile.
 template <Described T, class Visit>
 constexpr void for_each_field(T&& object, Visit&& visit) = delete;
 
 template <class T, class Visit>
-    requires Described<std::remove_const_t<T>>
+requires Described<std::remove_const_t<T>>
 constexpr void for_each_field(T& object, Visit&& visit) {
     using Plain = std::remove_const_t<T>;
-    static_assert(detail::member_count<Plain>() == std::tuple_size_v<std::remove_cvref_t<decltype(Describe<Plain>::fields)>>,
-                  "Describe<T>::fields must list every member of T");
+    static_assert(
+        detail::member_count<Plain>() == std::tuple_size_v<std::remove_cvref_t<decltype(Describe<Plain>::fields)>>,
+        "Describe<T>::fields must list every member of T");
     std::apply([&](const auto&... field) { (visit(field, object.*(field.member)), ...); }, Describe<Plain>::fields);
 }
 

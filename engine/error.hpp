@@ -25,8 +25,8 @@ struct Error {
         out_of_time,  ///< a script ran longer than its budget: what comes after would depend on the machine
     };
 
-    std::string message;          ///< one plain sentence: what was found, what was expected, what to do
-    Place place{};                ///< where it was found, if it is in a file
+    std::string message;  ///< one plain sentence: what was found, what was expected, what to do
+    Place place{};        ///< where it was found, if it is in a file
     Kind kind = Kind::ordinary;
 
     bool operator==(const Error&) const = default;
@@ -44,8 +44,8 @@ inline Unexpected failure(std::string message, Place place = {}) {
 /// "file:line:column: message", leaving out what is not known.
 std::string describe(const Error& error);
 
-/// The candidate nearest to `name` by edit distance (insert, delete, replace, swap of neighbours), or an empty view when
-/// none is near enough to be a slip: at most a third of the name's length, and at least 1, case not counted.
+/// The candidate nearest to `name` by edit distance (insert, delete, replace, swap of neighbours), or an empty view
+/// when none is near enough to be a slip: at most a third of the name's length, and at least 1, case not counted.
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates);
 
 /// " (did you mean 'near'?)" for the nearest candidate, or an empty string when none is near.

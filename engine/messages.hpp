@@ -268,12 +268,14 @@ constexpr std::size_t type_index() {
         std::size_t found = message_type_count;
         ((std::is_same_v<std::variant_alternative_t<I, AnyPayload>, T> ? (found = I, 0) : 0), ...);
         return found;
-    }(std::make_index_sequence<message_type_count>{});
+    }
+    (std::make_index_sequence<message_type_count>{});
 }
 
 /// A payload that some message type carries.
 template <class T>
-concept Payload = type_index<T>() < message_type_count;
+concept Payload = type_index<T>()
+< message_type_count;
 
 /// The names of all message types, in the order of `message_types`.
 inline constexpr auto message_type_names =
@@ -287,7 +289,8 @@ decltype(auto) with_payload_type(std::size_t index, Make&& make) {
     static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<Entry, message_type_count>{
             [](Make& m) -> Result { return m.template operator()<std::variant_alternative_t<I, AnyPayload>>(); }...};
-    }(std::make_index_sequence<message_type_count>{});
+    }
+    (std::make_index_sequence<message_type_count>{});
     return table[index](make);
 }
 

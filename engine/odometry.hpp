@@ -8,7 +8,7 @@
 namespace nezumi {
 
 class Odometry {
-  public:
+public:
     /// With `pulses_per_turn` > 0 the wheels' angles are counted in whole pulses, as an encoder does.
     Odometry(double left_radius, double right_radius, double track, double pulses_per_turn)
         : radius_{left_radius, right_radius}, track_(track), pulses_per_turn_(pulses_per_turn) {}
@@ -18,7 +18,7 @@ class Odometry {
     const Pose2D& pose() const { return pose_; }
     void set_pose(const Pose2D& pose) { pose_ = pose; }
 
-  private:
+private:
     double counted(double angle) const;
 
     Wheels radius_;

@@ -7,7 +7,9 @@
 
 namespace nezumi {
 
-Pacer::Pacer(double rate, double speed) : rate_(rate), speed_(speed), start_(Clock::now()) { assert(rate > 0 && speed > 0); }
+Pacer::Pacer(double rate, double speed) : rate_(rate), speed_(speed), start_(Clock::now()) {
+    assert(rate > 0 && speed > 0);
+}
 
 Pacer::Clock::time_point Pacer::deadline(std::int64_t tick) const {
     const double seconds = static_cast<double>(tick) / (rate_ * speed_);

@@ -7,7 +7,7 @@
 namespace nezumi {
 
 class Pacer {
-  public:
+public:
     using Clock = std::chrono::steady_clock;
 
     /// After a stall of more than this many periods the missed ticks are skipped instead of run in a burst.
@@ -35,7 +35,7 @@ class Pacer {
     /// The worst of all [s].
     double worst_lateness() const { return worst_; }
 
-  private:
+private:
     Clock::time_point deadline(std::int64_t tick) const;
 
     double rate_;

@@ -110,8 +110,10 @@ std::string bound_broken(const ParameterSpec& spec, Number number) {
         const auto whole = to_integer(limit);
         return std::is_same_v<Number, std::int64_t> && whole ? element_text(*whole) : element_text(limit);
     };
-    if (spec.min && value < *spec.min) return fmt::format("{} is below its minimum {}", element_text(number), bound(*spec.min));
-    if (spec.max && value > *spec.max) return fmt::format("{} is above its maximum {}", element_text(number), bound(*spec.max));
+    if (spec.min && value < *spec.min)
+        return fmt::format("{} is below its minimum {}", element_text(number), bound(*spec.min));
+    if (spec.max && value > *spec.max)
+        return fmt::format("{} is above its maximum {}", element_text(number), bound(*spec.max));
     return "";
 }
 
@@ -137,15 +139,17 @@ std::string to_text(const ParameterValue& value) {
 }
 
 std::string_view type_text(const ParameterValue& value) {
-    constexpr std::string_view names[] = {"boolean",           "integer",           "number",           "string",
-                                          "array of booleans", "array of integers", "array of numbers", "array of strings"};
+    constexpr std::string_view names[] = {"boolean",          "integer",           "number",
+                                          "string",           "array of booleans", "array of integers",
+                                          "array of numbers", "array of strings"};
     return names[value.index()];
 }
 
 Expected<ParameterValue> check_value(const ParameterSpec& spec, const ParameterValue& value) {
     const auto refuse = [&](const std::string& why) { return failure(headline(spec) + ": " + why); };
     auto converted = convert(spec.initial, value);
-    if (!converted) return refuse(fmt::format("expected {}, got {} {}", type_text(spec.initial), type_text(value), to_text(value)));
+    if (!converted)
+        return refuse(fmt::format("expected {}, got {} {}", type_text(spec.initial), type_text(value), to_text(value)));
 
     const std::string broken = std::visit(
         [&](const auto& v) -> std::string {
@@ -171,7 +175,8 @@ Expected<ParameterValue> check_value(const ParameterSpec& spec, const ParameterV
         *converted);
     if (!broken.empty()) return refuse(broken);
 
-    if (!spec.choices.empty() && std::find(spec.choices.begin(), spec.choices.end(), *converted) == spec.choices.end()) {
+    if (!spec.choices.empty() &&
+        std::find(spec.choices.begin(), spec.choices.end(), *converted) == spec.choices.end()) {
         std::string list;
         std::vector<std::string> texts;
         for (const ParameterValue& choice : spec.choices) {
@@ -179,7 +184,8 @@ Expected<ParameterValue> check_value(const ParameterSpec& spec, const ParameterV
             texts.push_back(to_text(choice));
         }
         const std::vector<std::string_view> views(texts.begin(), texts.end());
-        return refuse(fmt::format("{} is none of its choices {}{}", to_text(*converted), list, did_you_mean(to_text(*converted), views)));
+        return refuse(fmt::format("{} is none of its choices {}{}", to_text(*converted), list,
+                                  did_you_mean(to_text(*converted), views)));
     }
     return std::move(*converted);
 }
@@ -199,7 +205,8 @@ Expected<void> check_declaration(const ParameterSpec& spec) {
     ParameterSpec bare = spec;
     bare.choices.clear();
     for (const ParameterValue& choice : spec.choices) {
-        if (const auto allowed = check_value(bare, choice); !allowed) return failure(allowed.error().message + ", in its choices", spec.place);
+        if (const auto allowed = check_value(bare, choice); !allowed)
+            return failure(allowed.error().message + ", in its choices", spec.place);
     }
     if (const auto allowed = check_value(spec, spec.initial); !allowed) {
         return failure(allowed.error().message + ", in its default", spec.place);
@@ -208,7 +215,8 @@ Expected<void> check_declaration(const ParameterSpec& spec) {
 }
 
 Expected<void> Parameters::declare(ParameterSpec spec) {
-    if (find(spec.name) != nullptr) return failure(fmt::format("parameter '{}' is declared twice", spec.name), spec.place);
+    if (find(spec.name) != nullptr)
+        return failure(fmt::format("parameter '{}' is declared twice", spec.name), spec.place);
     for (ParameterValue& choice : spec.choices) {
         if (auto same_type = convert(spec.initial, choice)) choice = std::move(*same_type);
     }

@@ -15,20 +15,21 @@
 namespace nezumi {
 
 /// A parameter's value. The type follows its default: truth value, integer, number, text, or an array of one of them.
-using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<bool>, std::vector<std::int64_t>,
-                                    std::vector<double>, std::vector<std::string>>;
+using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<bool>,
+                                    std::vector<std::int64_t>, std::vector<double>, std::vector<std::string>>;
 
-/// Values by parameter name, as a system file or a named set gives them. Ordered, so that messages are the same each time.
+/// Values by parameter name, as a system file or a named set gives them. Ordered, so that messages are the same each
+/// time.
 using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
 
 /// How a parameter is declared.
 struct ParameterSpec {
     std::string name;
-    ParameterValue initial;               ///< the default
-    std::optional<double> min;            ///< inclusive, per element of an array
-    std::optional<double> max;            ///< inclusive, per element of an array
-    double step = 0;                      ///< for widgets only; 0: none
-    std::string widget;                   ///< "slider", "spin", "text", "checkbox", "radio", ... as in OpenRTM; may be empty
+    ParameterValue initial;     ///< the default
+    std::optional<double> min;  ///< inclusive, per element of an array
+    std::optional<double> max;  ///< inclusive, per element of an array
+    double step = 0;            ///< for widgets only; 0: none
+    std::string widget;         ///< "slider", "spin", "text", "checkbox", "radio", ... as in OpenRTM; may be empty
     std::string unit;
     std::string doc;
     std::vector<ParameterValue> choices;  ///< empty: any value within the bounds
@@ -45,13 +46,13 @@ std::string_view type_text(const ParameterValue& value);
 /// Checks a declaration on its own: finite bounds in order, choices of the default's type, a default that is allowed.
 Expected<void> check_declaration(const ParameterSpec& spec);
 
-/// `value` as this parameter would hold it (3 becomes 3.0 for a number, 3.0 becomes 3 for an integer), or why it may not:
-/// "parameter 'speed_x' (number): 2.0 is above its maximum 1.5".
+/// `value` as this parameter would hold it (3 becomes 3.0 for a number, 3.0 becomes 3 for an integer), or why it may
+/// not: "parameter 'speed_x' (number): 2.0 is above its maximum 1.5".
 Expected<ParameterValue> check_value(const ParameterSpec& spec, const ParameterValue& value);
 
 /// The parameters of one component, in the order of their declaration.
 class Parameters {
-  public:
+public:
     struct Parameter {
         ParameterSpec spec;
         ParameterValue value;
@@ -80,7 +81,7 @@ class Parameters {
     /// Grows with every change of a value: tells a cache that it is out of date.
     std::uint64_t version() const { return version_; }
 
-  private:
+private:
     Expected<std::size_t> index_of(std::string_view name) const;
 
     std::vector<Parameter> all_;

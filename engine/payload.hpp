@@ -34,7 +34,8 @@ void for_each_leaf(const T& value, Visit&& visit, const std::string& path = "") 
         });
     } else if constexpr (Sequence<T>) {
         for (std::size_t i = 0; i < value.size(); ++i) {
-            for_each_leaf(static_cast<typename T::value_type>(value[i]), visit, path + "[" + std::to_string(i + 1) + "]");
+            for_each_leaf(static_cast<typename T::value_type>(value[i]), visit,
+                          path + "[" + std::to_string(i + 1) + "]");
         }
     } else {
         visit(path, value);
@@ -49,7 +50,8 @@ bool is_finite(const T& value) {
         for_each_field(value, [&](const auto&, const auto& member) { finite = finite && is_finite(member); });
         return finite;
     } else if constexpr (Sequence<T>) {
-        if constexpr (std::is_integral_v<typename T::value_type> || std::is_same_v<typename T::value_type, std::string>) {
+        if constexpr (std::is_integral_v<typename T::value_type> ||
+                      std::is_same_v<typename T::value_type, std::string>) {
             return true;
         } else {
             for (const auto& element : value) {

@@ -1,4 +1,5 @@
-// Typed in- and out-ports: a write is invisible until the out-port is latched, a value arrives when the in-port is latched.
+// Typed in- and out-ports: a write is invisible until the out-port is latched, a value arrives when the in-port is
+// latched.
 #pragma once
 
 #include <cassert>
@@ -38,7 +39,7 @@ class Component;
 
 /// What all ports share, whatever they carry.
 class Port {
-  public:
+public:
     Port(const Port&) = delete;
     Port& operator=(const Port&) = delete;
     virtual ~Port() = default;
@@ -54,8 +55,8 @@ class Port {
     const std::string& note() const { return note_; }
     void set_note(std::string note) { note_ = std::move(note); }
 
-    /// A copy of the value a look shows: of an in-port the latest that arrived, of an out-port the latest that was latched;
-    /// the type's zero value before.
+    /// A copy of the value a look shows: of an in-port the latest that arrived, of an out-port the latest that was
+    /// latched; the type's zero value before.
     virtual AnyPayload value() const = 0;
     /// The stamp [s] of that value, 0 before any.
     double tm() const { return tm_; }
@@ -71,7 +72,7 @@ class Port {
     /// Ends `hold`, `drop` and `freeze`.
     void release() { override_ = Override::none; }
 
-  protected:
+protected:
     Port(std::string name, std::size_t type, Direction direction, std::string doc)
         : name_(std::move(name)), doc_(std::move(doc)), type_(type), direction_(direction) {}
 
@@ -87,7 +88,7 @@ class Port {
 
 /// An out-port of any type. One component writes it, any number of in-ports listen.
 class OutPortBase : public Port {
-  public:
+public:
     /// Publishes what was written since the last time, stamped with `now`. Returns whether there was anything.
     virtual bool latch(const Time& now) = 0;
     /// Forgets what was written and not yet published.
@@ -109,7 +110,7 @@ class OutPortBase : public Port {
     /// Mixes the last publication into a hash.
     virtual std::uint64_t hash_latched(std::uint64_t seed) const = 0;
 
-  protected:
+protected:
     using Port::Port;
     std::size_t pending_ = 0;  // how many of the pending slots are filled
     std::int64_t latched_tick_ = -1;
@@ -118,7 +119,7 @@ class OutPortBase : public Port {
 
 /// An in-port of any type, fed by any number of out-ports of that type.
 class InPortBase : public Port {
-  public:
+public:
     /// Takes what its sources have published: in tick order, then in the order of the connections.
     virtual void latch(const Time& now) = 0;
     /// Forgets everything that has arrived: the port is as it was before anything came.
@@ -143,7 +144,7 @@ class InPortBase : public Port {
     /// How long [s] without a message until `stale`: as long as a robot waits for a velocity.
     static constexpr double stale_after = 0.5;
 
-  protected:
+protected:
     InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)
         : Port(std::move(name), type, Direction::in, std::move(doc)), capacity_(queue) {}
 
@@ -163,11 +164,12 @@ struct Message {
 
 template <Payload T>
 class OutPort final : public OutPortBase {
-  public:
+public:
     explicit OutPort(std::string name, std::string doc = "", std::optional<T> safe = default_safe())
         : OutPortBase(std::move(name), type_index<T>(), Direction::out, std::move(doc)), safe_(std::move(safe)) {}
 
-    /// Writes a message. Invisible until the port is latched, then: a queue gets every one of a tick, the others the last.
+    /// Writes a message. Invisible until the port is latched, then: a queue gets every one of a tick, the others the
+    /// last.
     void write(const T& value) { next_pending() = value; }
     /// A slot to fill in place instead of `write`; it holds some old payload.
     T& next_pending() {
@@ -218,7 +220,7 @@ class OutPort final : public OutPortBase {
         return seed;
     }
 
-  private:
+private:
     /// A velocity command falls back to standing still.
     static std::optional<T> default_safe() {
         if constexpr (std::is_same_v<T, Velocity2D>) {
@@ -245,11 +247,12 @@ class OutPort final : public OutPortBase {
 
 template <Payload T>
 class InPort final : public InPortBase {
-  public:
+public:
     explicit InPort(std::string name, std::string doc = "", std::size_t queue = 0)
         : InPortBase(std::move(name), type_index<T>(), std::move(doc), queue) {}
 
-    /// The latest message, or with a queue the oldest unread one (the last one read when none waits). Only the owner reads.
+    /// The latest message, or with a queue the oldest unread one (the last one read when none waits). Only the owner
+    /// reads.
     const Message<T>& take() {
         if (unread_ > 0) {
             --unread_;
@@ -324,7 +327,7 @@ class InPort final : public InPortBase {
         return all;
     }
 
-  private:
+private:
     struct Source {
         OutPort<T>* port;
         std::uint64_t seen;  // the sequence number of the publication taken last
@@ -366,8 +369,8 @@ class InPort final : public InPortBase {
 
     std::vector<Source> sources_;
     Message<T> latest_;
-    Message<T> taken_;                // with a queue: what was read last
-    std::vector<Message<T>> queue_;   // a ring of `capacity_`, empty until something arrives
+    Message<T> taken_;               // with a queue: what was read last
+    std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
     std::size_t head_ = 0;
     std::vector<Message<T>> injected_;
     std::unique_ptr<T> held_;

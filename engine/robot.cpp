@@ -120,13 +120,15 @@ Expected<void> Robot::add_output(const PortSpec& port) {
             if (spec_.sensors[i].name == name) found = i;
             names.push_back(spec_.sensors[i].name);
         }
-        if (found == spec_.sensors.size()) return failure(fmt::format("there is no sensor '{}'{}", name, did_you_mean(name, names)));
+        if (found == spec_.sensors.size())
+            return failure(fmt::format("there is no sensor '{}'{}", name, did_you_mean(name, names)));
         sensors.push_back(found);
     }
     return with_payload_type(*type, [&]<class T>() -> Expected<void> {
         constexpr WriteValues write = write_values<T>();
         if (write == nullptr) return failure(fmt::format("a {} can't carry sensors' values", port.type));
-        if (single<T> && sensors.size() > 1) return failure(fmt::format("a {} carries one sensor, not {}", port.type, sensors.size()));
+        if (single<T> && sensors.size() > 1)
+            return failure(fmt::format("a {} carries one sensor, not {}", port.type, sensors.size()));
         OutPort<T>& made = add_out_port<T>(port.name, port.doc);
         bool distance = port.quantity == PortSpec::Quantity::distance;
         if constexpr (std::is_same_v<T, RangeData>) {
@@ -134,8 +136,13 @@ Expected<void> Robot::add_output(const PortSpec& port) {
             const SensorSpec& first = spec_.sensors[sensors.front()];
             RangeData range;
             range.geometry.pose = {.position = first.at, .orientation = {.r = 0, .p = 0, .y = first.yaw}};
-            range.config = {.minAngle = 0, .maxAngle = 0, .angularRes = first.cone, .minRange = first.minimum,
-                            .maxRange = first.range, .rangeRes = 0, .frequency = port.rate > 0 ? port.rate : tick_rate()};
+            range.config = {.minAngle = 0,
+                            .maxAngle = 0,
+                            .angularRes = first.cone,
+                            .minRange = first.minimum,
+                            .maxRange = first.range,
+                            .rangeRes = 0,
+                            .frequency = port.rate > 0 ? port.rate : tick_rate()};
             // Both slots that writing alternates between begin with what never changes.
             made.write(range);
             made.latch({});
@@ -220,7 +227,8 @@ void Robot::read_sensors(const Time& now) {
         values_[index] = sensor.has_response ? sensor.response(seen) : lengths_[index];
         if (sensor.noise > 0) {
             const double noisy = with_noise(index, values_[index], now.tick);
-            values_[index] = sensor.has_response ? sensor.response.clamp(noisy) : std::clamp(noisy, sensor.minimum, sensor.range);
+            values_[index] =
+                sensor.has_response ? sensor.response.clamp(noisy) : std::clamp(noisy, sensor.minimum, sensor.range);
             if (!sensor.has_response) lengths_[index] = values_[index];
         }
     }
@@ -232,8 +240,10 @@ void Robot::read_sensors(const Time& now) {
             case SensorSpec::Kind::touch: values_[i] = body_->is_pressed(i) ? 1 : 0; break;
             case SensorSpec::Kind::gyro: {
                 const double measured = body_->yaw_rate();
-                gyro_angle_ += (sensor.max_rate > 0 ? std::clamp(measured, -sensor.max_rate, sensor.max_rate) : measured) / tick_rate() +
-                               sensor.drift / tick_rate();
+                gyro_angle_ +=
+                    (sensor.max_rate > 0 ? std::clamp(measured, -sensor.max_rate, sensor.max_rate) : measured) /
+                        tick_rate() +
+                    sensor.drift / tick_rate();
                 values_[i] = with_noise(i, gyro_angle_, now.tick);
                 break;
             }
@@ -247,8 +257,9 @@ void Robot::sense(const Time& now) {
     odometry_.update(angles);
     const double left = (angles.left - angles_.left) * spec_.drive.radius * tick_rate();
     const double right = (angles.right - angles_.right) * spec_.drive.radius * tick_rate();
-    const Velocity2D measured = sensed_ ? Velocity2D{.vx = (left + right) / 2, .vy = 0, .va = (right - left) / spec_.drive.track}
-                                        : Velocity2D{};
+    const Velocity2D measured =
+        sensed_ ? Velocity2D{.vx = (left + right) / 2, .vy = 0, .va = (right - left) / spec_.drive.track}
+                : Velocity2D{};
     angles_ = angles;
     sensed_ = true;
     if (state() != LifeState::active) return;
@@ -263,7 +274,8 @@ void Robot::sense(const Time& now) {
     for (const SensorPort& port : sensor_ports_) {
         if (!is_due_at(port.rate, now)) continue;
         outgoing_.clear();
-        for (const std::size_t sensor : port.sensors) outgoing_.push_back(port.distance ? lengths_[sensor] : values_[sensor]);
+        for (const std::size_t sensor : port.sensors)
+            outgoing_.push_back(port.distance ? lengths_[sensor] : values_[sensor]);
         port.write(*port.port, outgoing_);
     }
 }
@@ -278,7 +290,8 @@ void Robot::take_velocity(const Time& now) {
             case VelocityGuard::Verdict::taken: break;
             case VelocityGuard::Verdict::clamped:
                 if (!std::exchange(said_clamped_, true)) {
-                    const std::string note = fmt::format("limited to {} m/s and {} rad/s", guard_.limits().speed, guard_.limits().yaw_rate);
+                    const std::string note =
+                        fmt::format("limited to {} m/s and {} rad/s", guard_.limits().speed, guard_.limits().yaw_rate);
                     velocity_in_->set_note(note);
                     log(LogLevel::warn, fmt::format("input '{}': a command of {} m/s and {} rad/s was {} (said once)",
                                                     velocity_in_->name(), command.vx, command.va, note));
@@ -286,13 +299,16 @@ void Robot::take_velocity(const Time& now) {
                 break;
             case VelocityGuard::Verdict::not_finite:
                 if (!std::exchange(said_not_finite_, true)) {
-                    log(LogLevel::warn, fmt::format("input '{}': a command that is not finite stops the robot (said once)", velocity_in_->name()));
+                    log(LogLevel::warn,
+                        fmt::format("input '{}': a command that is not finite stops the robot (said once)",
+                                    velocity_in_->name()));
                 }
                 break;
         }
         if (command.vy != 0 && !std::exchange(said_sideways_, true)) {
-            log(LogLevel::warn, fmt::format("input '{}': vy = {} m/s is ignored: two wheels can't drive sideways (said once)",
-                                            velocity_in_->name(), command.vy));
+            log(LogLevel::warn,
+                fmt::format("input '{}': vy = {} m/s is ignored: two wheels can't drive sideways (said once)",
+                            velocity_in_->name(), command.vy));
         }
     }
     if (disconnected) guard_.stop();
@@ -334,7 +350,9 @@ void Robot::act_on_devices(const Time& now) {
         const ActuatorSpec& actuator = spec_.actuators[servo.actuator];
         const double angle = servo.port->read();
         if (!std::isfinite(angle)) continue;
-        body_->set_servo(servo.actuator, actuator.minimum < actuator.maximum ? std::clamp(angle, actuator.minimum, actuator.maximum) : angle);
+        body_->set_servo(servo.actuator, actuator.minimum < actuator.maximum
+                                             ? std::clamp(angle, actuator.minimum, actuator.maximum)
+                                             : angle);
     }
 }
 

@@ -14,10 +14,10 @@
 namespace nezumi {
 
 class Robot final : public Device {
-  public:
+public:
     /// Makes the ports that the spec lists; an error names the port that cannot be. `spec` must outlive the robot.
-    static Expected<std::unique_ptr<Robot>> make(std::string name, const RobotSpec& spec, const Limits& limits, RobotId id,
-                                                 std::uint64_t seed);
+    static Expected<std::unique_ptr<Robot>> make(std::string name, const RobotSpec& spec, const Limits& limits,
+                                                 RobotId id, std::uint64_t seed);
     /// The body it moves; given once, before the first tick.
     void take_body(std::unique_ptr<RobotBody> body) { body_ = std::move(body); }
 
@@ -31,7 +31,7 @@ class Robot final : public Device {
     void sense(const Time& now) override;
     void actuate(const Time& now) override;
 
-  private:
+private:
     // An out-port that carries sensors' values: how to write them, and which.
     struct SensorPort {
         OutPortBase* port;

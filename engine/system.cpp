@@ -48,16 +48,21 @@ void System::log(LogLevel level, std::string text) const {
 Expected<Component*> System::add(std::unique_ptr<Component> component) {
     const std::string& name = component->name();
     if (!is_identifier(name)) {
-        return failure(fmt::format("'{}' is no name: letters, digits and _, not beginning with a digit, and no keyword of Lua", name),
-                       component->place);
+        return failure(
+            fmt::format("'{}' is no name: letters, digits and _, not beginning with a digit, and no keyword of Lua",
+                        name),
+            component->place);
     }
-    if (is_reserved_name(name)) return failure(fmt::format("'{}' is a word of the console: choose another name", name), component->place);
+    if (is_reserved_name(name))
+        return failure(fmt::format("'{}' is a word of the console: choose another name", name), component->place);
     if (const Component* other = find(name)) {
         std::string first = other->place.line > 0 ? fmt::format(", first in line {}", other->place.line) : "";
         return failure(fmt::format("the name '{}' is given twice{}", name, first), component->place);
     }
     if (component->rate > settings_.rate) {
-        return failure(fmt::format("{}: a rate of {} Hz is above the tick's {} Hz", name, component->rate, settings_.rate), component->place);
+        return failure(
+            fmt::format("{}: a rate of {} Hz is above the tick's {} Hz", name, component->rate, settings_.rate),
+            component->place);
     }
     component->set_log([this](const LogLine& line) {
         if (workers_ != nullptr) {
@@ -88,9 +93,11 @@ Expected<void> System::remove(std::string_view name) {
     gone->latch_outputs(now_);
     for (const Connection& connection : connections_) {
         if (connection.from_component == gone) connection.to->latch(now_);
-        if (connection.from_component == gone || connection.to_component == gone) connection.to->disconnect(*connection.from);
+        if (connection.from_component == gone || connection.to_component == gone)
+            connection.to->disconnect(*connection.from);
     }
-    std::erase_if(connections_, [&](const Connection& c) { return c.from_component == gone || c.to_component == gone; });
+    std::erase_if(connections_,
+                  [&](const Connection& c) { return c.from_component == gone || c.to_component == gone; });
     std::erase(behaviors_, gone);
     std::erase_if(devices_, [&](const Device* device) { return device == gone; });
     std::erase_if(robots_, [&](const Robot* robot) { return robot == gone; });
@@ -172,15 +179,20 @@ Expected<void> System::connect(std::string_view from, std::string_view to) {
             if (port->type() == in->type()) fitting.push_back(path(*from_component, *port));
         }
         const std::string hint = fitting.empty() ? "" : fmt::format(" (did you mean '{}'?)", fitting.front());
-        return failure(fmt::format("types differ: {} is {}, {} is {}{}", from, out->type_name(), to, in->type_name(), hint));
+        return failure(
+            fmt::format("types differ: {} is {}, {} is {}{}", from, out->type_name(), to, in->type_name(), hint));
     }
     bool fed = false;
     for (const Connection& connection : connections_) {
-        if (connection.from == out && connection.to == in) return failure(fmt::format("{} is connected to {} already", from, to));
+        if (connection.from == out && connection.to == in)
+            return failure(fmt::format("{} is connected to {} already", from, to));
         fed = fed || connection.to == in;
     }
     if (fed && dynamic_cast<Device*>(to_component) != nullptr && !std::exchange(said_many_commands_, true)) {
-        log(LogLevel::warn, fmt::format("{} is fed by several connections: the last one in the order of the connect lines wins (said once)", to));
+        log(LogLevel::warn,
+            fmt::format(
+                "{} is fed by several connections: the last one in the order of the connect lines wins (said once)",
+                to));
     }
     in->connect(*out);
     connections_.push_back({from_component, out, to_component, in});
@@ -218,7 +230,9 @@ std::vector<std::string> System::disconnect_all(const Port& port) {
     return all;
 }
 
-bool System::is_due(const Component& component) const { return nezumi::is_due(now_.tick, component.rate, settings_.rate); }
+bool System::is_due(const Component& component) const {
+    return nezumi::is_due(now_.tick, component.rate, settings_.rate);
+}
 
 template <class Action>
 void System::for_each_in_parallel(std::size_t count, const Action& action) {

@@ -20,7 +20,7 @@ class WorkerPool;
 
 /// Is told of every port that published something, in the order of components and ports.
 class PortObserver {
-  public:
+public:
     virtual ~PortObserver() = default;
     virtual void latched(const Component& component, const OutPortBase& port, const Time& now) = 0;
 };
@@ -34,12 +34,12 @@ struct Connection {
 };
 
 class System {
-  public:
+public:
     struct Settings {
-        double rate = 100;           ///< [Hz] of the tick
-        double physics_step = 0.005; ///< [s]
+        double rate = 100;            ///< [Hz] of the tick
+        double physics_step = 0.005;  ///< [s]
         std::uint64_t seed = 0;
-        int threads = 1;             ///< that sense and execute; the result is the same with any number
+        int threads = 1;                    ///< that sense and execute; the result is the same with any number
         bool out_of_time_is_fatal = false;  ///< a script that ran out of time ends the run instead of going to ERROR
     };
 
@@ -94,7 +94,7 @@ class System {
 
     void log(LogLevel level, std::string text) const;
 
-  private:
+private:
     bool is_due(const Component& component) const;
     template <class Action>
     void for_each_in_parallel(std::size_t count, const Action& action);

@@ -12,16 +12,16 @@ namespace nezumi {
 namespace {
 
 constexpr std::array<std::string_view, 22> lua_keywords{
-    "and", "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "goto",  "if",
-    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",    "until", "while"};
+    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
+    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
 // What the console and scenarios have in scope beside a system's names: product.md's words and the library's.
 constexpr std::array<std::string_view, 48> console_words{
-    "assert",  "attach",    "batch",   "coroutine", "connect",  "disconnect", "drive",    "drop",    "error",    "errors",
-    "find",    "freeze",    "help",    "hold",      "inject",   "ipairs",     "log",      "ls",      "math",     "next",
-    "now",     "pairs",     "pause",   "pcall",     "plot",     "print",      "quit",     "release", "reload",   "require",
-    "restart", "restore",   "rollback", "run",      "save",     "select",     "speed",    "step",    "string",   "system",
-    "table",   "tonumber",  "tostring", "type",     "utf8",     "watch",      "world",    "xpcall"};
+    "assert",  "attach",   "batch",    "coroutine", "connect", "disconnect", "drive", "drop",    "error",  "errors",
+    "find",    "freeze",   "help",     "hold",      "inject",  "ipairs",     "log",   "ls",      "math",   "next",
+    "now",     "pairs",    "pause",    "pcall",     "plot",    "print",      "quit",  "release", "reload", "require",
+    "restart", "restore",  "rollback", "run",       "save",    "select",     "speed", "step",    "string", "system",
+    "table",   "tonumber", "tostring", "type",      "utf8",    "watch",      "world", "xpcall"};
 
 // Wide enough for a tick number times a rate; not of ISO C++, which -Wpedantic wants to hear.
 __extension__ using Wide = __int128;
@@ -51,8 +51,9 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
     const double above = std::max(1.0, std::floor(steps));
     const auto rate_of = [&](double n) { return fmt::format("{:.6g}", 1.0 / (n * physics_step)); };
     const std::string nearest = below == above ? rate_of(below) : rate_of(below) + " or " + rate_of(above);
-    return failure(fmt::format("rate: a tick of {:.6g} Hz is no whole number of physics steps of {:.6g} s; the nearest rates are {} Hz",
-                               rate, physics_step, nearest));
+    return failure(fmt::format(
+        "rate: a tick of {:.6g} Hz is no whole number of physics steps of {:.6g} s; the nearest rates are {} Hz", rate,
+        physics_step, nearest));
 }
 
 bool is_due(std::int64_t k, double rate, double tick_rate) {
@@ -64,7 +65,8 @@ bool is_due(std::int64_t k, double rate, double tick_rate) {
 
 bool is_identifier(std::string_view name) {
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) return false;
-    const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); });
+    const bool plain = std::all_of(name.begin(), name.end(),
+                                   [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); });
     return plain && std::find(lua_keywords.begin(), lua_keywords.end(), name) == lua_keywords.end();
 }
 

@@ -17,11 +17,11 @@ namespace nezumi {
 /// `robot NAME { model, pose, limits, backend }`.
 struct RobotEntry {
     std::string name;
-    std::string model;              ///< key of `SystemSpec::models`
+    std::string model;  ///< key of `SystemSpec::models`
     Pose2D pose;
     /// What the file sets of the limits; the rest is the model's.
     std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
-    std::string backend;            ///< "" or "sim" or a driver's name
+    std::string backend;  ///< "" or "sim" or a driver's name
     bool active = true;
     Place place;
 };
@@ -29,12 +29,12 @@ struct RobotEntry {
 /// `behavior NAME { script, config, sets, set, rate, active }`.
 struct BehaviorEntry {
     std::string name;
-    std::string script;             ///< as the file says it
-    std::string path;               ///< where it was found
+    std::string script;  ///< as the file says it
+    std::string path;    ///< where it was found
     ParameterValues config;
     std::map<std::string, ParameterValues, std::less<>> sets;
-    std::string set;                ///< "" for none
-    double rate = 0;                ///< [Hz]; 0: the tick's
+    std::string set;  ///< "" for none
+    double rate = 0;  ///< [Hz]; 0: the tick's
     bool active = true;
     Place place;
 };
@@ -44,10 +44,10 @@ struct ComponentEntry {
     std::string name;
     std::string type;
     ParameterValues config;
-    double rate = 0;                ///< [Hz]; 0: the type's own
-    std::string on;                 ///< the robot that carries it; "" for none
-    Point3D at{};                   ///< [m] in that robot's body frame
-    double yaw = 0;                 ///< [rad]
+    double rate = 0;  ///< [Hz]; 0: the type's own
+    std::string on;   ///< the robot that carries it; "" for none
+    Point3D at{};     ///< [m] in that robot's body frame
+    double yaw = 0;   ///< [rad]
     bool active = true;
     Place place;
 };
@@ -68,22 +68,24 @@ struct ConnectionSpec {
 };
 
 struct SystemSpec {
-    std::string file;               ///< as it was given
-    double rate = 100;              ///< [Hz] of the tick
+    std::string file;   ///< as it was given
+    double rate = 100;  ///< [Hz] of the tick
     Place rate_place;
-    double physics_step = 0.005;    ///< [s]
+    double physics_step = 0.005;  ///< [s]
     std::optional<std::uint64_t> seed;
     ArenaSpec arena;
     std::map<std::string, RobotSpec> models;  ///< by the name that entries use
-    std::vector<Entry> entries;     ///< in the order of the file
+    std::vector<Entry> entries;               ///< in the order of the file
     std::vector<ConnectionSpec> connections;
-    std::vector<std::string> files; ///< every file it was read from: system, models, maps
+    std::vector<std::string> files;  ///< every file it was read from: system, models, maps
 };
 
-/// How many physics steps make a tick, or an error that names the nearest rates when the tick is no whole number of steps.
+/// How many physics steps make a tick, or an error that names the nearest rates when the tick is no whole number of
+/// steps.
 Expected<int> steps_per_tick(double rate, double physics_step);
 
-/// Whether component `rate` [Hz] is due in tick `k` of ticks at `tick_rate` [Hz]: when floor(k * rate / tick_rate) grows.
+/// Whether component `rate` [Hz] is due in tick `k` of ticks at `tick_rate` [Hz]: when floor(k * rate / tick_rate)
+/// grows.
 bool is_due(std::int64_t k, double rate, double tick_rate);
 
 /// Words that no component may be called: Lua's keywords and the console's words.

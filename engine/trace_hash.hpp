@@ -7,14 +7,14 @@
 
 namespace nezumi {
 
-/// Hashes every publication of every port: which port, in which tick, what. Compares runs on one machine only, because the
-/// last bits of sines differ between processors.
+/// Hashes every publication of every port: which port, in which tick, what. Compares runs on one machine only, because
+/// the last bits of sines differ between processors.
 class TraceHash final : public PortObserver {
-  public:
+public:
     void latched(const Component& component, const OutPortBase& port, const Time& now) override;
     std::uint64_t value() const { return hash_; }
 
-  private:
+private:
     std::uint64_t hash_ = 0;
 };
 

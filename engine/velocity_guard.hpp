@@ -7,7 +7,7 @@
 namespace nezumi {
 
 class VelocityGuard {
-  public:
+public:
     /// How long [s] a command holds when nothing follows it.
     static constexpr double timeout = 0.5;
 
@@ -30,7 +30,7 @@ class VelocityGuard {
     const Velocity2D& target() const { return target_; }
     const Velocity2D& current() const { return current_; }
 
-  private:
+private:
     Limits limits_;
     Velocity2D target_{};
     Velocity2D current_{};

@@ -11,7 +11,7 @@
 namespace nezumi {
 
 class WorkerPool {
-  public:
+public:
     /// `threads` counts the calling thread too, so a pool of one starts none.
     explicit WorkerPool(int threads);
     ~WorkerPool();
@@ -20,11 +20,12 @@ class WorkerPool {
 
     std::size_t size() const { return threads_.size() + 1; }
 
-    /// Calls `work(begin, end, worker)` once for each of `size()` even shares of [0, count), the caller's own included, and
-    /// returns when all are done.
-    void run(std::size_t count, const std::function<void(std::size_t begin, std::size_t end, std::size_t worker)>& work);
+    /// Calls `work(begin, end, worker)` once for each of `size()` even shares of [0, count), the caller's own included,
+    /// and returns when all are done.
+    void run(std::size_t count,
+             const std::function<void(std::size_t begin, std::size_t end, std::size_t worker)>& work);
 
-  private:
+private:
     void serve(std::size_t worker);
 
     std::mutex mutex_;

@@ -1,4 +1,5 @@
-// The world behind the robots, as the engine and scenarios see it: a simulation, or the real one with next to no answers.
+// The world behind the robots, as the engine and scenarios see it: a simulation, or the real one with next to no
+// answers.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +25,10 @@ struct Wheels {
 };
 
 /// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,
-/// safety and odometry. Called once or more a tick, from the thread that ticks (sensing may run on several threads at once,
-/// one robot each).
+/// safety and odometry. Called once or more a tick, from the thread that ticks (sensing may run on several threads at
+/// once, one robot each).
 class RobotBody {
-  public:
+public:
     virtual ~RobotBody() = default;
 
     /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
@@ -66,15 +67,15 @@ struct Truth {
 struct ThingPose {
     enum class Shape { box, cylinder };
     Shape shape = Shape::box;
-    Point3D size{};       ///< [m] a box's edges, or diameter, diameter, height
-    Pose3D pose;          ///< of its centre
+    Point3D size{};  ///< [m] a box's edges, or diameter, diameter, height
+    Pose3D pose;     ///< of its centre
     std::string color;
 };
 
 /// What a range sensor's ray goes through: for pictures.
 struct Ray {
-    Point3D from{};       ///< [m] in the world
-    Point3D to{};         ///< [m] where it hits or ends
+    Point3D from{};  ///< [m] in the world
+    Point3D to{};    ///< [m] where it hits or ends
     bool hit = false;
 };
 
@@ -86,12 +87,13 @@ struct Push {
 };
 
 class World {
-  public:
+public:
     virtual ~World() = default;
 
-    /// Puts a robot on the floor. The spec must outlive the world. The body belongs to the world's robot and must not outlive
-    /// the world. An error when it overlaps a robot or a thing that is already there, naming both.
-    virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec, Pose2D pose) = 0;
+    /// Puts a robot on the floor. The spec must outlive the world. The body belongs to the world's robot and must not
+    /// outlive the world. An error when it overlaps a robot or a thing that is already there, naming both.
+    virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
+                                                           Pose2D pose) = 0;
 
     /// Advances by this many physics steps.
     virtual void step(int count) = 0;
@@ -123,7 +125,7 @@ struct PhysicsSpec {
 };
 
 /// Makes a world with this arena in it. Warnings go to `warn`.
-using WorldFactory = std::function<Expected<std::unique_ptr<World>>(
-    const ArenaSpec& arena, const PhysicsSpec& physics, std::function<void(const std::string&)> warn)>;
+using WorldFactory = std::function<Expected<std::unique_ptr<World>>(const ArenaSpec& arena, const PhysicsSpec& physics,
+                                                                    std::function<void(const std::string&)> warn)>;
 
 }  // namespace nezumi

@@ -11,7 +11,7 @@ namespace nezumi::sim {
 /// Numbers kept by square cells of the floor. What it visits, and in which order, depends on what was inserted and on
 /// nothing else. Reading it from several threads at once is safe.
 class Grid {
-  public:
+public:
     /// `cell` is the edge of a cell [m].
     explicit Grid(double cell) : cell_(cell), inverse_(1 / cell) { heads_.assign(16, kEnd); }
 
@@ -38,8 +38,8 @@ class Grid {
         return static_cast<std::int32_t>(cell < -1e6 ? -1e6 : (cell > 1e6 ? 1e6 : cell));
     }
 
-    /// Calls `visit(id)` for everything kept in a cell that the square of half-edge `reach` about (x, y) touches. What lies
-    /// in several cells is visited once for each.
+    /// Calls `visit(id)` for everything kept in a cell that the square of half-edge `reach` about (x, y) touches. What
+    /// lies in several cells is visited once for each.
     template <class Visit>
     void for_each_near(double x, double y, double reach, Visit&& visit) const {
         const std::int32_t right = index(x + reach), top = index(y + reach), bottom = index(y - reach);
@@ -52,7 +52,7 @@ class Grid {
         }
     }
 
-  private:
+private:
     static constexpr std::uint32_t kEnd = ~std::uint32_t{0};
 
     struct Node {

@@ -8,10 +8,12 @@ Scene::Index Scene::add_fixed(const Shape& shape) {
     fixed_.push_back(shape);
     const Rotation& r = shape.rotation;
     const bool box = shape.kind == Shape::Kind::box;
-    const double x = box ? std::abs(r.x.x) * shape.half.x + std::abs(r.y.x) * shape.half.y + std::abs(r.z.x) * shape.half.z
-                         : shape.half.x + std::abs(r.z.x) * shape.half.z;
-    const double y = box ? std::abs(r.x.y) * shape.half.x + std::abs(r.y.y) * shape.half.y + std::abs(r.z.y) * shape.half.z
-                         : shape.half.x + std::abs(r.z.y) * shape.half.z;
+    const double x =
+        box ? std::abs(r.x.x) * shape.half.x + std::abs(r.y.x) * shape.half.y + std::abs(r.z.x) * shape.half.z
+            : shape.half.x + std::abs(r.z.x) * shape.half.z;
+    const double y =
+        box ? std::abs(r.x.y) * shape.half.x + std::abs(r.y.y) * shape.half.y + std::abs(r.z.y) * shape.half.z
+            : shape.half.x + std::abs(r.z.y) * shape.half.z;
     const Bounds bounds{shape.centre.x - x, shape.centre.x + x, shape.centre.y - y, shape.centre.y + y};
     bounds_.push_back(bounds);
 

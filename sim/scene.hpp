@@ -11,10 +11,10 @@
 
 namespace nezumi::sim {
 
-/// Shapes by number, in the order of adding. Fixed ones and movers are numbered apart, each from 0. Looking is safe from
-/// several threads at once as long as nobody adds, moves or refreshes.
+/// Shapes by number, in the order of adding. Fixed ones and movers are numbered apart, each from 0. Looking is safe
+/// from several threads at once as long as nobody adds, moves or refreshes.
 class Scene {
-  public:
+public:
     using Index = std::uint32_t;
     static constexpr Index kNobody = ~Index{0};
 
@@ -33,8 +33,8 @@ class Scene {
     /// Lets searches find all movers where they are now.
     void refresh();
 
-    /// Calls `visit(index, shape)` for every fixed shape that may lie within `reach` of (x, y) as seen from above; some may
-    /// be farther, and one may be visited twice. Without order.
+    /// Calls `visit(index, shape)` for every fixed shape that may lie within `reach` of (x, y) as seen from above; some
+    /// may be farther, and one may be visited twice. Without order.
     template <class Visit>
     void for_each_fixed_near(double x, double y, double reach, Visit&& visit) const {
         const auto look = [&](Index i) {
@@ -64,7 +64,7 @@ class Scene {
         for (const Index i : large_movers_) look(i);
     }
 
-  private:
+private:
     static constexpr double kCell = 0.5;          // [m]
     static constexpr std::size_t kFew = 8;        // up to so many, looking at each beats the grid
     static constexpr double kLargeMover = 0.5;    // [m] reach from which on a mover is kept out of the grid

@@ -78,9 +78,7 @@ double cast_at_cylinder(double radius, double half_height, const Vec3& from, con
 
 }  // namespace
 
-double Shape::reach() const {
-    return kind == Kind::box ? length(half) : std::sqrt(half.x * half.x + half.z * half.z);
-}
+double Shape::reach() const { return kind == Kind::box ? length(half) : std::sqrt(half.x * half.x + half.z * half.z); }
 
 double Shape::half_height() const {
     const double along = std::abs(rotation.z.z) * half.z;

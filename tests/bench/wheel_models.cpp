@@ -1,9 +1,9 @@
 // Compares two wheel models in bare ODE: hinged wheel bodies against one body whose wheels are moving contacts.
 //
-// Both robots have the same mass, wheels, sprung skids and floor contacts, all computed rather than collided, so that the
-// difference is the model's alone. Result (two shared cores, ODE 0.16.2): the hinged model costs 2.4 to 2.6 times as much
-// a step, for three bodies and two motors more in the solver, and drives no better: both reach the commanded speed
-// exactly, both slip when blocked. That is why sim/ builds robots from one body. Figures are ratios from one run.
+// Both robots have the same mass, wheels, sprung skids and floor contacts, all computed rather than collided, so that
+// the difference is the model's alone. Result (two shared cores, ODE 0.16.2): the hinged model costs 2.4 to 2.6 times
+// as much a step, for three bodies and two motors more in the solver, and drives no better: both reach the commanded
+// speed exactly, both slip when blocked. That is why sim/ builds robots from one body. Figures are ratios from one run.
 #include <ode/ode.h>
 
 #include <chrono>
@@ -87,9 +87,8 @@ void step_contact_robots(Bench& bench) {
             dBodyGetRelPointPos(robot.body, 0, (side == 0 ? 0.5 : -0.5) * kTrack, -kCentre, at);
             const double forward[3] = {r[0], r[4], 0};
             const double depth = at[2] < 0 ? -at[2] : 0;
-            bench.add_contact(robot.body, at, depth,
-                              dContactFDir1 | dContactMotion1 | dContactSlip1 | dContactSlip2, 1.0, 0.3, 1e-3, forward,
-                              robot.speed[side]);
+            bench.add_contact(robot.body, at, depth, dContactFDir1 | dContactMotion1 | dContactSlip1 | dContactSlip2,
+                              1.0, 0.3, 1e-3, forward, robot.speed[side]);
         }
         bench.add_skids(robot.body);
     }

@@ -22,9 +22,10 @@ Shape cylinder(Vec3 centre, double radius, double height) {
 double march(const Shape& shape, Vec3 from, Vec3 direction, double range) {
     for (double t = 0; t <= range; t += 1e-4) {
         const Vec3 p = shape.rotation.inverse(from + direction * t - shape.centre);
-        const bool inside = shape.kind == Shape::Kind::box
-                                ? std::abs(p.x) <= shape.half.x && std::abs(p.y) <= shape.half.y && std::abs(p.z) <= shape.half.z
-                                : std::hypot(p.x, p.y) <= shape.half.x && std::abs(p.z) <= shape.half.z;
+        const bool inside =
+            shape.kind == Shape::Kind::box
+                ? std::abs(p.x) <= shape.half.x && std::abs(p.y) <= shape.half.y && std::abs(p.z) <= shape.half.z
+                : std::hypot(p.x, p.y) <= shape.half.x && std::abs(p.z) <= shape.half.z;
         if (inside) return t;
     }
     return kNothing;
@@ -64,8 +65,9 @@ TEST_CASE("rays agree with marching along them", "[sim][ray]") {
     std::uniform_real_distribution<double> u(-1, 1);
     int hits = 0;
     for (int i = 0; i < 400; ++i) {
-        Shape shape = i % 2 == 0 ? box({u(random), u(random), u(random)}, {0.6, 0.3, 0.5}, 3 * u(random), 0.5 * u(random))
-                                 : cylinder({u(random), u(random), u(random)}, 0.3, 0.8);
+        Shape shape = i % 2 == 0
+                          ? box({u(random), u(random), u(random)}, {0.6, 0.3, 0.5}, 3 * u(random), 0.5 * u(random))
+                          : cylinder({u(random), u(random), u(random)}, 0.3, 0.8);
         if (i % 4 == 1) shape.rotation = Rotation::yaw_pitch(3 * u(random), u(random));
         const Vec3 from{u(random), u(random), u(random)};
         const Vec3 direction = normalized(shape.centre + Vec3{u(random), u(random), u(random)} * 0.4 - from);
@@ -73,7 +75,8 @@ TEST_CASE("rays agree with marching along them", "[sim][ray]") {
         const double actual = cast_ray(shape, from, direction, 1.5);
         // A ray that only grazes an edge may slip between two steps of the march.
         if (expected == kNothing) {
-            if (actual < kNothing) CHECK(march(shape, from + direction * (actual - 1e-3), direction * 0.01, 0.4) < kNothing);
+            if (actual < kNothing)
+                CHECK(march(shape, from + direction * (actual - 1e-3), direction * 0.01, 0.4) < kNothing);
         } else {
             CHECK(actual == Approx(expected).margin(2e-4));
             ++hits;
@@ -98,7 +101,8 @@ TEST_CASE("a fan sees through the grid what it sees by looking at every shape", 
     RayFan fan;
     for (std::size_t i = 0; i < 24; ++i) {
         const double angle = static_cast<double>(i) * M_PI / 12;
-        fan.add({{0.085 * std::cos(angle), 0.085 * std::sin(angle), 0.01}, {std::cos(angle), std::sin(angle), 0}, 0.6, i});
+        fan.add(
+            {{0.085 * std::cos(angle), 0.085 * std::sin(angle), 0.01}, {std::cos(angle), std::sin(angle), 0}, 0.6, i});
     }
     std::vector<double> seen(24), expected(24);
     int hits = 0;
@@ -108,12 +112,13 @@ TEST_CASE("a fan sees through the grid what it sees by looking at every shape", 
         std::fill(expected.begin(), expected.end(), kNothing);
         for (const auto& ray : fan.rays) {
             for (const Shape& shape : scene.fixed()) {
-                expected[ray.sensor] = std::min(expected[ray.sensor], cast_ray(shape, robot.centre + ray.from, ray.direction, 0.6));
+                expected[ray.sensor] =
+                    std::min(expected[ray.sensor], cast_ray(shape, robot.centre + ray.from, ray.direction, 0.6));
             }
             for (Scene::Index i = 0; i < scene.movers().size(); ++i) {
                 if (i == self) continue;
-                expected[ray.sensor] =
-                    std::min(expected[ray.sensor], cast_ray(scene.movers()[i], robot.centre + ray.from, ray.direction, 0.6));
+                expected[ray.sensor] = std::min(
+                    expected[ray.sensor], cast_ray(scene.movers()[i], robot.centre + ray.from, ray.direction, 0.6));
             }
         }
         CHECK(seen == expected);
