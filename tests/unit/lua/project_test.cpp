@@ -1,0 +1,112 @@
+// Names that become files: the order of places, and what is said when there is none.
+#include "bindings/lua/project.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string found(const Project& project, const Scratch& scratch, FileKind kind, std::string_view name,
+                  const std::string& named_in) {
+    const auto path = project.find(kind, name, scratch.path(named_in));
+    if (!path) return describe(path.error());
+    return path->lexically_relative(scratch.path("")).string();
+}
+
+}  // namespace
+
+TEST_CASE("the project is the nearest folder above a file that has behaviors/", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/a.lua", "");
+    scratch.write("inner/behaviors/systems/deep/s.lua", "");
+    scratch.write("outer/t.lua", "");
+    CHECK(Project::of(scratch.path("inner/behaviors/systems/deep/s.lua")).root() == scratch.path("inner"));
+    CHECK(Project::of(scratch.path("outer/t.lua")).root() == scratch.path("").parent_path());
+    CHECK(Project::of(scratch.path("outer/not_there.lua")).root() == scratch.path("").parent_path());
+}
+
+TEST_CASE("a name is looked up beside the file, then in behaviors/, then among the installed ones", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/systems/s.lua", "");
+    scratch.write("share/behaviors/c.lua", "");
+    scratch.write("share/engine/robots/c.lua", "");
+    const Project project = Project::of(scratch.path("behaviors/systems/s.lua"), {scratch.path("share")});
+    const std::string in = "behaviors/systems/s.lua";
+    CHECK(found(project, scratch, FileKind::script, "c", in) == "share/behaviors/c.lua");
+    CHECK(found(project, scratch, FileKind::model, "c", in) == "share/engine/robots/c.lua");
+    scratch.write("behaviors/c.lua", "");
+    CHECK(found(project, scratch, FileKind::script, "c", in) == "behaviors/c.lua");
+    CHECK(found(project, scratch, FileKind::model, "c", in) == "behaviors/c.lua");
+    scratch.write("behaviors/systems/c.lua", "");
+    CHECK(found(project, scratch, FileKind::script, "c", in) == "behaviors/systems/c.lua");
+}
+
+TEST_CASE("the ending .lua may be left out, folders are part of a name", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/systems/x.lua", "");
+    scratch.write("behaviors/maps/room.csv", "");
+    scratch.write("tests/t.lua", "");
+    const Project project = Project::of(scratch.path("tests/t.lua"));
+    CHECK(found(project, scratch, FileKind::system, "systems/x", "tests/t.lua") == "behaviors/systems/x.lua");
+    CHECK(found(project, scratch, FileKind::system, "systems/x.lua", "tests/t.lua") == "behaviors/systems/x.lua");
+    CHECK(found(project, scratch, FileKind::module, "systems.x", "tests/t.lua") == "behaviors/systems/x.lua");
+    CHECK(found(project, scratch, FileKind::data, "maps/room.csv", "tests/t.lua") == "behaviors/maps/room.csv");
+    CHECK(found(project, scratch, FileKind::script, "../behaviors/systems/x", "tests/t.lua") ==
+          "behaviors/systems/x.lua");
+    CHECK(found(project, scratch, FileKind::script, scratch.path("behaviors/systems/x.lua").string(), "tests/t.lua") ==
+          "behaviors/systems/x.lua");
+}
+
+TEST_CASE("a name that is nowhere is told with the nearest one and all places", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/robot_controller.lua", "");
+    scratch.write("behaviors/systems/s.lua", "");
+    const Project project = Project::of(scratch.path("behaviors/systems/s.lua"));
+    const auto path = project.find(FileKind::script, "robot_controler", scratch.path("behaviors/systems/s.lua"));
+    REQUIRE_FALSE(path.has_value());
+    CHECK(describe(path.error()) ==
+          "there is no script 'robot_controler' (did you mean 'robot_controller'?); looked for " +
+              scratch.path("behaviors/systems/robot_controler.lua").string() + ", " +
+              scratch.path("behaviors/robot_controler.lua").string());
+    const std::string in = "behaviors/systems/s.lua";
+    CHECK_THAT(found(project, scratch, FileKind::system, "system/s", in),
+               Catch::StartsWith("there is no system file 'system/s'; "));
+    CHECK_THAT(found(project, scratch, FileKind::system, "systems/t", in),
+               Catch::Contains("(did you mean 'systems/s'?)"));
+    CHECK_THAT(found(project, scratch, FileKind::system, "systems/t.lua", in),
+               Catch::Contains("(did you mean 'systems/s.lua'?)"));
+    CHECK(found(project, scratch, FileKind::script, "", in) == "the name of a script is empty");
+    CHECK(found(project, scratch, FileKind::model, std::string_view("a\0b", 3), in) ==
+          "the name of a robot model has a zero byte in it");
+}
+
+TEST_CASE("a folder is no file", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/x.lua/y", "");
+    CHECK_THAT(found(Project::of(scratch.path("a.lua")), scratch, FileKind::script, "x", "a.lua"),
+               Catch::StartsWith("there is no script 'x'"));
+}
+
+TEST_CASE("files below the working directory are shown relative to it, others whole", "[lua][project]") {
+    const Project project = Project::of("behaviors/systems/s.lua");
+    CHECK(project.shown("behaviors/./systems/../a.lua") == "behaviors/a.lua");
+    CHECK(project.shown(fs::current_path() / "a.lua") == "a.lua");
+    CHECK(project.shown("/nowhere/a.lua") == "/nowhere/a.lua");
+    CHECK(project.shown("../a.lua") == (fs::current_path().parent_path() / "a.lua").string());
+}
+
+TEST_CASE("a file that can't be read is one plain message", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("big", std::string((16 << 20) + 1, ' '));
+    const auto error = [&](const char* name) { return describe(read_text_file(scratch.path(name), name).error()); };
+    CHECK(error("nothing") == "nothing: there is no such file");
+    CHECK(error("") == "is a folder, expected a file");
+    CHECK(error("big") == "big: is larger than 16 MB");
+    scratch.write("text", std::string("a\0b\r\n", 5));
+    CHECK(*read_text_file(scratch.path("text"), "text") == std::string("a\0b\r\n", 5));
+}
