@@ -76,6 +76,7 @@ Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& f
         return failure(expected + ", got columns that are not separated by commas", place);
     }
     std::vector<std::string_view> names;
+    names.reserve(columns.size());
     for (const CsvColumn& column : columns) names.push_back(column.name);
     std::vector<std::size_t> order;
     for (const std::string& field : fields) {

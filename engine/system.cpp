@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t worth_threads = 64;
 
 // The worker that runs this thread's share; 0 on the thread that ticks.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a thread's own number, not shared state
 thread_local std::size_t current_worker = 0;
 
 std::vector<std::string_view> port_names(const Component& component, Direction direction) {
