@@ -16,6 +16,7 @@ struct BoxSpec {
     Point3D size{};   ///< [m] along its own x, y, z; all positive
     double yaw = 0;   ///< [rad]
     double mass = 0;  ///< [kg]; 0: it never moves
+    double pitch = 0; ///< [rad] before the yaw; positive: its front goes down. Makes a ramp
     std::string color = "#8a8f98";
     Place place;
 };
