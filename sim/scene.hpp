@@ -24,11 +24,8 @@ public:
     const std::vector<Shape>& fixed() const { return fixed_; }
     const std::vector<Shape>& movers() const { return movers_; }
 
-    /// Where a mover is now. Searches still find it where it was at the last refresh.
-    void place(Index mover, const Vec3& centre, const Rotation& rotation) {
-        movers_[mover].centre = centre;
-        movers_[mover].rotation = rotation;
-    }
+    /// For moving a mover. Searches still find it where it was at the last refresh.
+    Shape& mover(Index index) { return movers_[index]; }
 
     /// Lets searches find all movers where they are now.
     void refresh();

@@ -95,7 +95,7 @@ TEST_CASE("a fan sees through the grid what it sees by looking at every shape", 
     scene.add_fixed(box({0, 0, -500}, {1000, 1000, 1000}));  // too large for the grid
     for (int i = 0; i < 80; ++i) scene.add_mover(cylinder({8 * u(random), 8 * u(random), 0.05}, 0.085, 0.1));
     scene.add_mover(box({0, 0, 0.2}, {3, 0.1, 0.4}));  // a large one
-    for (Scene::Index i = 0; i < 80; i += 2) scene.place(i, {8 * u(random), 8 * u(random), 0.05}, {});
+    for (Scene::Index i = 0; i < 80; i += 2) scene.mover(i).centre = {8 * u(random), 8 * u(random), 0.05};
     scene.refresh();
 
     RayFan fan;

@@ -1,0 +1,251 @@
+// Contacts of robots and things with the floor and with each other.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/ode_world.hpp"
+
+namespace nezumi::sim {
+namespace {
+
+constexpr Vec3 kUp{0, 0, 1};
+
+void set_touch(dContact& contact, const Touch& touch) {
+    contact.geom.pos[0] = touch.at.x;
+    contact.geom.pos[1] = touch.at.y;
+    contact.geom.pos[2] = touch.at.z;
+    contact.geom.normal[0] = touch.normal.x;
+    contact.geom.normal[1] = touch.normal.y;
+    contact.geom.normal[2] = touch.normal.z;
+    contact.geom.depth = touch.depth;
+}
+
+void set_spring(dContact& contact, const Spring& spring) {
+    contact.surface.soft_erp = spring.erp;
+    contact.surface.soft_cfm = spring.cfm;
+}
+
+constexpr int kSprung = dContactSoftERP | dContactSoftCFM | dContactApprox1;
+
+}  // namespace
+
+void OdeWorld::attach(const dContact& contact, dBodyID a, dBodyID b) {
+    dJointAttach(dJointCreateContact(world_.get(), contacts_.get(), &contact), a, b);
+}
+
+void OdeWorld::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction) {
+    dContact contact{};
+    contact.surface.mode = kSprung;
+    contact.surface.mu = friction;
+    set_spring(contact, spring);
+    set_touch(contact, touch);
+    attach(contact, a, b);
+}
+
+// The motor turns the wheel: its rim moves backwards under the axle, so the robot is driven forward along the
+// friction's first direction. A coasting wheel resists only sideways.
+void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& axis, dBodyID other) {
+    const RobotModel& model = *robot.model;
+    dContact contact{};
+    contact.surface.mode = kSprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
+    contact.surface.mu = kWheelFriction;
+    contact.surface.slip1 = contact.surface.slip2 = model.slip;
+    if (robot.coasting) {
+        contact.surface.mode |= dContactMu2;
+        contact.surface.mu2 = kWheelFriction;
+        contact.surface.mu = kRollingFriction;
+    } else {
+        contact.surface.mode |= dContactMotion1;
+        contact.surface.motion1 = side == 0 ? robot.speeds.left : robot.speeds.right;
+    }
+    set_spring(contact, model.firm);
+    set_touch(contact, touch);
+    const Vec3 forward = normalized(cross(axis, touch.normal));
+    contact.fdir1[0] = forward.x;
+    contact.fdir1[1] = forward.y;
+    contact.fdir1[2] = forward.z;
+    attach(contact, robot.body.id, other);
+}
+
+void OdeWorld::add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other) {
+    dContact contact{};
+    contact.surface.mode = kSprung;
+    contact.surface.mu = 0;
+    set_spring(contact, robot.model->skid);
+    set_touch(contact, touch);
+    attach(contact, robot.body.id, other);
+}
+
+void OdeWorld::touch_floor(SimRobot& robot) {
+    const RobotModel& model = *robot.model;
+    const Vec3 centre = robot.body.centre();
+    const Rotation rotation = robot.body.rotation();
+    const Vec3& axis = rotation.y;
+
+    // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
+    const double flat = std::sqrt(std::max(0.0, 1 - axis.z * axis.z));
+    if (flat > 0.3) {
+        const Vec3 down = (axis * axis.z - kUp) * (1 / flat);
+        for (int side = 0; side < 2; ++side) {
+            const Vec3 lowest =
+                centre + rotation * model.wheels[static_cast<std::size_t>(side)] + down * model.wheel_radius;
+            if (lowest.z < 0) add_wheel_contact(robot, side, {lowest, kUp, -lowest.z}, axis, nullptr);
+        }
+    }
+    for (const Vec3& skid : model.skids) {
+        const Vec3 lowest = centre + rotation * skid;
+        if (lowest.z < 0) add_skid_contact(robot, {lowest, kUp, -lowest.z}, nullptr);
+    }
+    Shape hull = model.hull;
+    place_hull(hull, model, robot.body);
+    if (hull.centre.z < hull.half_height()) touch_floor_with(hull, robot.body.id, model.firm, kHullFriction);
+}
+
+// The four deepest corners, or points on the rims.
+void OdeWorld::touch_floor_with(const Shape& shape, dBodyID body, const Spring& spring, double friction) {
+    std::array<Vec3, 8> points;
+    std::size_t count = 0;
+    const Rotation& r = shape.rotation;
+    if (shape.kind == Shape::Kind::box) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 local{(corner & 1) != 0 ? shape.half.x : -shape.half.x,
+                             (corner & 2) != 0 ? shape.half.y : -shape.half.y,
+                             (corner & 4) != 0 ? shape.half.z : -shape.half.z};
+            points[count++] = shape.centre + r * local;
+        }
+    } else {
+        // On each rim: the lowest point, and three more a quarter of a turn apart.
+        const Vec3 slope = kUp - r.z * r.z.z;
+        const double steep = length(slope);
+        const Vec3 low = steep > 1e-6 ? slope * (-1 / steep) : r.x;
+        const Vec3 side = cross(r.z, low);
+        for (const double end : {-shape.half.z, shape.half.z}) {
+            const Vec3 cap = shape.centre + r.z * end;
+            for (const Vec3& out : {low, side, -side, -low}) points[count++] = cap + out * shape.half.x;
+        }
+    }
+    const auto lower = [](const Vec3& a, const Vec3& b) { return a.z < b.z; };
+    std::sort(points.begin(), points.end(), lower);
+    for (std::size_t i = 0; i < 4 && points[i].z < 0; ++i) {
+        add_contact(body, nullptr, {points[i], kUp, -points[i].z}, spring, friction);
+    }
+}
+
+void OdeWorld::touch_neighbours(SimRobot& robot) {
+    for (const Scene::Index i : robot.near.fixed) touch_fixed(robot, i);
+    for (const Scene::Index i : robot.near.movers) {
+        if (is_thing(i)) {
+            touch_thing(robot, i);
+        } else if (i > robot.mover) {  // each pair once
+            touch_robot(robot, robot_of(i));
+        }
+    }
+}
+
+void OdeWorld::touch_fixed(SimRobot& robot, Scene::Index index) {
+    const Shape& shape = scene_.fixed()[index];
+    if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
+    bool touches = roll_over(robot, shape, nullptr);
+    for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
+        add_contact(robot.body.id, nullptr, touch, robot.model->firm, kHullFriction);
+        touches = true;
+    }
+    if (touches && robot.touched == 0) robot.touched = touched_fixed(index);
+}
+
+void OdeWorld::touch_thing(SimRobot& robot, Scene::Index index) {
+    Thing& thing = things_[index];
+    const Shape& shape = scene_.movers()[index];
+    if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
+    bool touches = roll_over(robot, shape, thing.body.id);
+    const Spring& spring = thing.mass < robot.model->mass ? Spring::from(per_kilogram::kFirm * thing.mass,
+                                                                         per_kilogram::kFirmDamping * thing.mass, step_)
+                                                          : robot.model->firm;
+    for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
+        add_contact(robot.body.id, thing.body.id, touch, spring, kHullFriction);
+        touches = true;
+    }
+    if (!touches) return;
+    if (robot.touched == 0) robot.touched = touched_mover(index);
+    wake(thing);
+    links_.emplace_back(robot.mover, index);
+}
+
+void OdeWorld::touch_robot(SimRobot& robot, SimRobot& other) {
+    const double dx = robot.body.p[0] - other.body.p[0], dy = robot.body.p[1] - other.body.p[1];
+    const double far = robot.model->reach + other.model->reach;
+    if (dx * dx + dy * dy > far * far) return;
+    const RobotModel& lighter = robot.model->mass <= other.model->mass ? *robot.model : *other.model;
+    const auto touches = narrow_.collide(scene_.movers()[robot.mover], scene_.movers()[other.mover]);
+    for (const Touch& touch : touches) add_contact(robot.body.id, other.body.id, touch, lighter.firm, kHullFriction);
+    if (touches.empty()) return;
+    if (robot.touched == 0) robot.touched = touched_mover(other.mover);
+    if (other.touched == 0) other.touched = touched_mover(robot.mover);
+    links_.emplace_back(robot.mover, other.mover);
+}
+
+// Wheels and skids on a kerb, a ramp or something that lies on the floor, fixed (`other` is null) or movable.
+bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
+    const RobotModel& model = *robot.model;
+    const Vec3 centre = robot.body.centre();
+    const Rotation rotation = robot.body.rotation();
+    bool touches = false;
+    for (int side = 0; side < 2; ++side) {
+        const Vec3 axle = centre + rotation * model.wheels[static_cast<std::size_t>(side)];
+        if (const auto touch = touch_wheel(shape, axle, rotation.y, model.wheel_radius)) {
+            add_wheel_contact(robot, side, *touch, rotation.y, other);
+            touches = true;
+        }
+    }
+    for (const Vec3& skid : model.skids) {
+        // What reaches higher than the hull's bottom stops the hull before it comes under a skid.
+        const Vec3 lowest = centre + rotation * skid, from = lowest + rotation.z * model.clearance;
+        Vec3 normal;
+        const double distance = cast_ray(shape, from, -rotation.z, model.clearance, &normal);
+        if (distance == kNothing || distance == 0 || normal.z < 0.5) continue;
+        add_skid_contact(robot, {lowest, normal, (model.clearance - distance) * normal.z}, other);
+        touches = true;
+    }
+    return touches;
+}
+
+void OdeWorld::wake(Thing& thing) {
+    thing.quiet_steps = 0;
+    if (!thing.asleep) return;
+    thing.asleep = false;
+    dBodyEnable(thing.body.id);
+}
+
+void OdeWorld::touch_floor(Thing& thing) {
+    const Shape& shape = scene_.movers()[thing.mover];
+    if (shape.centre.z >= shape.half_height()) return;
+    touch_floor_with(shape, thing.body.id,
+                     Spring::from(per_kilogram::kFirm * thing.mass, per_kilogram::kFirmDamping * thing.mass, step_),
+                     kThingFriction);
+}
+
+void OdeWorld::touch_neighbours(Thing& thing) {
+    const Spring spring =
+        Spring::from(per_kilogram::kFirm * thing.mass, per_kilogram::kFirmDamping * thing.mass, step_);
+    const Shape& shape = scene_.movers()[thing.mover];
+    for (const Scene::Index i : thing.near.fixed) {
+        for (const Touch& touch : narrow_.collide(shape, scene_.fixed()[i])) {
+            add_contact(thing.body.id, nullptr, touch, spring, kThingFriction);
+        }
+    }
+    for (const Scene::Index i : thing.near.movers) {
+        if (!is_thing(i)) continue;  // robots have done it
+        Thing& other = things_[i];
+        if (!other.asleep && i < thing.mover) continue;  // each pair once
+        const auto touches = narrow_.collide(shape, scene_.movers()[i]);
+        for (const Touch& touch : touches) add_contact(thing.body.id, other.body.id, touch, spring, kThingFriction);
+        if (touches.empty()) continue;
+        if (other.asleep) {
+            other.asleep =
+                false;  // it keeps what it has been quiet for: two that rest on each other sleep in again together
+            dBodyEnable(other.body.id);
+        }
+        links_.emplace_back(thing.mover, i);
+    }
+}
+
+}  // namespace nezumi::sim

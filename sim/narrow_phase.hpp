@@ -1,0 +1,40 @@
+// Where two shapes touch, and where a wheel touches a shape.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "sim/ode_library.hpp"
+#include "sim/shape.hpp"
+
+namespace nezumi::sim {
+
+/// A point where `a` and `b` touch.
+struct Touch {
+    Vec3 at;           ///< [m] in the world
+    Vec3 normal;       ///< a unit vector that points into `a`: moved along it by `depth`, `a` is free
+    double depth = 0;  ///< [m]
+};
+
+class NarrowPhase {
+public:
+    static constexpr std::size_t kMost = 4;
+
+    NarrowPhase();
+
+    /// The points where the two touch, none when they don't. Valid until the next call.
+    std::span<const Touch> collide(const Shape& a, const Shape& b);
+
+private:
+    std::span<const Touch> collide_by_ode(const Shape& a, const Shape& b);
+
+    std::array<std::array<GeomHandle, 2>, 2> geoms_;  // for a and b, a box and a cylinder
+    std::array<Touch, kMost> touches_;
+};
+
+/// Where a wheel, a thin disc, touches a shape that it can roll over: a kerb, a ramp, a box lying on the floor. Nothing
+/// for what stands like a wall (the hull stops at that) and for what reaches over the axle. `axis` is a unit vector.
+std::optional<Touch> touch_wheel(const Shape& shape, const Vec3& centre, const Vec3& axis, double radius);
+
+}  // namespace nezumi::sim

@@ -1,0 +1,65 @@
+// Counting the users of ODE, and catching what it says.
+#include "sim/ode_library.hpp"
+
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+
+namespace nezumi::sim {
+namespace {
+
+// ODE knows one initialisation and one set of handlers a process; these are the counterpart to that.
+struct Process {
+    std::mutex mutex;
+    int users = 0;
+    std::mutex random_numbers;
+};
+Process& process() {
+    static Process the;
+    return the;
+}
+
+// ODE's handlers take no user data: the thread tells whose message it is.
+thread_local const OdeMessages::Sink* thread_sink = nullptr;
+
+std::string format(const char* message, va_list arguments) {
+    std::array<char, 500> text{};
+    std::vsnprintf(text.data(), text.size(), message, arguments);
+    return std::string("physics: ") + text.data();
+}
+
+void on_message(int, const char* message, va_list arguments) {
+    if (thread_sink != nullptr && *thread_sink) (*thread_sink)(format(message, arguments));
+}
+
+void on_error(int, const char* message, va_list arguments) {
+    const std::string text = format(message, arguments);
+    if (thread_sink != nullptr && *thread_sink) (*thread_sink)(text);
+    std::fprintf(stderr, "nezumi: %s\n", text.c_str());
+}
+
+}  // namespace
+
+OdeLibrary::OdeLibrary() {
+    Process& p = process();
+    const std::scoped_lock lock(p.mutex);
+    if (p.users++ == 0) {
+        dInitODE2(0);
+        dSetMessageHandler(on_message);
+        dSetErrorHandler(on_error);
+        dSetDebugHandler(on_error);
+    }
+}
+
+OdeLibrary::~OdeLibrary() {
+    Process& p = process();
+    const std::scoped_lock lock(p.mutex);
+    if (--p.users == 0) dCloseODE();
+}
+
+std::mutex& OdeLibrary::random_numbers() { return process().random_numbers; }
+
+OdeMessages::OdeMessages(const Sink& sink) : before_(std::exchange(thread_sink, &sink)) {}
+OdeMessages::~OdeMessages() { thread_sink = before_; }
+
+}  // namespace nezumi::sim

@@ -1,0 +1,88 @@
+// Deriving a robot's physics: where it rests, on which springs, and its rays.
+#include "sim/robot_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nezumi::sim {
+namespace {
+
+// No hull hangs lower [m]: one that rests on the floor would brake the robot.
+constexpr double kLeastClearance = 0.004;
+
+Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+RobotModel::RobotModel(const RobotSpec& robot, double step)
+    : spec(&robot),
+      origin(-to_vec(robot.body.at)),
+      mass(robot.mass),
+      firm(Spring::from(per_kilogram::kFirm * mass, per_kilogram::kFirmDamping * mass, step)),
+      skid(Spring::from(per_kilogram::kSkid * mass, per_kilogram::kSkidDamping * mass, step)),
+      slip(per_kilogram::kSlip / mass) {
+    const bool box = robot.body.shape == BodySpec::Shape::box;
+    hull.kind = box ? Shape::Kind::box : Shape::Kind::cylinder;
+    hull.half = to_vec(robot.body.size) * 0.5;
+    const double top = robot.body.at.z + hull.half.z;
+    const double bottom = std::max(robot.body.at.z - hull.half.z, std::min(kLeastClearance, top - 0.001));
+    hull.half.z = (top - bottom) / 2;
+    hull_drop = (top + bottom) / 2 - robot.body.at.z;
+
+    // At rest the wheels carry the load and each skid 15 % of it, more or less where the hull's centre is before or
+    // behind the axle, so that the robot stands level. Each is longer by what its spring then gives.
+    const DriveSpec& drive = robot.drive;
+    const double shift =
+        std::clamp(robot.body.at.x / drive.skid, -0.9, 0.9);  // front less rear, as a part of the weight
+    double front = 0.15 + shift / 2, rear = 0.15 - shift / 2;
+    if (front < 0) {
+        rear -= front;
+        front = 0;
+    } else if (rear < 0) {
+        front -= rear;
+        rear = 0;
+    }
+    const double on_wheel = (1 - front - rear) / 2;
+    wheel_radius = drive.radius + on_wheel * kGravity / per_kilogram::kFirm;
+    const double axle = origin.z + drive.radius;
+    wheels = {Vec3{origin.x, origin.y + drive.track / 2, axle}, Vec3{origin.x, origin.y - drive.track / 2, axle}};
+    const double skid_give = kGravity / per_kilogram::kSkid;
+    skids = {Vec3{origin.x + drive.skid, origin.y, origin.z - front * skid_give},
+             Vec3{origin.x - drive.skid, origin.y, origin.z - rear * skid_give}};
+    clearance = bottom;
+
+    reach = hull.reach();
+    for (const Vec3& wheel : wheels) reach = std::max(reach, length(wheel) + wheel_radius);
+    for (const Vec3& point : skids) reach = std::max(reach, length(point));
+
+    for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
+        if (robot.sensors[i].kind != SensorSpec::Kind::range) continue;
+        range_sensors.push_back(i);
+        if (!robot.sensors[i].on.empty()) has_servo_sensors = true;
+    }
+    fan = fan_at(std::vector<double>(robot.actuators.size(), 0.0));
+}
+
+RayFan RobotModel::fan_at(const std::vector<double>& servo_angles) const {
+    RayFan rays;
+    for (std::size_t i = 0; i < range_sensors.size(); ++i) {
+        const SensorSpec& sensor = spec->sensors[range_sensors[i]];
+        Vec3 at = to_vec(sensor.at);
+        double yaw = sensor.yaw;
+        for (std::size_t a = 0; a < spec->actuators.size(); ++a) {
+            const ActuatorSpec& servo = spec->actuators[a];
+            if (servo.name != sensor.on || servo.kind != ActuatorSpec::Kind::servo) continue;
+            at = to_vec(servo.at) + Rotation::yaw(servo_angles[a]) * (at - to_vec(servo.at));
+            yaw += servo_angles[a];
+        }
+        const int count = sensor.cone > 0 ? std::max(1, sensor.rays) : 1;
+        for (int k = 0; k < count; ++k) {
+            const double angle = count == 1 ? yaw : yaw + sensor.cone * (static_cast<double>(k) / (count - 1) - 0.5);
+            rays.add({at + origin, {std::cos(angle), std::sin(angle), 0}, sensor.range, i});
+        }
+    }
+    rays.sensors = range_sensors.size();
+    return rays;
+}
+
+}  // namespace nezumi::sim

@@ -1,0 +1,64 @@
+// What physics needs to know of a robot, derived once from its description.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/robot_spec.hpp"
+#include "sim/ray_caster.hpp"
+#include "sim/shape.hpp"
+
+namespace nezumi::sim {
+
+/// A spring with a damper, as the two numbers ODE's solver takes (for one step length).
+struct Spring {
+    double erp = 0;
+    double cfm = 0;
+
+    /// `stiffness` [N/m], `damping` [N s/m], `step` [s]; ODE's manual, "How to use ERP and CFM".
+    static Spring from(double stiffness, double damping, double step) {
+        return {step * stiffness / (step * stiffness + damping), 1 / (step * stiffness + damping)};
+    }
+};
+
+/// Stiffness and damping for each kilogram of a body, so that a light robot and a heavy one sink in, nod and bounce
+/// alike. Measured with a robot of 1.6 kg at steps of 10 ms (erp 0.3 and cfm 1e-3; skids 0.183 and 0.0122; slip 5e-4).
+namespace per_kilogram {
+inline constexpr double kFirm = 18'750, kFirmDamping = 437.5;  ///< wheels, hulls, things
+inline constexpr double kSkid = 940, kSkidDamping = 41.9;      ///< soft: rigid skids high-centre on a ramp of 5 degrees
+inline constexpr double kSlip = 8e-4;                          ///< [m/s for each N, times kg] creep of a loaded wheel
+}  // namespace per_kilogram
+
+inline constexpr double kGravity = 9.81;       // [m/s^2]
+inline constexpr double kWheelFriction = 1.0;  // rubber
+inline constexpr double kRollingFriction = 0.01;
+inline constexpr double kHullFriction = 0.3;
+inline constexpr double kThingFriction = 0.35;  // a mouse can push half a kilogram
+
+/// A robot is one body: the hull, whose centre is the centre of mass. Wheels and skids are points where it touches what
+/// lies below. All places are from the hull's centre [m], in the robot's frame.
+struct RobotModel {
+    RobotModel(const RobotSpec& spec, double step);
+
+    const RobotSpec* spec;
+    Shape hull;           ///< at the origin; its bottom is cut off where it would drag over the floor
+    double hull_drop;     ///< the cut hull's centre is so much above the hull's own
+    Vec3 origin;          ///< the body frame's origin
+    double mass;          ///< [kg]
+    double wheel_radius;  ///< what the floor feels: a little more than the nominal one, by which the wheel sinks in
+    std::array<Vec3, 2> wheels;  ///< centres: left, right
+    std::array<Vec3, 2> skids;   ///< lowest points when nothing presses: front, rear
+    double clearance;            ///< from a skid's lowest point to the hull's bottom
+    double reach;                ///< the upright cylinder of this radius holds hull, wheels and skids
+    Spring firm, skid;
+    double slip;  ///< [m/s for each N]
+
+    RayFan fan;                              ///< of the range sensors, servos at 0; distances in the order of the spec
+    std::vector<std::size_t> range_sensors;  ///< which sensors of the spec they are
+    bool has_servo_sensors = false;
+
+    /// The rays with the spec's actuators at these angles [rad].
+    RayFan fan_at(const std::vector<double>& servo_angles) const;
+};
+
+}  // namespace nezumi::sim

@@ -1,0 +1,72 @@
+// What a simulated robot feels and sees, and what it is told to do.
+#include <cassert>
+#include <cmath>
+
+#include "sim/ode_world.hpp"
+
+namespace nezumi::sim {
+
+void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances) const {
+    const RayFan& fan = robot.turned_fan != nullptr ? *robot.turned_fan : robot.model->fan;
+    if (fan.sensors == 0) return;
+    cast_rays(scene_, fan, robot.body.centre(), robot.body.rotation(), robot.mover, distances);
+}
+
+// A touch sensor is a plunger that sticks out by its travel. It is closed once something has pushed it in, as seen by
+// three rays across its tip that start behind the hull's surface.
+bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor) const {
+    constexpr double kTip = 0.006;      // [m] half the width of the tip
+    constexpr double kBehind = 0.005;   // [m] contacts give a little
+    constexpr double kNearly = 0.0015;  // [m] of the travel that need not be used up: a robot that pushes leans back
+    const Rotation rotation = robot.body.rotation();
+    const Vec3 at = Vec3{sensor.at.x, sensor.at.y, sensor.at.z} + robot.model->origin;
+    const Vec3 out{std::cos(sensor.yaw), std::sin(sensor.yaw), 0}, aside{-out.y, out.x, 0};
+    for (const double side : {0.0, kTip, -kTip}) {
+        const Vec3 from = at - out * (sensor.travel + kBehind) + aside * side;
+        const double distance =
+            cast_ray(scene_, robot.body.centre() + rotation * from, rotation * out, kBehind + kNearly, robot.mover);
+        if (distance < kNothing) return true;
+    }
+    return false;
+}
+
+std::vector<Ray> OdeWorld::rays(RobotId id) const {
+    const SimRobot& robot = robots_[id];
+    const RayFan& fan = robot.turned_fan != nullptr ? *robot.turned_fan : robot.model->fan;
+    const Vec3 centre = robot.body.centre();
+    const Rotation rotation = robot.body.rotation();
+    std::vector<Ray> rays;
+    for (const RayFan::RayFrom& ray : fan.rays) {
+        const Vec3 from = centre + rotation * ray.from, direction = rotation * ray.direction;
+        const double distance = cast_ray(scene_, from, direction, ray.range, robot.mover);
+        const bool hit = distance < kNothing;
+        const Vec3 to = from + direction * (hit ? distance : ray.range);
+        rays.push_back({{from.x, from.y, from.z}, {to.x, to.y, to.z}, hit});
+    }
+    return rays;
+}
+
+bool SimRobotBody::is_pressed(std::size_t index) const {
+    const SimRobot& robot = world_.robot(id_);
+    if (robot.pressed[index]) return true;
+    const SensorSpec& sensor = robot.model->spec->sensors[index];
+    return sensor.kind == SensorSpec::Kind::touch && world_.touches_something(robot, sensor);
+}
+
+void SimRobotBody::set_wheel_speeds(Wheels speeds) {
+    assert(std::isfinite(speeds.left) && std::isfinite(speeds.right));
+    SimRobot& robot = world_.robot(id_);
+    robot.speeds = speeds;
+    robot.coasting = false;
+}
+
+void SimRobotBody::set_servo(std::size_t index, double angle) {
+    assert(std::isfinite(angle));
+    SimRobot& robot = world_.robot(id_);
+    if (robot.servos[index] == angle) return;
+    robot.servos[index] = angle;
+    if (!robot.model->has_servo_sensors) return;
+    robot.turned_fan = std::make_unique<RayFan>(robot.model->fan_at(robot.servos));
+}
+
+}  // namespace nezumi::sim
