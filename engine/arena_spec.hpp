@@ -12,11 +12,11 @@ namespace nezumi {
 
 /// A box, standing still or movable; walls and the rows of a CSV map become boxes too.
 struct BoxSpec {
-    Point3D at{};     ///< [m] centre
-    Point3D size{};   ///< [m] along its own x, y, z; all positive
-    double yaw = 0;   ///< [rad]
-    double mass = 0;  ///< [kg]; 0: it never moves
-    double pitch = 0; ///< [rad] before the yaw; positive: its front goes down. Makes a ramp
+    Point3D at{};      ///< [m] centre
+    Point3D size{};    ///< [m] along its own x, y, z; all positive
+    double yaw = 0;    ///< [rad]
+    double mass = 0;   ///< [kg]; 0: it never moves
+    double pitch = 0;  ///< [rad] before the yaw; positive: its front goes down. Makes a ramp
     std::string color = "#8a8f98";
     Place place;
 };
