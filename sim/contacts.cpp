@@ -7,7 +7,7 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr Vec3 kUp{0, 0, 1};
+constexpr Vec3 upwards{0, 0, 1};
 
 void set_touch(dContact& contact, const Touch& touch) {
     contact.geom.pos[0] = touch.at.x;
@@ -24,7 +24,7 @@ void set_spring(dContact& contact, const Spring& spring) {
     contact.surface.soft_cfm = spring.cfm;
 }
 
-constexpr int kSprung = dContactSoftERP | dContactSoftCFM | dContactApprox1;
+constexpr int sprung = dContactSoftERP | dContactSoftCFM | dContactApprox1;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void OdeWorld::attach(const dContact& contact, dBodyID a, dBodyID b) {
 
 void OdeWorld::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction) {
     dContact contact{};
-    contact.surface.mode = kSprung;
+    contact.surface.mode = sprung;
     contact.surface.mu = friction;
     set_spring(contact, spring);
     set_touch(contact, touch);
@@ -46,13 +46,13 @@ void OdeWorld::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Sprin
 void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& axis, dBodyID other) {
     const RobotModel& model = *robot.model;
     dContact contact{};
-    contact.surface.mode = kSprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
-    contact.surface.mu = kWheelFriction;
+    contact.surface.mode = sprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
+    contact.surface.mu = wheel_friction;
     contact.surface.slip1 = contact.surface.slip2 = model.slip;
     if (robot.coasting) {
         contact.surface.mode |= dContactMu2;
-        contact.surface.mu2 = kWheelFriction;
-        contact.surface.mu = kRollingFriction;
+        contact.surface.mu2 = wheel_friction;
+        contact.surface.mu = rolling_friction;
     } else {
         contact.surface.mode |= dContactMotion1;
         contact.surface.motion1 = side == 0 ? robot.speeds.left : robot.speeds.right;
@@ -68,7 +68,7 @@ void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, 
 
 void OdeWorld::add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other) {
     dContact contact{};
-    contact.surface.mode = kSprung;
+    contact.surface.mode = sprung;
     contact.surface.mu = 0;
     set_spring(contact, robot.model->skid);
     set_touch(contact, touch);
@@ -84,20 +84,20 @@ void OdeWorld::touch_floor(SimRobot& robot) {
     // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
     const double flat = std::sqrt(std::max(0.0, 1 - axis.z * axis.z));
     if (flat > 0.3) {
-        const Vec3 down = (axis * axis.z - kUp) * (1 / flat);
+        const Vec3 down = (axis * axis.z - upwards) * (1 / flat);
         for (int side = 0; side < 2; ++side) {
             const Vec3 lowest =
                 centre + rotation * model.wheels[static_cast<std::size_t>(side)] + down * model.wheel_radius;
-            if (lowest.z < 0) add_wheel_contact(robot, side, {lowest, kUp, -lowest.z}, axis, nullptr);
+            if (lowest.z < 0) add_wheel_contact(robot, side, {lowest, upwards, -lowest.z}, axis, nullptr);
         }
     }
     for (const Vec3& skid : model.skids) {
         const Vec3 lowest = centre + rotation * skid;
-        if (lowest.z < 0) add_skid_contact(robot, {lowest, kUp, -lowest.z}, nullptr);
+        if (lowest.z < 0) add_skid_contact(robot, {lowest, upwards, -lowest.z}, nullptr);
     }
     Shape hull = model.hull;
     place_hull(hull, model, robot.body);
-    if (hull.centre.z < hull.half_height()) touch_floor_with(hull, robot.body.id, model.firm, kHullFriction);
+    if (hull.centre.z < hull.half_height()) touch_floor_with(hull, robot.body.id, model.firm, hull_friction);
 }
 
 // The four deepest corners, or points on the rims.
@@ -114,7 +114,7 @@ void OdeWorld::touch_floor_with(const Shape& shape, dBodyID body, const Spring& 
         }
     } else {
         // On each rim: the lowest point, and three more a quarter of a turn apart.
-        const Vec3 slope = kUp - r.z * r.z.z;
+        const Vec3 slope = upwards - r.z * r.z.z;
         const double steep = length(slope);
         const Vec3 low = steep > 1e-6 ? slope * (-1 / steep) : r.x;
         const Vec3 side = cross(r.z, low);
@@ -126,7 +126,7 @@ void OdeWorld::touch_floor_with(const Shape& shape, dBodyID body, const Spring& 
     const auto lower = [](const Vec3& a, const Vec3& b) { return a.z < b.z; };
     std::sort(points.begin(), points.end(), lower);
     for (std::size_t i = 0; i < 4 && points[i].z < 0; ++i) {
-        add_contact(body, nullptr, {points[i], kUp, -points[i].z}, spring, friction);
+        add_contact(body, nullptr, {points[i], upwards, -points[i].z}, spring, friction);
     }
 }
 
@@ -146,7 +146,7 @@ void OdeWorld::touch_fixed(SimRobot& robot, Scene::Index index) {
     if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
     bool touches = roll_over(robot, shape, nullptr);
     for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
-        add_contact(robot.body.id, nullptr, touch, robot.model->firm, kHullFriction);
+        add_contact(robot.body.id, nullptr, touch, robot.model->firm, hull_friction);
         touches = true;
     }
     if (touches && robot.touched == 0) robot.touched = touched_fixed(index);
@@ -157,11 +157,11 @@ void OdeWorld::touch_thing(SimRobot& robot, Scene::Index index) {
     const Shape& shape = scene_.movers()[index];
     if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
     bool touches = roll_over(robot, shape, thing.body.id);
-    const Spring& spring = thing.mass < robot.model->mass ? Spring::from(per_kilogram::kFirm * thing.mass,
-                                                                         per_kilogram::kFirmDamping * thing.mass, step_)
+    const Spring& spring = thing.mass < robot.model->mass ? Spring::from(per_kilogram::firm * thing.mass,
+                                                                         per_kilogram::firm_damping * thing.mass, step_)
                                                           : robot.model->firm;
     for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
-        add_contact(robot.body.id, thing.body.id, touch, spring, kHullFriction);
+        add_contact(robot.body.id, thing.body.id, touch, spring, hull_friction);
         touches = true;
     }
     if (!touches) return;
@@ -176,7 +176,7 @@ void OdeWorld::touch_robot(SimRobot& robot, SimRobot& other) {
     if (dx * dx + dy * dy > far * far) return;
     const RobotModel& lighter = robot.model->mass <= other.model->mass ? *robot.model : *other.model;
     const auto touches = narrow_.collide(scene_.movers()[robot.mover], scene_.movers()[other.mover]);
-    for (const Touch& touch : touches) add_contact(robot.body.id, other.body.id, touch, lighter.firm, kHullFriction);
+    for (const Touch& touch : touches) add_contact(robot.body.id, other.body.id, touch, lighter.firm, hull_friction);
     if (touches.empty()) return;
     if (robot.touched == 0) robot.touched = touched_mover(other.mover);
     if (other.touched == 0) other.touched = touched_mover(robot.mover);
@@ -201,7 +201,7 @@ bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
         const Vec3 lowest = centre + rotation * skid, from = lowest + rotation.z * model.clearance;
         Vec3 normal;
         const double distance = cast_ray(shape, from, -rotation.z, model.clearance, &normal);
-        if (distance == kNothing || distance == 0 || normal.z < 0.5) continue;
+        if (distance == nothing || distance == 0 || normal.z < 0.5) continue;
         add_skid_contact(robot, {lowest, normal, (model.clearance - distance) * normal.z}, other);
         touches = true;
     }
@@ -219,17 +219,16 @@ void OdeWorld::touch_floor(Thing& thing) {
     const Shape& shape = scene_.movers()[thing.mover];
     if (shape.centre.z >= shape.half_height()) return;
     touch_floor_with(shape, thing.body.id,
-                     Spring::from(per_kilogram::kFirm * thing.mass, per_kilogram::kFirmDamping * thing.mass, step_),
-                     kThingFriction);
+                     Spring::from(per_kilogram::firm * thing.mass, per_kilogram::firm_damping * thing.mass, step_),
+                     thing_friction);
 }
 
 void OdeWorld::touch_neighbours(Thing& thing) {
-    const Spring spring =
-        Spring::from(per_kilogram::kFirm * thing.mass, per_kilogram::kFirmDamping * thing.mass, step_);
+    const Spring spring = Spring::from(per_kilogram::firm * thing.mass, per_kilogram::firm_damping * thing.mass, step_);
     const Shape& shape = scene_.movers()[thing.mover];
     for (const Scene::Index i : thing.near.fixed) {
         for (const Touch& touch : narrow_.collide(shape, scene_.fixed()[i])) {
-            add_contact(thing.body.id, nullptr, touch, spring, kThingFriction);
+            add_contact(thing.body.id, nullptr, touch, spring, thing_friction);
         }
     }
     for (const Scene::Index i : thing.near.movers) {
@@ -237,7 +236,7 @@ void OdeWorld::touch_neighbours(Thing& thing) {
         Thing& other = things_[i];
         if (!other.asleep && i < thing.mover) continue;  // each pair once
         const auto touches = narrow_.collide(shape, scene_.movers()[i]);
-        for (const Touch& touch : touches) add_contact(thing.body.id, other.body.id, touch, spring, kThingFriction);
+        for (const Touch& touch : touches) add_contact(thing.body.id, other.body.id, touch, spring, thing_friction);
         if (touches.empty()) continue;
         if (other.asleep) {
             other.asleep =

@@ -13,14 +13,14 @@ namespace nezumi::sim {
 class Grid {
 public:
     /// `cell` is the edge of a cell [m].
-    explicit Grid(double cell) : cell_(cell), inverse_(1 / cell) { heads_.assign(16, kEnd); }
+    explicit Grid(double cell) : cell_(cell), inverse_(1 / cell) { heads_.assign(16, no_node); }
 
     double cell() const { return cell_; }
     bool empty() const { return nodes_.empty(); }
 
     void clear() {
         nodes_.clear();
-        heads_.assign(heads_.size(), kEnd);
+        heads_.assign(heads_.size(), no_node);
     }
 
     /// Keeps `id` in the cell that holds (x, y).
@@ -29,7 +29,7 @@ public:
     /// Keeps `id` in the cell with these indices, as `index` gives them.
     void insert_in_cell(std::uint32_t id, std::int32_t column, std::int32_t row) {
         if (nodes_.size() * 2 >= heads_.size()) grow();
-        link({column, row, id, kEnd});
+        link({column, row, id, no_node});
     }
 
     /// The column of an x, or the row of a y. Far away (a million cells) all places share the outermost cells.
@@ -45,7 +45,7 @@ public:
         const std::int32_t right = index(x + reach), top = index(y + reach), bottom = index(y - reach);
         for (std::int32_t column = index(x - reach); column <= right; ++column) {
             for (std::int32_t row = bottom; row <= top; ++row) {
-                for (std::uint32_t n = heads_[bucket(column, row)]; n != kEnd; n = nodes_[n].next) {
+                for (std::uint32_t n = heads_[bucket(column, row)]; n != no_node; n = nodes_[n].next) {
                     if (nodes_[n].column == column && nodes_[n].row == row) visit(nodes_[n].id);
                 }
             }
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kEnd = ~std::uint32_t{0};
+    static constexpr std::uint32_t no_node = ~std::uint32_t{0};
 
     struct Node {
         std::int32_t column;
@@ -78,7 +78,7 @@ private:
     void grow() {
         const std::vector<Node> old = std::move(nodes_);
         nodes_.clear();
-        heads_.assign(heads_.size() * 2, kEnd);
+        heads_.assign(heads_.size() * 2, no_node);
         for (const Node& node : old) link(node);
     }
 

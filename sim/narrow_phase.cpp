@@ -69,9 +69,9 @@ void set_geom(dGeomID geom, const Shape& shape) {
 // A convex polygon in the plane of a wheel, whose centre is the origin: u forward, v up.
 struct Polygon {
     struct Corner {
-        double u, v;
+        double u = 0, v = 0;
     };
-    std::array<Corner, 12> corners;
+    std::array<Corner, 12> corners{};
     std::size_t size = 0;
     void add(double u, double v) {
         if (size < corners.size()) corners[size++] = {u, v};
@@ -159,8 +159,8 @@ std::span<const Touch> NarrowPhase::collide_by_ode(const Shape& a, const Shape& 
     dGeomID gb = geoms_[1][b.kind == Shape::Kind::box ? 0 : 1].get();
     set_geom(ga, a);
     set_geom(gb, b);
-    std::array<dContactGeom, kMost> found;
-    const int count = dCollide(ga, gb, static_cast<int>(kMost), found.data(), sizeof(dContactGeom));
+    std::array<dContactGeom, most_touches> found{};
+    const int count = dCollide(ga, gb, static_cast<int>(most_touches), found.data(), sizeof(dContactGeom));
     std::size_t kept = 0;
     for (int i = 0; i < count; ++i) {
         const dContactGeom& c = found[static_cast<std::size_t>(i)];
@@ -171,7 +171,7 @@ std::span<const Touch> NarrowPhase::collide_by_ode(const Shape& a, const Shape& 
 }
 
 std::optional<Touch> touch_wheel(const Shape& shape, const Vec3& centre, const Vec3& axis, double radius) {
-    constexpr double kSteepest = 0.2;  // upward part of a normal, below which it is a wall
+    constexpr double steepest = 0.2;  // upward part of a normal, below which it is a wall
     const Vec3 level = cross(axis, {0, 0, 1});
     const double flat = length(level);
     if (flat < 0.3) return std::nullopt;  // the wheel lies on its side
@@ -186,7 +186,7 @@ std::optional<Touch> touch_wheel(const Shape& shape, const Vec3& centre, const V
     if (cut.size < 3) return std::nullopt;
 
     bool inside = true;
-    double nearest = kNothing, u = 0, v = 0;
+    double nearest = nothing, u = 0, v = 0;
     for (std::size_t i = 0; i < cut.size; ++i) {
         const auto &a = cut.corners[i], &b = cut.corners[(i + 1) % cut.size];
         const double du = b.u - a.u, dv = b.v - a.v, squared = du * du + dv * dv;
@@ -202,7 +202,7 @@ std::optional<Touch> touch_wheel(const Shape& shape, const Vec3& centre, const V
     }
     if (inside || nearest >= radius || nearest < radius / 2) return std::nullopt;
     const Vec3 normal = (forward * -u + up * -v) * (1 / nearest);
-    if (normal.z < kSteepest) return std::nullopt;
+    if (normal.z < steepest) return std::nullopt;
     return Touch{centre + forward * u + up * v, normal, radius - nearest};
 }
 

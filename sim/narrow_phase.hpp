@@ -19,7 +19,7 @@ struct Touch {
 
 class NarrowPhase {
 public:
-    static constexpr std::size_t kMost = 4;
+    static constexpr std::size_t most_touches = 4;
 
     NarrowPhase();
 
@@ -30,7 +30,7 @@ private:
     std::span<const Touch> collide_by_ode(const Shape& a, const Shape& b);
 
     std::array<std::array<GeomHandle, 2>, 2> geoms_;  // for a and b, a box and a cylinder
-    std::array<Touch, kMost> touches_;
+    std::array<Touch, most_touches> touches_;
 };
 
 /// Where a wheel, a thin disc, touches a shape that it can roll over: a kerb, a ramp, a box lying on the floor. Nothing

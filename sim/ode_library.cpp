@@ -20,7 +20,10 @@ Process& process() {
 }
 
 // ODE's handlers take no user data: the thread tells whose message it is.
-thread_local const OdeMessages::Sink* thread_sink = nullptr;
+const OdeMessages::Sink*& thread_sink() {
+    thread_local const OdeMessages::Sink* the = nullptr;
+    return the;
+}
 
 std::string format(const char* message, va_list arguments) {
     std::array<char, 500> text{};
@@ -29,12 +32,14 @@ std::string format(const char* message, va_list arguments) {
 }
 
 void on_message(int, const char* message, va_list arguments) {
-    if (thread_sink != nullptr && *thread_sink) (*thread_sink)(format(message, arguments));
+    const OdeMessages::Sink* sink = thread_sink();
+    if (sink != nullptr && *sink) (*sink)(format(message, arguments));
 }
 
 void on_error(int, const char* message, va_list arguments) {
     const std::string text = format(message, arguments);
-    if (thread_sink != nullptr && *thread_sink) (*thread_sink)(text);
+    const OdeMessages::Sink* sink = thread_sink();
+    if (sink != nullptr && *sink) (*sink)(text);
     std::fprintf(stderr, "nezumi: %s\n", text.c_str());
 }
 
@@ -57,9 +62,11 @@ OdeLibrary::~OdeLibrary() {
     if (--p.users == 0) dCloseODE();
 }
 
+void OdeLibrary::use_on_this_thread() { dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)); }
+
 std::mutex& OdeLibrary::random_numbers() { return process().random_numbers; }
 
-OdeMessages::OdeMessages(const Sink& sink) : before_(std::exchange(thread_sink, &sink)) {}
-OdeMessages::~OdeMessages() { thread_sink = before_; }
+OdeMessages::OdeMessages(const Sink& sink) : before_(std::exchange(thread_sink(), &sink)) {}
+OdeMessages::~OdeMessages() { thread_sink() = before_; }
 
 }  // namespace nezumi::sim

@@ -19,6 +19,9 @@ public:
     OdeLibrary(const OdeLibrary&) = delete;
     OdeLibrary& operator=(const OdeLibrary&) = delete;
 
+    /// To be called on a thread before it steps or collides; costs next to nothing when it was called before.
+    static void use_on_this_thread();
+
     /// ODE draws from one generator for the whole process. Runs `work` with the generator set to `seed`, alone, and
     /// leaves in `seed` where it has got to: each world draws its own numbers, whoever else runs.
     template <class Work>

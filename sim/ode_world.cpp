@@ -9,8 +9,8 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr double kOverlap = 1e-6;  // [m] to touch is not to overlap
-constexpr const char* kBorderColor = "#5c6470";
+constexpr double least_overlap = 1e-6;  // [m] to touch is not to overlap
+constexpr const char* border_color = "#5c6470";
 
 Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
 Point3D to_point(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -41,14 +41,14 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
       warn_([this, warn = std::move(warn)](const std::string& text) {
           if (warn && warned_.insert(text).second) warn(text);
       }) {
-    dAllocateODEDataForThread(dAllocateMaskAll);
+    OdeLibrary::use_on_this_thread();
     world_ = WorldHandle(dWorldCreate());
     // The default is one set of job lists for the whole process: worlds on two threads would corrupt each other's.
     threading_ = ThreadingHandle(dThreadingAllocateSelfThreadedImplementation());
     dWorldSetStepThreadingImplementation(world_.get(), dThreadingImplementationGetFunctions(threading_.get()),
                                          threading_.get());
     contacts_ = JointGroupHandle(dJointGroupCreate(0));
-    dWorldSetGravity(world_.get(), 0, 0, -kGravity);
+    dWorldSetGravity(world_.get(), 0, 0, -gravity);
     // What has got into something else is pushed out gently instead of being shot.
     dWorldSetContactMaxCorrectingVel(world_.get(), 1.0);
     dWorldSetQuickStepNumIterations(world_.get(), 20);
@@ -64,8 +64,8 @@ void OdeWorld::add_border(const ArenaSpec& arena) {
     if (!arena.size || !arena.border) return;
     const double x = arena.size->x, y = arena.size->y, t = arena.border_thickness, h = arena.border_height;
     for (const double side : {1.0, -1.0}) {
-        add_box({.at = {side * (x + t) / 2, 0, h / 2}, .size = {t, y + 2 * t, h}, .color = kBorderColor}, "wall");
-        add_box({.at = {0, side * (y + t) / 2, h / 2}, .size = {x, t, h}, .color = kBorderColor}, "wall");
+        add_box({.at = {side * (x + t) / 2, 0, h / 2}, .size = {t, y + 2 * t, h}, .color = border_color}, "wall");
+        add_box({.at = {0, side * (y + t) / 2, h / 2}, .size = {x, t, h}, .color = border_color}, "wall");
     }
 }
 
@@ -93,7 +93,7 @@ void OdeWorld::add_shape(const Shape& shape, double mass, std::string name, cons
     dBodySetAngularDamping(body, 0.01);
     const Scene::Index mover = scene_.add_mover(shape);
     parents_.push_back(mover);
-    things_.push_back({.body = BodyView(body), .mover = mover, .mass = mass, .near = {}});
+    things_.emplace_back(body, mover, mass);
     thing_looks_.push_back({std::move(name), color});
 }
 
@@ -105,29 +105,19 @@ const RobotModel& OdeWorld::model_of(const RobotSpec& spec) {
 
 Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name, const RobotSpec& spec, Pose2D pose) {
     const RobotModel& model = model_of(spec);
-    if (auto free = check_free(model, name, pose, Scene::kNobody); !free) return Unexpected(free.error());
+    if (auto free = check_free(model, name, pose, Scene::nobody); !free) return Unexpected(free.error());
 
     const dBodyID body = dBodyCreate(world_.get());
     const dMass m = mass_of(model.hull, model.mass);
     dBodySetMass(body, &m);
     dBodySetGyroscopicMode(body, 0);  // wheels hold it upright: nothing to gain, and time to lose
-    put_body(body, rest_centre(model, pose, Scene::kNobody), Rotation::yaw(pose.heading));
+    put_body(body, rest_centre(model, pose, Scene::nobody), Rotation::yaw(pose.heading));
     Shape hull = model.hull;
     place_hull(hull, model, BodyView(body));
     const Scene::Index mover = scene_.add_mover(hull);
     parents_.push_back(mover);
     may_travel_ = -1;
-    robots_.push_back({.body = BodyView(body),
-                       .model = &model,
-                       .mover = mover,
-                       .speeds = {},
-                       .angles = {},
-                       .near = {},
-                       .name = name,
-                       .hand = {},
-                       .pressed = std::vector<bool>(spec.sensors.size(), false),
-                       .servos = std::vector<double>(spec.actuators.size(), 0.0),
-                       .turned_fan = nullptr});
+    robots_.emplace_back(body, model, mover, name);
     return std::make_unique<SimRobotBody>(*this, robots_.size() - 1);
 }
 
@@ -142,7 +132,7 @@ Vec3 OdeWorld::rest_centre(const RobotModel& model, const Pose2D& pose, Scene::I
         Vec3 from = centre + rotation * point;
         from.z = from_height;
         const double distance = cast_ray(scene_, from, {0, 0, -1}, from_height, self);
-        if (distance < kNothing && distance > 0) height = std::max(height, from_height - distance);
+        if (distance < nothing && distance > 0) height = std::max(height, from_height - distance);
     }
     return centre + Vec3{0, 0, height};
 }
@@ -160,7 +150,7 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
     std::string other;
     const auto look = [&](int touched, const Shape& shape) {
         for (const Touch& touch : narrow_.collide(hull, shape)) {
-            if (touch.depth > kOverlap && other.empty()) other = name_of(touched);
+            if (touch.depth > least_overlap && other.empty()) other = name_of(touched);
         }
     };
     scene_.for_each_mover_near(hull.centre.x, hull.centre.y, model.reach, self,
@@ -210,7 +200,7 @@ void OdeWorld::disturb(RobotId id, const Push& push) {
     SimRobot& robot = robots_[id];
     robot.hand = {};
     // Strong enough against the wheels' grip, too weak to press a robot into a wall.
-    const double force = 3 * robot.model->mass * kGravity;
+    const double force = 3 * robot.model->mass * gravity;
     if (push.vx || push.vy) {
         robot.hand.linear = JointHandle(dJointCreateLMotor(world_.get(), nullptr));
         const dJointID motor = robot.hand.linear.get();

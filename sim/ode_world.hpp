@@ -59,6 +59,14 @@ struct Hand {
 };
 
 struct SimRobot {
+    SimRobot(dBodyID id, const RobotModel& its_model, Scene::Index its_mover, std::string its_name)
+        : body(id),
+          model(&its_model),
+          mover(its_mover),
+          name(std::move(its_name)),
+          pressed(model->spec->sensors.size(), false),
+          servos(model->spec->actuators.size(), 0.0) {}
+
     BodyView body;
     const RobotModel* model;
     Scene::Index mover;
@@ -77,6 +85,8 @@ struct SimRobot {
 
 /// A movable box or cylinder.
 struct Thing {
+    Thing(dBodyID id, Scene::Index its_mover, double its_mass) : body(id), mover(its_mover), mass(its_mass) {}
+
     BodyView body;
     Scene::Index mover;
     double mass;

@@ -40,7 +40,7 @@ void RayFan::add(const RayFrom& ray) {
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,
                std::span<double> distances) {
     assert(distances.size() >= fan.sensors);
-    std::fill(distances.begin(), distances.end(), kNothing);
+    std::fill(distances.begin(), distances.end(), nothing);
     scene.for_each_fixed_near(centre.x, centre.y, fan.reach, [&](Scene::Index, const Shape& shape) {
         if (distance_from_above(shape, centre.x, centre.y) > fan.reach) return;
         cast_at(shape, shape.reach(), fan, centre, rotation, distances);
@@ -51,7 +51,7 @@ void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const 
 }
 
 double cast_ray(const Scene& scene, const Vec3& from, const Vec3& direction, double range, Scene::Index self) {
-    double nearest = kNothing;
+    double nearest = nothing;
     const auto look = [&](Scene::Index, const Shape& shape) {
         nearest = std::min(nearest, cast_ray(shape, from, direction, std::min(range, nearest)));
     };

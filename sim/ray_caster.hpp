@@ -12,10 +12,10 @@ namespace nezumi::sim {
 /// The rays of one robot in its own frame, whose origin is its centre.
 struct RayFan {
     struct RayFrom {
-        Vec3 from;           ///< [m]
-        Vec3 direction;      ///< a unit vector
-        double range;        ///< [m]
-        std::size_t sensor;  ///< which distance it is measured for; of several rays the nearest hit counts
+        Vec3 from;               ///< [m]
+        Vec3 direction;          ///< a unit vector
+        double range = 0;        ///< [m]
+        std::size_t sensor = 0;  ///< which distance it is measured for; of several rays the nearest hit counts
     };
     std::vector<RayFrom> rays;
     std::size_t sensors = 0;  ///< how many distances there are
@@ -25,7 +25,7 @@ struct RayFan {
     void add(const RayFrom& ray);
 };
 
-/// Writes, for each sensor of the fan, the distance [m] to the first thing its rays meet, or `kNothing`. The fan sits
+/// Writes, for each sensor of the fan, the distance [m] to the first thing its rays meet, or `nothing`. The fan sits
 /// at `centre`, turned by `rotation`; the mover `self` is not seen. The floor is not seen: a robot that nods while it
 /// brakes would take it for a wall. Depends on the poses of the scene's last refresh and nothing else.
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,

@@ -8,7 +8,7 @@ namespace nezumi::sim {
 namespace {
 
 // No hull hangs lower [m]: one that rests on the floor would brake the robot.
-constexpr double kLeastClearance = 0.004;
+constexpr double least_clearance = 0.004;
 
 Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
 
@@ -18,14 +18,14 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     : spec(&robot),
       origin(-to_vec(robot.body.at)),
       mass(robot.mass),
-      firm(Spring::from(per_kilogram::kFirm * mass, per_kilogram::kFirmDamping * mass, step)),
-      skid(Spring::from(per_kilogram::kSkid * mass, per_kilogram::kSkidDamping * mass, step)),
-      slip(per_kilogram::kSlip / mass) {
+      firm(Spring::from(per_kilogram::firm * mass, per_kilogram::firm_damping * mass, step)),
+      skid(Spring::from(per_kilogram::skid * mass, per_kilogram::skid_damping * mass, step)),
+      slip(per_kilogram::slip / mass) {
     const bool box = robot.body.shape == BodySpec::Shape::box;
     hull.kind = box ? Shape::Kind::box : Shape::Kind::cylinder;
     hull.half = to_vec(robot.body.size) * 0.5;
     const double top = robot.body.at.z + hull.half.z;
-    const double bottom = std::max(robot.body.at.z - hull.half.z, std::min(kLeastClearance, top - 0.001));
+    const double bottom = std::max(robot.body.at.z - hull.half.z, std::min(least_clearance, top - 0.001));
     hull.half.z = (top - bottom) / 2;
     hull_drop = (top + bottom) / 2 - robot.body.at.z;
 
@@ -43,10 +43,10 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
         rear = 0;
     }
     const double on_wheel = (1 - front - rear) / 2;
-    wheel_radius = drive.radius + on_wheel * kGravity / per_kilogram::kFirm;
+    wheel_radius = drive.radius + on_wheel * gravity / per_kilogram::firm;
     const double axle = origin.z + drive.radius;
     wheels = {Vec3{origin.x, origin.y + drive.track / 2, axle}, Vec3{origin.x, origin.y - drive.track / 2, axle}};
-    const double skid_give = kGravity / per_kilogram::kSkid;
+    const double skid_give = gravity / per_kilogram::skid;
     skids = {Vec3{origin.x + drive.skid, origin.y, origin.z - front * skid_give},
              Vec3{origin.x - drive.skid, origin.y, origin.z - rear * skid_give}};
     clearance = bottom;

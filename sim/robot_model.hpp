@@ -24,16 +24,16 @@ struct Spring {
 /// Stiffness and damping for each kilogram of a body, so that a light robot and a heavy one sink in, nod and bounce
 /// alike. Measured with a robot of 1.6 kg at steps of 10 ms (erp 0.3 and cfm 1e-3; skids 0.183 and 0.0122; slip 5e-4).
 namespace per_kilogram {
-inline constexpr double kFirm = 18'750, kFirmDamping = 437.5;  ///< wheels, hulls, things
-inline constexpr double kSkid = 940, kSkidDamping = 41.9;      ///< soft: rigid skids high-centre on a ramp of 5 degrees
-inline constexpr double kSlip = 8e-4;                          ///< [m/s for each N, times kg] creep of a loaded wheel
+inline constexpr double firm = 18'750, firm_damping = 437.5;  ///< wheels, hulls, things
+inline constexpr double skid = 940, skid_damping = 41.9;      ///< soft: rigid skids high-centre on a ramp of 5 degrees
+inline constexpr double slip = 8e-4;                          ///< [m/s for each N, times kg] creep of a loaded wheel
 }  // namespace per_kilogram
 
-inline constexpr double kGravity = 9.81;       // [m/s^2]
-inline constexpr double kWheelFriction = 1.0;  // rubber
-inline constexpr double kRollingFriction = 0.01;
-inline constexpr double kHullFriction = 0.3;
-inline constexpr double kThingFriction = 0.35;  // a mouse can push half a kilogram
+inline constexpr double gravity = 9.81;        // [m/s^2]
+inline constexpr double wheel_friction = 1.0;  // rubber
+inline constexpr double rolling_friction = 0.01;
+inline constexpr double hull_friction = 0.3;
+inline constexpr double thing_friction = 0.35;  // a mouse can push half a kilogram
 
 /// A robot is one body: the hull, whose centre is the centre of mass. Wheels and skids are points where it touches what
 /// lies below. All places are from the hull's centre [m], in the robot's frame.

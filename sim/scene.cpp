@@ -17,16 +17,17 @@ Scene::Index Scene::add_fixed(const Shape& shape) {
     const Bounds bounds{shape.centre.x - x, shape.centre.x + x, shape.centre.y - y, shape.centre.y + y};
     bounds_.push_back(bounds);
 
-    const double columns = (bounds.max_x - bounds.min_x) / kCell + 2, rows = (bounds.max_y - bounds.min_y) / kCell + 2;
-    if (!(columns * rows <= kMostCells)) {
+    const double columns = (bounds.max_x - bounds.min_x) / cell_size + 2,
+                 rows = (bounds.max_y - bounds.min_y) / cell_size + 2;
+    if (!(columns * rows <= most_cells)) {
         large_fixed_.push_back(index);
         return index;
     }
     for (auto column = fixed_grid_.index(bounds.min_x); column <= fixed_grid_.index(bounds.max_x); ++column) {
         for (auto row = fixed_grid_.index(bounds.min_y); row <= fixed_grid_.index(bounds.max_y); ++row) {
-            const double half = kCell / 2;
+            const double half = cell_size / 2;
             // A slanting wall's rectangle holds many cells that the wall itself is far from.
-            if (distance_from_above(shape, column * kCell + half, row * kCell + half) <= kCell * 0.7072) {
+            if (distance_from_above(shape, column * cell_size + half, row * cell_size + half) <= cell_size * 0.7072) {
                 fixed_grid_.insert_in_cell(index, column, row);
             }
         }
@@ -38,7 +39,7 @@ Scene::Index Scene::add_mover(const Shape& shape) {
     const Index index = static_cast<Index>(movers_.size());
     movers_.push_back(shape);
     spots_.push_back({shape.centre.x, shape.centre.y, shape.reach()});
-    if (spots_.back().reach > kLargeMover) {
+    if (spots_.back().reach > large_reach) {
         large_movers_.push_back(index);
     } else {
         largest_reach_ = std::max(largest_reach_, spots_.back().reach);
@@ -49,7 +50,7 @@ Scene::Index Scene::add_mover(const Shape& shape) {
 
 void Scene::keep(Index mover) {
     const Spot& spot = spots_[mover];
-    if (spot.reach <= kLargeMover) mover_grid_.insert(mover, spot.x, spot.y);
+    if (spot.reach <= large_reach) mover_grid_.insert(mover, spot.x, spot.y);
 }
 
 void Scene::refresh() {
@@ -57,7 +58,7 @@ void Scene::refresh() {
         spots_[i].x = movers_[i].centre.x;
         spots_[i].y = movers_[i].centre.y;
     }
-    if (movers_.size() <= kFew) return;
+    if (movers_.size() <= few) return;
     mover_grid_.clear();
     for (Index i = 0; i < movers_.size(); ++i) keep(i);
 }

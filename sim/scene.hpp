@@ -16,7 +16,7 @@ namespace nezumi::sim {
 class Scene {
 public:
     using Index = std::uint32_t;
-    static constexpr Index kNobody = ~Index{0};
+    static constexpr Index nobody = ~Index{0};
 
     Index add_fixed(const Shape& shape);
     Index add_mover(const Shape& shape);
@@ -37,7 +37,7 @@ public:
         const auto look = [&](Index i) {
             if (bounds_[i].touches(x, y, reach)) visit(i, fixed_[i]);
         };
-        if (fixed_.size() <= kFew) {
+        if (fixed_.size() <= few) {
             for (Index i = 0; i < fixed_.size(); ++i) look(i);
             return;
         }
@@ -53,7 +53,7 @@ public:
             const double dx = spot.x - x, dy = spot.y - y, far = reach + spot.reach;
             if (i != except && dx * dx + dy * dy <= far * far) visit(i, movers_[i]);
         };
-        if (movers_.size() <= kFew) {
+        if (movers_.size() <= few) {
             for (Index i = 0; i < movers_.size(); ++i) look(i);
             return;
         }
@@ -62,10 +62,10 @@ public:
     }
 
 private:
-    static constexpr double kCell = 0.5;          // [m]
-    static constexpr std::size_t kFew = 8;        // up to so many, looking at each beats the grid
-    static constexpr double kLargeMover = 0.5;    // [m] reach from which on a mover is kept out of the grid
-    static constexpr double kMostCells = 20'000;  // a fixed shape over more cells is kept out of the grid
+    static constexpr double cell_size = 0.5;      // [m]
+    static constexpr std::size_t few = 8;         // up to so many, looking at each beats the grid
+    static constexpr double large_reach = 0.5;    // [m] reach from which on a mover is kept out of the grid
+    static constexpr double most_cells = 20'000;  // a fixed shape over more cells is kept out of the grid
 
     // The rectangle that holds a shape as seen from above.
     struct Bounds {
@@ -83,12 +83,12 @@ private:
 
     std::vector<Shape> fixed_;
     std::vector<Bounds> bounds_;
-    Grid fixed_grid_{kCell};
+    Grid fixed_grid_{cell_size};
     std::vector<Index> large_fixed_;
 
     std::vector<Shape> movers_;
     std::vector<Spot> spots_;
-    Grid mover_grid_{kCell};
+    Grid mover_grid_{cell_size};
     std::vector<Index> large_movers_;
     double largest_reach_ = 0;  // of the movers in the grid
 };

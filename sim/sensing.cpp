@@ -15,17 +15,17 @@ void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances) c
 // A touch sensor is a plunger that sticks out by its travel. It is closed once something has pushed it in, as seen by
 // three rays across its tip that start behind the hull's surface.
 bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor) const {
-    constexpr double kTip = 0.006;      // [m] half the width of the tip
-    constexpr double kBehind = 0.005;   // [m] contacts give a little
-    constexpr double kNearly = 0.0015;  // [m] of the travel that need not be used up: a robot that pushes leans back
+    constexpr double half_tip = 0.006;  // [m] half the width of the tip
+    constexpr double behind = 0.005;    // [m] contacts give a little
+    constexpr double nearly = 0.0015;   // [m] of the travel that need not be used up: a robot that pushes leans back
     const Rotation rotation = robot.body.rotation();
     const Vec3 at = Vec3{sensor.at.x, sensor.at.y, sensor.at.z} + robot.model->origin;
     const Vec3 out{std::cos(sensor.yaw), std::sin(sensor.yaw), 0}, aside{-out.y, out.x, 0};
-    for (const double side : {0.0, kTip, -kTip}) {
-        const Vec3 from = at - out * (sensor.travel + kBehind) + aside * side;
+    for (const double side : {0.0, half_tip, -half_tip}) {
+        const Vec3 from = at - out * (sensor.travel + behind) + aside * side;
         const double distance =
-            cast_ray(scene_, robot.body.centre() + rotation * from, rotation * out, kBehind + kNearly, robot.mover);
-        if (distance < kNothing) return true;
+            cast_ray(scene_, robot.body.centre() + rotation * from, rotation * out, behind + nearly, robot.mover);
+        if (distance < nothing) return true;
     }
     return false;
 }
@@ -39,7 +39,7 @@ std::vector<Ray> OdeWorld::rays(RobotId id) const {
     for (const RayFan::RayFrom& ray : fan.rays) {
         const Vec3 from = centre + rotation * ray.from, direction = rotation * ray.direction;
         const double distance = cast_ray(scene_, from, direction, ray.range, robot.mover);
-        const bool hit = distance < kNothing;
+        const bool hit = distance < nothing;
         const Vec3 to = from + direction * (hit ? distance : ray.range);
         rays.push_back({{from.x, from.y, from.z}, {to.x, to.y, to.z}, hit});
     }

@@ -27,11 +27,11 @@ double cast_at_box(const Vec3& half, const Vec3& from, const Vec3& direction, do
     double near = 0, far = range;
     bool entered = false;
     int axis = -1;
-    if (!clip_to_slab(from.x, direction.x, half.x, near, far, entered)) return kNothing;
+    if (!clip_to_slab(from.x, direction.x, half.x, near, far, entered)) return nothing;
     if (entered) axis = 0;
-    if (!clip_to_slab(from.y, direction.y, half.y, near, far, entered)) return kNothing;
+    if (!clip_to_slab(from.y, direction.y, half.y, near, far, entered)) return nothing;
     if (entered) axis = 1;
-    if (!clip_to_slab(from.z, direction.z, half.z, near, far, entered)) return kNothing;
+    if (!clip_to_slab(from.z, direction.z, half.z, near, far, entered)) return nothing;
     if (entered) axis = 2;
     if (normal != nullptr) {
         *normal = -direction;
@@ -46,16 +46,16 @@ double cast_at_cylinder(double radius, double half_height, const Vec3& from, con
                         Vec3* normal) {
     double near = 0, far = range;
     bool by_cap = false, by_side = false;
-    if (!clip_to_slab(from.z, direction.z, half_height, near, far, by_cap)) return kNothing;
+    if (!clip_to_slab(from.z, direction.z, half_height, near, far, by_cap)) return nothing;
     // |from + t * direction|^2 = radius^2 as seen along the axis.
     const double a = direction.x * direction.x + direction.y * direction.y;
     const double b = from.x * direction.x + from.y * direction.y;
     const double c = from.x * from.x + from.y * from.y - radius * radius;
     if (a < 1e-30) {
-        if (c > 0) return kNothing;
+        if (c > 0) return nothing;
     } else {
         const double discriminant = b * b - a * c;
-        if (discriminant < 0) return kNothing;
+        if (discriminant < 0) return nothing;
         const double root = std::sqrt(discriminant);
         const double enter = (-b - root) / a;
         if (enter > near) {
@@ -63,7 +63,7 @@ double cast_at_cylinder(double radius, double half_height, const Vec3& from, con
             by_side = true;
         }
         far = std::min(far, (-b + root) / a);
-        if (near > far) return kNothing;
+        if (near > far) return nothing;
     }
     if (normal != nullptr) {
         *normal = -direction;
@@ -95,7 +95,7 @@ double cast_ray(const Shape& shape, const Vec3& from, const Vec3& direction, dou
         shape.kind == Shape::Kind::box
             ? cast_at_box(shape.half, local_from, local_direction, range, normal)
             : cast_at_cylinder(shape.half.x, shape.half.z, local_from, local_direction, range, normal);
-    if (normal != nullptr && distance < kNothing) *normal = shape.rotation * *normal;
+    if (normal != nullptr && distance < nothing) *normal = shape.rotation * *normal;
     return distance;
 }
 

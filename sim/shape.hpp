@@ -9,7 +9,7 @@
 namespace nezumi::sim {
 
 /// No hit, nothing in sight.
-inline constexpr double kNothing = std::numeric_limits<double>::infinity();
+inline constexpr double nothing = std::numeric_limits<double>::infinity();
 
 /// A box, or a cylinder about its own z axis.
 struct Shape {
@@ -29,7 +29,7 @@ struct Shape {
 };
 
 /// Distance along the ray from `from` in direction `direction` (a unit vector) to the shape, at most `range`. 0 when
-/// `from` lies inside, `kNothing` when there is no hit. With `normal`, the outward normal of the surface that was hit.
+/// `from` lies inside, `nothing` when there is no hit. With `normal`, the outward normal of the surface that was hit.
 double cast_ray(const Shape& shape, const Vec3& from, const Vec3& direction, double range, Vec3* normal = nullptr);
 
 /// Distance [m] from (x, y) to the shape as seen from above: 0 inside. Exact for upright shapes, and never too large.

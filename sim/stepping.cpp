@@ -9,20 +9,20 @@ namespace nezumi::sim {
 namespace {
 
 // [m] Neighbours are listed up to this distance, and anew when two could have come so near to each other since.
-constexpr double kSkin = 0.06;
+constexpr double skin = 0.06;
 
 // Bodies that touch each other form an island. `dWorldStep` is exact and its cost grows with the cube of the island's
 // size, `dWorldQuickStep` iterates: up to this size the former is as fast.
-constexpr std::size_t kSmallIsland = 3;
+constexpr std::size_t small_island = 3;
 
 // A thing that has moved no faster than this [m/s, rad/s] for so many steps sleeps until it is touched.
-constexpr double kQuiet = 2e-3, kQuietSpin = 2e-2;
-constexpr int kQuietSteps = 60;
+constexpr double quiet_speed = 2e-3, quiet_spin = 2e-2;
+constexpr int steps_to_sleep = 60;
 
 }  // namespace
 
 void OdeWorld::step(int count) {
-    dAllocateODEDataForThread(dAllocateMaskAll);
+    OdeLibrary::use_on_this_thread();
     const OdeMessages messages(warn_);
     for (SimRobot& robot : robots_) robot.touched = 0;
     for (int i = 0; i < count; ++i) step_once();
@@ -74,7 +74,7 @@ void OdeWorld::place_neighbours() {
 }
 
 void OdeWorld::list_neighbours() {
-    may_travel_ = kSkin / 2;
+    may_travel_ = skin / 2;
     restore_lost_bodies();
     place_movers();
     scene_.refresh();
@@ -92,16 +92,16 @@ void OdeWorld::list_neighbours() {
         return !near.fixed.empty() || !near.movers.empty();
     };
     for (Thing& thing : things_) {
-        list(thing.near, thing.mover, thing.body.p[0], thing.body.p[1], scene_.movers()[thing.mover].reach() + kSkin);
+        list(thing.near, thing.mover, thing.body.p[0], thing.body.p[1], scene_.movers()[thing.mover].reach() + skin);
     }
     for (SimRobot& robot : robots_) {
         robot.has_neighbours =
-            list(robot.near, robot.mover, robot.body.p[0], robot.body.p[1], robot.model->reach + kSkin);
+            list(robot.near, robot.mover, robot.body.p[0], robot.body.p[1], robot.model->reach + skin);
     }
 }
 
 void OdeWorld::advance() {
-    if (links_.size() >= kSmallIsland) {
+    if (links_.size() >= small_island) {
         advance_large_islands();
     } else {
         dWorldStep(world_.get(), step_);
@@ -130,7 +130,7 @@ void OdeWorld::advance_large_islands() {
     std::vector<bool> large(sizes.size(), false);
     bool any = false;
     for (const Scene::Index i : linked) {
-        large[i] = sizes[root(i)] > kSmallIsland;
+        large[i] = sizes[root(i)] > small_island;
         any = any || large[i];
     }
     for (const Scene::Index i : linked) parents_[i] = i;
@@ -184,9 +184,10 @@ void OdeWorld::tend_things() {
     for (Thing& thing : things_) {
         if (thing.asleep) continue;
         const Vec3 velocity = thing.body.velocity(), spin = thing.body.spin();
-        const bool quiet = dot(velocity, velocity) < kQuiet * kQuiet && dot(spin, spin) < kQuietSpin * kQuietSpin;
+        const bool quiet =
+            dot(velocity, velocity) < quiet_speed * quiet_speed && dot(spin, spin) < quiet_spin * quiet_spin;
         thing.quiet_steps = quiet ? thing.quiet_steps + 1 : 0;
-        if (thing.quiet_steps < kQuietSteps) continue;
+        if (thing.quiet_steps < steps_to_sleep) continue;
         thing.asleep = true;
         dBodySetLinearVel(thing.body.id, 0, 0, 0);
         dBodySetAngularVel(thing.body.id, 0, 0, 0);

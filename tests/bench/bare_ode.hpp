@@ -20,19 +20,19 @@ struct BareRobotSpec {
     double length, width, height;  ///< a disc: diameter, diameter, height
 };
 
-inline constexpr BareRobotSpec kBareMouse{0.72, 0.024, 0.0925, 0.04, 0.04, false, 0.10, 0.08, 0.06};
-inline constexpr BareRobotSpec kBareDisc{1.6, 0.03, 0.14, 0.07, 0.04, true, 0.17, 0.17, 0.06};
+inline constexpr BareRobotSpec bare_mouse{0.72, 0.024, 0.0925, 0.04, 0.04, false, 0.10, 0.08, 0.06};
+inline constexpr BareRobotSpec bare_disc{1.6, 0.03, 0.14, 0.07, 0.04, true, 0.17, 0.17, 0.06};
 
 /// Where the swarm workload puts robot after robot: at random without overlap, within walls of a square arena.
 inline std::vector<std::array<double, 3>> swarm_poses(std::size_t count, double side, unsigned seed = 124) {
-    constexpr double kRadius = 0.085, kGap = 0.005;
+    constexpr double radius = 0.085, gap = 0.005;
     std::mt19937 random(seed);
     const auto uniform = [&](double from, double to) {
         return from + (to - from) * (static_cast<double>(random()) / 4294967296.0);  // the same on every machine
     };
-    const double limit = side / 2 - kRadius - kGap;
+    const double limit = side / 2 - radius - gap;
     std::vector<std::array<double, 3>> poses;
-    const double cell = 2 * kRadius + kGap;
+    const double cell = 2 * radius + gap;
     const auto columns = static_cast<std::size_t>(side / cell) + 2;
     std::vector<std::vector<std::size_t>> cells(columns * columns);
     while (poses.size() < count) {
@@ -62,7 +62,7 @@ class BareLoop {
 public:
     BareLoop(const BareRobotSpec& spec, double step) : spec_(spec), step_(step) {
         dInitODE2(0);
-        dAllocateODEDataForThread(dAllocateMaskAll);
+        dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
         world_ = dWorldCreate();
         contacts_ = dJointGroupCreate(0);
         dWorldSetGravity(world_, 0, 0, -9.81);

@@ -62,7 +62,7 @@ struct Result {
 };
 
 Result run_bare(std::size_t count, int ticks) {
-    bench::BareLoop loop(bench::kBareDisc, 0.01);
+    bench::BareLoop loop(bench::bare_disc, 0.01);
     for (const auto& [x, y, heading] : bench::swarm_poses(count, bench::swarm_side(count))) loop.add(x, y, heading);
     for (std::size_t i = 0; i < count; ++i) loop.drive(i, 0.05, 0.05);
     const auto begin = Clock::now();

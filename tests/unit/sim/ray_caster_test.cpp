@@ -28,7 +28,7 @@ double march(const Shape& shape, Vec3 from, Vec3 direction, double range) {
                 : std::hypot(p.x, p.y) <= shape.half.x && std::abs(p.z) <= shape.half.z;
         if (inside) return t;
     }
-    return kNothing;
+    return nothing;
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ TEST_CASE("a ray meets a box at its face, with the face's normal", "[sim][ray]")
     Vec3 normal;
     CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {1, 0, 0}, 2, &normal) == Approx(0.9).margin(1e-12));
     CHECK(normal.x == Approx(-1));
-    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {-1, 0, 0}, 2) == kNothing);
-    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {1, 0, 0}, 0.89) == kNothing);
-    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0.51}, {1, 0, 0}, 2) == kNothing);
+    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {-1, 0, 0}, 2) == nothing);
+    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0}, {1, 0, 0}, 0.89) == nothing);
+    CHECK(cast_ray(box({1, 0, 0}, {0.2, 1, 1}), {0, 0, 0.51}, {1, 0, 0}, 2) == nothing);
     CHECK(cast_ray(box({0, 0, -0.5}, {1, 1, 1}, 0, 0.1), {0, 0, 1}, {0, 0, -1}, 3, &normal) < 1);
     CHECK(normal.x == Approx(std::sin(0.1)));
     CHECK(normal.z == Approx(std::cos(0.1)));
@@ -50,7 +50,7 @@ TEST_CASE("a ray meets a cylinder at its side and its cap", "[sim][ray]") {
     CHECK(cast_ray(cylinder({1, 0, 0}, 0.25, 1), {0, 0, 0}, {1, 0, 0}, 2, &normal) == Approx(0.75).margin(1e-12));
     CHECK(normal.x == Approx(-1));
     CHECK(cast_ray(cylinder({1, 0, 0}, 0.25, 1), {0, 0.2, 0}, {1, 0, 0}, 2) == Approx(1 - 0.15).margin(1e-12));
-    CHECK(cast_ray(cylinder({1, 0, 0}, 0.25, 1), {0, 0.26, 0}, {1, 0, 0}, 2) == kNothing);
+    CHECK(cast_ray(cylinder({1, 0, 0}, 0.25, 1), {0, 0.26, 0}, {1, 0, 0}, 2) == nothing);
     CHECK(cast_ray(cylinder({0, 0, 0}, 0.25, 1), {0.1, 0, 2}, {0, 0, -1}, 2, &normal) == Approx(1.5).margin(1e-12));
     CHECK(normal.z == Approx(1));
 }
@@ -74,9 +74,9 @@ TEST_CASE("rays agree with marching along them", "[sim][ray]") {
         const double expected = march(shape, from, direction, 1.5);
         const double actual = cast_ray(shape, from, direction, 1.5);
         // A ray that only grazes an edge may slip between two steps of the march.
-        if (expected == kNothing) {
-            if (actual < kNothing)
-                CHECK(march(shape, from + direction * (actual - 1e-3), direction * 0.01, 0.4) < kNothing);
+        if (expected == nothing) {
+            if (actual < nothing)
+                CHECK(march(shape, from + direction * (actual - 1e-3), direction * 0.01, 0.4) < nothing);
         } else {
             CHECK(actual == Approx(expected).margin(2e-4));
             ++hits;
@@ -109,7 +109,7 @@ TEST_CASE("a fan sees through the grid what it sees by looking at every shape", 
     for (Scene::Index self = 0; self < 80; ++self) {
         const Shape& robot = scene.movers()[self];
         cast_rays(scene, fan, robot.centre, robot.rotation, self, seen);
-        std::fill(expected.begin(), expected.end(), kNothing);
+        std::fill(expected.begin(), expected.end(), nothing);
         for (const auto& ray : fan.rays) {
             for (const Shape& shape : scene.fixed()) {
                 expected[ray.sensor] =
@@ -122,7 +122,7 @@ TEST_CASE("a fan sees through the grid what it sees by looking at every shape", 
             }
         }
         CHECK(seen == expected);
-        hits += static_cast<int>(std::count_if(seen.begin(), seen.end(), [](double d) { return d < kNothing; }));
+        hits += static_cast<int>(std::count_if(seen.begin(), seen.end(), [](double d) { return d < nothing; }));
     }
     CHECK(hits > 100);
 }
@@ -136,6 +136,6 @@ TEST_CASE("a sensor of several rays gives the nearest hit", "[sim][ray]") {
         fan.add({{}, {std::cos(angle), std::sin(angle), 0}, 1, 0});
     }
     std::vector<double> seen(1);
-    cast_rays(scene, fan, {}, {}, Scene::kNobody, seen);
+    cast_rays(scene, fan, {}, {}, Scene::nobody, seen);
     CHECK(seen[0] == Approx(0.4825).margin(0.001));
 }
