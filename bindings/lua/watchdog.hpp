@@ -1,0 +1,100 @@
+// Ends a call into Lua that runs for too long: the record of the call, and the timer that looks at it.
+//
+// A count hook slows Lua down whatever its interval, so none is set while a call is in time. Entering a call links a
+// record into its thread, which costs a few nanoseconds; a timer on the thread's CPU time interrupts the thread every
+// few milliseconds, and its signal handler sees how long the record has been there. Only when that exceeds the budget does
+// the handler set a hook on the coroutine that runs, and again at each interruption until the call has returned: what a
+// script catches on the way (pcall, coroutines, __close) is raised again.
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <lua.hpp>
+
+namespace nezumi {
+
+class LuaState;
+
+/// What one call into Lua may use up.
+struct Budget {
+    double seconds = 0.1;  ///< of CPU time of the calling thread
+};
+
+inline constexpr Budget paced_budget{0.1};     ///< in runs that follow the clock, and on hardware
+inline constexpr Budget headless_budget{2.0};  ///< in runs without a clock, where reaching it ends the run
+
+/// Steps that the pattern functions may take in one call into Lua.
+inline constexpr std::int64_t pattern_step_budget = 5'000'000;
+
+/// One call into Lua, on the C++ stack of the thread that makes it. Made by `protected_call` and `SlicedCall` only.
+class CallRecord {
+public:
+    CallRecord(lua_State* lua, Budget budget);
+    ~CallRecord();
+    CallRecord(const CallRecord&) = delete;
+    CallRecord& operator=(const CallRecord&) = delete;
+
+    /// A place in a script, in plain memory: it is filled where nothing may fail.
+    struct ScriptPlace {
+        int line = 0;    ///< 0: not known
+        char file[256];  ///< set when `line` is
+        void set(const lua_Debug& activation);
+    };
+
+    lua_State* volatile running;             ///< the coroutine that runs: the one to interrupt
+    CallRecord* const outer;                 ///< the call within which this one was made
+    volatile std::sig_atomic_t expired = 0;  ///< the budget, or that of a call around this one, is used up
+    volatile std::int64_t seen = 0;          ///< [ns] of CPU time, when the timer first found this call
+    std::int64_t budget_ns;                  ///< so long after that, the budget is used up
+    double budget_seconds;                   ///< for the message
+    std::int64_t pattern_steps = pattern_step_budget;
+    const char* stack_base;  ///< where the C stack was at the thread's outermost call
+
+    bool keep_hook = false;              ///< the hook stays although the budget is not used up
+    bool slicing = false;                ///< the call yields by itself when `slice_end` has passed
+    lua_State* sliced_bottom = nullptr;  ///< the coroutine that a sliced call runs as
+    bool slice_over = false;             ///< a coroutine yields because the slice is over, not by its own will
+    std::chrono::steady_clock::time_point slice_end{};
+    std::int64_t polled_limit = 0;  ///< [ns] of CPU time, where there is no timer; 0: there is one
+
+    ScriptPlace expiry_place;      ///< where the script was when it was stopped
+    bool memory_refused = false;   ///< the state's limit was reached
+    ScriptPlace memory_place;      ///< where, last
+    ScriptPlace error_place;       ///< where an error was raised
+    int caught_status = LUA_OK;    ///< how a sliced call failed
+    std::size_t error_prefix = 0;  ///< bytes of the message that say that place
+};
+
+/// The innermost call of this thread, or null. Constant-initialised, hence a plain load.
+extern constinit thread_local CallRecord* current_call;
+
+/// Raises the error of an expired budget if it has expired. Library functions that loop call this in their loops.
+void raise_expiry(lua_State* lua);
+inline void poll_budget(lua_State* lua) {
+    if (current_call->expired != 0) raise_expiry(lua);
+}
+
+/// The hook that stops or slices. Removes itself when there is nothing to do.
+void watch_hook(lua_State* lua, lua_Debug* activation);
+
+/// Instructions between two looks at the clock while a call is sliced.
+inline constexpr int hook_interval = 1000;
+
+/// Whether nesting through C functions has used up what scripts may use of this thread's C stack, 1 MB.
+bool c_stack_is_used_up();
+
+/// Raises "C stack overflow" then. For functions that call Lua where Lua itself does not count: coroutines.
+void check_c_stack(lua_State* lua);
+
+/// Fills `place` with the innermost line of Lua code that runs.
+void find_place(lua_State* lua, CallRecord::ScriptPlace& place);
+
+/// Remembers where memory was refused; called by the allocator.
+void note_memory_limit(const LuaState& state);
+
+/// CPU time of this thread [ns].
+std::int64_t thread_time();
+
+}  // namespace nezumi
