@@ -1,0 +1,68 @@
+// Lua's patterns, with a limit to the work that a match may take.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace nezumi {
+
+/// What a pattern captured: a part of the subject, or a position in it.
+struct Capture {
+    const char* start = nullptr;
+    std::size_t length = 0;
+    enum class Kind : unsigned char { text, position, open } kind = Kind::open;
+};
+
+/// One subject and one pattern. Backtracks as Lua's own matcher does, so results and errors are the same; every step is
+/// taken from a budget, because backtracking can take time without end. Calls no Lua and raises nothing.
+class PatternMatcher {
+public:
+    static constexpr int captures_limit = 32;
+    static constexpr int depth_limit = 200;
+
+    /// `steps` is counted down. The texts must outlive the matcher; a '^' at the start must have been taken off.
+    PatternMatcher(std::string_view subject, std::string_view pattern, std::int64_t& steps)
+        : subject_(subject), pattern_(pattern), steps_(steps) {}
+
+    /// Matches at exactly this place in the subject. Returns the end of the match, or null: then `error` tells.
+    const char* match_at(const char* place);
+
+    int capture_count() const { return capture_count_; }
+    const Capture& capture(int index) const { return captures_[index]; }  ///< from 0, below `capture_count`
+
+    /// Null while nothing is wrong; a text for luaL_error with at most one %d, which is `error_number`.
+    const char* error() const { return error_; }
+    int error_number() const { return error_number_; }
+
+    const char* subject_begin() const { return subject_.data(); }
+    const char* subject_end() const { return subject_.data() + subject_.size(); }
+
+private:
+    const char* pattern_end() const { return pattern_.data() + pattern_.size(); }
+    const char* fail(const char* error, int number = 0);
+    const char* match(const char* s, const char* p);
+    const char* match_items(const char* s, const char* p);
+    const char* match_special(const char* s, const char* p);
+    const char* match_longest(const char* s, const char* p, const char* after, std::ptrdiff_t at_least);
+    const char* match_shortest(const char* s, const char* p, const char* after);
+    const char* match_balance(const char* s, const char* p);
+    const char* match_frontier(const char* s, const char* p);
+    const char* match_repeat(const char* s, const char* p);
+    const char* open_capture(const char* s, const char* p, Capture::Kind kind);
+    const char* close_capture(const char* s, const char* p);
+    const char* item_end(const char* p);
+    bool item_matches(const char* s, const char* p, const char* after) const;
+    bool take_steps(std::int64_t count);
+
+    std::string_view subject_;
+    std::string_view pattern_;
+    std::int64_t& steps_;
+    int depth_ = 0;
+    int capture_count_ = 0;
+    const char* error_ = nullptr;
+    int error_number_ = 0;
+    Capture captures_[captures_limit];
+};
+
+}  // namespace nezumi
