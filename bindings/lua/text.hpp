@@ -1,0 +1,17 @@
+// Values as text, without the addresses that Lua would show.
+#pragma once
+
+#include <cstddef>
+#include <lua.hpp>
+
+namespace nezumi {
+
+/// Pushes the text of the value at `index`, as `tostring` gives it, and returns it. `__tostring` and `__name` are
+/// honoured. A table, function, userdata or coroutine is "table: 1", numbered in the order in which the state first
+/// asked for its text, so that equal texts mean the same value, in every run. May raise a Lua error.
+const char* push_text(lua_State* lua, int index, std::size_t* length = nullptr);
+
+/// Pushes the text of the identity of the value at `index` ("table: 1"), `__tostring` not asked.
+void push_identity(lua_State* lua, int index);
+
+}  // namespace nezumi
