@@ -2,9 +2,9 @@
 //
 // A count hook slows Lua down whatever its interval, so none is set while a call is in time. Entering a call links a
 // record into its thread, which costs a few nanoseconds; a timer on the thread's CPU time interrupts the thread every
-// few milliseconds, and its signal handler sees how long the record has been there. Only when that exceeds the budget does
-// the handler set a hook on the coroutine that runs, and again at each interruption until the call has returned: what a
-// script catches on the way (pcall, coroutines, __close) is raised again.
+// few milliseconds, and its signal handler sees how long the record has been there. Only when that exceeds the budget
+// does the handler set a hook on the coroutine that runs, and again at each interruption until the call has returned:
+// what a script catches on the way (pcall, coroutines, __close) is raised again.
 #pragma once
 
 #include <chrono>

@@ -1,0 +1,73 @@
+// A sandbox for tests: runs a text and tells what came of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/call.hpp"
+#include "bindings/lua/compile.hpp"
+#include "bindings/lua/state.hpp"
+#include "bindings/lua/stdlib.hpp"
+
+namespace nezumi {
+
+class Box {
+public:
+    explicit Box(StateOptions options = {}) {
+        options.print = [this](std::string_view line) { printed.emplace_back(line); };
+        state = std::move(create_sandbox(std::move(options)).value());
+    }
+
+    lua_State* lua() const { return state->lua(); }
+
+    /// What the text returns, its values as text with blanks between, or "file:line: message".
+    std::string run(std::string_view text, Budget budget = Budget{0.1}) {
+        over_budget = false;
+        lua_settop(lua(), 0);
+        const auto chunk = compile(text, "box.lua");
+        if (!chunk) return describe(chunk.error());
+        if (const auto loaded = load_chunk(lua(), *chunk); !loaded) return describe(loaded.error());
+        return call(budget);
+    }
+
+    /// Calls the function that lies alone on the stack.
+    std::string call(Budget budget = Budget{0.1}) {
+        const auto called = protected_call(lua(), 0, LUA_MULTRET, budget);
+        if (!called) {
+            over_budget = called.error().over_budget;
+            return describe(called.error());
+        }
+        std::string shown;
+        for (int i = 1; i <= lua_gettop(lua()); ++i) {
+            if (i > 1) shown += ' ';
+            shown += text_of(i);
+        }
+        return shown;
+    }
+
+    std::unique_ptr<LuaState> state;
+    std::vector<std::string> printed;
+    bool over_budget = false;
+
+private:
+    std::string text_of(int index) {
+        switch (lua_type(lua(), index)) {
+            case LUA_TNIL: return "nil";
+            case LUA_TBOOLEAN: return lua_toboolean(lua(), index) != 0 ? "true" : "false";
+            case LUA_TSTRING:
+            case LUA_TNUMBER: {
+                lua_pushvalue(lua(), index);
+                std::size_t length = 0;
+                const char* text = lua_tolstring(lua(), -1, &length);
+                std::string copy(text, length);
+                lua_pop(lua(), 1);
+                return copy;
+            }
+            default: return luaL_typename(lua(), index);
+        }
+    }
+};
+
+}  // namespace nezumi

@@ -1,0 +1,194 @@
+// Scripts that try not to end.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "sandbox_support.hpp"
+
+namespace nezumi {
+namespace {
+
+const std::string too_long = "ran for more than 0.1 s: is there an endless loop?";
+
+TEST_CASE("a call returns what the function returns", "[lua][call]") {
+    Box box;
+    CHECK(box.run("return 1, 'two', nil, true") == "1 two nil true");
+    CHECK(box.run("return") == "");
+    CHECK(lua_gettop(box.lua()) == 0);
+}
+
+TEST_CASE("an endless loop is stopped and the place named", "[lua][watchdog]") {
+    Box box;
+    CHECK(box.run("while true do end") == "box.lua:1: " + too_long);
+    CHECK(box.over_budget);
+    CHECK(box.run("\n\nrepeat until false") == "box.lua:3: " + too_long);
+    CHECK(box.run("::again:: goto again") == "box.lua:1: " + too_long);
+    CHECK(box.run("for i = 1, math.maxinteger do end") == "box.lua:1: " + too_long);
+    CHECK(box.run("for i = 1.0, math.huge do end") == "box.lua:1: " + too_long);
+    CHECK(box.run("local function f() return f() end return f()") == "box.lua:1: " + too_long);
+    CHECK(box.run("for _ in coroutine.running do end") == "box.lua:1: " + too_long);
+    CHECK(box.run("return 'the state lives on'") == "the state lives on");
+}
+
+TEST_CASE("a script can't catch the end of its time", "[lua][watchdog]") {
+    const char* const text = GENERATE(
+        as<const char*>{}, "while true do pcall(function() while true do end end) end",
+        "while true do xpcall(function() while true do end end, function() while true do end end) end",
+        "xpcall(function() while true do end end, function() while true do end end) while true do end",
+        "xpcall(error, function() while true do end end) while true do end",
+        "while true do coroutine.resume(coroutine.create(function() while true do end end)) end",
+        "local f = coroutine.wrap(function() while true do end end) while true do pcall(f) end",
+        "local f = coroutine.wrap(function() while true do coroutine.yield() end end) while true do f() end",
+        "local c = coroutine.create(function() while true do end end) coroutine.resume(c) while true do end",
+        "local closer = setmetatable({}, { __close = function() while true do end end })\n"
+        "while true do local x <close> = closer end",
+        "local closer = setmetatable({}, { __close = function() while true do end end })\n"
+        "pcall(function() local x <close> = closer; while true do end end) while true do end",
+        "local closer = setmetatable({}, { __close = function() while true do end end })\n"
+        "local c = coroutine.wrap(function() local x <close> = closer; while true do end end) pcall(c) while true do "
+        "end",
+        "local closer = setmetatable({}, { __close = function() while true do end end })\n"
+        "local c = coroutine.create(function() local x <close> = closer; coroutine.yield() end)\n"
+        "coroutine.resume(c) coroutine.close(c) while true do end",
+        "local t = setmetatable({}, { __index = function(t, k) return t[k + 1] end }) pcall(function() return t[1] "
+        "end)\n"
+        "while true do pcall(function() return t[1] end) end",
+        "local t = setmetatable({}, { __index = function() while true do end end }) while true do pcall(function() "
+        "return t.x end) end",
+        "table.sort({3, 2, 1}, function() while true do end end)",
+        "while true do pcall(table.sort, {3, 2, 1}, function() while true do end end) end",
+        "(('x'):rep(100)):gsub('x', function() while true do end end)",
+        "while true do pcall(string.gsub, 'x', 'x', function() while true do end end) end",
+        "while true do pcall(tostring, setmetatable({}, { __tostring = function() while true do end end })) end",
+        "while true do pcall(error, setmetatable({}, { __tostring = function() while true do end end })) end",
+        "error(setmetatable({}, { __tostring = function() while true do end end }))",
+        "while true do pcall(pcall, pcall, function() while true do end end) end",
+        "local function f() pcall(f) f() end f()",
+        "local function again() return pcall(again) end while true do again() end",
+        "local s = setmetatable({}, { __eq = function() while true do end end }) return s == setmetatable({}, "
+        "getmetatable(s))",
+        "for _ in pairs(setmetatable({}, { __pairs = function() return function() return 1 end end })) do end",
+        "for _ in pairs(setmetatable({}, { __pairs = function() while true do end end })) do end",
+        "local t = {} while true do t[#t % 1000 + 1] = {} end",
+        "while true do local ok = select(2, pcall(string.rep, 'x', 1 << 40)) end",
+        "coroutine.wrap(function() local f f = function() coroutine.wrap(f)() end while true do pcall(f) end end)()");
+    CAPTURE(text);
+    Box box;
+    const auto began = std::chrono::steady_clock::now();
+    const std::string outcome = box.run(text);
+    CHECK(outcome.find(too_long) != std::string::npos);
+    CHECK(box.over_budget);
+    CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(5));
+    CHECK(box.run("return 'the state lives on'") == "the state lives on");
+}
+
+TEST_CASE("a coroutine that was stopped stays stopped in later calls", "[lua][watchdog]") {
+    Box box;
+    CHECK(box.run("kept = coroutine.create(function()\n"
+                  "  local x <close> = setmetatable({}, { __close = function() while true do end end })\n"
+                  "  while true do end\n"
+                  "end)\n"
+                  "coroutine.resume(kept)") == "box.lua:3: " + too_long);
+    CHECK(box.run("return coroutine.status(kept)") == "dead");
+    CHECK(box.run("return coroutine.resume(kept)") == "false cannot resume dead coroutine");
+    CHECK(box.run("return coroutine.close(kept)") == "false the coroutine ran for too long");
+    CHECK(box.run("kept = coroutine.wrap(function()\n"
+                  "  local x <close> = setmetatable({}, { __close = function() while true do end end })\n"
+                  "  while true do end\n"
+                  "end)\n"
+                  "kept()") == "box.lua:3: " + too_long);
+    CHECK(box.run("return pcall(kept)") == "false cannot resume dead coroutine");
+}
+
+TEST_CASE("a call that ends in time never ends for its time", "[lua][watchdog]") {
+    Box box;
+    for (int i = 0; i < 200; ++i)
+        CHECK(box.run("local n = 0 for i = 1, 100000 do n = n + i end return n") == "5000050000");
+}
+
+TEST_CASE("the budget is the thread's own time, and says how long it was", "[lua][watchdog]") {
+    Box box;
+    const std::int64_t began = thread_time();
+    CHECK(box.run("while true do end", Budget{0.3}) == "box.lua:1: ran for more than 0.3 s: is there an endless loop?");
+    const double used = static_cast<double>(thread_time() - began) * 1e-9;
+    CHECK(used > 0.29);
+    CHECK(used < 0.6);
+}
+
+TEST_CASE("states in several threads are watched apart", "[lua][watchdog]") {
+    std::vector<std::thread> threads;
+    std::vector<std::string> outcomes(6);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        threads.emplace_back([i, &outcomes] {
+            Box box;
+            for (int round = 0; round < 3; ++round) {
+                outcomes[i] =
+                    box.run(i % 2 == 0 ? "while true do end" : "local n = 0 for i = 1, 1000 do n = n + i end return n");
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        CHECK(outcomes[i] == (i % 2 == 0 ? "box.lua:1: " + too_long : "500500"));
+    }
+}
+
+// Calls the global function `inner` of the state in the upvalue, within 0.05 s, and returns whether that went well.
+int call_other(lua_State* lua) {
+    auto* other = static_cast<lua_State*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    const int top = lua_gettop(other);
+    lua_getglobal(other, "inner");
+    const bool well = protected_call(other, 0, 0, Budget{0.05}).has_value();
+    lua_settop(other, top);
+    lua_pushboolean(lua, well ? 1 : 0);
+    return 1;
+}
+
+void give_call(Box& box, lua_State* other) {
+    lua_pushlightuserdata(box.lua(), other);
+    lua_pushcclosure(box.lua(), call_other, 1);
+    lua_setglobal(box.lua(), "call_other");
+}
+
+TEST_CASE("a call within a call has its own budget, within the outer one's", "[lua][watchdog]") {
+    Box outer;
+    Box inner;
+    const bool same_state = GENERATE(false, true);
+    Box& target = same_state ? outer : inner;
+    give_call(outer, target.lua());
+    target.run("function inner() while true do end end");
+    CHECK(outer.run("return call_other(), 'goes on'", Budget{0.5}) == "false goes on");
+    // Each inner call ends by its own budget, and all of them together by the outer one's.
+    CHECK(outer.run("while true do call_other() end", Budget{0.2}) ==
+          "box.lua:1: ran for more than 0.2 s: is there an endless loop?");
+    CHECK(outer.over_budget);
+    target.run("function inner() end");
+    CHECK(outer.run("return call_other()") == "true");
+}
+
+TEST_CASE("calls that nest through C without end are an error", "[lua][call]") {
+    Box box;
+    give_call(box, box.lua());
+    CHECK(
+        box.run(
+            "local most = 0 function inner() most = most + 1 return call_other() end call_other() return most < 10000",
+            Budget{2.0}) == "true");
+    Box other;
+    give_call(box, other.lua());
+    give_call(other, box.lua());
+    for (Box* each : {&box, &other}) each->run("n = 0 function inner() n = n + 1 return call_other() end");
+    CHECK(box.run("inner() return n > 10", Budget{5.0}) == "true");
+}
+
+TEST_CASE("a host's system calls and errno are left alone", "[lua][watchdog]") {
+    Box box;
+    box.run("return 1");
+    errno = 42;
+    const std::int64_t began = thread_time();
+    while (thread_time() - began < 50'000'000) {
+    }
+    CHECK(errno == 42);
+}
+
+}  // namespace
+}  // namespace nezumi
