@@ -123,6 +123,8 @@ protected:
         return reference;
     }
 
+    /// What `now` is between ticks, when something runs that is no part of the life cycle.
+    void set_now(const Time& now) { now_ = now; }
     /// Runs `hook` as the hook that is running now.
     template <class Function>
     auto run(Hook hook, Function&& function) {

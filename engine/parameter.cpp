@@ -275,14 +275,19 @@ bool Parameters::take_staged() {
 }
 
 void Parameters::adopt(const Parameters& earlier) {
-    for (Parameter& parameter : all_) {
-        const Parameter* before = earlier.find(parameter.spec.name);
-        if (before == nullptr || !before->set || before->value.index() != parameter.spec.initial.index()) continue;
-        auto allowed = check_value(parameter.spec, before->value);
-        if (!allowed) continue;
-        parameter.value = std::move(*allowed);
-        parameter.set = true;
-    }
+    for (const Parameter& parameter : all_) adopt(earlier, parameter.spec.name);
+}
+
+void Parameters::adopt(const Parameters& earlier, std::string_view name) {
+    const auto index = index_of(name);
+    const Parameter* before = earlier.find(name);
+    if (!index || before == nullptr || !before->set) return;
+    Parameter& parameter = all_[*index];
+    if (before->value.index() != parameter.spec.initial.index()) return;
+    auto allowed = check_value(parameter.spec, before->value);
+    if (!allowed) return;
+    parameter.value = std::move(*allowed);
+    parameter.set = true;
     ++version_;
 }
 

@@ -77,6 +77,8 @@ public:
 
     /// Takes over from an earlier version of the component every value that somebody set and that still fits.
     void adopt(const Parameters& earlier);
+    /// The same for one of them.
+    void adopt(const Parameters& earlier, std::string_view name);
 
     /// Grows with every change of a value: tells a cache that it is out of date.
     std::uint64_t version() const { return version_; }

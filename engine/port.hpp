@@ -46,6 +46,7 @@ public:
 
     const std::string& name() const { return name_; }
     const std::string& doc() const { return doc_; }
+    void set_doc(std::string doc) { doc_ = std::move(doc); }
     Direction direction() const { return direction_; }
     /// Place of its message type in `message_types`.
     std::size_t type() const { return type_; }
@@ -99,8 +100,14 @@ public:
     virtual void write_any(const AnyPayload& value) = 0;
     /// Whether something was written that is not published yet.
     bool written() const { return pending_ > 0; }
+    /// How many messages were written that are not published yet.
+    std::size_t pending() const { return pending_; }
+    /// Forgets all but the first `count` of them.
+    void discard_after(std::size_t count) { pending_ = pending_ < count ? pending_ : count; }
     /// Whether a stop of its component writes a safe value.
     virtual bool has_safe() const = 0;
+    /// Replaces the value that is safe when its component stops; without one it is the type's own, if that has one.
+    virtual void set_safe_any(const std::optional<AnyPayload>& safe) = 0;
     /// The tick in which it published last, -1 before.
     std::int64_t latched_tick() const { return latched_tick_; }
     /// How often it has published.
@@ -126,6 +133,9 @@ public:
     virtual void clear() = 0;
     /// Sends one value as if it came from a connection; it arrives at the next latch.
     virtual void inject(const AnyPayload& value) = 0;
+    /// Gives it a queue of another length (0: the latest value only). What is unread stays, the newest of it if it is
+    /// too much.
+    virtual void set_queue(std::size_t queue) = 0;
 
     /// Something unread waits.
     bool is_new() const { return unread_ > 0; }
@@ -197,6 +207,9 @@ public:
     void discard() override { pending_ = 0; }
     void write_any(const AnyPayload& value) override { write(std::get<T>(value)); }
     bool has_safe() const override { return safe_.has_value(); }
+    void set_safe_any(const std::optional<AnyPayload>& safe) override {
+        safe_ = safe ? std::optional<T>(std::get<T>(*safe)) : default_safe();
+    }
     void write_safe() override {
         if (safe_ && pending_ == 0) write(*safe_);
     }
@@ -301,6 +314,21 @@ public:
         arrival_tick_ = -1;
     }
     void inject(const AnyPayload& value) override { injected_.push_back({std::get<T>(value), 0.0}); }
+    void set_queue(std::size_t queue) override {
+        if (queue == capacity_) return;
+        std::vector<Message<T>> unread;
+        for (std::size_t i = 0; i < unread_; ++i) {
+            unread.push_back(capacity_ > 0 ? std::move(queue_[(head_ + i) % capacity_]) : latest_);
+        }
+        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{} : latest_;
+        const std::size_t kept = queue > 0 ? queue : 1;
+        if (unread.size() > kept) unread.erase(unread.begin(), unread.end() - static_cast<std::ptrdiff_t>(kept));
+        capacity_ = queue;
+        head_ = 0;
+        unread_ = unread.size();
+        queue_ = queue > 0 ? std::move(unread) : std::vector<Message<T>>{};
+        queue_.resize(queue);
+    }
 
     AnyPayload value() const override { return latest_.data; }
     void hold(AnyPayload value) override {
