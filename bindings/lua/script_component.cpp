@@ -1,0 +1,203 @@
+// Joins the life cycle to a script, and replaces the script by another version of it.
+#include "bindings/lua/script_component.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace nezumi {
+namespace {
+
+template <class Ports>
+auto find_fitting(Ports& ports, const PortDeclaration& declaration) {
+    return std::find_if(ports.begin(), ports.end(),
+                        [&](const auto& port) { return port != nullptr && declaration.fits(*port); });
+}
+
+// Moves the port that fits out of `ports`, or gives null.
+template <class Ports>
+auto take_fitting(Ports& ports, const PortDeclaration& declaration) {
+    typename Ports::value_type taken;
+    if (const auto found = find_fitting(ports, declaration); found != ports.end()) {
+        taken = std::move(*found);
+        ports.erase(found);
+    }
+    return taken;
+}
+
+void describe_lost(const Parameters& before, const Parameters& after, std::vector<std::string>& warnings) {
+    for (const auto& old : before.all()) {
+        if (!old.set) continue;
+        const auto* now = after.find(old.spec.name);
+        if (now == nullptr) {
+            warnings.push_back(
+                fmt::format("parameter '{}' went, and its value {} with it", old.spec.name, to_text(old.value)));
+        } else if (!now->set) {
+            warnings.push_back(fmt::format("parameter '{}': its value {} no longer fits, it is the default {} now",
+                                           old.spec.name, to_text(old.value), to_text(now->value)));
+        }
+    }
+}
+
+void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings) {
+    constexpr std::size_t shown = 10;
+    for (std::size_t i = 0; i < dropped.size() && i < shown; ++i) {
+        const bool kept = dropped[i].what.starts_with("a table with");
+        warnings.push_back(
+            fmt::format("{} is {}: {}", dropped[i].path, dropped[i].what,
+                        kept ? "only its plain data was kept" : "it was dropped, state keeps plain data"));
+    }
+    if (dropped.size() > shown)
+        warnings.push_back(fmt::format("and {} more such values of state", dropped.size() - shown));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<ScriptComponent>> ScriptComponent::load(std::string name, SourceText source,
+                                                                 ScriptContext context) {
+    context.component = name;
+    context.version = 1;
+    const std::string type = type_of_file(source.path.empty() ? source.shown : source.path);
+    auto script = Script::load(std::move(source), std::move(context));
+    if (!script) return Unexpected(script.error());
+    auto component = std::unique_ptr<ScriptComponent>(new ScriptComponent(std::move(name), type));
+    Version first;
+    first.script = std::move(*script);
+    first.number = 1;
+    first.parameters = first.script->parameters();
+    component->make_ports(first);
+    component->fill_slots(first);
+    first.script->bind(*component);
+    component->commit(std::move(first));
+    return component;
+}
+
+Expected<PlainData> ScriptComponent::call_command(std::string_view command, const PlainData& arguments,
+                                                  const Time& now) {
+    set_now(now);
+    std::vector<std::size_t> written;
+    for (const auto& port : out_ports_) written.push_back(port->pending());
+    auto results = run(Hook::command, [&] { return script_->call_command(command, arguments); });
+    if (!results) {
+        for (std::size_t i = 0; i < written.size(); ++i) out_ports_[i]->discard_after(written[i]);
+    }
+    return results;
+}
+
+Expected<PlainData> ScriptComponent::copy_state() {
+    std::vector<Dropped> dropped;
+    return script_->take_state(dropped);
+}
+
+Expected<ScriptComponent::Version> ScriptComponent::prepare(SourceText source, const Time& now) {
+    Version next;
+    std::vector<Dropped> dropped;
+    auto state = script_->take_state(dropped);
+    if (!state) return failure("state can't be taken over: " + state.error().message, state.error().place);
+    describe_dropped(dropped, next.warnings);
+
+    ScriptContext context = script_->context();
+    context.version = next_version();
+    context.seconds = now.seconds;
+    context.tick_rate = tick_rate();
+    auto script = Script::load(std::move(source), std::move(context), {.parameters = &parameters_, .state = &*state});
+    if (!script) return Unexpected(script.error());
+    next.script = std::move(*script);
+    next.number = next_version();
+    next.parameters = next.script->parameters();
+    describe_lost(parameters_, next.parameters, next.warnings);
+    return next;
+}
+
+Expected<void> ScriptComponent::adopt(Version& next, const Time& now) {
+    set_now(now);
+    make_ports(next);
+    fill_slots(next);
+    next.script->bind(*this);
+    auto ok = run(Hook::on_reload, [&] { return next.script->call_on_reload(version_); });
+    if (ok) next.parameters = next.script->parameters();  // with what on_reload set
+    return ok;
+}
+
+std::vector<Port*> ScriptComponent::ports_going(const Version& next) const {
+    const auto goes = [&](const Port& port) {
+        return std::none_of(next.script->ports().begin(), next.script->ports().end(),
+                            [&](const PortDeclaration& declaration) { return declaration.fits(port); });
+    };
+    std::vector<Port*> going;
+    for (const auto& port : in_ports_) {
+        if (goes(*port)) going.push_back(port.get());
+    }
+    for (const auto& port : out_ports_) {
+        if (goes(*port)) going.push_back(port.get());
+    }
+    return going;
+}
+
+ScriptComponent::Version ScriptComponent::commit(Version next) {
+    Version old;
+    old.script = std::move(script_);
+    old.number = version_;
+    old.parameters = std::move(parameters_);
+    old.in_ports = std::move(in_ports_);
+    old.out_ports = std::move(out_ports_);
+    if (old.script != nullptr) old.script->go_live(false);
+
+    in_ports_.clear();
+    out_ports_.clear();
+    for (const PortDeclaration& declaration : next.script->ports()) {
+        if (declaration.direction == Direction::in) {
+            auto port = take_fitting(old.in_ports, declaration);
+            if (port == nullptr) port = take_fitting(next.in_ports, declaration);
+            port->set_doc(declaration.doc);
+            port->set_queue(declaration.queue);
+            in_ports_.push_back(std::move(port));
+        } else {
+            auto port = take_fitting(old.out_ports, declaration);
+            if (port == nullptr) port = take_fitting(next.out_ports, declaration);
+            port->set_doc(declaration.doc);
+            port->set_safe_any(declaration.safe);
+            out_ports_.push_back(std::move(port));
+        }
+    }
+    parameters_ = std::move(next.parameters);
+    script_ = std::move(next.script);
+    version_ = next.number;
+    newest_ = std::max(newest_, version_);
+    script_->go_live(true);
+    for (const auto& [level, text] : script_->take_early_log()) log(level, text);
+    for (const std::string& warning : next.warnings) log(LogLevel::warn, warning);
+    return old;
+}
+
+// Ports that neither run now nor are there from an earlier time.
+void ScriptComponent::make_ports(Version& next) const {
+    for (const PortDeclaration& declaration : next.script->ports()) {
+        if (declaration.direction == Direction::in) {
+            if (find_fitting(in_ports_, declaration) != in_ports_.end()) continue;
+            if (find_fitting(next.in_ports, declaration) != next.in_ports.end()) continue;
+            next.in_ports.push_back(
+                make_in_port(declaration.type, declaration.name, declaration.doc, declaration.queue));
+        } else {
+            if (find_fitting(out_ports_, declaration) != out_ports_.end()) continue;
+            if (find_fitting(next.out_ports, declaration) != next.out_ports.end()) continue;
+            next.out_ports.push_back(
+                make_out_port(declaration.type, declaration.name, declaration.doc, declaration.safe));
+        }
+    }
+}
+
+void ScriptComponent::fill_slots(Version& next) const {
+    for (PortSlot& slot : next.script->slots()) {
+        const PortDeclaration& declaration = *slot.declaration;
+        if (declaration.direction == Direction::in) {
+            auto found = find_fitting(in_ports_, declaration);
+            slot.port = found != in_ports_.end() ? found->get() : find_fitting(next.in_ports, declaration)->get();
+        } else {
+            auto found = find_fitting(out_ports_, declaration);
+            slot.port = found != out_ports_.end() ? found->get() : find_fitting(next.out_ports, declaration)->get();
+        }
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,161 @@
+// What one tick of a component costs: in Lua, in C++, a port alone; and what a scripted component weighs and takes to
+// load.
+//
+// The tick reads 4 integers, decides and writes a velocity. Limits: Lua 500 ns, C++ 60 ns, port write to read 30 ns, 30
+// KB.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/lua/script_component.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+using Shorts = std::vector<std::int16_t>;
+
+constexpr const char* kScript = R"(
+local range  = input("in", "TimedShortSeq", "distance sensors; a larger value is nearer")
+local target = output("out", "TimedVelocity2D", "target velocity")
+param("speed_x", 0.1, { min = -1.5, max = 1.5, step = 0.01, widget = "slider", unit = "m/s", doc = "straight-ahead speed" })
+param("speed_r", 0.0, { min = -2.0, max = 2.0, step = 0.01, widget = "slider", unit = "rad/s", doc = "rotational speed" })
+param("stop_d", 30, { doc = "stop when a sensor value exceeds this" })
+
+local function blocked()
+  for _, value in ipairs(range:read()) do
+    if value > config.stop_d then return true end
+  end
+  return false
+end
+
+function on_execute()
+  if config.speed_x > 0 and blocked() then
+    target:write { vx = 0, va = 0 }
+  else
+    target:write { vx = config.speed_x, va = config.speed_r }
+  end
+end
+)";
+
+constexpr const char* kPlainScript = R"(
+local range  = input("in", "TimedShortSeq")
+local target = output("out", "TimedVelocity2D")
+function on_execute()
+  local v = range:read()
+  if v[1] > 30 or v[2] > 30 or v[3] > 30 or v[4] > 30 then
+    target:write { vx = 0, va = 0 }
+  else
+    target:write { vx = 0.1, va = 0 }
+  end
+end
+)";
+
+class Native final : public Component {
+public:
+    Native() : Component("native", "Native") {}
+
+protected:
+    Expected<void> on_execute() override {
+        bool blocked = false;
+        for (const std::int16_t value : range_.read()) blocked = blocked || value > 30;
+        target_.write({.vx = blocked ? 0.0 : 0.1});
+        return {};
+    }
+
+private:
+    InPort<Shorts>& range_ = add_in_port<Shorts>("in");
+    OutPort<Velocity2D>& target_ = add_out_port<Velocity2D>("out");
+};
+
+// The least of several rounds, in ns for one call.
+template <class Work>
+double nanoseconds(int calls, const Work& work) {
+    double best = 1e300;
+    for (int round = 0; round < 15; ++round) {
+        const auto begin = std::chrono::steady_clock::now();
+        for (int i = 0; i < calls; ++i) work(i);
+        const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
+        best = std::min(best, took.count() / calls);
+    }
+    return best;
+}
+
+// Whole ticks of a component: latch a new value, execute, latch what it wrote. And the execution alone.
+void measure(const char* name, Component& component) {
+    OutPort<Shorts> source("source");
+    component.find_in_port("in")->connect(source);
+    if (!component.activate({})) std::puts("can't be activated");
+    Time now;
+    const double whole = nanoseconds(20'000, [&](int) {
+        now = {now.tick + 1, static_cast<double>(now.tick + 1) / 100};
+        source.next_pending().assign({1, 2, 3, 4});
+        source.latch(now);
+        component.latch_inputs(now);
+        component.execute(now);
+        component.latch_outputs(now);
+    });
+    const double alone = nanoseconds(20'000, [&](int) {
+        now = {now.tick + 1, static_cast<double>(now.tick + 1) / 100};
+        component.execute(now);
+        component.find_out_port("out")->discard();
+    });
+    const bool drives = std::get<Velocity2D>(component.find_out_port("out")->value()).vx > 0;
+    std::printf("%-34s execute %6.1f ns, with ports %6.1f ns%s\n", name, alone, whole,
+                drives ? "" : " (does not drive!)");
+}
+
+std::unique_ptr<ScriptComponent> load(const char* text, ChunkCache* chunks = nullptr) {
+    auto component =
+        ScriptComponent::load("c", {"robot_controller.lua", "robot_controller.lua", text}, {.chunks = chunks});
+    if (!component) {
+        std::puts(describe(component.error()).c_str());
+        std::exit(2);
+    }
+    return std::move(*component);
+}
+
+long resident_kilobytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+}
+
+}  // namespace
+
+int main() {
+    std::puts("budget 0.1 s, memory limit 64 MB");
+    measure("Lua, robot_controller", *load(kScript));
+    measure("Lua, 4 integers and a velocity", *load(kPlainScript));
+    Native native;
+    measure("C++, 4 integers and a velocity", native);
+
+    OutPort<Velocity2D> out("out");
+    InPort<Velocity2D> in("in");
+    in.connect(out);
+    double sum = 0;
+    const double port = nanoseconds(100'000, [&](int i) {
+        const Time now{i, 0};
+        out.write({.vx = 1});
+        out.latch(now);
+        in.latch(now);
+        sum += in.read().vx;
+    });
+    std::printf("port, write to read                %.1f ns%s\n", port, sum > 0 ? "" : " (lost!)");
+
+    constexpr int count = 1000;
+    ChunkCache chunks;
+    std::vector<std::unique_ptr<ScriptComponent>> all;
+    const long before = resident_kilobytes();
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < count; ++i) all.push_back(load(kScript, &chunks));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    std::printf("a scripted component               %.1f KB in Lua, %.1f KB in all; %d loaded in %.3f s\n",
+                static_cast<double>(all[0]->script().memory()) / 1024,
+                static_cast<double>(resident_kilobytes() - before) / count, count, took.count());
+}
