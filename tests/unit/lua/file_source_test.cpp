@@ -1,0 +1,82 @@
+// Places of fields in the text of a Lua file.
+#include "bindings/lua/file_source.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace nezumi;
+
+namespace {
+
+// "line:column" of a field of the call of `word` in `line`.
+std::string where(const FileSource& source, std::string_view word, int line, const FieldPath& path) {
+    const Place place = source.find(word, {"f.lua", line}, path);
+    return std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+}  // namespace
+
+TEST_CASE("a field is found through the tables around it", "[lua][file_source]") {
+    const FileSource source(R"(robot "m" {
+  model = "x", -- model = "y"
+  pose = { x = 1,
+           ["y"] = 2, },
+  [3] = 4,
+}
+robot("n", { model = [[
+a { b = 1 }]], pose =
+  { x = 1 } }))",
+                            "f.lua");
+    CHECK(where(source, "robot", 1, {"model"}) == "2:3");
+    CHECK(where(source, "robot", 1, {"pose"}) == "3:3");
+    CHECK(where(source, "robot", 1, {"pose", "x"}) == "3:12");
+    CHECK(where(source, "robot", 1, {"pose", "y"}) == "4:13");
+    CHECK(where(source, "robot", 7, {"model"}) == "7:14");
+    CHECK(where(source, "robot", 7, {"pose", "x"}) == "9:5");
+}
+
+TEST_CASE("what the text does not show has the place of what is around it", "[lua][file_source]") {
+    const FileSource source("robot 'm' { pose = home }\nrobot('n', fields)", "f.lua");
+    CHECK(where(source, "robot", 1, {"pose", "x"}) == "1:13");
+    CHECK(where(source, "robot", 1, {"model"}) == "1:0");
+    CHECK(where(source, "robot", 2, {"model"}) == "2:0");
+    CHECK(where(source, "robot", 9, {"model"}) == "9:0");
+    CHECK(where(source, "behavior", 1, {"pose"}) == "1:0");
+    CHECK(source.find("robot", {"other.lua", 1}, {"pose"}) == Place{"other.lua", 1});
+}
+
+TEST_CASE("elements are counted, calls within a call are calls of their own", "[lua][file_source]") {
+    const FileSource source(
+        "arena {\n  box { at = { 1, 2 } },\n  wall { at = { 3, 4 } }, size = { 5,\n 6 },\n  { 7 }, }", "f.lua");
+    CHECK(where(source, "arena", 1, {"[1]"}) == "2:3");
+    CHECK(where(source, "arena", 1, {"[2]"}) == "3:3");
+    CHECK(where(source, "arena", 1, {"[3]"}) == "5:3");
+    CHECK(where(source, "arena", 1, {"[3]", "[1]"}) == "5:5");
+    CHECK(where(source, "arena", 1, {"size", "[2]"}) == "4:2");
+    CHECK(where(source, "box", 2, {"at", "[2]"}) == "2:19");
+    CHECK(where(source, "wall", 3, {"at"}) == "3:10");
+}
+
+TEST_CASE("functions, conditions and methods within a table don't confuse it", "[lua][file_source]") {
+    const FileSource source(R"(s:robot("m", {
+  response = function(d)
+    if d > 1 then local t = { yaw = 1, 2 } end
+    return t, 3
+  end,
+  yaw = cond and { a = 1 } or { b = (function() return 2 end)() },
+  at = vec({ 1 }, 2), mass == 3, 4,
+  last = 1 }))",
+                            "f.lua");
+    CHECK(where(source, "robot", 1, {"response"}) == "2:3");
+    CHECK(where(source, "robot", 1, {"yaw"}) == "6:3");
+    CHECK(where(source, "robot", 1, {"at"}) == "7:3");
+    CHECK(where(source, "robot", 1, {"last"}) == "8:3");
+    CHECK(where(source, "robot", 1, {"[2]"}) == "7:34");
+}
+
+TEST_CASE("text that is no Lua has places too, or none", "[lua][file_source]") {
+    for (const char* text : {"", "{", "}", "a {", "a { b = ", "a { 'x", "a { [[", "--[[", "a(}", "a { ) } ]", "= = {",
+                             "a { end }", "a.b:c'd'{e=1"}) {
+        CHECK(FileSource(text, "f.lua").find("a", {"f.lua", 1}, {"b"}).line == 1);
+    }
+    CHECK(to_text({"sensors", "front", "at", "[2]"}) == "sensors.front.at[2]");
+}
