@@ -1,0 +1,383 @@
+// Robot files: the shipped robots, a user's own, and what is said about a slip.
+#include "bindings/lua/robot_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/robot.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Expected<RobotSpec> read(std::string_view text) {
+    const Project project = Project::of(root / "engine/robots/r.lua", {root});
+    return read_robot_text(text, "engine/robots/r.lua", project);
+}
+
+RobotSpec robot_of(std::string_view text) {
+    auto spec = read(text);
+    INFO((spec ? std::string() : describe(spec.error())));
+    REQUIRE(spec.has_value());
+    return std::move(*spec);
+}
+
+// The error without the folders of the file.
+std::string error(std::string_view text) {
+    const auto spec = read(text);
+    if (!spec && spec.error().place.file == "engine/robots/r.lua") return describe(spec.error()).substr(14);
+    return spec ? "no error" : describe(spec.error());
+}
+
+// A robot that is right but for `more`, which begins in line 2.
+std::string with(std::string_view more) {
+    return "return robot_model { mass = 1, body = { size = { 0.1, 0.1, 0.1 } }, drive = { radius = 0.02, track = 0.1 "
+           "},\n" +
+           std::string(more) + " }";
+}
+
+const SensorSpec& sensor_of(const RobotSpec& spec, std::string_view name) {
+    for (const SensorSpec& sensor : spec.sensors) {
+        if (sensor.name == name) return sensor;
+    }
+    FAIL("no sensor " << name);
+    return spec.sensors.front();
+}
+
+const PortSpec& port_of(const RobotSpec& spec, std::string_view name) {
+    for (const PortSpec& port : spec.ports) {
+        if (port.name == name) return port;
+    }
+    FAIL("no port " << name);
+    return spec.ports.front();
+}
+
+RobotSpec shipped(const std::string& name) {
+    const auto path = root / "engine/robots" / name;
+    auto spec = read_robot_file(path, Project::of(path, {root}));
+    INFO((spec ? std::string() : describe(spec.error())));
+    REQUIRE(spec.has_value());
+    return std::move(*spec);
+}
+
+}  // namespace
+
+TEST_CASE("the Raspberry Pi Mouse is as its facts say", "[lua][robot_file]") {
+    const RobotSpec mouse = shipped("raspimouse.lua");
+    CHECK(mouse.model == "raspimouse");
+    CHECK(mouse.mass == 0.72);
+    CHECK(mouse.body.shape == BodySpec::Shape::box);
+    CHECK(mouse.body.size == Point3D{0.10, 0.08, 0.06});
+    CHECK(mouse.drive.radius * 2 == 0.048);
+    CHECK(mouse.drive.track == 0.0925);
+    CHECK(mouse.drive.pulses_per_turn == 400);
+    CHECK(mouse.drive.limits == Limits{0.5, 6, 2.0, 12});
+    CHECK(mouse.drive.hardware_limits == Limits{0.2, 2, 0.52, 4});
+    CHECK_FALSE(mouse.drive.coasts_until_commanded);
+    CHECK(mouse.place.file == "engine/robots/raspimouse.lua");
+}
+
+TEST_CASE("the mouse's four infrared sensors are where they belong, right first", "[lua][robot_file]") {
+    const RobotSpec mouse = shipped("raspimouse.lua");
+    const auto check = [&](std::string_view name, double x, double y, double degrees) {
+        const SensorSpec& sensor = sensor_of(mouse, name);
+        CAPTURE(name);
+        CHECK(sensor.kind == SensorSpec::Kind::range);
+        CHECK(sensor.at.x == Approx(x));
+        CHECK(sensor.at.y == Approx(y));
+        CHECK(sensor.at.z > 0);
+        CHECK(sensor.at.z < 0.07);
+        CHECK(sensor.yaw == Approx(degrees * std::numbers::pi / 180));
+        CHECK(sensor.range == 0.60);
+        CHECK(sensor.noise == 0);
+        REQUIRE(sensor.has_response);
+        CHECK(sensor.response(0.01) == 1394);
+        CHECK(sensor.response(0.20) == 36);
+        CHECK(sensor.response(0.30) == 16);
+        CHECK(sensor.response(0.60) == 0);
+        CHECK(sensor.response(infinity) == 0);
+        CHECK(sensor.response(0.005) > 1394);
+        CHECK(sensor.response(0) == 4095);
+    };
+    check("right_front", 0.035, -0.040, 0);
+    check("right_side", 0.045, -0.030, -45);
+    check("left_side", 0.045, 0.030, 45);
+    check("left_front", 0.035, 0.040, 0);
+    const std::vector<std::string> order{"right_front", "right_side", "left_side", "left_front"};
+    CHECK(port_of(mouse, "ir_sensor_out").items == order);
+    CHECK(port_of(mouse, "ir_sensor_metre_out").items == order);
+}
+
+TEST_CASE("the mouse has the nine ports of its facts, each with its meaning", "[lua][robot_file]") {
+    const RobotSpec mouse = shipped("raspimouse.lua");
+    const std::vector<std::tuple<std::string, bool, std::string>> expected{
+        {"target_velocity_in", true, "TimedVelocity2D"},
+        {"pose_update", true, "TimedPose2D"},
+        {"buzzer_hz_in", true, "TimedShort"},
+        {"led4bit_in", true, "TimedBooleanSeq"},
+        {"current_velocity_out", false, "TimedVelocity2D"},
+        {"current_pose_out", false, "TimedPose2D"},
+        {"ir_sensor_out", false, "TimedShortSeq"},
+        {"ir_sensor_metre_out", false, "TimedDoubleSeq"},
+        {"switch3bit_out", false, "TimedBooleanSeq"}};
+    CHECK(mouse.ports.size() == expected.size());
+    for (const auto& [name, is_input, type] : expected) {
+        const PortSpec& port = port_of(mouse, name);
+        CHECK(port.is_input == is_input);
+        CHECK(port.type == type);
+        CHECK_FALSE(port.doc.empty());
+    }
+    CHECK(port_of(mouse, "ir_sensor_metre_out").quantity == PortSpec::Quantity::distance);
+    CHECK(port_of(mouse, "buzzer_hz_in").off_when_silent);
+    CHECK_FALSE(port_of(mouse, "led4bit_in").off_when_silent);
+    CHECK(Robot::make("mouse", mouse, mouse.drive.limits, 0, 0).has_value());
+}
+
+TEST_CASE("the swarm's robot answers nearness as its formula says", "[lua][robot_file]") {
+    const RobotSpec robot = shipped("swarm_robot.lua");
+    CHECK(robot.mass == 1.6);
+    CHECK(robot.drive.track == 0.14);
+    CHECK(robot.body.shape == BodySpec::Shape::cylinder);
+    CHECK(robot.body.size.x == 2 * 0.085);
+    REQUIRE(robot.sensors.size() == 24);
+    for (int i = 0; i < 24; ++i) {
+        const SensorSpec& ray = robot.sensors[static_cast<std::size_t>(i)];
+        const double angle = (7.5 + 15 * i) * std::numbers::pi / 180;
+        CHECK(ray.yaw == Approx(angle));
+        CHECK(ray.at.x == Approx(0.085 * std::cos(angle)));
+        CHECK(ray.at.y == Approx(0.085 * std::sin(angle)));
+        CHECK(ray.at.z == Approx(0.06));
+        CHECK(ray.range == 0.1);
+        CHECK(port_of(robot, "rays").items[static_cast<std::size_t>(i)] == ray.name);
+    }
+    const ResponseTable& nearness = robot.sensors[0].response;
+    CHECK(nearness(0) == 1);
+    CHECK(nearness(0.005) == 1);
+    for (double d = 0.0105; d < 0.1; d += 0.001)
+        CHECK(nearness(d) == Approx(0.0100527 / (d + 0.000163144)).epsilon(1e-3));
+    CHECK(nearness(0.1001) == 0);
+}
+
+TEST_CASE("a user's robot needs only a body and wheels", "[lua][robot_file]") {
+    const RobotSpec robot = robot_of(
+        "return robot_model { mass = 2, body = { size = { 0.3, 0.2, 0.1 } }, drive = { radius = 0.05, track = 0.2 } }");
+    CHECK(robot.body.shape == BodySpec::Shape::box);
+    CHECK(robot.body.at.z == Approx(0.06));
+    CHECK(robot.drive.skid == Approx(0.12));
+    CHECK(robot.drive.limits == Limits{});
+    CHECK(robot.model == "r");
+    CHECK(robot.ports.empty());
+}
+
+TEST_CASE("a robot's limits hold on hardware too, unless it has others there", "[lua][robot_file]") {
+    const RobotSpec robot = robot_of(
+        "return robot_model { mass = 2, body = { size = { 0.3, 0.2, 0.1 } }, drive = { radius = 0.05, track = 0.2, "
+        "limits = { speed = 2.0 }, hardware_limits = { yaw_rate = 1 } } }");
+    CHECK(robot.drive.limits == Limits{2.0, 6, 2, 12});
+    CHECK(robot.drive.hardware_limits == Limits{2.0, 1, 2, 12});
+}
+
+TEST_CASE("a sensor's place is given from the hull's centre", "[lua][robot_file]") {
+    const RobotSpec robot = robot_of(with(
+        "sensors = { a = { kind = 'range', at = { 0.05, 0.01, -0.02 } }, b = { kind = 'range', at = { 0.05, 0 } } }"));
+    CHECK(robot.body.at.z == Approx(0.06));
+    CHECK(sensor_of(robot, "a").at.x == Approx(0.05));
+    CHECK(sensor_of(robot, "a").at.y == Approx(0.01));
+    CHECK(sensor_of(robot, "a").at.z == Approx(0.04));
+    CHECK(sensor_of(robot, "b").at.z == Approx(0.06));
+    CHECK_FALSE(sensor_of(robot, "a").has_response);
+}
+
+TEST_CASE("a response function is sampled when the file is read", "[lua][robot_file]") {
+    const RobotSpec robot = robot_of(with(R"(sensors = {
+        linear = { kind = "range", range = 2, response = function(d) return math.max(0, 100 - 50 * d) end },
+        inverse = { kind = "range", range = 1, response = function(d) return 1 / d end, max_value = 50 },
+        capped = { kind = "range", range = 1, response = function(d) if d == math.huge then return -1 end return 10 * d end, min_value = 2 },
+        nothing = { kind = "range", range = 1, response = function(d) return 3 end, nothing = 9 } })"));
+    const ResponseTable& linear = sensor_of(robot, "linear").response;
+    CHECK(linear(0) == 100);
+    CHECK(linear(0.5) == Approx(75));
+    CHECK(linear(1.9) == Approx(5));
+    CHECK(linear(infinity) == 0);
+    const ResponseTable& inverse = sensor_of(robot, "inverse").response;
+    CHECK(inverse(0) == 50);
+    CHECK(inverse(0.5) == Approx(2).epsilon(1e-3));
+    CHECK(inverse(infinity) == 0);
+    CHECK(sensor_of(robot, "capped").response(0) == 2);
+    CHECK(sensor_of(robot, "capped").response(infinity) == 2);
+    CHECK(sensor_of(robot, "nothing").response(0.5) == 3);
+    CHECK(sensor_of(robot, "nothing").response(infinity) == 9);
+}
+
+TEST_CASE("a response table is a file beside the robot file, or points", "[lua][robot_file]") {
+    const RobotSpec robot = robot_of(with(R"(sensors = {
+        file = { kind = "range", table = "ir_table.csv" },
+        points = { kind = "range", range = 1, table = { { 0.1, 10 }, { 0.5, 4 } }, max_value = 12 } })"));
+    const SensorSpec& file = sensor_of(robot, "file");
+    CHECK(file.range == 0.60);
+    CHECK(file.response(0.02) == 792);
+    CHECK(file.response(0) == 4095);
+    const ResponseTable& points = sensor_of(robot, "points").response;
+    CHECK(points(0.1) == 10);
+    CHECK(points(0.3) == Approx(7));
+    CHECK(points(0.75) == Approx(2));
+    CHECK(points(0) == 12);
+
+    const Scratch scratch;
+    scratch.write("mine.csv", "distance_m,value\n0.1,9\n0.2,x\n");
+    const auto path = scratch.write("mine.lua", with("sensors = { a = { kind = 'range', table = 'mine.csv' } }"));
+    const auto bad = read_robot_file(path, Project::of(path));
+    REQUIRE_FALSE(bad.has_value());
+    CHECK(describe(bad.error()) ==
+          scratch.path("mine.csv").string() + ":3: column 'value': expected a number, got 'x'");
+}
+
+TEST_CASE("the files that a robot was read from are known", "[lua][robot_file]") {
+    std::vector<std::string> files;
+    const auto path = root / "engine/robots/raspimouse.lua";
+    REQUIRE(read_robot_file(path, Project::of(path), &files).has_value());
+    CHECK(files == std::vector<std::string>{"engine/robots/raspimouse.lua", "engine/robots/ir_table.csv",
+                                            "engine/robots/ir_table.csv", "engine/robots/ir_table.csv",
+                                            "engine/robots/ir_table.csv"});
+}
+
+TEST_CASE("a robot file that is no robot file is one plain message", "[lua][robot_file]") {
+    CHECK(error("") == "r.lua: a robot file ends with `return robot_model { ... }`");
+    CHECK(error(with("").substr(7)) == "r.lua: a robot file ends with `return robot_model { ... }`");
+    CHECK(error("return {}") == "r.lua: a robot file ends with `return robot_model { ... }`");
+    CHECK(error("return robot_model") == "r.lua: a robot file ends with `return robot_model { ... }`");
+    CHECK(error("return robot_model()") == "r.lua:1: robot_model: expected a table, got nil");
+    CHECK(error("return robot_model 'x'") == "r.lua:1: robot_model: expected a table, got string");
+    CHECK(error("local a = " + with("").substr(7) + "\n" + with("")) ==
+          "r.lua:3: robot_model: is called twice, first in line 1");
+    CHECK_THAT(error("return robot_modell {}"), Catch::StartsWith("r.lua:1:8: "));
+    CHECK_THAT(error("robot 'm' {}"), Catch::StartsWith("r.lua:1:1: "));
+    CHECK_THAT(error("return robot_model {"), Catch::StartsWith("r.lua:1: "));
+    CHECK_THAT(error("while true do end"), Catch::StartsWith("r.lua:1: "));
+}
+
+TEST_CASE("a robot's unknown field is told with the nearest one, at its place", "[lua][robot_file]") {
+    CHECK(error(with("maas = 1")) == "r.lua:2:1: robot_model: unknown field 'maas' (did you mean 'mass'?)");
+    CHECK(error("return robot_model { mass = 1, body = { size = { 1, 1, 1 },\n shap = 'box' }, drive = { radius = 1, "
+                "track = 1 } }") == "r.lua:2:2: robot_model: unknown field 'body.shap' (did you mean 'shape'?)");
+    CHECK(error(with("sensors = { front = {\n kind = 'range', yow = 1 } }")) ==
+          "r.lua:3:18: robot_model: unknown field 'sensors.front.yow' (did you mean 'yaw'?)");
+    CHECK(error(with("sensors = { front = { kind = 'button', range = 1 } }")) ==
+          "r.lua:2:40: robot_model: unknown field 'sensors.front.range': expected kind, at, yaw, on");
+    CHECK(error(with("sensors = { { kind = 'range' } }")) ==
+          "r.lua:2:13: robot_model: unknown field 'sensors[1]': expected NAME = { ... }");
+    CHECK(error(with("ports = { p = { type = 'TimedPose2D', form = 'odometry' } }")) ==
+          "r.lua:2:39: robot_model: unknown field 'ports.p.form' (did you mean 'from'?)");
+    CHECK(error(with("ports = { p = { type = 'TimedPose2D', from = 'odometry', queue = 3 } }")) ==
+          "r.lua:2:58: robot_model: unknown field 'ports.p.queue': expected type, from, to, doc, rate, quantity");
+}
+
+TEST_CASE("a robot's value of the wrong kind is told with its field", "[lua][robot_file]") {
+    CHECK(error("return robot_model { mass = 0, body = { size = { 1, 1, 1 } }, drive = { radius = 1, track = 1 } }") ==
+          "r.lua:1:22: robot_model: field 'mass' expected a positive number, got 0");
+    CHECK(error("return robot_model { mass = 1, body = { size = { 1, 1 } }, drive = { radius = 1, track = 1 } }") ==
+          "r.lua:1:41: robot_model: field 'body.size' expected 3 numbers { x, y, z }, got 2");
+    CHECK(error("return robot_model { mass = 1, body = { shape = 'cyl', size = { 1, 1, 1 } }, drive = { radius = 1, "
+                "track = 1 } }") ==
+          "r.lua:1:41: robot_model: field 'body.shape' expected one of box, cylinder, got 'cyl'");
+    CHECK(error("return robot_model { mass = 1, body = { shape = 'cylinder', size = { 1, 2, 1 } }, drive = { radius = "
+                "1, track = 1 } }") ==
+          "r.lua:1:61: robot_model: field 'body.size' expected { diameter, diameter, height } of a cylinder");
+    CHECK(error("return robot_model { mass = 1, body = 'box', drive = { radius = 1, track = 1 } }") ==
+          "r.lua:1:32: robot_model: field 'body' expected a table, got string");
+    CHECK(error(with("sensors = { a = { kind = 'rnage' } }")) ==
+          "r.lua:2:19: robot_model: field 'sensors.a.kind' expected one of range, button, touch, gyro, color, reflect, "
+          "got 'rnage' (did you mean 'range'?)");
+    CHECK(error(with("sensors = { a = 5 }")) ==
+          "r.lua:2:13: robot_model: field 'sensors.a' expected a table, got number");
+    CHECK(error(with("sensors = { a = { kind = 'range', noise = -1 } }")) ==
+          "r.lua:2:35: robot_model: field 'sensors.a.noise' expected a number from 0 on, got -1");
+    CHECK(error(with("sensors = { a = { kind = 'range', minimum = 0.7 } }")) ==
+          "r.lua:2:35: robot_model: field 'sensors.a.minimum' expected less than the range of 0.6 m, got 0.7");
+    CHECK(error(with("sensors = { ['a b'] = { kind = 'range' } }")) ==
+          "r.lua:2:14: robot_model: sensors: 'a b' is no name: expected letters, digits and _");
+    CHECK(error(with("sensors = { velocity = { kind = 'range' } }")) ==
+          "r.lua:2:13: robot_model: no sensor may be called 'velocity': that is what the wheels measure");
+    CHECK(error(with("actuators = { a = { kind = 'servo', minimum = 1, maximum = 0 } }")) ==
+          "r.lua:2:37: robot_model: field 'actuators.a.minimum': 1 is above maximum 0");
+    CHECK(
+        error(with("sensors = { a = { kind = 'range', on = 'neck' } }, actuators = { neckk = { kind = 'servo' } }")) ==
+        "r.lua:2:35: robot_model: field 'sensors.a.on' expected a servo, there is none 'neck' (did you mean 'neckk'?)");
+}
+
+TEST_CASE("a robot's missing field is told with what belongs there", "[lua][robot_file]") {
+    CHECK(error("return robot_model {}") == "r.lua:1: robot_model: field 'mass' is missing: expected kilograms");
+    CHECK(error("return robot_model { mass = 1, drive = { radius = 1, track = 1 } }") ==
+          "r.lua:1: robot_model: field 'body' is missing: expected { shape =, size = }");
+    CHECK(
+        error("return robot_model { mass = 1, body = { size = { 1, 1, 1 } }, drive = { radius = 1 } }") ==
+        "r.lua:1:63: robot_model: field 'drive.track' is missing: expected the distance between the wheels in metres");
+    CHECK(error(with("sensors = { a = {} }")) ==
+          "r.lua:2:13: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, "
+          "color, reflect");
+    CHECK(error(with("ports = { a = { to = 'drive' } }")) ==
+          "r.lua:2:11: robot_model: field 'ports.a.type' is missing: expected a message type");
+}
+
+TEST_CASE("a port carries something that is there and that its type fits", "[lua][robot_file]") {
+    const std::string sensors =
+        "sensors = { front = { kind = 'range' }, back = { kind = 'range' } }, actuators = { lamps = { kind = 'leds' } "
+        "},\n";
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedShortSeq', from = { 'front', 'bck' } } }")) ==
+          "r.lua:3:11: robot_model: port 'p': there is no sensor 'bck' (did you mean 'back'?)");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedShortSek', from = 'front' } }")) ==
+          "r.lua:3:11: robot_model: port 'p': unknown type 'TimedShortSek' (did you mean 'TimedShortSeq'?); `nezumi "
+          "types` lists them all");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedShort', from = { 'front', 'back' } } }")) ==
+          "r.lua:3:11: robot_model: port 'p': a TimedShort carries one sensor, not 2");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedVelocity2D', from = 'front' } }")) ==
+          "r.lua:3:11: robot_model: port 'p': a TimedVelocity2D can't carry sensors' values");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedPose2D', from = 'velocity' } }")) ==
+          "r.lua:3:11: robot_model: port 'p': 'velocity' is a TimedVelocity2D, not a TimedPose2D");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedShort', to = 'lamps' } }")) ==
+          "r.lua:3:11: robot_model: port 'p': 'lamps' takes a TimedBooleanSeq, not a TimedShort");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedBooleanSeq', to = 'lamp' } }")) ==
+          "r.lua:3:11: robot_model: port 'p': there is no actuator 'lamp' (did you mean 'lamps'?)");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedShortSeq' } }")) ==
+          "r.lua:3:11: robot_model: port 'p': expected either 'from', what an out-port carries, or 'to', what an "
+          "in-port drives");
+    CHECK(error(with(sensors + "ports = { p = { type = 'TimedShortSeq', from = {} } }")) ==
+          "r.lua:3:41: robot_model: field 'ports.p.from' expected a name or a list of names, got another table");
+    CHECK_THAT(error(with("ports = { a = { type = 'TimedVelocity2D', to = 'drive' }, b = { type = 'TimedVelocity2D', "
+                          "to = 'drive' } }")),
+               Catch::Contains("a robot has one in-port for its drive"));
+}
+
+TEST_CASE("a response that is no function of the distance is refused", "[lua][robot_file]") {
+    const auto response = [](const std::string& what) {
+        return error(with("sensors = { a = { kind = 'range',\n response = " + what + " } }"));
+    };
+    CHECK(response("5") ==
+          "r.lua:3:2: robot_model: field 'sensors.a.response' expected a function of the distance, got number");
+    CHECK(response("function() end") ==
+          "r.lua:3:2: robot_model: field 'sensors.a.response': returned nil for a distance of 0 m, expected a number");
+    CHECK(response("function(d) return 0 / 0 end") ==
+          "r.lua:3:2: robot_model: field 'sensors.a.response': returned nan for a distance of 0 m, expected a number");
+    CHECK(response("function(d) return math.huge end") ==
+          "r.lua:3:2: robot_model: field 'sensors.a.response': returned no finite number");
+    CHECK_THAT(response("function(d)\n return d.x\n end"),
+               Catch::StartsWith("r.lua:4: response(0): attempt to index a number value"));
+    CHECK(response("function(d) return 1 end, table = 'ir_table.csv'") ==
+          "r.lua:3:2: robot_model: field 'sensors.a.response' is one too many beside 'table': give one of them");
+    CHECK_THAT(response("function(d) while true do end end"), Catch::StartsWith("r.lua:3: response(0): "));
+    CHECK(error(with("sensors = { a = { kind = 'range', table = 'no.csv' } }")) ==
+          "r.lua:2:35: robot_model: field 'sensors.a.table': there is no file 'no.csv'; looked for "
+          "engine/robots/no.csv, behaviors/no.csv");
+    CHECK(error(with("sensors = { a = { kind = 'range', table = { { 0.2, 1 }, { 0.1, 2 } } } }")) ==
+          "r.lua:2:35: robot_model: field 'sensors.a.table': distances must ascend: 0.1 m comes after 0.2 m");
+    CHECK(error(with("sensors = { a = { kind = 'range', table = { 1, 2 } } }")) ==
+          "r.lua:2:35: robot_model: field 'sensors.a.table' expected a file's name or points { distance, value }");
+    CHECK(error(with("sensors = { a = { kind = 'range', table = { { 0.1, 1 }, { 0.2, 2 } }, min_value = 3, max_value = "
+                     "2 } }")) == "r.lua:2:71: robot_model: field 'sensors.a.min_value': 3 is above max_value 2");
+}
