@@ -145,8 +145,10 @@ void OdeWorld::touch_fixed(SimRobot& robot, Scene::Index index) {
     const Shape& shape = scene_.fixed()[index];
     if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
     bool touches = roll_over(robot, shape, nullptr);
+    if (touch_beside(robot, shape, nullptr, robot.model->firm) > 0) touches = true;
     for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
         add_contact(robot.body.id, nullptr, touch, robot.model->firm, hull_friction);
+        rows_[robot.mover] += 3;
         touches = true;
     }
     if (touches && robot.touched == 0) robot.touched = touched_fixed(index);
@@ -160,8 +162,10 @@ void OdeWorld::touch_thing(SimRobot& robot, Scene::Index index) {
     const Spring& spring = thing.mass < robot.model->mass ? Spring::from(per_kilogram::firm * thing.mass,
                                                                          per_kilogram::firm_damping * thing.mass, step_)
                                                           : robot.model->firm;
+    if (touch_beside(robot, shape, thing.body.id, spring) > 0) touches = true;
     for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
         add_contact(robot.body.id, thing.body.id, touch, spring, hull_friction);
+        rows_[robot.mover] += 3;
         touches = true;
     }
     if (!touches) return;
@@ -175,9 +179,13 @@ void OdeWorld::touch_robot(SimRobot& robot, SimRobot& other) {
     const double far = robot.model->reach + other.model->reach;
     if (dx * dx + dy * dy > far * far) return;
     const RobotModel& lighter = robot.model->mass <= other.model->mass ? *robot.model : *other.model;
-    const auto touches = narrow_.collide(scene_.movers()[robot.mover], scene_.movers()[other.mover]);
+    const Shape &hull = scene_.movers()[robot.mover], &other_hull = scene_.movers()[other.mover];
+    const auto touches = narrow_.collide(hull, other_hull);
     for (const Touch& touch : touches) add_contact(robot.body.id, other.body.id, touch, lighter.firm, hull_friction);
-    if (touches.empty()) return;
+    rows_[robot.mover] += 3 * static_cast<int>(touches.size());
+    const int beside = touch_beside(robot, other_hull, other.body.id, lighter.firm) +
+                       touch_beside(other, hull, robot.body.id, lighter.firm);
+    if (touches.empty() && beside == 0) return;
     if (robot.touched == 0) robot.touched = touched_mover(other.mover);
     if (other.touched == 0) other.touched = touched_mover(robot.mover);
     links_.emplace_back(robot.mover, other.mover);
@@ -208,6 +216,29 @@ bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     return touches;
 }
 
+// Wheels that stand out beside the hull stop at what is beside them.
+int OdeWorld::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, const Spring& spring) {
+    const RobotModel& model = *robot.model;
+    if (model.wheel_overhang <= 0) return 0;
+    const Vec3 centre = robot.body.centre();
+    const Rotation rotation = robot.body.rotation();
+    int touches = 0;
+    for (int side = 0; side < 2; ++side) {
+        const Vec3 out = side == 0 ? rotation.y : -rotation.y;
+        const Vec3 wheel = centre + rotation * model.wheels[static_cast<std::size_t>(side)];
+        // From as deep within the hull as a wheel can be pushed into something.
+        const double length = 3 * model.wheel_overhang;
+        Vec3 normal;
+        const double distance = cast_ray(shape, wheel - out * length, out, length, &normal);
+        if (distance == nothing || distance == 0 || dot(normal, out) > -0.7) continue;
+        add_contact(robot.body.id, other, {wheel, normal, (length - distance) * -dot(normal, out)}, spring,
+                    hull_friction);
+        ++touches;
+    }
+    rows_[robot.mover] += 3 * touches;
+    return touches;
+}
+
 void OdeWorld::wake(Thing& thing) {
     thing.quiet_steps = 0;
     if (!thing.asleep) return;
@@ -229,6 +260,7 @@ void OdeWorld::touch_neighbours(Thing& thing) {
     for (const Scene::Index i : thing.near.fixed) {
         for (const Touch& touch : narrow_.collide(shape, scene_.fixed()[i])) {
             add_contact(thing.body.id, nullptr, touch, spring, thing_friction);
+            rows_[thing.mover] += 3;
         }
     }
     for (const Scene::Index i : thing.near.movers) {
@@ -238,6 +270,7 @@ void OdeWorld::touch_neighbours(Thing& thing) {
         const auto touches = narrow_.collide(shape, scene_.movers()[i]);
         for (const Touch& touch : touches) add_contact(thing.body.id, other.body.id, touch, spring, thing_friction);
         if (touches.empty()) continue;
+        rows_[thing.mover] += 3 * static_cast<int>(touches.size());
         if (other.asleep) {
             other.asleep =
                 false;  // it keeps what it has been quiet for: two that rest on each other sleep in again together

@@ -93,6 +93,7 @@ void OdeWorld::add_shape(const Shape& shape, double mass, std::string name, cons
     dBodySetAngularDamping(body, 0.01);
     const Scene::Index mover = scene_.add_mover(shape);
     parents_.push_back(mover);
+    rows_.push_back(0);
     things_.emplace_back(body, mover, mass);
     thing_looks_.push_back({std::move(name), color});
 }
@@ -114,8 +115,9 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     put_body(body, rest_centre(model, pose, Scene::nobody), Rotation::yaw(pose.heading));
     Shape hull = model.hull;
     place_hull(hull, model, BodyView(body));
-    const Scene::Index mover = scene_.add_mover(hull);
+    const Scene::Index mover = scene_.add_mover(hull, model.reach);
     parents_.push_back(mover);
+    rows_.push_back(0);
     may_travel_ = -1;
     robots_.emplace_back(body, model, mover, name);
     return std::make_unique<SimRobotBody>(*this, robots_.size() - 1);

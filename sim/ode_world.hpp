@@ -131,9 +131,11 @@ private:
     // Stepping (ode_world_step.cpp).
     void step_once();
     void place_movers();
+    void place(const Thing& thing);
     void place_neighbours();
     void list_neighbours();
     void advance();
+    bool find_large_islands();
     void advance_large_islands();
     void turn_wheels();
     void tend_things();
@@ -147,6 +149,7 @@ private:
     void touch_thing(SimRobot& robot, Scene::Index thing);
     void touch_robot(SimRobot& robot, SimRobot& other);
     bool roll_over(SimRobot& robot, const Shape& shape, dBodyID other);
+    int touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, const Spring& spring);
     void touch_floor(Thing& thing);
     void touch_neighbours(Thing& thing);
     void touch_floor_with(const Shape& shape, dBodyID body, const Spring& spring, double friction);
@@ -187,7 +190,10 @@ private:
 
     double may_travel_ = -1;  // [m] that nobody may exceed before neighbours are listed anew
     std::vector<std::pair<Scene::Index, Scene::Index>> links_;  // movers that touch each other in this step
-    std::vector<Scene::Index> parents_;                         // of the search for islands; each its own when idle
+    // By mover:
+    std::vector<int> rows_;              // equations of its contacts in this step, but for those with the floor
+    std::vector<Scene::Index> parents_;  // of the search for islands; each its own when idle
+    std::vector<bool> large_;            // what that search found
 };
 
 /// What the engine holds of a robot.

@@ -46,6 +46,10 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     wheel_radius = drive.radius + on_wheel * gravity / per_kilogram::firm;
     const double axle = origin.z + drive.radius;
     wheels = {Vec3{origin.x, origin.y + drive.track / 2, axle}, Vec3{origin.x, origin.y - drive.track / 2, axle}};
+    // A disc is as wide at the axle as its circle is there.
+    const double x = origin.x,
+                 half_width = box ? hull.half.y : std::sqrt(std::max(0.0, hull.half.x * hull.half.x - x * x));
+    wheel_overhang = drive.track / 2 - (half_width + origin.y);
     const double skid_give = gravity / per_kilogram::skid;
     skids = {Vec3{origin.x + drive.skid, origin.y, origin.z - front * skid_give},
              Vec3{origin.x - drive.skid, origin.y, origin.z - rear * skid_give}};

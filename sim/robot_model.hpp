@@ -47,6 +47,7 @@ struct RobotModel {
     double mass;          ///< [kg]
     double wheel_radius;  ///< what the floor feels: a little more than the nominal one, by which the wheel sinks in
     std::array<Vec3, 2> wheels;  ///< centres: left, right
+    double wheel_overhang;       ///< by how much the wheels stand out beside the hull; negative: they don't
     std::array<Vec3, 2> skids;   ///< lowest points when nothing presses: front, rear
     double clearance;            ///< from a skid's lowest point to the hull's bottom
     double reach;                ///< the upright cylinder of this radius holds hull, wheels and skids

@@ -35,10 +35,10 @@ Scene::Index Scene::add_fixed(const Shape& shape) {
     return index;
 }
 
-Scene::Index Scene::add_mover(const Shape& shape) {
+Scene::Index Scene::add_mover(const Shape& shape, double reach) {
     const Index index = static_cast<Index>(movers_.size());
     movers_.push_back(shape);
-    spots_.push_back({shape.centre.x, shape.centre.y, shape.reach()});
+    spots_.push_back({shape.centre.x, shape.centre.y, reach});
     if (spots_.back().reach > large_reach) {
         large_movers_.push_back(index);
     } else {

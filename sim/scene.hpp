@@ -19,7 +19,9 @@ public:
     static constexpr Index nobody = ~Index{0};
 
     Index add_fixed(const Shape& shape);
-    Index add_mover(const Shape& shape);
+    /// `reach` [m] is that of the shape and whatever else moves with it.
+    Index add_mover(const Shape& shape, double reach);
+    Index add_mover(const Shape& shape) { return add_mover(shape, shape.reach()); }
 
     const std::vector<Shape>& fixed() const { return fixed_; }
     const std::vector<Shape>& movers() const { return movers_; }

@@ -11,9 +11,11 @@ namespace {
 // [m] Neighbours are listed up to this distance, and anew when two could have come so near to each other since.
 constexpr double skin = 0.06;
 
-// Bodies that touch each other form an island. `dWorldStep` is exact and its cost grows with the cube of the island's
-// size, `dWorldQuickStep` iterates: up to this size the former is as fast.
-constexpr std::size_t small_island = 3;
+// Bodies that touch each other form an island. `dWorldStep` is exact, and its cost grows with the cube of the equations
+// in the island: with 20 (a mouse at a wall) 5 us a robot, 40 (two of them) 11, 60 (three) 28, 80 (four) 74.
+// `dWorldQuickStep` iterates and stays at 5. Up to this many equations exactness is worth it.
+constexpr int small_island = 45;
+constexpr int rows_on_floor = 8;  // of a robot; a thing on its corners has 12
 
 // A thing that has moved no faster than this [m/s, rad/s] for so many steps sleeps until it is touched.
 constexpr double quiet_speed = 2e-3, quiet_spin = 2e-2;
@@ -50,26 +52,28 @@ void OdeWorld::step_once() {
     tend_things();
 }
 
+void OdeWorld::place(const Thing& thing) {
+    Shape& shape = scene_.mover(thing.mover);
+    shape.centre = thing.body.centre();
+    shape.rotation = thing.body.rotation();
+}
+
 // All movers to where their bodies are.
 void OdeWorld::place_movers() {
-    for (const Thing& thing : things_) {
-        Shape& shape = scene_.mover(thing.mover);
-        shape.centre = thing.body.centre();
-        shape.rotation = thing.body.rotation();
-    }
+    for (const Thing& thing : things_) place(thing);
     for (const SimRobot& robot : robots_) place_hull(scene_.mover(robot.mover), *robot.model, robot.body);
 }
 
 // Those that a step looks at.
 void OdeWorld::place_neighbours() {
     for (const Thing& thing : things_) {
-        if (thing.asleep) continue;
-        Shape& shape = scene_.mover(thing.mover);
-        shape.centre = thing.body.centre();
-        shape.rotation = thing.body.rotation();
+        rows_[thing.mover] = 0;
+        if (!thing.asleep) place(thing);
     }
     for (const SimRobot& robot : robots_) {
-        if (robot.has_neighbours) place_hull(scene_.mover(robot.mover), *robot.model, robot.body);
+        if (!robot.has_neighbours) continue;
+        rows_[robot.mover] = 0;
+        place_hull(scene_.mover(robot.mover), *robot.model, robot.body);
     }
 }
 
@@ -101,16 +105,15 @@ void OdeWorld::list_neighbours() {
 }
 
 void OdeWorld::advance() {
-    if (links_.size() >= small_island) {
-        advance_large_islands();
-    } else {
+    if (links_.empty() || !find_large_islands()) {
         dWorldStep(world_.get(), step_);
+    } else {
+        advance_large_islands();
     }
 }
 
-// Steps the bodies of large islands and all others one after the other: those whose turn it isn't are disabled
-// meanwhile. An island is whole in either, so ODE wakes none of them through a joint.
-void OdeWorld::advance_large_islands() {
+// Fills `large_` by mover. False when no island is large.
+bool OdeWorld::find_large_islands() {
     const auto root = [&](Scene::Index i) {
         while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
         return i;
@@ -125,26 +128,27 @@ void OdeWorld::advance_large_islands() {
     std::sort(linked.begin(), linked.end());
     linked.erase(std::unique(linked.begin(), linked.end()), linked.end());
 
-    std::vector<std::size_t> sizes(robots_.size() + things_.size(), 0);
-    for (const Scene::Index i : linked) ++sizes[root(i)];
-    std::vector<bool> large(sizes.size(), false);
+    large_.assign(parents_.size(), false);
+    std::vector<int> rows(parents_.size(), 0);
     bool any = false;
+    for (const Scene::Index i : linked) rows[root(i)] += rows_on_floor + rows_[i];
     for (const Scene::Index i : linked) {
-        large[i] = sizes[root(i)] > small_island;
-        any = any || large[i];
+        large_[i] = rows[root(i)] > small_island;
+        any = any || large_[i];
     }
     for (const Scene::Index i : linked) parents_[i] = i;
-    if (!any) {
-        dWorldStep(world_.get(), step_);
-        return;
-    }
+    return any;
+}
 
+// Steps the bodies of large islands and all others one after the other: those whose turn it isn't are disabled
+// meanwhile. An island is whole in either, so ODE wakes none of them through a joint.
+void OdeWorld::advance_large_islands() {
     const auto enable = [&](bool large_ones) {
-        const auto set = [&](dBodyID body, bool on) { on ? dBodyEnable(body) : dBodyDisable(body); };
+        const auto set = [](dBodyID body, bool on) { on ? dBodyEnable(body) : dBodyDisable(body); };
         for (const Thing& thing : things_) {
-            if (!thing.asleep) set(thing.body.id, large[thing.mover] == large_ones);
+            if (!thing.asleep) set(thing.body.id, large_[thing.mover] == large_ones);
         }
-        for (const SimRobot& robot : robots_) set(robot.body.id, large[robot.mover] == large_ones);
+        for (const SimRobot& robot : robots_) set(robot.body.id, large_[robot.mover] == large_ones);
     };
     enable(false);
     dWorldStep(world_.get(), step_);
@@ -192,6 +196,8 @@ void OdeWorld::tend_things() {
         dBodySetLinearVel(thing.body.id, 0, 0, 0);
         dBodySetAngularVel(thing.body.id, 0, 0, 0);
         dBodyDisable(thing.body.id);
+        // It is not placed again until it wakes.
+        place(thing);
     }
 }
 

@@ -174,6 +174,26 @@ TEST_CASE("wheels that slip against a wall keep counting, and the wall holds", "
     }
 }
 
+TEST_CASE("wheels that stand out beside the hull stop at a wall beside them", "[sim][robot]") {
+    ArenaSpec arena;
+    arena.boxes.push_back({.at = {0, 0.2, 0.1}, .size = {4, 0.1, 0.2}});
+    TryWorld w(arena);
+    w.add(mouse_spec(), -1, 0.08, 0.1);
+    w.ramp(0, {0.2, 0.2}, 0.1);
+    double nearest = 1, tilt = 0;
+    w.run(8, [&] {
+        const Truth t = w.truth();
+        nearest = std::min(nearest, 0.15 - (t.pose.position.y + 0.04625 * std::cos(t.pose.heading)));
+        tilt = std::max(tilt, t.tilt);
+    });
+    CHECK(nearest > -0.003);
+    CHECK(nearest < 0.001);
+    CHECK(tilt < 0.1);
+    CHECK(w.world->collided_with(0) == "box 1");
+    CHECK(w.truth().pose.position.x > 0);            // it slides on along the wall
+    CHECK(std::abs(w.truth().pose.heading) < 0.15);  // corner and wheel both touch
+}
+
 TEST_CASE("a robot that hits a wall at 1.5 m/s neither flips nor goes through", "[sim][robot][fault]") {
     for (const double thickness : {0.01, 0.1}) {
         ArenaSpec arena;

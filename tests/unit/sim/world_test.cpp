@@ -183,6 +183,17 @@ TEST_CASE("the same seed gives the same bits", "[sim][determinism]") {
     CHECK(a.bits().front() != 0);
 }
 
+TEST_CASE("bits do not depend on how the steps of a crowd are bundled", "[sim][determinism]") {
+    for (const std::uint64_t seed : {5, 6, 7}) {
+        TryWorld once = make_crowd(seed), tens = make_crowd(seed), ones = make_crowd(seed);
+        once.world->step(1000);
+        for (int i = 0; i < 100; ++i) tens.world->step(10);
+        for (int i = 0; i < 1000; ++i) ones.world->step(1);
+        CHECK(once.bits() == tens.bits());
+        CHECK(once.bits() == ones.bits());
+    }
+}
+
 TEST_CASE("two worlds interleaved in one process give the same bits as alone", "[sim][determinism]") {
     TryWorld alone = make_crowd(5), other_alone = make_crowd(6);
     alone.run(4);
