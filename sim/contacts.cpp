@@ -19,13 +19,6 @@ void set_touch(dContact& contact, const Touch& touch) {
     contact.geom.depth = touch.depth;
 }
 
-void set_spring(dContact& contact, const Spring& spring) {
-    contact.surface.soft_erp = spring.erp;
-    contact.surface.soft_cfm = spring.cfm;
-}
-
-constexpr int sprung = dContactSoftERP | dContactSoftCFM | dContactApprox1;
-
 }  // namespace
 
 void OdeWorld::attach(const dContact& contact, dBodyID a, dBodyID b) {
@@ -36,30 +29,18 @@ void OdeWorld::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Sprin
     dContact contact{};
     contact.surface.mode = sprung;
     contact.surface.mu = friction;
-    set_spring(contact, spring);
+    contact.surface.soft_erp = spring.erp;
+    contact.surface.soft_cfm = spring.cfm;
     set_touch(contact, touch);
     attach(contact, a, b);
 }
 
-// The motor turns the wheel: its rim moves backwards under the axle, so the robot is driven forward along the
-// friction's first direction. A coasting wheel resists only sideways.
-void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& axis, dBodyID other) {
-    const RobotModel& model = *robot.model;
-    dContact contact{};
-    contact.surface.mode = sprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
-    contact.surface.mu = wheel_friction;
-    contact.surface.slip1 = contact.surface.slip2 = model.slip;
-    if (robot.coasting) {
-        contact.surface.mode |= dContactMu2;
-        contact.surface.mu2 = wheel_friction;
-        contact.surface.mu = rolling_friction;
-    } else {
-        contact.surface.mode |= dContactMotion1;
-        contact.surface.motion1 = side == 0 ? robot.speeds.left : robot.speeds.right;
-    }
-    set_spring(contact, model.firm);
+// The motor turns the wheel: its rim moves backwards under the axle, so the robot is driven along the friction's first
+// direction.
+void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& forward, dBodyID other) {
+    dContact& contact = robot.coasting ? robot.model->coasting_contact : robot.model->wheel_contact;
+    contact.surface.motion1 = side == 0 ? robot.speeds.left : robot.speeds.right;
     set_touch(contact, touch);
-    const Vec3 forward = normalized(cross(axis, touch.normal));
     contact.fdir1[0] = forward.x;
     contact.fdir1[1] = forward.y;
     contact.fdir1[2] = forward.z;
@@ -67,12 +48,8 @@ void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, 
 }
 
 void OdeWorld::add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other) {
-    dContact contact{};
-    contact.surface.mode = sprung;
-    contact.surface.mu = 0;
-    set_spring(contact, robot.model->skid);
-    set_touch(contact, touch);
-    attach(contact, robot.body.id, other);
+    set_touch(robot.model->skid_contact, touch);
+    attach(robot.model->skid_contact, robot.body.id, other);
 }
 
 void OdeWorld::touch_floor(SimRobot& robot) {
@@ -84,11 +61,11 @@ void OdeWorld::touch_floor(SimRobot& robot) {
     // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
     const double flat = std::sqrt(std::max(0.0, 1 - axis.z * axis.z));
     if (flat > 0.3) {
-        const Vec3 down = (axis * axis.z - upwards) * (1 / flat);
+        const Vec3 down = (axis * axis.z - upwards) * (1 / flat), forward{axis.y / flat, -axis.x / flat, 0};
         for (int side = 0; side < 2; ++side) {
             const Vec3 lowest =
                 centre + rotation * model.wheels[static_cast<std::size_t>(side)] + down * model.wheel_radius;
-            if (lowest.z < 0) add_wheel_contact(robot, side, {lowest, upwards, -lowest.z}, axis, nullptr);
+            if (lowest.z < 0) add_wheel_contact(robot, side, {lowest, upwards, -lowest.z}, forward, nullptr);
         }
     }
     for (const Vec3& skid : model.skids) {
@@ -200,7 +177,7 @@ bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     for (int side = 0; side < 2; ++side) {
         const Vec3 axle = centre + rotation * model.wheels[static_cast<std::size_t>(side)];
         if (const auto touch = touch_wheel(shape, axle, rotation.y, model.wheel_radius)) {
-            add_wheel_contact(robot, side, *touch, rotation.y, other);
+            add_wheel_contact(robot, side, *touch, normalized(cross(rotation.y, touch->normal)), other);
             touches = true;
         }
     }

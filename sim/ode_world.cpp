@@ -98,14 +98,14 @@ void OdeWorld::add_shape(const Shape& shape, double mass, std::string name, cons
     thing_looks_.push_back({std::move(name), color});
 }
 
-const RobotModel& OdeWorld::model_of(const RobotSpec& spec) {
+RobotModel& OdeWorld::model_of(const RobotSpec& spec) {
     std::unique_ptr<RobotModel>& model = models_[&spec];
     if (model == nullptr) model = std::make_unique<RobotModel>(spec, step_);
     return *model;
 }
 
 Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name, const RobotSpec& spec, Pose2D pose) {
-    const RobotModel& model = model_of(spec);
+    RobotModel& model = model_of(spec);
     if (auto free = check_free(model, name, pose, Scene::nobody); !free) return Unexpected(free.error());
 
     const dBodyID body = dBodyCreate(world_.get());

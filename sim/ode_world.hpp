@@ -59,7 +59,7 @@ struct Hand {
 };
 
 struct SimRobot {
-    SimRobot(dBodyID id, const RobotModel& its_model, Scene::Index its_mover, std::string its_name)
+    SimRobot(dBodyID id, RobotModel& its_model, Scene::Index its_mover, std::string its_name)
         : body(id),
           model(&its_model),
           mover(its_mover),
@@ -68,7 +68,7 @@ struct SimRobot {
           servos(model->spec->actuators.size(), 0.0) {}
 
     BodyView body;
-    const RobotModel* model;
+    RobotModel* model;  // its contacts are filled in on the way to ODE
     Scene::Index mover;
     bool has_neighbours = false;
     bool coasting = false;
@@ -123,7 +123,7 @@ private:
     void add_cylinder(const CylinderSpec& cylinder, std::string name);
     void add_shape(const Shape& shape, double mass, std::string name, const std::string& color);
     void add_border(const ArenaSpec& arena);
-    const RobotModel& model_of(const RobotSpec& spec);
+    RobotModel& model_of(const RobotSpec& spec);
     Expected<void> check_free(const RobotModel& model, const std::string& name, const Pose2D& pose, Scene::Index self);
     Vec3 rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const;
     std::string name_of(int touched) const;
@@ -153,7 +153,7 @@ private:
     void touch_floor(Thing& thing);
     void touch_neighbours(Thing& thing);
     void touch_floor_with(const Shape& shape, dBodyID body, const Spring& spring, double friction);
-    void add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& axis, dBodyID other);
+    void add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& forward, dBodyID other);
     void add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other);
     void add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction);
     void attach(const dContact& contact, dBodyID a, dBodyID b);

@@ -18,9 +18,7 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     : spec(&robot),
       origin(-to_vec(robot.body.at)),
       mass(robot.mass),
-      firm(Spring::from(per_kilogram::firm * mass, per_kilogram::firm_damping * mass, step)),
-      skid(Spring::from(per_kilogram::skid * mass, per_kilogram::skid_damping * mass, step)),
-      slip(per_kilogram::slip / mass) {
+      firm(Spring::from(per_kilogram::firm * mass, per_kilogram::firm_damping * mass, step)) {
     const bool box = robot.body.shape == BodySpec::Shape::box;
     hull.kind = box ? Shape::Kind::box : Shape::Kind::cylinder;
     hull.half = to_vec(robot.body.size) * 0.5;
@@ -54,6 +52,21 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     skids = {Vec3{origin.x + drive.skid, origin.y, origin.z - front * skid_give},
              Vec3{origin.x - drive.skid, origin.y, origin.z - rear * skid_give}};
     clearance = bottom;
+
+    wheel_contact.surface.mode = sprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
+    wheel_contact.surface.mu = wheel_friction;
+    wheel_contact.surface.slip1 = wheel_contact.surface.slip2 = per_kilogram::slip / mass;
+    wheel_contact.surface.soft_erp = firm.erp;
+    wheel_contact.surface.soft_cfm = firm.cfm;
+    coasting_contact = wheel_contact;
+    wheel_contact.surface.mode |= dContactMotion1;
+    coasting_contact.surface.mode |= dContactMu2;  // free along, firm across
+    coasting_contact.surface.mu = rolling_friction;
+    coasting_contact.surface.mu2 = wheel_friction;
+    const Spring soft = Spring::from(per_kilogram::skid * mass, per_kilogram::skid_damping * mass, step);
+    skid_contact.surface.mode = sprung;
+    skid_contact.surface.soft_erp = soft.erp;
+    skid_contact.surface.soft_cfm = soft.cfm;
 
     reach = hull.reach();
     for (const Vec3& wheel : wheels) reach = std::max(reach, length(wheel) + wheel_radius);

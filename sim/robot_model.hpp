@@ -1,6 +1,9 @@
 // What physics needs to know of a robot, derived once from its description.
 #pragma once
 
+#include <ode/common.h>
+#include <ode/contact.h>
+
 #include <array>
 #include <vector>
 
@@ -29,6 +32,9 @@ inline constexpr double skid = 940, skid_damping = 41.9;      ///< soft: rigid s
 inline constexpr double slip = 8e-4;                          ///< [m/s for each N, times kg] creep of a loaded wheel
 }  // namespace per_kilogram
 
+/// What the surfaces of all contacts have in common.
+inline constexpr int sprung = dContactSoftERP | dContactSoftCFM | dContactApprox1;
+
 inline constexpr double gravity = 9.81;        // [m/s^2]
 inline constexpr double wheel_friction = 1.0;  // rubber
 inline constexpr double rolling_friction = 0.01;
@@ -51,8 +57,11 @@ struct RobotModel {
     std::array<Vec3, 2> skids;   ///< lowest points when nothing presses: front, rear
     double clearance;            ///< from a skid's lowest point to the hull's bottom
     double reach;                ///< the upright cylinder of this radius holds hull, wheels and skids
-    Spring firm, skid;
-    double slip;  ///< [m/s for each N]
+    Spring firm;
+    // Contacts in which everything is set that does not change from step to step.
+    dContact wheel_contact{};     ///< of a driven wheel: lacks its place, direction and speed
+    dContact coasting_contact{};  ///< of a wheel that rolls freely: lacks its place and direction
+    dContact skid_contact{};      ///< lacks its place
 
     RayFan fan;                              ///< of the range sensors, servos at 0; distances in the order of the spec
     std::vector<std::size_t> range_sensors;  ///< which sensors of the spec they are

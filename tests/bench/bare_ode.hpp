@@ -4,9 +4,11 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -22,6 +24,28 @@ struct BareRobotSpec {
 
 inline constexpr BareRobotSpec bare_mouse{0.72, 0.024, 0.0925, 0.04, 0.04, false, 0.10, 0.08, 0.06};
 inline constexpr BareRobotSpec bare_disc{1.6, 0.03, 0.14, 0.07, 0.04, true, 0.17, 0.17, 0.06};
+
+/// A box that stands upright along the axes: all that the bare mouse's rays can meet.
+struct BareBox {
+    double min_x, max_x, min_y, max_y;
+};
+
+/// Distance [m] along a level ray, at most `range`; infinity without a hit.
+inline double cast_bare_ray(const BareBox& box, double x, double y, double dx, double dy, double range) {
+    double near = 0, far = range;
+    const auto clip = [&](double from, double direction, double low, double high) {
+        if (direction == 0) {
+            if (from < low || from > high) far = -1;
+            return;
+        }
+        const double a = (low - from) / direction, b = (high - from) / direction;
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    };
+    clip(x, dx, box.min_x, box.max_x);
+    clip(y, dy, box.min_y, box.max_y);
+    return near <= far ? near : std::numeric_limits<double>::infinity();
+}
 
 /// Where the swarm workload puts robot after robot: at random without overlap, within walls of a square arena.
 inline std::vector<std::array<double, 3>> swarm_poses(std::size_t count, double side, unsigned seed = 124) {
@@ -112,6 +136,24 @@ public:
         }
         dWorldStep(world_, step_);
         dJointGroupEmpty(contacts_);
+    }
+
+    /// What the mouse's four infrared rays of 0.6 m see of these boxes.
+    std::array<double, 4> cast_mouse_rays(std::size_t robot, const std::vector<BareBox>& boxes) const {
+        static constexpr double half = 0.70710678118654752;
+        static constexpr std::array<std::array<double, 4>, 4> rays{
+            {{0.035, -0.040, 1, 0}, {0.045, -0.030, half, -half}, {0.045, 0.030, half, half}, {0.035, 0.040, 1, 0}}};
+        const dReal *p = position(robot), *r = rotation(robot);
+        std::array<double, 4> seen{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            seen[i] = std::numeric_limits<double>::infinity();
+            const auto& [x, y, dx, dy] = rays[i];
+            for (const BareBox& box : boxes) {
+                seen[i] = std::min(seen[i], cast_bare_ray(box, p[0] + r[0] * x + r[1] * y, p[1] + r[4] * x + r[5] * y,
+                                                          r[0] * dx + r[1] * dy, r[4] * dx + r[5] * dy, 0.6));
+            }
+        }
+        return seen;
     }
 
     const dReal* position(std::size_t robot) const { return dBodyGetPosition(bodies_[robot].id); }
