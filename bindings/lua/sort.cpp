@@ -52,7 +52,7 @@ union Plain {
 // Where things lie on the stack of `sort_table`.
 constexpr int sorted_table = 1;
 constexpr int comparison = 2;
-constexpr int places_memory = 3;
+[[maybe_unused]] constexpr int places_memory = 3;
 constexpr int elements = 4;
 constexpr int plain_memory = 5;
 
