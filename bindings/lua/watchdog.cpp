@@ -29,6 +29,7 @@ extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);
 
 namespace nezumi {
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler finds its thread's call by it
 constinit thread_local CallRecord* current_call = nullptr;
 
 namespace {
@@ -66,6 +67,7 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void*) {
 }
 
 enum class Watch : unsigned char { not_yet, by_timer, by_polling };
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a timer belongs to its thread
 constinit thread_local Watch watch = Watch::not_yet;
 
 // A timer on the CPU time of the thread that makes it: an idle thread is not woken.

@@ -68,6 +68,7 @@ public:
 };
 
 /// The innermost call of this thread, or null. Constant-initialised, hence a plain load.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler finds its thread's call by it
 extern constinit thread_local CallRecord* current_call;
 
 /// Raises the error of an expired budget if it has expired. Library functions that loop call this in their loops.
