@@ -106,8 +106,8 @@ public:
     void discard_after(std::size_t count) { pending_ = pending_ < count ? pending_ : count; }
     /// Whether a stop of its component writes a safe value.
     virtual bool has_safe() const = 0;
-    /// Replaces the value that is safe when its component stops; without one it is the type's own, if that has one.
-    virtual void set_safe_any(const std::optional<AnyPayload>& safe) = 0;
+    /// Replaces the value that is safe when its component stops; for null it is the type's own, if that has one.
+    virtual void set_safe_any(const AnyPayload* safe) = 0;
     /// The tick in which it published last, -1 before.
     std::int64_t latched_tick() const { return latched_tick_; }
     /// How often it has published.
@@ -207,8 +207,8 @@ public:
     void discard() override { pending_ = 0; }
     void write_any(const AnyPayload& value) override { write(std::get<T>(value)); }
     bool has_safe() const override { return safe_.has_value(); }
-    void set_safe_any(const std::optional<AnyPayload>& safe) override {
-        safe_ = safe ? std::optional<T>(std::get<T>(*safe)) : default_safe();
+    void set_safe_any(const AnyPayload* safe) override {
+        safe_ = safe != nullptr ? std::optional<T>(std::get<T>(*safe)) : default_safe();
     }
     void write_safe() override {
         if (safe_ && pending_ == 0) write(*safe_);

@@ -39,13 +39,13 @@ int stack_depth(lua_State* L) {
 
 }  // namespace
 
-Script::Script(SourceText source, ScriptContext context) : source_(std::move(source)), context_(std::move(context)) {
+Script::Script(const SourceText& source, ScriptContext context) : file_(source), context_(std::move(context)) {
     hooks_.fill(LUA_NOREF);
 }
 
-Expected<std::unique_ptr<Script>> Script::load(SourceText source, ScriptContext context,
+Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptContext context,
                                                const Inheritance& inheritance) {
-    auto script = std::unique_ptr<Script>(new Script(std::move(source), std::move(context)));
+    auto script = std::unique_ptr<Script>(new Script(source, std::move(context)));
     Script* const self = script.get();
     const std::uint64_t seed = mix(mix(script->context_.seed, script->context_.component),
                                    static_cast<std::uint64_t>(script->context_.version));
@@ -57,7 +57,7 @@ Expected<std::unique_ptr<Script>> Script::load(SourceText source, ScriptContext 
     script->lua_ = std::move(*lua);
     script->lua_->set_hint([self](std::string_view message) { return self->hint(message); });
     script->inheritance_ = inheritance;
-    auto ok = script->run_top_level();
+    auto ok = script->run_top_level(source);
     script->inheritance_ = {};
     if (!ok) return Unexpected(std::move(ok.error()));
     return script;
@@ -65,7 +65,7 @@ Expected<std::unique_ptr<Script>> Script::load(SourceText source, ScriptContext 
 
 Error Script::to_error(const CallError& error) const {
     Error plain{error.message, error.place, error.over_budget ? Error::Kind::out_of_time : Error::Kind::ordinary};
-    if (plain.place.file.empty()) plain.place.file = source_.shown;
+    if (plain.place.file.empty()) plain.place.file = file_.shown;
     return plain;
 }
 
@@ -76,9 +76,9 @@ Expected<Chunk> Script::compile(const SourceText& source, ScriptKind kind) const
     return std::move(*chunk);
 }
 
-Expected<void> Script::run_top_level() {
+Expected<void> Script::run_top_level(const SourceText& source) {
     lua_State* L = lua_->lua();
-    auto chunk = compile(source_, ScriptKind::component);
+    auto chunk = compile(source, ScriptKind::component);
     if (!chunk) return Unexpected(chunk.error());
     auto installed = protect(L, context_.budget, [&](lua_State* inside) {
         install_words(inside, *this, inheritance_.state);
@@ -95,8 +95,9 @@ Expected<void> Script::run_top_level() {
     }
     if (ports_.empty() && commands_.empty() && parameters_.all().empty() &&
         std::all_of(hooks_.begin(), hooks_.end(), [](int function) { return function == LUA_NOREF; })) {
-        return failure("the file declares nothing: no port, parameter, command or callback", {source_.shown});
+        return failure("the file declares nothing: no port, parameter, command or callback", {file_.shown});
     }
+    lua_gc(L, LUA_GCCOLLECT);  // what loading left behind; nothing of the script runs in it
     seen_parameters_ = parameters_.version();
     phase_ = Phase::bound;
     return {};
@@ -245,7 +246,7 @@ Expected<void> Script::begin_module(lua_State* L, std::string_view name) {
     }
     if (!chain.empty())
         return failure(fmt::format("require '{}': the modules require each other: {}{}", name, chain, name));
-    auto source = context_.find_module(name, loading_modules_.empty() ? source_.path : loading_modules_.back().path);
+    auto source = context_.find_module(name, loading_modules_.empty() ? file_.path : loading_modules_.back().path);
     if (!source) return failure(fmt::format("require '{}': {}", name, source.error().message));
     auto chunk = compile(*source, ScriptKind::module);
     if (!chunk) {
@@ -253,7 +254,7 @@ Expected<void> Script::begin_module(lua_State* L, std::string_view name) {
         return failure(module_error_->message);
     }
     loading_modules_.push_back({std::string(name), source->path, depth});
-    modules_.push_back(std::move(*source));
+    modules_.emplace_back(*source);
     module_chunk_ = std::move(*chunk);
     return {};
 }

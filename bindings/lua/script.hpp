@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <lua.hpp>
 #include <memory>
 #include <optional>
@@ -44,8 +44,8 @@ struct PortDeclaration {
     std::string name;
     std::size_t type = 0;  ///< in `message_types`
     std::string doc;
-    std::size_t queue = 0;           ///< of an in-port
-    std::optional<AnyPayload> safe;  ///< of an out-port
+    std::size_t queue = 0;         ///< of an in-port
+    std::vector<AnyPayload> safe;  ///< of an out-port, if it has one: a payload is large
     Place place;
 
     /// A port that fits this declaration.
@@ -86,23 +86,26 @@ struct Inheritance {
 class Script {
 public:
     /// Runs the top level of a file, which declares and does not act. May run beside the tick.
-    static Expected<std::unique_ptr<Script>> load(SourceText source, ScriptContext context,
+    static Expected<std::unique_ptr<Script>> load(const SourceText& source, ScriptContext context,
                                                   const Inheritance& inheritance = {});
 
     Script(const Script&) = delete;
     Script& operator=(const Script&) = delete;
 
-    const SourceText& source() const { return source_; }
+    /// Where it came from; the text itself is let go.
+    const ScriptFile& file() const { return file_; }
     const ScriptContext& context() const { return context_; }
     /// The files that `require` loaded, directly or not.
-    const std::vector<SourceText>& modules() const { return modules_; }
-    const std::deque<PortDeclaration>& ports() const { return ports_; }
-    std::deque<PortSlot>& slots() { return slots_; }
+    const std::vector<ScriptFile>& modules() const { return modules_; }
+    const std::list<PortDeclaration>& ports() const { return ports_; }
+    std::list<PortSlot>& slots() { return slots_; }
     const std::vector<CommandDeclaration>& commands() const { return commands_; }
     const ScriptAbout& about() const { return about_; }
     bool has(Hook hook) const { return hooks_[static_cast<std::size_t>(hook)] != LUA_NOREF; }
     /// The component's while this version is live; before, as the file declares them.
     Parameters& parameters();
+    /// What the file declares, to be given to the component.
+    Parameters take_parameters() { return std::exchange(parameters_, {}); }
 
     /// From now on the script sees this component's time and name. Its ports can't be written until `go_live`.
     void bind(Component& owner);
@@ -159,8 +162,8 @@ private:
         int depth;  // of the stack when it was required
     };
 
-    Script(SourceText source, ScriptContext context);
-    Expected<void> run_top_level();
+    Script(const SourceText& source, ScriptContext context);
+    Expected<void> run_top_level(const SourceText& source);
     Expected<void> check_loading(std::string_view word) const;
     Expected<void> check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const;
     Expected<void> refresh();
@@ -168,15 +171,15 @@ private:
     Error to_error(const CallError& error) const;
     std::string hint(std::string_view message) const;
 
-    SourceText source_;
+    ScriptFile file_;
     ScriptContext context_;
     Inheritance inheritance_;  // while it loads
-    std::vector<SourceText> modules_;
+    std::vector<ScriptFile> modules_;
     std::vector<LoadingModule> loading_modules_;
     std::optional<Error> module_error_;
     Chunk module_chunk_;
-    std::deque<PortDeclaration> ports_;
-    std::deque<PortSlot> slots_;
+    std::list<PortDeclaration> ports_;
+    std::list<PortSlot> slots_;
     std::vector<CommandDeclaration> commands_;
     ScriptAbout about_;
     Parameters parameters_;

@@ -58,13 +58,13 @@ Expected<std::unique_ptr<ScriptComponent>> ScriptComponent::load(std::string nam
     context.component = name;
     context.version = 1;
     const std::string type = type_of_file(source.path.empty() ? source.shown : source.path);
-    auto script = Script::load(std::move(source), std::move(context));
+    auto script = Script::load(source, std::move(context));
     if (!script) return Unexpected(script.error());
     auto component = std::unique_ptr<ScriptComponent>(new ScriptComponent(std::move(name), type));
     Version first;
     first.script = std::move(*script);
     first.number = 1;
-    first.parameters = first.script->parameters();
+    first.parameters = first.script->take_parameters();
     component->make_ports(first);
     component->fill_slots(first);
     first.script->bind(*component);
@@ -100,12 +100,11 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(SourceText source, c
     context.version = next_version();
     context.seconds = now.seconds;
     context.tick_rate = tick_rate();
-    auto script = Script::load(std::move(source), std::move(context), {.parameters = &parameters_, .state = &*state});
+    auto script = Script::load(source, std::move(context), {.parameters = &parameters_, .state = &*state});
     if (!script) return Unexpected(script.error());
     next.script = std::move(*script);
     next.number = next_version();
-    next.parameters = next.script->parameters();
-    describe_lost(parameters_, next.parameters, next.warnings);
+    describe_lost(parameters_, next.script->parameters(), next.warnings);
     return next;
 }
 
@@ -115,7 +114,7 @@ Expected<void> ScriptComponent::adopt(Version& next, const Time& now) {
     fill_slots(next);
     next.script->bind(*this);
     auto ok = run(Hook::on_reload, [&] { return next.script->call_on_reload(version_); });
-    if (ok) next.parameters = next.script->parameters();  // with what on_reload set
+    if (ok) next.parameters = next.script->take_parameters();  // with what on_reload set
     return ok;
 }
 
@@ -156,7 +155,7 @@ ScriptComponent::Version ScriptComponent::commit(Version next) {
             auto port = take_fitting(old.out_ports, declaration);
             if (port == nullptr) port = take_fitting(next.out_ports, declaration);
             port->set_doc(declaration.doc);
-            port->set_safe_any(declaration.safe);
+            port->set_safe_any(declaration.safe.empty() ? nullptr : &declaration.safe.front());
             out_ports_.push_back(std::move(port));
         }
     }
@@ -181,8 +180,7 @@ void ScriptComponent::make_ports(Version& next) const {
         } else {
             if (find_fitting(out_ports_, declaration) != out_ports_.end()) continue;
             if (find_fitting(next.out_ports, declaration) != next.out_ports.end()) continue;
-            next.out_ports.push_back(
-                make_out_port(declaration.type, declaration.name, declaration.doc, declaration.safe));
+            next.out_ports.push_back(make_out_port(declaration.type, declaration.name, declaration.doc));
         }
     }
 }

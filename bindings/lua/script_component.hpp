@@ -61,7 +61,7 @@ protected:
     Expected<void> on_reset() override { return script_->call(Hook::on_reset); }
 
 private:
-    using Component::Component;
+    ScriptComponent(std::string name, std::string type) : Component(std::move(name), std::move(type)) {}
 
     void make_ports(Version& next) const;
     void fill_slots(Version& next) const;

@@ -146,10 +146,10 @@ void explain_property(lua_State* L, PortSlot& slot) {
     const std::string_view key = lua_tostring(L, 2);
     std::vector<std::string_view> names;
     if (in) {
-        names.push_back("read");
+        names.emplace_back("read");
         names.insert(names.end(), property_names.begin(), property_names.end());
     } else {
-        names.push_back("write");
+        names.emplace_back("write");
     }
     const std::string near = did_you_mean(key, names);
     slot.script->raised = fmt::format("{} has no '{}'{}", title(slot), key,

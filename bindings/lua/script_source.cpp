@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bindings/lua/project.hpp"
+#include "engine/payload.hpp"
 
 namespace nezumi {
 namespace {
@@ -12,6 +13,9 @@ namespace {
 std::string_view file_name(std::string_view path) { return path.substr(path.find_last_of('/') + 1); }
 
 }  // namespace
+
+ScriptFile::ScriptFile(const SourceText& source)
+    : path(source.path), shown(source.shown), hash(mix(0, std::string_view(source.text))) {}
 
 Expected<SourceText> read_source(const std::string& path) {
     std::string shown(file_name(path));

@@ -1,6 +1,7 @@
 // Where the text of a script comes from: a file, or what an editor or a scenario gives in its place.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,17 @@ struct SourceText {
     std::string path;   ///< of the file; what a watcher watches
     std::string shown;  ///< what messages call it, usually its file name
     std::string text;
+};
+
+/// A file without its text.
+struct ScriptFile {
+    explicit ScriptFile(const SourceText& source);
+
+    std::string path;
+    std::string shown;
+    std::uint64_t hash;  ///< of its text
+
+    bool operator==(const ScriptFile&) const = default;
 };
 
 /// Finds the text of a module by the name that `require` was given, for the script at `from`. It may be called from the

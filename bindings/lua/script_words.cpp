@@ -127,7 +127,7 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
         auto safe = read_payload(L, -1, port.type);
         if (!safe)
             return failure(fmt::format("option 'safe' ({}): {}", message_type_names[port.type], safe.error().message));
-        port.safe = std::move(*safe);
+        port.safe.push_back(std::move(*safe));
         return {};
     };
     if (auto ok = read_options(L, options, names, read); !ok) return refuse(ok.error());

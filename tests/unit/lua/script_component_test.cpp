@@ -282,5 +282,5 @@ param("speed_r", 0.0, { min = -2.0, max = 2.0, step = 0.01, widget = "slider", u
 param("stop_d", 30, { doc = "stop when a sensor value exceeds this" })
 function on_execute() target:write { vx = config.speed_x, va = config.speed_r } end)");
     INFO(rig.component->script().memory());
-    CHECK(rig.component->script().memory() < 25000);
+    CHECK(rig.component->script().memory() < 20000);
 }
