@@ -1,10 +1,30 @@
-// Somebody else's program: finds the installed headers and links the installed engine.
+// Somebody else's program: runs the installed tutorial for ten simulated seconds and looks where the mouse got to.
 #include <cstdio>
+#include <filesystem>
 
-#include "engine/error.hpp"
+#include "bindings/lua/behavior_maker.hpp"
+#include "bindings/lua/system_file.hpp"
+#include "engine/build_system.hpp"
+#include "sim/world.hpp"
 
-int main() {
-    const nezumi::Error error{"unknown port 'ir_sensor'" + nezumi::did_you_mean("ir_sensor", {"ir_sensors", "led"})};
-    std::puts(nezumi::describe(error).c_str());
-    return nezumi::describe(error) == "unknown port 'ir_sensor' (did you mean 'ir_sensors'?)" ? 0 : 1;
+using namespace nezumi;
+
+int main(int, char** arguments) {
+    const std::filesystem::path installed = arguments[1];
+    const std::filesystem::path file = installed / "behaviors/systems/stop_at_wall.lua";
+    const Project project = Project::of(file, {installed});
+    const auto spec = read_system_file(file, project);
+    if (!spec) return std::puts(describe(spec.error()).c_str()), 1;
+
+    const auto behavior = [&](const BehaviorEntry& entry, const MakerContext& context) {
+        return make_behavior(entry, context, {.project = project});
+    };
+    const auto system = build_system(*spec, {.world = sim::make_world, .behavior = behavior}, {});
+    if (!system) return std::puts(describe(system.error()).c_str()), 1;
+
+    activate_all(**system, *spec);
+    for (int tick = 0; tick < 1000; ++tick) (*system)->tick();
+    const double x = (*system)->world()->truth((*system)->find_robot("mouse")->id()).pose.position.x;
+    std::printf("the mouse stopped at %.2f m\n", x);
+    return x > 0.4 && x < 0.7 ? 0 : 1;  // the wall begins at 0.75 m
 }

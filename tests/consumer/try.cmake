@@ -14,4 +14,4 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/prefix)
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${place}/prefix
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${place}/build)
-run(${place}/build/consumer)
+run(${place}/build/consumer ${place}/prefix/share/nezumi)
