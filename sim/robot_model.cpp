@@ -10,6 +10,9 @@ namespace {
 // No hull hangs lower [m]: one that rests on the floor would brake the robot.
 constexpr double least_clearance = 0.004;
 
+// [m] No skid is nearer to the axle: with both under the axle no robot would stand.
+constexpr double least_skid = 0.005;
+
 Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace
@@ -30,8 +33,8 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     // At rest the wheels carry the load and each skid 15 % of it, more or less where the hull's centre is before or
     // behind the axle, so that the robot stands level. Each is longer by what its spring then gives.
     const DriveSpec& drive = robot.drive;
-    const double shift =
-        std::clamp(robot.body.at.x / drive.skid, -0.9, 0.9);  // front less rear, as a part of the weight
+    const double arm = std::max(drive.skid, least_skid);
+    const double shift = std::clamp(robot.body.at.x / arm, -0.9, 0.9);  // front less rear, as a part of the weight
     double front = 0.15 + shift / 2, rear = 0.15 - shift / 2;
     if (front < 0) {
         rear -= front;
@@ -48,9 +51,12 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     const double x = origin.x,
                  half_width = box ? hull.half.y : std::sqrt(std::max(0.0, hull.half.x * hull.half.x - x * x));
     wheel_overhang = drive.track / 2 - (half_width + origin.y);
-    const double skid_give = gravity / per_kilogram::skid;
-    skids = {Vec3{origin.x + drive.skid, origin.y, origin.z - front * skid_give},
-             Vec3{origin.x - drive.skid, origin.y, origin.z - rear * skid_give}};
+    // A tall robot would fall over soft skids: a single one brings it upright with three times what gravity tilts it.
+    const double stiffness = std::max(per_kilogram::skid, 3 * gravity * robot.body.at.z / (arm * arm));
+    const double damping = per_kilogram::skid_damping * std::sqrt(stiffness / per_kilogram::skid);
+    const double skid_give = gravity / stiffness;
+    skids = {Vec3{origin.x + arm, origin.y, origin.z - front * skid_give},
+             Vec3{origin.x - arm, origin.y, origin.z - rear * skid_give}};
     clearance = bottom;
 
     wheel_contact.surface.mode = sprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
@@ -63,7 +69,7 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     coasting_contact.surface.mode |= dContactMu2;  // free along, firm across
     coasting_contact.surface.mu = rolling_friction;
     coasting_contact.surface.mu2 = wheel_friction;
-    const Spring soft = Spring::from(per_kilogram::skid * mass, per_kilogram::skid_damping * mass, step);
+    const Spring soft = Spring::from(stiffness * mass, damping * mass, step);
     skid_contact.surface.mode = sprung;
     skid_contact.surface.soft_erp = soft.erp;
     skid_contact.surface.soft_cfm = soft.cfm;
