@@ -14,6 +14,19 @@ namespace {
 // Key of the registry's table of what modules returned, by their files.
 const char modules_key = 0;
 
+// A message that quotes what a file says, as one line that a terminal can show.
+std::string one_line(std::string text) {
+    constexpr std::size_t longest = 1000;
+    if (text.size() > longest) {
+        text.resize(longest);
+        text += "...";
+    }
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = c == '\n' || c == '\t' ? ' ' : '?';
+    }
+    return text;
+}
+
 }  // namespace
 
 Place calling_place(lua_State* lua) {
@@ -37,6 +50,7 @@ Expected<std::unique_ptr<DataFile>> DataFile::create(const Project& project, Dat
 }
 
 const char* DataFile::fail(Error error) {
+    error.message = one_line(std::move(error.message));
     raised_ = describe(error);
     if (!error_) error_ = std::move(error);
     return raised_.c_str();
@@ -48,14 +62,19 @@ const FileSource* DataFile::source(const std::string& shown) const {
 }
 
 Error DataFile::to_error(const CallError& error) const {
-    Error plain{error.message, error.place, error.over_budget ? Error::Kind::out_of_time : Error::Kind::ordinary};
+    Error plain{one_line(error.message), error.place,
+                error.over_budget ? Error::Kind::out_of_time : Error::Kind::ordinary};
     if (plain.place.file.empty()) plain.place.file = shown_;
     return plain;
 }
 
 Expected<Chunk> DataFile::compile_file(std::string_view text, const std::string& shown) {
     auto chunk = compile_checked(text, shown, {known_, {}});
-    if (!chunk) return Unexpected(chunk.error().front());
+    if (!chunk) {
+        Error error = chunk.error().front();
+        error.message = one_line(std::move(error.message));
+        return Unexpected(std::move(error));
+    }
     sources_.emplace(shown, FileSource(text, shown));
     files_.push_back(shown);
     return std::move(*chunk);

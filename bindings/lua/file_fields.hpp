@@ -77,7 +77,7 @@ public:
     /// The fields of a table within; those of an empty one when there is none.
     Fields inner(std::string_view name);
     /// Every field, by its name in ascending order, when the names are the person's own.
-    const std::vector<std::pair<std::string, FileValue>>& all() const { return table_->fields; }
+    const std::vector<FileField>& all() const { return table_->fields; }
     /// The elements 1..n, which are then no longer unknown.
     const std::vector<FileValue>& elements();
 

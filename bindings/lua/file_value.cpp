@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace nezumi {
 namespace {
@@ -84,12 +85,12 @@ private:
                     lua_pop(lua_, 2);
                     return value;
                 }
-                table.fields.emplace_back(std::move(key), std::move(*value));
+                table.fields.push_back({std::move(key), std::move(*value)});
             }
             lua_pop(lua_, 1);
         }
         std::stable_sort(table.fields.begin(), table.fields.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
+                         [](const auto& a, const auto& b) { return a.name < b.name; });
         return FileValue{std::move(table)};
     }
 
@@ -117,7 +118,7 @@ std::optional<double> to_number(const FileValue& value) {
 
 Expected<ParameterValue> to_array(const FileTable& table) {
     if (!table.fields.empty())
-        return failure(fmt::format("expected an array, got a table with a field '{}'", table.fields.front().first));
+        return failure(fmt::format("expected an array, got a table with a field '{}'", table.fields.front().name));
     if (auto values = all_as<std::int64_t>(table)) return std::move(*values);
     if (auto values = all_as<bool>(table)) return std::move(*values);
     if (auto values = all_as<std::string>(table)) return std::move(*values);
@@ -135,8 +136,8 @@ Expected<ParameterValue> to_array(const FileTable& table) {
 
 const FileValue* FileTable::find(std::string_view name) const {
     const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
-    return found == fields.end() ? nullptr : &found->second;
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    return found == fields.end() ? nullptr : &found->value;
 }
 
 Expected<FileValue> read_file_value(lua_State* lua, int index) { return Reader(lua).read(index, 0); }

@@ -7,7 +7,6 @@
 #include <lua.hpp>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,12 +16,13 @@
 namespace nezumi {
 
 struct FileValue;
+struct FileField;
 
 /// A table: elements 1..n, and everything else by its key as a message shows it ("x", "[7]", "[true]"), in ascending
 /// order.
 struct FileTable {
     std::vector<FileValue> elements;
-    std::vector<std::pair<std::string, FileValue>> fields;
+    std::vector<FileField> fields;
 
     /// nullptr when there is no such field.
     const FileValue* find(std::string_view name) const;
@@ -48,6 +48,12 @@ struct FileValue {
     bool is_nil() const { return std::holds_alternative<std::monostate>(data); }
     const FileTable* table() const { return std::get_if<FileTable>(&data); }
     const std::string* text() const { return std::get_if<std::string>(&data); }
+};
+
+/// A field of a table.
+struct FileField {
+    std::string name;
+    FileValue value;
 };
 
 /// The value at `index`, raw: no metamethod runs, no Lua error is raised. Tables within tables are followed 32 levels

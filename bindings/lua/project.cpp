@@ -17,9 +17,10 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;
 
+// A device or a pipe may never end: what a name stands for is a plain file.
 bool is_file(const fs::path& path) {
     std::error_code problem;
-    return fs::exists(path, problem) && !fs::is_directory(path, problem);
+    return fs::is_regular_file(path, problem);
 }
 
 bool is_folder(const fs::path& path) {

@@ -460,6 +460,17 @@ TEST_CASE("what is no Lua, runs into an error or never ends is one message", "[l
     CHECK_THAT(error("local t = {} for i = 1, 1e9 do t[i] = 'x' .. i end"), Catch::Contains("memory"));
 }
 
+TEST_CASE("whatever a file says, a message is one short line", "[lua][system_file]") {
+    CHECK(error("error('a\\nb\\27[2J\\0')") == "s.lua:1: a b?[2J?");
+    CHECK_THAT(error("robot('a\\nb', {})"), Catch::StartsWith("s.lua:1: robot 'a b': a name consists"));
+    CHECK(error("behavior('c', { script = ('x'):rep(100000) })").size() < 1100);
+    CHECK(error("local " + std::string(5000, 'x') + " = = 1").size() < 1100);
+}
+
+TEST_CASE("a name never stands for a device", "[lua][system_file]") {
+    CHECK_THAT(error("arena { csv '/dev/zero' }"), Catch::StartsWith("s.lua:1: csv: there is no file '/dev/zero'"));
+}
+
 TEST_CASE("an error that the file catches is an error all the same", "[lua][system_file]") {
     CHECK(error("pcall(rate, -1)\nrate(50)") == "s.lua:1: rate: expected a positive number of ticks a second, got -1");
 }
