@@ -1,0 +1,1 @@
+return { vx = 0.1, va = 2 }

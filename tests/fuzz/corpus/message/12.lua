@@ -1,0 +1,1 @@
+return { position = { x = 1, y = 2 }, heading = 3 }

@@ -1,0 +1,1 @@
+return { ranges = { 1, 2 }, geometry = { pose = {}, size = { l = 1 }, elements = { {}, {} } }, config = { minAngle = 1 } }

@@ -1,0 +1,1 @@
+robot "m" { modell = "raspimouse" }
