@@ -1,4 +1,4 @@
---- Fills a square arena with a swarm: `require "swarm_arena" { count = 100, side = 10, model = "swarm_robot" }`.
+--- Fills a square arena with a swarm: `require "lib.swarm_arena" { count = 100, side = 10, model = "swarm_robot" }`.
 --- The same numbers give the same places.
 
 local RADIUS = 0.085 -- m, of a robot
