@@ -222,14 +222,22 @@ void OdeWorld::disturb(RobotId id, const Push& push) {
             dJointSetLMotorParam(motor, dParamFMax2, force);
         }
     }
+    if (!push.vx && !push.vy && !push.va) return;
+    robot.hand.angular = JointHandle(dJointCreateAMotor(world_.get(), nullptr));
+    const dJointID motor = robot.hand.angular.get();
+    dJointAttach(motor, robot.body.id, nullptr);
+    dJointSetAMotorNumAxes(motor, 3);
+    // A hand that pushes also holds: without that, wheels that grip would make the robot nod or fall.
+    const Rotation r = robot.body.rotation();
+    const double torque = force * robot.model->spec->drive.track;
+    dJointSetAMotorAxis(motor, 0, 1, r.x.x, r.x.y, r.x.z);
+    dJointSetAMotorAxis(motor, 1, 1, r.y.x, r.y.y, r.y.z);
+    dJointSetAMotorAxis(motor, 2, 0, 0, 0, 1);
+    dJointSetAMotorParam(motor, dParamFMax, torque);
+    dJointSetAMotorParam(motor, dParamFMax2, torque);
     if (push.va) {
-        robot.hand.angular = JointHandle(dJointCreateAMotor(world_.get(), nullptr));
-        const dJointID motor = robot.hand.angular.get();
-        dJointAttach(motor, robot.body.id, nullptr);
-        dJointSetAMotorNumAxes(motor, 1);
-        dJointSetAMotorAxis(motor, 0, 0, 0, 0, 1);
-        dJointSetAMotorParam(motor, dParamVel, *push.va);
-        dJointSetAMotorParam(motor, dParamFMax, force * robot.model->spec->drive.track);
+        dJointSetAMotorParam(motor, dParamVel3, *push.va);
+        dJointSetAMotorParam(motor, dParamFMax3, torque);
     }
 }
 

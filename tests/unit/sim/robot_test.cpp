@@ -289,6 +289,7 @@ TEST_CASE("a hand forces its speeds on a robot whose motors hold", "[sim][robot]
     CHECK(w.truth().velocity.vx == Approx(0.2).epsilon(0.02));
     CHECK(w.truth().pose.position.x == Approx(0.4).epsilon(0.03));
     CHECK(w.bodies[0]->wheel_angles() == Wheels{});  // stepping motors that hold: the wheels slip
+    CHECK(w.truth().tilt < 0.01);                    // and the hand holds it level
     w.world->disturb(0, {.vx = -0.1, .vy = 0.05, .va = 1.0});
     w.run(1);
     CHECK(w.truth().velocity.vx == Approx(-0.1).margin(0.005));
