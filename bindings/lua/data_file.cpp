@@ -71,9 +71,9 @@ Error DataFile::to_error(const CallError& error) const {
 Expected<Chunk> DataFile::compile_file(std::string_view text, const std::string& shown) {
     auto chunk = compile_checked(text, shown, {known_, {}});
     if (!chunk) {
-        Error error = chunk.error().front();
-        error.message = one_line(std::move(error.message));
-        return Unexpected(std::move(error));
+        if (errors_.empty()) errors_ = chunk.error();
+        for (Error& error : errors_) error.message = one_line(std::move(error.message));
+        return Unexpected(errors_.front());
     }
     sources_.emplace(shown, FileSource(text, shown));
     files_.push_back(shown);
@@ -81,6 +81,12 @@ Expected<Chunk> DataFile::compile_file(std::string_view text, const std::string&
 }
 
 Expected<void> DataFile::run(std::string_view text, const std::string& shown, const std::vector<Word>& words) {
+    auto ran = try_to_run(text, shown, words);
+    if (!ran && errors_.empty()) errors_ = {ran.error()};
+    return ran;
+}
+
+Expected<void> DataFile::try_to_run(std::string_view text, const std::string& shown, const std::vector<Word>& words) {
     shown_ = shown;
     known_ = sandbox_names();
     known_.push_back("require");

@@ -48,6 +48,9 @@ public:
     /// first result is then on top of the stack. An error of `fail` comes before any other.
     Expected<void> run(std::string_view text, const std::string& shown, const std::vector<Word>& words);
 
+    /// All that is wrong after a run that failed; a file that names unknown globals has one error for each.
+    const std::vector<Error>& errors() const { return errors_; }
+
     /// Keeps an error of one of our words, the first one, with its place, and returns the text for Lua. The run has
     /// failed, even if the file catches the Lua error that the word then raises.
     const char* fail(Error error);
@@ -65,6 +68,7 @@ private:
     enum class Module { failed, known, compiled };
 
     DataFile(const Project& project, DataFileOptions options);
+    Expected<void> try_to_run(std::string_view text, const std::string& shown, const std::vector<Word>& words);
     Expected<Chunk> compile_file(std::string_view text, const std::string& shown);
     Module find_module(lua_State* lua);
     static int require(lua_State* lua);
@@ -73,7 +77,8 @@ private:
     DataFileOptions options_;
     std::vector<std::string_view> known_;
     std::string shown_;
-    std::optional<Error> error_;
+    std::optional<Error> error_;  // of a word, or of a file that does not compile
+    std::vector<Error> errors_;
     std::string raised_;  // the text of the Lua error that is about to be raised
     std::map<std::string, FileSource> sources_;
     std::vector<std::string> files_;

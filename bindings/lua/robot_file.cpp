@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -62,7 +63,7 @@ private:
         const std::string shown = project_.shown(*path);
         const auto text = read_text_file(*path, shown);
         if (!text) return Unexpected(text.error());
-        tables.push_back(shown);
+        if (std::find(tables.begin(), tables.end(), shown) == tables.end()) tables.push_back(shown);
         return read_csv_response(*text, shown);
     }
 
@@ -102,15 +103,16 @@ private:
     const Project& project_;
 };
 
-}  // namespace
-
-Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& shown, const Project& project,
-                                    std::vector<std::string>* files) {
+// Reads a text and, when it fails, tells all that is wrong.
+Expected<RobotSpec> read_robot(std::string_view text, const std::string& shown, const Project& project,
+                               std::vector<std::string>* files, std::vector<Error>& errors) {
     auto file = DataFile::create(project, {});
     if (!file) return Unexpected(file.error());
     Reader reader(**file, project);
-    auto ran = (*file)->run(text, shown, {{"robot_model", Reader::robot_model, &reader}});
-    if (!ran) return Unexpected(ran.error());
+    if (auto ran = (*file)->run(text, shown, {{"robot_model", Reader::robot_model, &reader}}); !ran) {
+        errors = (*file)->errors();
+        return Unexpected(ran.error());
+    }
     if (!reader.spec || lua_touserdata((*file)->lua(), -1) != &model_mark) {
         return failure("a robot file ends with `return robot_model { ... }`", {shown});
     }
@@ -122,6 +124,21 @@ Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& sh
         files->insert(files->end(), reader.tables.begin(), reader.tables.end());
     }
     return spec;
+}
+
+}  // namespace
+
+Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& shown, const Project& project,
+                                    std::vector<std::string>* files) {
+    std::vector<Error> errors;
+    return read_robot(text, shown, project, files, errors);
+}
+
+std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project) {
+    std::vector<Error> errors;
+    const auto spec = read_robot(text, shown, project, nullptr, errors);
+    if (!spec && errors.empty()) errors.push_back(spec.error());
+    return errors;
 }
 
 Expected<RobotSpec> read_robot_file(const fs::path& path, const Project& project, std::vector<std::string>* files) {

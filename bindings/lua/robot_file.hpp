@@ -20,4 +20,8 @@ Expected<RobotSpec> read_robot_file(const std::filesystem::path& path, const Pro
 Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& shown, const Project& project,
                                     std::vector<std::string>* files = nullptr);
 
+/// All that is wrong with a robot file; empty when it can be read. For editors: every unknown global is one error, of
+/// anything else the first.
+std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project);
+
 }  // namespace nezumi

@@ -9,8 +9,11 @@
 
 namespace nezumi {
 
-Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown, const Project& project,
-                                      const SystemFileOptions& options) {
+namespace {
+
+// Reads a text and, when it fails, tells all that is wrong.
+Expected<SystemSpec> read(std::string_view text, const std::string& shown, const Project& project,
+                          const SystemFileOptions& options, std::vector<Error>& errors) {
     auto file = DataFile::create(project, {.budget = {options.seconds}, .seed = options.seed, .print = options.print});
     if (!file) return Unexpected(file.error());
     SystemWords words(project);
@@ -23,11 +26,31 @@ Expected<SystemSpec> read_system_text(std::string_view text, const std::string& 
 
     std::vector<DataFile::Word> functions;
     for (const char* name : system_word_names()) functions.push_back({name, call_system_word, &host});
-    if (auto ran = (*file)->run(text, shown, functions); !ran) return Unexpected(ran.error());
-    if (host.calls == 0) return failure("the file says nothing: expected robot, behavior, arena, connect ...", {shown});
+    if (auto ran = (*file)->run(text, shown, functions); !ran) {
+        errors = (*file)->errors();
+        return Unexpected(ran.error());
+    }
+    if (host.calls == 0) {
+        return failure("the file says nothing: expected robot, behavior, arena, connect ...", {shown});
+    }
     if (auto ok = words.finish(); !ok) return Unexpected(ok.error());
     for (const std::string& module : (*file)->files()) words.note_file(module);
     return std::move(words.spec());
+}
+
+}  // namespace
+
+Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown, const Project& project,
+                                      const SystemFileOptions& options) {
+    std::vector<Error> errors;
+    return read(text, shown, project, options, errors);
+}
+
+std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project) {
+    std::vector<Error> errors;
+    const auto spec = read(text, shown, project, {}, errors);
+    if (!spec && errors.empty()) errors.push_back(spec.error());
+    return errors;
 }
 
 Expected<SystemSpec> read_system_file(const std::filesystem::path& path, const Project& project,

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bindings/lua/project.hpp"
 #include "engine/system_spec.hpp"
@@ -26,5 +27,9 @@ Expected<SystemSpec> read_system_file(const std::filesystem::path& path, const P
 /// The same from text; `shown` is the file's name in errors, and its folder is where names are looked up first.
 Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown, const Project& project,
                                       const SystemFileOptions& options = {});
+
+/// All that is wrong with a system file, as far as it is known without building the system; empty when it can be read.
+/// For editors: every unknown global is one error, of anything else the first.
+std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project);
 
 }  // namespace nezumi

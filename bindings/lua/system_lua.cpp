@@ -107,10 +107,10 @@ WordCall make_call(lua_State* lua, const WordHost& host, std::string word) {
 }
 
 // Raises no Lua error. What to raise, or null.
-const char* run_word(lua_State* lua, WordHost& host, int word, Result& result) {
+const char* run_word(lua_State* lua, WordHost& host, int word, bool method, Result& result) {
     ++host.calls;
     const WordCall call = make_call(lua, host, system_word_names()[static_cast<std::size_t>(word)]);
-    auto done = carry_out(*host.words, word, call, {lua, host.methods ? 2 : 1});
+    auto done = carry_out(*host.words, word, call, {lua, method ? 2 : 1});
     if (!done) return report(host, call, done.error());
     result = *done;
     return nullptr;
@@ -146,8 +146,9 @@ const std::vector<const char*>& system_word_names() {
 int call_system_word(lua_State* lua) {
     auto& host = *static_cast<WordHost*>(lua_touserdata(lua, lua_upvalueindex(1)));
     const auto word = static_cast<int>(lua_tointeger(lua, lua_upvalueindex(2)));
+    const bool method = lua_toboolean(lua, lua_upvalueindex(3)) != 0;
     Result result;
-    if (const char* problem = run_word(lua, host, word, result); problem != nullptr) {
+    if (const char* problem = run_word(lua, host, word, method, result); problem != nullptr) {
         lua_pushstring(lua, problem);
         return lua_error(lua);
     }
@@ -162,6 +163,17 @@ int call_system_word(lua_State* lua) {
         return 1;
     }
     return 0;
+}
+
+void add_system_words(lua_State* lua, WordHost& host, bool methods) {
+    lua_Integer number = 0;
+    for (const char* name : system_word_names()) {
+        lua_pushlightuserdata(lua, &host);
+        lua_pushinteger(lua, number++);
+        lua_pushboolean(lua, methods ? 1 : 0);
+        lua_pushcclosure(lua, call_system_word, 3);
+        lua_setfield(lua, -2, name);
+    }
 }
 
 }  // namespace nezumi

@@ -19,8 +19,6 @@ struct WordHost {
     /// Is given the error of a word before it is raised in Lua as the text returned. Empty: the text is the error as
     /// shown.
     std::function<const char*(Error error)> fail{};
-    /// The words are methods: their first argument is the object.
-    bool methods = false;
     /// How many words were called.
     std::size_t calls = 0;
     /// The text of the error that is being raised.
@@ -30,7 +28,12 @@ struct WordHost {
 /// "arena", "behavior", "box", ..., in the order of their numbers.
 const std::vector<const char*>& system_word_names();
 
-/// The function of every word. Upvalue 1: a light userdata, the `WordHost`; upvalue 2: the word's number.
+/// The function of every word. Upvalue 1: a light userdata, the `WordHost`; upvalue 2: the word's number; upvalue 3:
+/// true when it is a method, so that its first argument is the object.
 int call_system_word(lua_State* lua);
+
+/// Adds all words to the table on top of the stack, as functions or as methods (`s:robot "mouse" { ... }`). May raise a
+/// Lua error.
+void add_system_words(lua_State* lua, WordHost& host, bool methods);
 
 }  // namespace nezumi

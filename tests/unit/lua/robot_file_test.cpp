@@ -242,9 +242,7 @@ TEST_CASE("the files that a robot was read from are known", "[lua][robot_file]")
     std::vector<std::string> files;
     const auto path = root / "engine/robots/raspimouse.lua";
     REQUIRE(read_robot_file(path, Project::of(path), &files).has_value());
-    CHECK(files == std::vector<std::string>{"engine/robots/raspimouse.lua", "engine/robots/ir_table.csv",
-                                            "engine/robots/ir_table.csv", "engine/robots/ir_table.csv",
-                                            "engine/robots/ir_table.csv"});
+    CHECK(files == std::vector<std::string>{"engine/robots/raspimouse.lua", "engine/robots/ir_table.csv"});
 }
 
 TEST_CASE("a robot file that is no robot file is one plain message", "[lua][robot_file]") {
@@ -380,4 +378,15 @@ TEST_CASE("a response that is no function of the distance is refused", "[lua][ro
           "r.lua:2:35: robot_model: field 'sensors.a.table' expected a file's name or points { distance, value }");
     CHECK(error(with("sensors = { a = { kind = 'range', table = { { 0.1, 1 }, { 0.2, 2 } }, min_value = 3, max_value = "
                      "2 } }")) == "r.lua:2:71: robot_model: field 'sensors.a.min_value': 3 is above max_value 2");
+}
+
+TEST_CASE("a check of a robot file tells every unknown global", "[lua][robot_file]") {
+    const Project project = Project::of(root / "engine/robots/r.lua", {root});
+    CHECK(check_robot_text(with(""), "r.lua", project).empty());
+    const auto errors = check_robot_text("local a = taget\nreturn robot_modell {}", "r.lua", project);
+    REQUIRE(errors.size() == 2);
+    CHECK(errors[0].place == Place{"r.lua", 1, 11});
+    CHECK(errors[1].place == Place{"r.lua", 2, 8});
+    CHECK(check_robot_text("return robot_model {}", "r.lua", project).size() == 1);
+    CHECK(check_robot_text("", "r.lua", project).size() == 1);
 }

@@ -539,3 +539,15 @@ TEST_CASE("every system that is shipped can be read", "[lua][system_file]") {
     }
     CHECK(count >= 3);
 }
+
+TEST_CASE("a check of a system file tells every unknown global", "[lua][system_file]") {
+    const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
+    CHECK(check_system_text("seed(1)", "s.lua", project).empty());
+    const auto errors = check_system_text("sead(1)\nif false then\n  robott 'm' {}\nend", "s.lua", project);
+    REQUIRE(errors.size() == 2);
+    CHECK(errors[0].place == Place{"s.lua", 1, 1});
+    CHECK(errors[1].place == Place{"s.lua", 3, 3});
+    CHECK(check_system_text("seed(-1) seed(-1)", "s.lua", project).size() == 1);
+    CHECK(check_system_text("", "s.lua", project).size() == 1);
+    CHECK(check_system_text("rate(60)", "s.lua", project).size() == 1);
+}
