@@ -225,6 +225,7 @@ std::vector<std::string> System::peers(const Port& port) const {
 std::vector<std::string> System::disconnect_all(const Port& port) {
     std::vector<std::string> all = peers(port);
     for (const Connection& connection : connections_) {
+        if (connection.from == &port) connection.to->latch(now_);  // what was published still arrives
         if (connection.from == &port || connection.to == &port) connection.to->disconnect(*connection.from);
     }
     std::erase_if(connections_, [&](const Connection& c) { return c.from == &port || c.to == &port; });
