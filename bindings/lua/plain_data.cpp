@@ -50,17 +50,39 @@ std::string type_name(lua_State* L, int index) {
     }
 }
 
+// Where a value was found: under a key of a table, or as one of the values themselves. Whole paths would cost the
+// square of a list's length.
+struct Origin {
+    std::size_t table = kNoTable;
+    Value key;
+    std::size_t value = 0;
+
+    static constexpr std::size_t kNoTable = static_cast<std::size_t>(-1);
+};
+
 // Lives outside of the protected call in which it works, so that an error there skips no destructor of its own.
 struct Taker {
     const std::vector<std::string>& names;
     std::vector<Dropped>& dropped;
     PlainData data;
-    std::vector<std::string> paths;                        // of data.tables
+    std::vector<Origin> origins;                           // of data.tables
     std::unordered_map<const void*, std::size_t> indices;  // of data.tables
     std::vector<Value> keys;                               // of the table at hand
-    std::string path;                                      // of the value at hand
+    Origin origin;                                         // of the value at hand
 
     int work_list = 0;  // stack index of a Lua table: data.tables[i - 1] is at i
+
+    // "state.a.b"; of a very long path its end.
+    std::string path_of(Origin at) const {
+        constexpr std::size_t longest = 200;
+        std::string path;
+        while (at.table != Origin::kNoTable) {
+            path = key_text(at.key) + path;
+            if (path.size() > longest) return "..." + path;
+            at = origins[at.table];
+        }
+        return names[at.value] + path;
+    }
 
     // The value on top of the stack, which is popped.
     Value take(lua_State* L) {
@@ -69,7 +91,7 @@ struct Taker {
             case LUA_TNIL: break;
             case LUA_TTABLE: value = take_table(L); break;
             default:
-                if (!scalar(L, -1, value)) dropped.push_back({path, type_name(L, -1)});
+                if (!scalar(L, -1, value)) dropped.push_back({path_of(origin), type_name(L, -1)});
         }
         lua_pop(L, 1);
         return value;
@@ -100,7 +122,7 @@ struct Taker {
         const auto [known, is_new] = indices.try_emplace(lua_topointer(L, -1), data.tables.size());
         if (!is_new) return PlainData::TableRef{known->second};
         data.tables.emplace_back();
-        paths.push_back(path);
+        origins.push_back(origin);
         lua_pushvalue(L, -1);
         lua_rawseti(L, work_list, static_cast<lua_Integer>(data.tables.size()));
         return PlainData::TableRef{data.tables.size() - 1};
@@ -112,7 +134,7 @@ struct Taker {
         if (push_behind_lock(L, lua_gettop(L))) {
             lua_remove(L, -2);
         } else if (lua_getmetatable(L, -1) != 0) {
-            dropped.push_back({paths[index], "a table with a metatable"});
+            dropped.push_back({path_of(origins[index]), "a table with a metatable"});
             lua_pop(L, 1);
         }
         const int table = lua_gettop(L);
@@ -128,12 +150,13 @@ struct Taker {
                 bad_key = true;
             }
         }
-        if (bad_key) dropped.push_back({paths[index], "a table with a key that is a table, a function or an object"});
+        if (bad_key)
+            dropped.push_back({path_of(origins[index]), "a table with a key that is a table, a function or an object"});
         std::sort(keys.begin(), keys.end(), key_before);
         for (Value& key : keys) {
             push_scalar(L, key);
             lua_rawget(L, table);
-            path = paths[index] + key_text(key);
+            origin = {.table = index, .key = key};
             Value value = take(L);
             if (!std::holds_alternative<std::monostate>(value))
                 data.tables[index].emplace_back(std::move(key), std::move(value));
@@ -163,7 +186,7 @@ struct Taker {
         lua_newtable(L);
         self.work_list = lua_gettop(L);
         for (int i = 0; i < count; ++i) {
-            self.path = self.names[static_cast<std::size_t>(i)];
+            self.origin = {.value = static_cast<std::size_t>(i)};
             lua_pushvalue(L, i + 2);
             self.data.values.push_back(self.take(L));
         }
@@ -178,7 +201,7 @@ Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std
                                std::vector<Dropped>& dropped) {
     const int first = lua_gettop(L) - count + 1;
     if (lua_checkstack(L, count + 4) == 0) return failure("not enough memory");
-    Taker taker{.names = names, .dropped = dropped, .data = {}, .paths = {}, .indices = {}, .keys = {}, .path = {}};
+    Taker taker{.names = names, .dropped = dropped, .data = {}, .origins = {}, .indices = {}, .keys = {}, .origin = {}};
     lua_pushcfunction(L, Taker::run);
     lua_pushlightuserdata(L, &taker);
     for (int i = 0; i < count; ++i) lua_pushvalue(L, first + i);

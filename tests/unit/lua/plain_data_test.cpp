@@ -1,0 +1,88 @@
+// Plain data keeps its shape between Lua states, and what can't go along is named.
+#include "bindings/lua/plain_data.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bindings/lua/compile.hpp"
+#include "bindings/lua/stdlib.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// The values that a chunk returns.
+PlainData take(const std::string& text, std::vector<Dropped>* dropped = nullptr) {
+    auto state = create_sandbox().value();
+    lua_State* L = state->lua();
+    REQUIRE(load_chunk(L, compile(text, "test").value()));
+    REQUIRE(protected_call(L, 0, LUA_MULTRET, {}));
+    const int count = lua_gettop(L);
+    std::vector<Dropped> ignored;
+    auto data = take_plain(L, count, {}, std::vector<std::string>(static_cast<std::size_t>(count), "v"),
+                           dropped != nullptr ? *dropped : ignored);
+    CHECK(lua_gettop(L) == count);
+    REQUIRE(data);
+    return *data;
+}
+
+// Gives data to a function in another state, and takes what that returns.
+std::string check(const PlainData& data, const std::string& text) {
+    auto state = create_sandbox().value();
+    lua_State* L = state->lua();
+    REQUIRE(load_chunk(L, compile(text, "test").value()));
+    REQUIRE(protect(L, {}, [&](lua_State* inside) {
+        push_plain(inside, data);
+        return lua_gettop(inside);
+    }));
+    auto ok = protected_call(L, static_cast<int>(data.values.size()), 0, {});
+    return ok ? "" : ok.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("values and tables cross from one Lua state to another", "[lua][plain]") {
+    CHECK(check(take("return 1, 2.5, true, 'a\\0b', nil, { x = { 1, 2 }, [2.5] = 'n', [false] = 0 }"),
+                "local a, b, c, d, e, t = ... "
+                "assert(math.type(a) == 'integer' and b == 2.5 and c == true and d == 'a\\0b' and e == nil) "
+                "assert(#t.x == 2 and t[2.5] == 'n' and t[false] == 0)") == "");
+}
+
+TEST_CASE("shared and cyclic tables keep their shape, also across values", "[lua][plain]") {
+    CHECK(check(take("local s = {} local t = { s, s } t.t = t return t, s"),
+                "local t, s = ... assert(t[1] == s and t[2] == s and t.t == t and next(s) == nil)") == "");
+}
+
+TEST_CASE("what is no plain data is left out and named in a fixed order", "[lua][plain]") {
+    std::vector<Dropped> dropped;
+    const PlainData data = take(
+        "local m = setmetatable({ 7 }, {}) return { z = print, a = { [1] = coroutine.create(print), ['x y'] = print }, "
+        "m = m, [{}] = 1 }",
+        &dropped);
+    CHECK(dropped == std::vector<Dropped>{{"v", "a table with a key that is a table, a function or an object"},
+                                          {"v.z", "a function"},
+                                          {"v.a[1]", "a coroutine"},
+                                          {"v.a[\"x y\"]", "a function"},
+                                          {"v.m", "a table with a metatable"}});
+    CHECK(check(data, "local t = ... assert(t.z == nil and next(t.a) == nil and t.m[1] == 7)") == "");
+}
+
+TEST_CASE("a long list overflows no stack and takes no square of its length", "[lua][plain]") {
+    std::vector<Dropped> dropped;
+    const PlainData data =
+        take("local l = { last = print } for i = 1, 200000 do l = { next = l } end return l", &dropped);
+    CHECK(data.tables.size() == 200001);
+    REQUIRE(dropped.size() == 1);
+    CHECK(dropped[0].path.substr(0, 8) == "....next");
+    CHECK(check(data, "local n, l = 0, ... while l do n, l = n + 1, l.next end assert(n == 200001)") == "");
+}
+
+TEST_CASE("data that does not fit into the other state's memory is an error", "[lua][plain]") {
+    const PlainData data = take("local t = {} for i = 1, 20000 do t[i] = { i } end return t");
+    auto state = create_sandbox({.memory_limit = 256 << 10}).value();
+    const auto pushed = protect(state->lua(), {}, [&](lua_State* inside) {
+        push_plain(inside, data);
+        return 1;
+    });
+    REQUIRE_FALSE(pushed);
+    CHECK(pushed.error().message.substr(0, 17) == "not enough memory");
+}
