@@ -109,6 +109,8 @@ public:
 
     /// From now on the script sees this component's time and name. Its ports can't be written until `go_live`.
     void bind(Component& owner);
+    /// What every call may use up from now on.
+    void set_budget(Budget budget) { context_.budget = budget; }
     /// Opens the ports, or closes them: whether this version is the one that runs. Their slots must be filled.
     void go_live(bool live);
 

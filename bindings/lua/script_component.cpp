@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace nezumi {
 namespace {
@@ -68,7 +69,7 @@ Expected<std::unique_ptr<ScriptComponent>> ScriptComponent::load(std::string nam
     component->make_ports(first);
     component->fill_slots(first);
     first.script->bind(*component);
-    component->commit(std::move(first));
+    component->replace(std::move(first));
     return component;
 }
 
@@ -89,7 +90,7 @@ Expected<PlainData> ScriptComponent::copy_state() {
     return script_->take_state(dropped);
 }
 
-Expected<ScriptComponent::Version> ScriptComponent::prepare(SourceText source, const Time& now) {
+Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& source, Budget budget, const Time& now) {
     Version next;
     std::vector<Dropped> dropped;
     auto state = script_->take_state(dropped);
@@ -98,13 +99,17 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(SourceText source, c
 
     ScriptContext context = script_->context();
     context.version = next_version();
+    context.budget = budget;
     context.seconds = now.seconds;
     context.tick_rate = tick_rate();
-    auto script = Script::load(source, std::move(context), {.parameters = &parameters_, .state = &*state});
+    Parameters settings = parameters_;
+    settings.take_staged();
+    auto script = Script::load(source, std::move(context), {.parameters = &settings, .state = &*state});
     if (!script) return Unexpected(script.error());
     next.script = std::move(*script);
+    next.script->set_budget(script_->context().budget);
     next.number = next_version();
-    describe_lost(parameters_, next.script->parameters(), next.warnings);
+    describe_lost(settings, next.script->parameters(), next.warnings);
     return next;
 }
 
@@ -118,9 +123,9 @@ Expected<void> ScriptComponent::adopt(Version& next, const Time& now) {
     return ok;
 }
 
-std::vector<Port*> ScriptComponent::ports_going(const Version& next) const {
+std::vector<Port*> ScriptComponent::ports_going(const Version& other) const {
     const auto goes = [&](const Port& port) {
-        return std::none_of(next.script->ports().begin(), next.script->ports().end(),
+        return std::none_of(other.script->ports().begin(), other.script->ports().end(),
                             [&](const PortDeclaration& declaration) { return declaration.fits(port); });
     };
     std::vector<Port*> going;
@@ -133,7 +138,52 @@ std::vector<Port*> ScriptComponent::ports_going(const Version& next) const {
     return going;
 }
 
-ScriptComponent::Version ScriptComponent::commit(Version next) {
+void ScriptComponent::commit(Version next, int reload) {
+    constexpr std::size_t kept = 8;
+    Version old = replace(std::move(next));
+    old.replaced_by = reload;
+    if (past_.size() == kept) past_.erase(past_.begin());
+    past_.push_back(std::move(old));
+}
+
+void ScriptComponent::go_back(bool keep_settings) {
+    assert(!past_.empty());
+    Version back = std::move(past_.back());
+    past_.pop_back();
+    if (keep_settings) back.parameters.adopt(parameters_);
+    make_ports(back);
+    fill_slots(back);
+    probation_left_ = 0;
+    replace(std::move(back));
+}
+
+void ScriptComponent::begin_probation(bool time_is_fatal) {
+    probation_left_ = kProbation;
+    time_is_fatal_ = time_is_fatal;
+    relapse_.reset();
+}
+
+Expected<void> ScriptComponent::execute_on_probation() {
+    if (relapse_) return {};  // waits to be taken back
+    auto ok = script_->call(Hook::on_execute);
+    if (ok || (time_is_fatal_ && ok.error().kind == Error::Kind::out_of_time)) {
+        --probation_left_;
+        return ok;
+    }
+    for (const auto& port : out_ports_) port->discard();
+    const Version& before = past_.back();
+    relapse_ = {.error = std::move(ok.error()),
+                .version = version_,
+                .execution = kProbation - probation_left_ + 1,
+                .reload = before.replaced_by};
+    // When no port differs, the version before can take this very tick.
+    if (!before.in_ports.empty() || !before.out_ports.empty() || !ports_going(before).empty()) return {};
+    relapse_->went_back = true;
+    go_back(false);
+    return script_->call(Hook::on_execute);
+}
+
+ScriptComponent::Version ScriptComponent::replace(Version next) {
     Version old;
     old.script = std::move(script_);
     old.number = version_;

@@ -130,10 +130,11 @@ TEST_CASE("print is log.info, and log has four levels", "[lua][component]") {
 
 TEST_CASE("what a file prints while it loads is not lost", "[lua][component]") {
     Rig rig("param('x', 1)");
-    auto next = rig.component->prepare(source("param('x', 1) print('loaded') log.warn('careful')"), rig.now);
+    auto next =
+        rig.component->prepare(source("param('x', 1) print('loaded') log.warn('careful')"), paced_budget, rig.now);
     REQUIRE(next);
     REQUIRE(rig.component->adopt(*next, rig.now));
-    rig.component->commit(std::move(*next));
+    rig.component->commit(std::move(*next), 1);
     CHECK(rig.log == std::vector<Text>{"info: loaded", "warn: careful"});
 }
 
