@@ -25,6 +25,9 @@ inline constexpr std::size_t response_samples = 1024;
 /// Reads the table given to `robot_model`. What is wrong is said to `check`; then the result is of no use.
 RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const RobotFileHelp& help);
 
+/// One sensor of this name. Its place is given from the centre of `body`.
+SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body, const RobotFileHelp& help);
+
 /// Reads limits of speed and acceleration that a table sets; the others keep their values.
 void read_limits(Fields fields, Limits& limits);
 
