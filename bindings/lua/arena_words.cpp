@@ -166,8 +166,8 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& va
         fields.point("size", floor.size, NumberRange::positive);
         if (check.ok() && fields.has("image")) {
             if (const auto path = project_.find(FileKind::data, floor.image, call.place.file)) {
-                floor.image = project_.shown(*path);
-                note_file(floor.image);
+                floor.image = path->string();
+                note_file(project_.shown(*path));
             } else {
                 check.wrong_at({"image"}, path.error().message);
             }

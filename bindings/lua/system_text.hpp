@@ -1,0 +1,17 @@
+// Writes a system as a system file.
+#pragma once
+
+#include <string>
+
+#include "engine/system_spec.hpp"
+
+namespace nezumi {
+
+/// The text of a system file that says what `spec` says: reading it gives the same arena, entries and connections, in
+/// the same order. `title` becomes its first line, a comment.
+std::string write_system_text(const SystemSpec& spec, const std::string& title);
+
+/// A value as Lua reads it back: `0.1`, `true`, `"text"`, `{ 1, 2 }`.
+std::string to_lua(const ParameterValue& value);
+
+}  // namespace nezumi
