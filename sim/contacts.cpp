@@ -174,8 +174,11 @@ bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     const Vec3 centre = robot.body.centre();
     const Rotation rotation = robot.body.rotation();
     bool touches = false;
+    // A wall is nothing to roll over, and most that is near is a wall.
+    const double top = shape.is_upright() ? shape.centre.z + shape.half.z : -nothing;
     for (int side = 0; side < 2; ++side) {
         const Vec3 axle = centre + rotation * model.wheels[static_cast<std::size_t>(side)];
+        if (top >= axle.z) continue;
         if (const auto touch = touch_wheel(shape, axle, rotation.y, model.wheel_radius)) {
             add_wheel_contact(robot, side, *touch, normalized(cross(rotation.y, touch->normal)), other);
             touches = true;
@@ -184,6 +187,7 @@ bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     for (const Vec3& skid : model.skids) {
         // What reaches higher than the hull's bottom stops the hull before it comes under a skid.
         const Vec3 lowest = centre + rotation * skid, from = lowest + rotation.z * model.clearance;
+        if (top >= from.z) continue;
         Vec3 normal;
         const double distance = cast_ray(shape, from, -rotation.z, model.clearance, &normal);
         if (distance == nothing || distance == 0 || normal.z < 0.5) continue;

@@ -107,7 +107,7 @@ public:
     std::string collided_with(RobotId robot) const override { return name_of(robots_[robot].touched); }
     Expected<void> teleport(RobotId robot, Pose2D pose) override;
     void disturb(RobotId robot, const Push& push) override;
-    void press(RobotId robot, std::size_t sensor, bool pressed) override { robots_[robot].pressed[sensor] = pressed; }
+    void press(RobotId robot, std::size_t sensor, bool pressed) override;
     std::vector<ThingPose> things() const override;
     std::vector<Ray> rays(RobotId robot) const override;
 

@@ -46,6 +46,11 @@ std::vector<Ray> OdeWorld::rays(RobotId id) const {
     return rays;
 }
 
+void OdeWorld::press(RobotId id, std::size_t sensor, bool pressed) {
+    assert(sensor < robots_[id].pressed.size());
+    robots_[id].pressed[sensor] = pressed;
+}
+
 bool SimRobotBody::is_pressed(std::size_t index) const {
     const SimRobot& robot = world_.robot(id_);
     if (robot.pressed[index]) return true;

@@ -2,7 +2,7 @@
 //
 // 10 steps of 10 ms a tick. "bare" are the same bodies and floor contacts in plain ODE, driving ahead. "world" has
 // collisions and rays and drives by the workload's rule in C++; "no rays" is the same world with robots that turn
-// blindly on the spot. Measured (two shared cores): bare / world 1.05 to 1.12 at every size.
+// blindly on the spot. Measured (two shared cores): bare / world 1.02 to 1.08 at every size.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -188,10 +188,17 @@ int main(int argc, char** argv) {
                 "touching");
     for (const std::size_t count : {1u, 10u, 100u, 1000u, 10000u}) {
         if (only != 0 && only != count) continue;
-        const int ticks = static_cast<int>(std::max<std::size_t>(20, 100'000 / count));
-        const Result bare = run_bare(count, ticks);
-        const Result blind = run_world(count, ticks, false);
-        const Result world = run_world(count, ticks, true);
+        const int ticks = static_cast<int>(std::max<std::size_t>(20, 50'000 / count));
+        // In turns, the best of each: others use this machine too.
+        Result bare, blind, world;
+        for (int i = 0; i < 3; ++i) {
+            const auto keep_best = [](Result& best, const Result& next) {
+                if (next.rate > best.rate) best = next;
+            };
+            keep_best(bare, run_bare(count, ticks));
+            keep_best(blind, run_world(count, ticks, false));
+            keep_best(world, run_world(count, ticks, true));
+        }
         std::printf("%8zu %10.0f %10.0f %10.0f %8.2f %10.4f %9zu\n", count, bare.rate, blind.rate, world.rate,
                     bare.rate / world.rate, world.start, world.touching);
     }
