@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "bindings/lua/state.hpp"
 
@@ -68,16 +69,17 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
             if (length <= longest_message) return {text, length};
             return std::string(text, longest_message) + "...";
         }
-        case LUA_TBOOLEAN: return lua_toboolean(lua, -1) != 0 ? "an error of value true" : "an error of value false";
-        case LUA_TNIL: return "an error of value nil";
-        default: return std::string("an error of type ") + lua_typename(lua, lua_type(lua, -1));
+        case LUA_TNIL: return "an error was raised with nil in the place of a message";
+        default:
+            return std::string("an error was raised with a ") + luaL_typename(lua, -1) + " in the place of a message";
     }
 }
 
 CallError error_of_memory(const LuaState& state, const CallRecord& call) {
     std::string message = "not enough memory";
     if (call.memory_refused) {
-        message += ": the script reached its limit of ";
+        message = call.memory_refused_deep ? "stack overflow: the recursion is too deep for the script's limit of "
+                                           : "not enough memory: the script reached its limit of ";
         message += shown(static_cast<double>(state.memory_limit()) / (1 << 20)) + " MB";
     }
     return {{message, to_place(call.memory_place)}, false};
@@ -87,7 +89,10 @@ CallError error_of_memory(const LuaState& state, const CallRecord& call) {
 
 int handle_error(lua_State* lua) {
     CallRecord& call = *current_call;
-    if (call.expired != 0) return 1;
+    if (call.expired != 0) {
+        if (call.expiry_place.line == 0) find_place(lua, call.expiry_place);
+        return 1;
+    }
     if (lua_type(lua, 1) != LUA_TSTRING && luaL_getmetafield(lua, 1, "__tostring") != LUA_TNIL) {
         lua_pushvalue(lua, 1);
         lua_call(lua, 1, 1);
@@ -102,7 +107,7 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
     CallError error;
     if (call.expired != 0) {
         error = {{"ran for more than " + shown(call.budget_seconds) + " s: is there an endless loop?",
-                  to_place(call.expiry_place)},
+                  to_place(call.expiry_place.line != 0 ? call.expiry_place : call.memory_place)},
                  true};
     } else if (status == LUA_ERRMEM) {
         error = error_of_memory(state, call);
@@ -128,7 +133,11 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
     const int status = lua_pcall(lua, arguments, results, function);
     lua_remove(lua, function);
     if (status == LUA_OK) return {};
-    return tl::unexpected(take_error(lua, status, call));
+    CallError error = take_error(lua, status, call);
+    // What the script had gathered is garbage now; nobody may call it again for a long time.
+    const LuaState& state = LuaState::of(lua);
+    if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
+    return tl::unexpected(std::move(error));
 }
 
 }  // namespace nezumi

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bindings/lua/lexer.hpp"
 #include "bindings/lua/state.hpp"
 
 namespace nezumi {
@@ -12,13 +13,13 @@ namespace {
 // Gives Lua the text piece by piece, and stops it where compiling takes too long: no hook runs in the compiler.
 struct SourceReader {
     std::string_view rest;
+    std::size_t piece;
     std::int64_t deadline;
 
     static const char* read(lua_State* lua, void* self, std::size_t* size) {
-        constexpr std::size_t piece = 4096;
         auto& reader = *static_cast<SourceReader*>(self);
         if (thread_time() > reader.deadline) luaL_error(lua, "takes too long to compile");
-        const std::string_view given = reader.rest.substr(0, piece);
+        const std::string_view given = reader.rest.substr(0, reader.piece);
         reader.rest.remove_prefix(given.size());
         *size = given.size();
         return given.data();
@@ -28,13 +29,6 @@ struct SourceReader {
 int append_bytecode(lua_State*, const void* bytes, std::size_t size, void* text) {
     static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), size);
     return 0;
-}
-
-// What is compiled: without a byte order mark, and with a first line for the shell emptied.
-std::string_view skip_start(std::string_view source) {
-    if (source.substr(0, 3) == "\xEF\xBB\xBF") source.remove_prefix(3);
-    if (source.substr(0, 1) == "#") source.remove_prefix(std::min(source.find('\n'), source.size()));
-    return source;
 }
 
 // "file:12: text" into place and text. Lua shortens a long name to its last bytes.
@@ -54,16 +48,25 @@ Error place_of_syntax_error(std::string_view message, const std::string& file) {
 
 Expected<Chunk> compile(std::string_view source, const std::string& file) {
     if (source.size() > source_size_limit) return failure("the file is too large: at most 1 MB", {file});
-    source = skip_start(source);
+    source = without_preamble(source);
     if (source.substr(0, 1) == std::string_view(LUA_SIGNATURE, 1))
         return failure("this is bytecode: only Lua source text is run", {file, 1});
     auto state = LuaState::create();
     if (!state) return Unexpected(state.error());
     lua_State* const lua = (*state)->lua();
-    SourceReader reader{source, thread_time() + static_cast<std::int64_t>(compile_seconds_limit * 1e9)};
+    const std::int64_t deadline = thread_time() + static_cast<std::int64_t>(compile_seconds_limit * 1e9);
+    SourceReader reader{source, 4096, deadline};
     const std::string chunk_name = "@" + file;
     const int status = lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
     if (status == LUA_ERRMEM) return failure("not enough memory to compile it", {file});
+    if (status != LUA_OK && std::string_view(lua_tostring(lua, -1)) == "C stack overflow") {
+        // Lua does not say where. Read byte by byte, the text shows how far Lua came.
+        reader = {source, 1, deadline};
+        lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
+        const std::string_view seen = source.substr(0, source.size() - reader.rest.size());
+        return failure("the code is nested too deeply",
+                       {file, 1 + static_cast<int>(std::count(seen.begin(), seen.end(), '\n'))});
+    }
     if (status != LUA_OK) return Unexpected(place_of_syntax_error(lua_tostring(lua, -1), file));
     Chunk chunk{file, {}};
     lua_dump(lua, append_bytecode, &chunk.bytecode, 0);
@@ -74,7 +77,7 @@ tl::expected<Chunk, std::vector<Error>> compile_checked(std::string_view source,
                                                         const KnownGlobals& known) {
     auto chunk = compile(source, file);
     if (!chunk) return tl::unexpected(std::vector<Error>{chunk.error()});
-    std::vector<Error> errors = check_globals(skip_start(source), file, known);
+    std::vector<Error> errors = check_globals(source, file, known);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return std::move(*chunk);
 }

@@ -18,7 +18,7 @@ public:
     using Locals = std::unordered_map<std::string_view, int>;
     using Visitor = std::function<void(const GlobalUse&, const Locals&)>;
 
-    Scanner(std::string_view source, Visitor visit) : lexer_(source), visit_(std::move(visit)) {
+    Scanner(std::string_view source, Visitor visit) : lexer_(without_preamble(source)), visit_(std::move(visit)) {
         token_ = lexer_.next();
         ahead_ = lexer_.next();
     }
@@ -32,7 +32,7 @@ public:
 
 private:
     // Lua refuses deeper nesting; this is for text that is no Lua.
-    static constexpr int depth_limit = 1000;
+    static constexpr int depth_limit = 1000;  // of expressions, tables, functions and blocks within each other
 
     Token take() {
         Token taken = token_;
@@ -75,7 +75,9 @@ private:
         return token_.kind == Token::Kind::end || at("end") || at("else") || at("elseif") || at("until");
     }
     void statements() {
+        if (++depth_ > depth_limit) give_up();
         while (!block_ends()) statement();
+        --depth_;
     }
     void block() {
         const std::size_t before = declared_.size();

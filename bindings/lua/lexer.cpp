@@ -21,6 +21,12 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 }  // namespace
 
+std::string_view without_preamble(std::string_view source) {
+    if (source.substr(0, 3) == "\xEF\xBB\xBF") source.remove_prefix(3);
+    if (source.substr(0, 1) == "#") source.remove_prefix(std::min(source.find_first_of("\r\n"), source.size()));
+    return source;
+}
+
 // Lua counts "\r\n" and "\n\r" as one line end.
 void Lexer::advance() {
     const char c = peek();

@@ -16,6 +16,10 @@ struct Token {
     bool is(std::string_view word) const { return text == word && (kind == Kind::keyword || kind == Kind::sign); }
 };
 
+/// A source text without a byte order mark, and with a first line for the shell ("#!...") emptied: lines keep their
+/// numbers.
+std::string_view without_preamble(std::string_view source);
+
 /// Reads a source text word by word. Meant for text that Lua has compiled: what is no Lua gives some sequence of
 /// tokens, and always comes to an end.
 class Lexer {

@@ -12,7 +12,7 @@ namespace {
 // What a protected call returns: true and the results, or false and the error. `below` values lie under the results.
 int finish_protected(lua_State* lua, int status, lua_KContext below) {
     if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(lua) - static_cast<int>(below);
-    if (current_call->expired != 0) return lua_error(lua);  // a script can't catch the end of its time
+    poll_budget(lua);  // a script can't catch the end of its time
     lua_pushboolean(lua, 0);
     lua_pushvalue(lua, -2);
     return 2;

@@ -24,7 +24,7 @@ constexpr int failed = -1;
 int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on) {
     CallRecord& call = *current_call;
     for (;;) {
-        if (call.keep_hook) lua_sethook(coroutine, watch_hook, LUA_MASKCOUNT, hook_interval);
+        if (call.keep_hook) keep_watching(coroutine);
         int results = 0;
         call.running = coroutine;
         const int status = lua_resume(coroutine, lua, arguments, &results);
@@ -89,7 +89,7 @@ int resume(lua_State* lua) {
 bool reset(lua_State* lua, lua_State* coroutine) {
     check_c_stack(lua);
     current_call->running = coroutine;
-    if (current_call->keep_hook) lua_sethook(coroutine, watch_hook, LUA_MASKCOUNT, hook_interval);
+    if (current_call->keep_hook) keep_watching(coroutine);
     const int status = lua_resetthread(coroutine);
     current_call->running = lua;
     poll_budget(lua);

@@ -22,10 +22,9 @@ void check_matcher(lua_State* lua, const PatternMatcher& matcher) {
 }
 
 // Pushes capture `index`, from 0; the whole match, from `start` to `end`, is capture 0 of a pattern without any.
-void push_capture(lua_State* lua, const PatternMatcher& matcher, int index, const char* start, const char* end,
-                  const char* error) {
+void push_capture(lua_State* lua, const PatternMatcher& matcher, int index, const char* start, const char* end) {
     if (index >= matcher.capture_count()) {
-        if (index != 0) luaL_error(lua, error, index + 1);
+        if (index != 0) luaL_error(lua, "invalid capture index %%%d", index + 1);
         lua_pushlstring(lua, start, static_cast<std::size_t>(end - start));
         return;
     }
@@ -37,12 +36,10 @@ void push_capture(lua_State* lua, const PatternMatcher& matcher, int index, cons
     }
 }
 
-constexpr const char* invalid_index = "invalid capture index %%%d";
-
 int push_captures(lua_State* lua, const PatternMatcher& matcher, const char* start, const char* end) {
     const int count = matcher.capture_count() == 0 && start != nullptr ? 1 : matcher.capture_count();
     luaL_checkstack(lua, count, "too many captures");
-    for (int i = 0; i < count; ++i) push_capture(lua, matcher, i, start, end, invalid_index);
+    for (int i = 0; i < count; ++i) push_capture(lua, matcher, i, start, end);
     return count;
 }
 
@@ -136,7 +133,7 @@ void add_replacement_text(lua_State* lua, luaL_Buffer& buffer, const PatternMatc
         } else if (which == '0') {
             luaL_addlstring(&buffer, start, static_cast<std::size_t>(end - start));
         } else if (which >= '1' && which <= '9') {
-            push_capture(lua, matcher, which - '1', start, end, "invalid capture index %%%d in replacement string");
+            push_capture(lua, matcher, which - '1', start, end);
             luaL_addvalue(&buffer);
         } else {
             luaL_error(lua, "invalid use of '%c' in replacement string", '%');
@@ -153,7 +150,7 @@ bool add_replacement(lua_State* lua, luaL_Buffer& buffer, const PatternMatcher& 
             lua_call(lua, push_captures(lua, matcher, start, end), 1);
             break;
         case LUA_TTABLE:
-            push_capture(lua, matcher, 0, start, end, invalid_index);
+            push_capture(lua, matcher, 0, start, end);
             lua_gettable(lua, 3);
             break;
         default: add_replacement_text(lua, buffer, matcher, start, end); return true;

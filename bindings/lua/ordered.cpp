@@ -93,28 +93,30 @@ bool in_sequence(const Key& key, lua_Integer length) {
 // Pushes an array of the keys of the table at `table` that are not in 1..length, in order; nothing if there are none.
 bool push_sorted_keys(lua_State* lua, int table, lua_Integer length) {
     luaL_checkstack(lua, 5, nullptr);
+    Key few[keys_on_c_stack];
+    Key* keys = few;
     std::size_t count = 0;
     for (lua_pushnil(lua); lua_next(lua, table) != 0; lua_pop(lua, 1)) {
         poll_budget(lua);
-        if (!in_sequence(read_key(lua, -2), length)) ++count;
+        const Key key = read_key(lua, -2);
+        if (in_sequence(key, length)) continue;
+        if (count < keys_on_c_stack) few[count] = key;
+        ++count;
     }
     if (count == 0) return false;
-
-    Key few[keys_on_c_stack];
-    Key* keys = few;
+    lua_pushnil(lua);
     if (count > keys_on_c_stack) {
         keys = static_cast<Key*>(lua_newuserdatauv(lua, count * sizeof(Key), 0));
-    } else {
-        lua_pushnil(lua);
-    }
-    std::size_t at = 0;
-    for (lua_pushnil(lua); lua_next(lua, table) != 0; lua_pop(lua, 1)) {
-        const Key key = read_key(lua, -2);
-        if (!in_sequence(key, length)) keys[at++] = key;
+        lua_replace(lua, -2);
+        Key* next = keys;
+        for (lua_pushnil(lua); lua_next(lua, table) != 0; lua_pop(lua, 1)) {
+            const Key key = read_key(lua, -2);
+            if (!in_sequence(key, length)) *next++ = key;
+        }
     }
     std::sort(keys, keys + count);
     lua_createtable(lua, static_cast<int>(count), 0);
-    for (at = 0; at < count; ++at) {
+    for (std::size_t at = 0; at < count; ++at) {
         push_key(lua, keys[at]);
         lua_rawseti(lua, -2, static_cast<lua_Integer>(at + 1));
     }
@@ -151,6 +153,10 @@ int step(lua_State* lua) {
     const bool starts = lua_isnoneornil(lua, 2);
     if (starts || lua_type(lua, keys) == LUA_TNIL) {
         const lua_Integer last = starts ? 0 : lua_tointeger(lua, 2);
+        if (starts) {
+            lua_pushnil(lua);
+            lua_replace(lua, keys);
+        }
         if (push_element(lua, table, last + 1)) return 2;
         lua_pushvalue(lua, table);
         if (!push_sorted_keys(lua, lua_gettop(lua), last)) {
@@ -178,6 +184,10 @@ const char cache_key = 0;  // its address is the registry's key of the table fro
 // Pushes the sorted keys that `next` made for the table at `table`, or nil. Makes the cache that they are in when asked
 // to.
 int push_cached_keys(lua_State* lua, int table, bool make) {
+    if (!make && !LuaState::of(lua).has_next_cache) {
+        lua_pushnil(lua);
+        return LUA_TNIL;
+    }
     if (lua_rawgetp(lua, LUA_REGISTRYINDEX, &cache_key) != LUA_TTABLE) {
         if (!make) return LUA_TNIL;
         lua_pop(lua, 1);
@@ -188,6 +198,7 @@ int push_cached_keys(lua_State* lua, int table, bool make) {
         lua_setmetatable(lua, -2);
         lua_pushvalue(lua, -1);
         lua_rawsetp(lua, LUA_REGISTRYINDEX, &cache_key);
+        LuaState::of(lua).has_next_cache = true;
     }
     lua_pushvalue(lua, table);
     const int type = lua_rawget(lua, -2);
@@ -195,7 +206,7 @@ int push_cached_keys(lua_State* lua, int table, bool make) {
     return type;
 }
 
-// Stores the value on top, which is popped, as the sorted keys of the table.
+// Remembers the value on top, which is popped, of the table.
 void cache_keys(lua_State* lua, int table) {
     push_cached_keys(lua, table, true);
     lua_pop(lua, 1);
@@ -224,12 +235,10 @@ lua_Integer place_after(lua_State* lua, const Key& key) {
 }
 
 int first_entry(lua_State* lua) {
-    LuaState& state = LuaState::of(lua);
     if (push_cached_keys(lua, 1, false) != LUA_TNIL) {
         lua_pushnil(lua);
         cache_keys(lua, 1);
     }
-    if (state.scattered_traversal == lua_topointer(lua, 1)) state.scattered_traversal = nullptr;
     if (push_element(lua, 1, 1)) return 2;
     lua_settop(lua, 1);
     lua_pushnil(lua);
@@ -249,8 +258,11 @@ int first_entry(lua_State* lua) {
         least = key;
         lua_copy(lua, -1, 2);
     }
-    if (least.kind == KeyKind::integer && least.integer > 1) state.scattered_traversal = lua_topointer(lua, 1);
     lua_settop(lua, 2);
+    if (least.kind == KeyKind::integer && least.integer > 1) {
+        lua_pushboolean(lua, 1);  // the next call must not take it for a place in 1..n
+        cache_keys(lua, 1);
+    }
     lua_pushvalue(lua, 2);
     lua_rawget(lua, 1);
     return 2;
@@ -269,7 +281,6 @@ lua_Integer sequence_length(lua_State* lua, int table) {
 }  // namespace
 
 int ordered_pairs(lua_State* lua) {
-    luaL_checkany(lua, 1);
     if (luaL_getmetafield(lua, 1, "__pairs") != LUA_TNIL) {
         lua_pushvalue(lua, 1);
         lua_callk(lua, 1, 3, 0, after_pairs_metamethod);
@@ -292,30 +303,27 @@ int ordered_next(lua_State* lua) {
     if (lua_isnil(lua, 2)) return first_entry(lua);
 
     const Key key = read_key(lua, 2);
-    LuaState& state = LuaState::of(lua);
-    bool in_others = push_cached_keys(lua, 1, false) != LUA_TNIL;
+    const int cached = push_cached_keys(lua, 1, false);
+    const bool may_be_in_sequence = key.kind == KeyKind::integer && key.integer >= 1;
     lua_Integer at = 1;
-    if (in_others) {
+    if (cached == LUA_TTABLE) {
         at = place_after(lua, key);
-        // The table may be traversed twice at a time: is this one still in 1..n?
-        if (key.kind == KeyKind::integer && key.integer >= 1) {
+        if (may_be_in_sequence) {  // where a table is traversed twice at a time, one may still be there
             lua_rawgeti(lua, -1, at - 1);
-            in_others = lua_rawequal(lua, 2, -1) != 0;
+            const bool in_others = lua_rawequal(lua, 2, -1) != 0;
             lua_pop(lua, 1);
             if (!in_others) at = 1;
+            if (!in_others && push_element(lua, 1, key.integer + 1)) return 2;
         }
-        if (!in_others && push_element(lua, 1, key.integer + 1)) return 2;
     } else {
-        const bool scattered = state.scattered_traversal == lua_topointer(lua, 1);
-        const bool sequence = key.kind == KeyKind::integer && key.integer >= 1 && !scattered;
-        if (sequence && push_element(lua, 1, key.integer + 1)) return 2;
+        const bool in_sequence = may_be_in_sequence && cached == LUA_TNIL;
+        if (in_sequence && push_element(lua, 1, key.integer + 1)) return 2;
         lua_pop(lua, 1);
-        if (!push_sorted_keys(lua, 1, sequence ? key.integer : sequence_length(lua, 1))) {
+        if (!push_sorted_keys(lua, 1, in_sequence ? key.integer : sequence_length(lua, 1))) {
             lua_pushnil(lua);
             return 1;
         }
-        if (!sequence) at = place_after(lua, key);
-        if (scattered) state.scattered_traversal = nullptr;
+        if (!in_sequence) at = place_after(lua, key);
         lua_pushvalue(lua, -1);
         cache_keys(lua, 1);
     }

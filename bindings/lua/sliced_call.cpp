@@ -51,7 +51,7 @@ SlicedCall::Progress SlicedCall::advance(std::chrono::microseconds slice) {
     call.sliced_bottom = thread_;
     call.slice_end = std::chrono::steady_clock::now() + slice;
     const std::int64_t began = thread_time();
-    lua_sethook(thread_, watch_hook, LUA_MASKCOUNT, hook_interval);
+    keep_watching(thread_);
     int results = 0;
     const int status = lua_resume(thread_, nullptr, arguments_, &results);
     arguments_ = 0;

@@ -49,10 +49,9 @@ union Plain {
     } text;
 };
 
-// Where things lie on the stack of `sort_table`.
+// Where things lie on the stack of `sort_table`; 3 is the memory for the places.
 constexpr int sorted_table = 1;
 constexpr int comparison = 2;
-[[maybe_unused]] constexpr int places_memory = 3;
 constexpr int elements = 4;
 constexpr int plain_memory = 5;
 

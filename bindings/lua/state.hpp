@@ -62,8 +62,8 @@ public:
     /// The next number that tells a table, function, userdata or coroutine from the others in its text ("table: 1").
     std::int64_t next_identity() { return ++identities_; }
 
-    /// The table whose traversal by `next` began past 1; only to compare.
-    const void* scattered_traversal = nullptr;
+    /// Whether `next` has ever had to remember keys.
+    bool has_next_cache = false;
 
 private:
     explicit LuaState(StateOptions options);

@@ -117,13 +117,19 @@ const Entries& utf8() {
 
 Expected<void> open_sandbox(LuaState& state) {
     const auto opened = protect(state.lua(), Budget{10.0}, [](lua_State* lua) {
+        // Lua looks here for the name of a function whose caller gave it none.
+        luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
         lua_pushglobaltable(lua);
+        lua_pushvalue(lua, -1);
+        lua_setfield(lua, -3, LUA_GNAME);
         for (const library::Entry& entry : library::basic()) {
             lua_pushcfunction(lua, entry.function);
             lua_setfield(lua, -2, entry.name);
         }
         for (const library::Library& each : library::libraries) {
             each.push(lua);
+            lua_pushvalue(lua, -1);
+            lua_setfield(lua, -4, each.name);
             lock_table(lua, each.name);
             lua_setfield(lua, -2, each.name);
         }

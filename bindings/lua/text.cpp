@@ -44,16 +44,17 @@ void push_identity(lua_State* lua, int index) {
 
 const char* push_text(lua_State* lua, int index, std::size_t* length) {
     index = lua_absindex(lua, index);
-    if (luaL_callmeta(lua, index, "__tostring") != 0) {
-        if (lua_isstring(lua, -1) == 0) luaL_error(lua, "'__tostring' must return a string");
-    } else {
-        switch (lua_type(lua, index)) {
-            case LUA_TNIL:
-            case LUA_TBOOLEAN:
-            case LUA_TNUMBER:
-            case LUA_TSTRING: return luaL_tolstring(lua, index, length);
-            default: push_identity(lua, index);
-        }
+    switch (lua_type(lua, index)) {
+        case LUA_TNIL:
+        case LUA_TBOOLEAN:
+        case LUA_TNUMBER:
+        case LUA_TSTRING: return luaL_tolstring(lua, index, length);
+        default: break;
+    }
+    if (luaL_callmeta(lua, index, "__tostring") == 0) {
+        push_identity(lua, index);
+    } else if (lua_isstring(lua, -1) == 0) {
+        luaL_error(lua, "'__tostring' must return a string");
     }
     return lua_tolstring(lua, -1, length);
 }

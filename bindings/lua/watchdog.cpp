@@ -35,6 +35,7 @@ constinit thread_local CallRecord* current_call = nullptr;
 namespace {
 
 constexpr std::int64_t tick_ns = 5'000'000;
+constexpr int deep_recursion = 20'000;  // calls within calls
 constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
 
 int watch_signal() { return SIGRTMIN + 5; }
@@ -43,14 +44,18 @@ NEZUMI_IN_SIGNAL std::int64_t nanoseconds(const timespec& time) {
     return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
 }
 
+NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
+    timespec time{};
+    NEZUMI_CLOCK_GETTIME(CLOCK_THREAD_CPUTIME_ID, &time);
+    return nanoseconds(time);
+}
+
 // Runs in the thread that is watched, between any two of its instructions. It only looks at the clock and calls
 // lua_sethook, which Lua allows here.
 NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void*) {
     const int saved_errno = errno;
     CallRecord* const innermost = *static_cast<CallRecord* volatile*>(info->si_value.sival_ptr);
-    timespec time{};
-    NEZUMI_CLOCK_GETTIME(CLOCK_THREAD_CPUTIME_ID, &time);
-    const std::int64_t now = nanoseconds(time);
+    const std::int64_t now = time_in_signal();
     CallRecord* expired = nullptr;  // the outermost one
     for (CallRecord* call = innermost; call != nullptr; call = call->outer) {
         if (call->seen == 0) call->seen = now;
@@ -60,7 +65,13 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void*) {
     for (CallRecord* call = expired != nullptr ? innermost : nullptr; call != nullptr; call = call->outer) {
         call->budget_seconds = expired->budget_seconds;
         call->expired = 1;
-        lua_sethook(call->running, watch_hook, LUA_MASKCOUNT, 1);
+        // Setting a hook visits every function that is being called, which may take longer than the time between two
+        // ticks: then the script would never get to the instruction that raises the error.
+        if (now >= call->next_hook) {
+            lua_sethook(call->running, watch_hook, LUA_MASKCOUNT, 1);
+            const std::int64_t done = time_in_signal();
+            call->next_hook = done + 8 * (done - now);
+        }
         if (call == expired) break;
     }
     errno = saved_errno;
@@ -155,7 +166,7 @@ CallRecord::CallRecord(lua_State* lua, Budget budget)
         polled_limit = thread_time() + budget_ns;
         if (outer != nullptr && outer->polled_limit != 0) polled_limit = std::min(polled_limit, outer->polled_limit);
         keep_hook = true;
-        lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
+        keep_watching(lua);
     }
     std::atomic_signal_fence(std::memory_order_seq_cst);
     current_call = this;
@@ -166,13 +177,17 @@ CallRecord::~CallRecord() {
     std::atomic_signal_fence(std::memory_order_seq_cst);
 }
 
+void keep_watching(lua_State* lua) {
+    if (lua_gethook(lua) != watch_hook) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
+}
+
 void watch_hook(lua_State* lua, lua_Debug*) {
     CallRecord* const call = current_call;
     if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
     if (call->polled_limit != 0 && thread_time() > call->polled_limit) call->expired = 1;
     if (call->expired != 0) {
         // From here on every instruction ends here: neither handlers nor closers of variables run on.
-        lua_sethook(lua, watch_hook, LUA_MASKCOUNT, 1);
+        if (lua_gethookcount(lua) != 1) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, 1);
         raise_expiry(lua);
     }
     if (call->slicing && lua_isyieldable(lua) != 0 && std::chrono::steady_clock::now() >= call->slice_end) {
@@ -180,7 +195,11 @@ void watch_hook(lua_State* lua, lua_Debug*) {
         lua_yield(lua, 0);
         return;
     }
-    if (!call->keep_hook) lua_sethook(lua, nullptr, 0, 0);
+    if (!call->keep_hook) {
+        lua_sethook(lua, nullptr, 0, 0);
+    } else if (lua_gethookcount(lua) != hook_interval) {  // left by a call that was stopped
+        lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
+    }
 }
 
 void raise_expiry(lua_State* lua) {
@@ -203,6 +222,8 @@ void note_memory_limit(const LuaState& state) {
     CallRecord* const call = current_call;
     if (call == nullptr || &LuaState::of(call->running) != &state) return;
     call->memory_refused = true;
+    lua_Debug activation;
+    call->memory_refused_deep = lua_getstack(call->running, deep_recursion, &activation) != 0;
     call->memory_place.line = 0;
     find_place(call->running, call->memory_place);
 }

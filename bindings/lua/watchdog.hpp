@@ -47,6 +47,7 @@ public:
     CallRecord* const outer;                 ///< the call within which this one was made
     volatile std::sig_atomic_t expired = 0;  ///< the budget, or that of a call around this one, is used up
     volatile std::int64_t seen = 0;          ///< [ns] of CPU time, when the timer first found this call
+    std::int64_t next_hook = 0;              ///< [ns] when the timer may set the hook again
     std::int64_t budget_ns;                  ///< so long after that, the budget is used up
     double budget_seconds;                   ///< for the message
     std::int64_t pattern_steps = pattern_step_budget;
@@ -59,12 +60,13 @@ public:
     std::chrono::steady_clock::time_point slice_end{};
     std::int64_t polled_limit = 0;  ///< [ns] of CPU time, where there is no timer; 0: there is one
 
-    ScriptPlace expiry_place;      ///< where the script was when it was stopped
-    bool memory_refused = false;   ///< the state's limit was reached
-    ScriptPlace memory_place;      ///< where, last
-    ScriptPlace error_place;       ///< where an error was raised
-    int caught_status = LUA_OK;    ///< how a sliced call failed
-    std::size_t error_prefix = 0;  ///< bytes of the message that say that place
+    ScriptPlace expiry_place;          ///< where the script was when it was stopped
+    bool memory_refused = false;       ///< the state's limit was reached
+    bool memory_refused_deep = false;  ///< within a deep recursion, last
+    ScriptPlace memory_place;          ///< where, last
+    ScriptPlace error_place;           ///< where an error was raised
+    int caught_status = LUA_OK;        ///< how a sliced call failed
+    std::size_t error_prefix = 0;      ///< bytes of the message that say that place
 };
 
 /// The innermost call of this thread, or null. Constant-initialised, hence a plain load.
@@ -82,6 +84,9 @@ void watch_hook(lua_State* lua, lua_Debug* activation);
 
 /// Instructions between two looks at the clock while a call is sliced.
 inline constexpr int hook_interval = 1000;
+
+/// Sets that hook, at that interval, unless it is set: for calls whose record says `keep_hook`.
+void keep_watching(lua_State* lua);
 
 /// Whether nesting through C functions has used up what scripts may use of this thread's C stack, 1 MB.
 bool c_stack_is_used_up();
