@@ -82,6 +82,27 @@ TEST_CASE("a script can't catch the end of its time", "[lua][watchdog]") {
     CHECK(box.run("return 'the state lives on'") == "the state lives on");
 }
 
+TEST_CASE("an endless loop far down in a recursion is stopped", "[lua][watchdog]") {
+    const std::string closer = "local c = setmetatable({}, { __close = function() while true do end end }) ";
+    const std::string text = GENERATE_COPY(
+        as<std::string>{}, "local function f(n) if n == 0 then while true do end end return 1 + f(n - 1) end f(150000)",
+        "local function f(n) if n == 0 then while true do end end return 1 + f(n - 1) end pcall(f, 150000) f(150000)",
+        closer +
+            "local function f(n) local x <close> = c if n == 0 then while true do end end return 1 + f(n - 1) end "
+            "pcall(f, 100000) while true do end",
+        closer +
+            "local function f(n) local x <close> = c if n == 0 then while true do end end return 1 + f(n - 1) end "
+            "coroutine.resume(coroutine.create(f), 100000)",
+        closer +
+            "local function f(n) local x <close> = c if n == 0 then coroutine.yield() end return 1 + f(n - 1) end "
+            "local co = coroutine.create(f) coroutine.resume(co, 100000) coroutine.close(co)");
+    CAPTURE(text);
+    Box box;
+    const std::int64_t began = thread_time();
+    CHECK(box.run(text) == "box.lua:1: " + too_long);
+    CHECK(thread_time() - began < 2'000'000'000);
+}
+
 TEST_CASE("a coroutine that was stopped stays stopped in later calls", "[lua][watchdog]") {
     Box box;
     CHECK(box.run("kept = coroutine.create(function()\n"

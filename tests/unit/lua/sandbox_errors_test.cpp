@@ -1,0 +1,200 @@
+// What a script's error looks like from outside, and what it may use of memory.
+#include <catch2/catch.hpp>
+
+#include "sandbox_support.hpp"
+
+namespace nezumi {
+namespace {
+
+TEST_CASE("an error names the script's line", "[lua][call]") {
+    Box box;
+    CHECK(box.run("\n\nerror('stop')") == "box.lua:3: stop");
+    CHECK(box.run("local function f() error('stop', 2) end\n\nf()") == "box.lua:3: stop");
+    CHECK(box.run("\nerror('no place', 0)") == "box.lua:2: no place");
+    CHECK(box.run("\nlocal t\nt.x = 1") == "box.lua:3: attempt to index a nil value (local 't')");
+    CHECK(box.run("\nstring.rep()") == "box.lua:2: bad argument #1 to 'rep' (string expected, got no value)");
+    CHECK(box.run("\nreturn ('x'):rep({})") == "box.lua:2: bad argument #1 to 'rep' (number expected, got table)");
+    CHECK(box.run("assert(false)") == "box.lua:1: assertion failed!");
+    CHECK(box.run("assert(nil, 'because')") == "box.lua:1: because");
+    CHECK(box.run("coroutine.wrap(function()\nerror('inside') end)()") == "box.lua:2: inside");
+    CHECK(box.run("table.sort({ 2, 1 }, function()\nerror('inside') end)") == "box.lua:2: inside");
+    CHECK(lua_gettop(box.lua()) == 0);
+    CHECK_FALSE(box.over_budget);
+}
+
+TEST_CASE("place and message of an error come apart", "[lua][call]") {
+    Box box;
+    load_chunk(box.lua(), compile("\nerror('stop: 12: x')", "folder/a.lua").value());
+    const auto called = protected_call(box.lua(), 0, 0, paced_budget);
+    REQUIRE_FALSE(called);
+    CHECK(called.error().message == "stop: 12: x");
+    CHECK(called.error().place == Place{"folder/a.lua", 2, 0});
+}
+
+TEST_CASE("a long file name is not shortened in an error's place", "[lua][call]") {
+    const std::string name = std::string(100, 'd') + "/a.lua";
+    Box box;
+    load_chunk(box.lua(), compile("\nlocal x = nil + 1", name).value());
+    const auto called = protected_call(box.lua(), 0, 0, paced_budget);
+    CHECK(called.error().place == Place{name, 2, 0});
+    CHECK(called.error().message == "attempt to perform arithmetic on a nil value");
+    CHECK(compile("\nlocal x = = 1", name).error().place == Place{name, 2, 0});
+    CHECK(compile("\nlocal x = = 1", name).error().message == "unexpected symbol near '='");
+}
+
+TEST_CASE("an error without a message is told all the same", "[lua][call]") {
+    Box box;
+    CHECK(box.run("error()") == "box.lua:1: an error was raised with nil in the place of a message");
+    CHECK(box.run("error(nil)") == "box.lua:1: an error was raised with nil in the place of a message");
+    CHECK(box.run("error({})") == "box.lua:1: an error was raised with a table in the place of a message");
+    CHECK(box.run("error(print)") == "box.lua:1: an error was raised with a function in the place of a message");
+    CHECK(box.run("error(true)") == "box.lua:1: an error was raised with a boolean in the place of a message");
+    CHECK(box.run("error(42)") == "box.lua:1: 42");
+    CHECK(box.run("error('')") == "box.lua:1: ");
+    CHECK(box.run("error(setmetatable({}, { __tostring = function() return 'mine' end }))") == "box.lua:1: mine");
+    CHECK(box.run("error(setmetatable({}, { __tostring = function() error('again') end }))") == "box.lua:1: again");
+    CHECK(box.run("error(setmetatable({}, { __tostring = function() return {} end }))") ==
+          "box.lua:1: an error was raised with a table in the place of a message");
+    CHECK(box.run("error(('x'):rep(1e7), 0)").size() < 3000);
+}
+
+TEST_CASE("a hint is added to what it concerns", "[lua][call]") {
+    Box box;
+    box.state->set_hint([](std::string_view message) -> std::string {
+        return message.find("upvalue") != std::string_view::npos ? " (a hint)" : "";
+    });
+    CHECK(box.run("local u local function f() return u.x end f()") ==
+          "box.lua:1: attempt to index a nil value (upvalue 'u') (a hint)");
+    CHECK(box.run("local l return l.x") == "box.lua:1: attempt to index a nil value (local 'l')");
+}
+
+TEST_CASE("deep recursion is an error", "[lua][call]") {
+    Box box;
+    CHECK(box.run("local function f() return 1 + f() end f()", Budget{2.0}) ==
+          "box.lua:1: stack overflow: the recursion is too deep for the script's limit of 64 MB");
+    CHECK(box.run("local function f(...) return 1 + f(1, 2, 3, 4, 5, 6, 7, 8, ...) end f()", Budget{2.0}) ==
+          "box.lua:1: stack overflow");
+}
+
+TEST_CASE("deep recursion through C is an error, however it is done", "[lua][call]") {
+    Box box;
+    const char* const text = GENERATE(
+        as<const char*>{},
+        "local t = setmetatable({}, {}) getmetatable(t).__index = function(t, k) return t[k] end return t.x",
+        "local t = setmetatable({}, {}) getmetatable(t).__newindex = function(t, k, v) t[k] = v end t.x = 1",
+        "local t = setmetatable({}, {}) getmetatable(t).__concat = function(a, b) return a .. b end return t .. t",
+        "local t = setmetatable({}, {}) getmetatable(t).__add = function(a, b) return a + b end return t + t",
+        "local t = setmetatable({}, {}) getmetatable(t).__eq = function(a, b) return a == {} end return t == {}",
+        "local t = setmetatable({}, {}) getmetatable(t).__lt = function(a, b) return a < b end return t < t",
+        "local t = setmetatable({}, {}) getmetatable(t).__len = function(a) return #a end return #t",
+        "local t = setmetatable({}, {}) getmetatable(t).__call = function(a) return 1 + a() end return t()",
+        "local t = setmetatable({}, { __tostring = function(t) return tostring(t) end }) return tostring(t)",
+        "local t = setmetatable({}, { __tostring = function(t) return ('%s'):format(t) end }) print(t)",
+        "local t = setmetatable({}, { __pairs = function(t) return pairs(t) end }) pairs(t)",
+        "local function f(s) return (s:gsub('.', f)) end f('x')",
+        "local t = setmetatable({}, {}) getmetatable(t).__index = function(_, k) return ('x'):gsub('x', t) end "
+        "('x'):gsub('x', t)",
+        "local function f() table.sort({ 1, 2, 3 }, f) end f()", "local function f() coroutine.wrap(f)() end f()",
+        "local function f() for _ in coroutine.wrap(f) do end end f()",
+        "local t = setmetatable({}, {}) getmetatable(t).__lt = function() table.sort { t, t } end table.sort { t, t }",
+        "local t = setmetatable({}, {}) getmetatable(t).__len = function() table.insert(t, 1) end table.insert(t, 1)",
+        "local t = setmetatable({}, {}) getmetatable(t).__index = function() return table.concat(t, '', 1, 1) end "
+        "table.concat(t, '', 1, 1)",
+        "local t = setmetatable({}, {}) getmetatable(t).__index = function() return table.unpack(t, 1, 1) end "
+        "table.unpack(t, 1, 1)",
+        "local t = setmetatable({}, {}) getmetatable(t).__close = function() local x <close> = t end local x <close> = "
+        "t",
+        "local function f() local c = coroutine.create(function() local x <close> = setmetatable({}, { __close = f }) "
+        "coroutine.yield() end) coroutine.resume(c) assert(coroutine.close(c)) end f()");
+    CAPTURE(text);
+    const std::string outcome = box.run(text, Budget{2.0});
+    CHECK((outcome.find("stack overflow") != std::string::npos ||
+           outcome.find("error in error handling") != std::string::npos));
+    CHECK(box.run("return 'the state lives on'") == "the state lives on");
+}
+
+TEST_CASE("deep recursion that is caught again and again ends by its time", "[lua][watchdog]") {
+    const char* const text = GENERATE(
+        as<const char*>{}, "local function f() while true do pcall(f) end end f()",
+        "local function f() xpcall(f, f) f() end while true do pcall(f) end",
+        "local function f() local c = coroutine.create(f) coroutine.resume(c) f() end while true do pcall(f) end",
+        "local function f() xpcall(function() local x <close> = setmetatable({}, { __close = f }) f() end, f) end "
+        "while true do pcall(f) end");
+    Box box;
+    CHECK(box.run(text).find("ran for more than 0.1 s") != std::string::npos);
+    CHECK(box.run("return 'the state lives on'") == "the state lives on");
+}
+
+TEST_CASE("the memory limit is exact", "[lua][memory]") {
+    StateOptions options;
+    options.memory_limit = 1 << 20;
+    Box box(options);
+    CHECK(box.run("return #('x'):rep(400000)") == "400000");
+    CHECK(box.run("local t = {} while true do t[#t + 1] = {} end") ==
+          "box.lua:1: not enough memory: the script reached its limit of 1 MB");
+    CHECK(box.state->memory() < 20'000);  // and nothing of it stays
+    CHECK(box.run("\nlocal s = 'x' while true do s = s .. s end") ==
+          "box.lua:2: not enough memory: the script reached its limit of 1 MB");
+    CHECK(box.run("local s = 'x' return pcall(function() while true do s = s .. s end end)") ==
+          "false not enough memory");
+    CHECK(box.run("return 'the state lives on'") == "the state lives on");
+}
+
+TEST_CASE("memory that is let go of is counted back", "[lua][memory]") {
+    Box box;
+    lua_gc(box.lua(), LUA_GCCOLLECT);
+    const std::size_t before = box.state->memory();
+    CHECK(before < 16'000);
+    CHECK(box.run("local t = {} for i = 1, 10000 do t[i] = { i } end return #t") == "10000");
+    lua_settop(box.lua(), 0);
+    lua_gc(box.lua(), LUA_GCCOLLECT);
+    lua_gc(box.lua(), LUA_GCCOLLECT);
+    CHECK(box.state->memory() < before + 1000);
+    CHECK(box.state->memory() == static_cast<std::size_t>(lua_gc(box.lua(), LUA_GCCOUNT)) * 1024 +
+                                     static_cast<std::size_t>(lua_gc(box.lua(), LUA_GCCOUNTB)));
+}
+
+TEST_CASE("a state that is too small can't be made, and says so", "[lua][memory]") {
+    StateOptions options;
+    for (options.memory_limit = 1000; options.memory_limit < 20'000; options.memory_limit += 97) {
+        const auto state = create_sandbox(options);
+        if (state) break;
+        CHECK(state.error().message.find("not enough memory") == 0);
+    }
+    CHECK(options.memory_limit > 5000);
+    CHECK(options.memory_limit < 20'000);
+}
+
+TEST_CASE("running out of memory at any point leaves the state whole", "[lua][memory]") {
+    const char* const text =
+        "local t = {} for i = 1, 20 do t['k' .. i] = { i, tostring({}) } end for k, v in pairs(t) do t[k] = v[1] .. k "
+        "end "
+        "table.sort({ 3, 1, 2 }, function(a, b) return a < b end) local s = ('a,b,c'):gsub('%w', { a = 'x' }) "
+        "for w in s:gmatch('%w') do t[#t + 1] = w end local c = coroutine.wrap(function() "
+        "coroutine.yield(('%p'):format(t)) end) "
+        "c() c() print(t, next(t), table.unpack(t)) return pcall(error, { s })";
+    Box plenty;
+    CHECK(plenty.run(text) == "false table");
+    std::size_t failures = 0;
+    for (std::size_t more = 0; more < 20'000; more += 61) {
+        Box box;
+        const Chunk chunk = compile(text, "box.lua").value();
+        box.state->set_memory_limit(box.state->memory() + more);
+        if (const auto loaded = load_chunk(box.lua(), chunk)) {
+            const std::string outcome = box.call();
+            if (outcome != "false table" && outcome != "false string") {
+                CHECK(outcome.find("not enough memory") != std::string::npos);
+                ++failures;
+            }
+        } else {
+            CHECK(loaded.error().message.find("not enough memory") == 0);
+        }
+        lua_settop(box.lua(), 0);
+        box.state->set_memory_limit(1 << 20);
+        CHECK(box.run("return 'the state lives on'") == "the state lives on");
+    }
+    CHECK(failures > 10);
+}
+
+}  // namespace
+}  // namespace nezumi
