@@ -69,9 +69,8 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
             if (length <= longest_message) return {text, length};
             return std::string(text, longest_message) + "...";
         }
-        case LUA_TNIL: return "an error was raised with nil in the place of a message";
-        default:
-            return std::string("an error was raised with a ") + luaL_typename(lua, -1) + " in the place of a message";
+        case LUA_TNIL: return "an error of value nil";
+        default: return std::string("an error of type ") + luaL_typename(lua, -1);
     }
 }
 

@@ -44,17 +44,17 @@ TEST_CASE("a long file name is not shortened in an error's place", "[lua][call]"
 
 TEST_CASE("an error without a message is told all the same", "[lua][call]") {
     Box box;
-    CHECK(box.run("error()") == "box.lua:1: an error was raised with nil in the place of a message");
-    CHECK(box.run("error(nil)") == "box.lua:1: an error was raised with nil in the place of a message");
-    CHECK(box.run("error({})") == "box.lua:1: an error was raised with a table in the place of a message");
-    CHECK(box.run("error(print)") == "box.lua:1: an error was raised with a function in the place of a message");
-    CHECK(box.run("error(true)") == "box.lua:1: an error was raised with a boolean in the place of a message");
+    CHECK(box.run("error()") == "box.lua:1: an error of value nil");
+    CHECK(box.run("error(nil)") == "box.lua:1: an error of value nil");
+    CHECK(box.run("error({})") == "box.lua:1: an error of type table");
+    CHECK(box.run("error(print)") == "box.lua:1: an error of type function");
+    CHECK(box.run("error(true)") == "box.lua:1: an error of type boolean");
     CHECK(box.run("error(42)") == "box.lua:1: 42");
     CHECK(box.run("error('')") == "box.lua:1: ");
     CHECK(box.run("error(setmetatable({}, { __tostring = function() return 'mine' end }))") == "box.lua:1: mine");
     CHECK(box.run("error(setmetatable({}, { __tostring = function() error('again') end }))") == "box.lua:1: again");
     CHECK(box.run("error(setmetatable({}, { __tostring = function() return {} end }))") ==
-          "box.lua:1: an error was raised with a table in the place of a message");
+          "box.lua:1: an error of type table");
     CHECK(box.run("error(('x'):rep(1e7), 0)").size() < 3000);
 }
 

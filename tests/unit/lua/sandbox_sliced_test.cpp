@@ -123,7 +123,7 @@ TEST_CASE("a sliced line looks to itself as if it were none", "[lua][sliced]") {
     CHECK(run_sliced(box, "return coroutine.wrap(function() coroutine.yield('in') end)()").text == "in");
     CHECK(run_sliced(box, "return 1, nil, 'x'").text == "1 nil x");
     CHECK(run_sliced(box, "\nerror('stop')").text == "line:2: stop");
-    CHECK(run_sliced(box, "error({})").text == "line:1: an error was raised with a table in the place of a message");
+    CHECK(run_sliced(box, "error({})").text == "line:1: an error of type table");
     CHECK(run_sliced(box, "error(setmetatable({}, { __tostring = function() return 'mine' end }))").text ==
           "line:1: mine");
     CHECK(run_sliced(box, "local t = {} while true do t[#t + 1] = {} end").text ==
