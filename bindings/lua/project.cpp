@@ -111,7 +111,7 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
     std::vector<fs::path> folders{(working_ / named_in).parent_path()};
     if (!root_.empty()) folders.push_back(root_ / "behaviors");
     for (const fs::path& installed : installed_) {
-        if (kind == FileKind::model) folders.push_back(installed / "engine/robots");
+        if (kind == FileKind::model || kind == FileKind::data) folders.push_back(installed / "engine/robots");
         folders.push_back(installed / "behaviors");
     }
     const fs::path file = file_name(kind, name);

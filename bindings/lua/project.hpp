@@ -17,7 +17,8 @@ enum class FileKind {
     model,   ///< a robot: `NAME.lua` in `behaviors/` or, of the installed ones, `engine/robots/`
     module,  ///< what `require "a.b"` names: `a/b.lua` in `behaviors/`
     system,  ///< a system: `NAME.lua` in `behaviors/`
-    data,    ///< a map, a table, a picture: the name as it is, in `behaviors/`
+    data,    ///< a map, a table, a picture: the name as it is, in `behaviors/` or, of the installed ones,
+             ///< `engine/robots/`
 };
 
 class Project {

@@ -50,6 +50,14 @@ void for_each_named(Fields& fields, std::string_view group, Read&& read) {
     named.done([](std::string_view) -> std::string { return ": expected NAME = { ... }"; });
 }
 
+// A hull that nobody described: a box about as long and as wide as the wheels are apart.
+BodySpec body_over(double track) {
+    BodySpec spec;
+    spec.size = {1.1 * track, 0.9 * track, 0.65 * track};
+    spec.at = {0, 0, clearance + spec.size.z / 2};
+    return spec;
+}
+
 BodySpec read_body(Fields body) {
     BodySpec spec;
     std::size_t shape = 0;
@@ -77,14 +85,14 @@ BodySpec read_body(Fields body) {
     return spec;
 }
 
-DriveSpec read_drive(Fields drive, const BodySpec& body) {
+DriveSpec read_drive(Fields drive) {
     DriveSpec spec;
     drive.require("radius", "the wheels' radius in metres");
     drive.require("track", "the distance between the wheels in metres");
     drive.number("radius", spec.radius, NumberRange::positive);
     drive.number("track", spec.track, NumberRange::positive);
     drive.number("pulses_per_turn", spec.pulses_per_turn, NumberRange::not_negative);
-    spec.skid = 0.4 * body.size.x;
+    spec.skid = 0;
     drive.number("skid", spec.skid, NumberRange::positive);
     drive.boolean("coasts_until_commanded", spec.coasts_until_commanded);
     read_limits(drive.inner("limits"), spec.limits);
@@ -152,6 +160,29 @@ PortSpec read_port(const std::string& name, Fields& port) {
     return spec;
 }
 
+// What every robot on wheels has: ports that the file gives no others for.
+void add_wheel_ports(RobotSpec& spec) {
+    const auto add = [&](bool is_input, std::string_view item, const char* name, const char* type, const char* doc) {
+        const bool has = std::any_of(spec.ports.begin(), spec.ports.end(), [&](const PortSpec& port) {
+            return port.name == name ||
+                   (port.is_input == is_input && !port.items.empty() && port.items.front() == item);
+        });
+        if (has) return;
+        PortSpec port;
+        port.name = name;
+        port.is_input = is_input;
+        port.type = type;
+        port.items = {std::string(item)};
+        port.doc = doc;
+        spec.ports.push_back(std::move(port));
+    };
+    add(true, "drive", "target_velocity_in", "TimedVelocity2D", "target velocity");
+    add(true, "odometry", "pose_update", "TimedPose2D", "sets the odometry's pose");
+    add(false, "velocity", "current_velocity_out", "TimedVelocity2D",
+        "velocity measured at the wheels, in the robot's frame");
+    add(false, "odometry", "current_pose_out", "TimedPose2D", "odometry pose");
+}
+
 void check_carriers(FieldCheck& check, const RobotSpec& spec) {
     std::vector<std::string_view> servos;
     for (const ActuatorSpec& actuator : spec.actuators) {
@@ -193,10 +224,10 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
     fields.text("doc", spec.doc);
     fields.require("mass", "kilograms");
     fields.number("mass", spec.mass, NumberRange::positive);
-    fields.require("body", "{ shape =, size = }");
-    if (fields.has("body")) spec.body = read_body(fields.inner("body"));
     fields.require("drive", "{ radius =, track =, limits = }");
-    if (fields.has("drive")) spec.drive = read_drive(fields.inner("drive"), spec.body);
+    if (fields.has("drive")) spec.drive = read_drive(fields.inner("drive"));
+    spec.body = fields.has("body") ? read_body(fields.inner("body")) : body_over(spec.drive.track);
+    if (spec.drive.skid == 0) spec.drive.skid = 0.4 * spec.body.size.x;
     for_each_named(fields, "sensors", [&](const std::string& name, Fields& entry) {
         spec.sensors.push_back(read_sensor_fields(name, entry, spec.body, help));
     });
@@ -206,6 +237,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
     for_each_named(fields, "ports",
                    [&](const std::string& name, Fields& entry) { spec.ports.push_back(read_port(name, entry)); });
     fields.done();
+    add_wheel_ports(spec);
     if (check.ok()) check_carriers(check, spec);
     if (check.ok()) check_ports(check, spec);
     return spec;

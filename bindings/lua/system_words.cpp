@@ -247,15 +247,18 @@ Expected<void> SystemWords::connect(const WordCall& call, const FileValue& from,
 
 Expected<void> SystemWords::seed(const WordCall& call, const FileValue& value) {
     const auto* whole = std::get_if<std::int64_t>(&value.data);
-    if (whole == nullptr || *whole < 0) {
-        return failure(fmt::format("seed: expected a whole number from 0 on, got {}",
-                                   whole == nullptr ? nezumi::kind_of(value) : fmt::format("{}", *whole)),
-                       call.place);
+    const auto* number = std::get_if<double>(&value.data);
+    const bool is_whole = number != nullptr && *number >= 0 && *number <= 9e15 && *number == std::floor(*number);
+    if (!is_whole && (whole == nullptr || *whole < 0)) {
+        const std::string got = whole != nullptr    ? fmt::format("{}", *whole)
+                                : number != nullptr ? text_of(*number)
+                                                    : nezumi::kind_of(value);
+        return failure(fmt::format("seed: expected a whole number from 0 on, got {}", got), call.place);
     }
     if (seed_place_)
         return failure(fmt::format("seed: is set already, at {}:{}", seed_place_->file, seed_place_->line), call.place);
     seed_place_ = call.place;
-    spec_.seed = static_cast<std::uint64_t>(*whole);
+    spec_.seed = is_whole ? static_cast<std::uint64_t>(*number) : static_cast<std::uint64_t>(*whole);
     return {};
 }
 

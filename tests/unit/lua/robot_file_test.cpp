@@ -172,7 +172,35 @@ TEST_CASE("a user's robot needs only a body and wheels", "[lua][robot_file]") {
     CHECK(robot.drive.skid == Approx(0.12));
     CHECK(robot.drive.limits == Limits{});
     CHECK(robot.model == "r");
-    CHECK(robot.ports.empty());
+}
+
+TEST_CASE("every robot has ports for its wheels, its own or the mouse's", "[lua][robot_file]") {
+    const RobotSpec plain = robot_of(with(""));
+    REQUIRE(plain.ports.size() == 4);
+    CHECK(port_of(plain, "target_velocity_in").items == std::vector<std::string>{"drive"});
+    CHECK(port_of(plain, "pose_update").is_input);
+    CHECK(port_of(plain, "current_velocity_out").items == std::vector<std::string>{"velocity"});
+    CHECK(port_of(plain, "current_pose_out").type == "TimedPose2D");
+    const RobotSpec own =
+        robot_of(with("ports = { go = { type = 'TimedVelocity2D', to = 'drive' }, here = { type = 'TimedPose2D', from "
+                      "= 'odometry' } }"));
+    REQUIRE(own.ports.size() == 4);
+    CHECK(port_of(own, "go").is_input);
+    CHECK(port_of(own, "pose_update").is_input);
+    CHECK(port_of(own, "current_velocity_out").items == std::vector<std::string>{"velocity"});
+}
+
+TEST_CASE("the smallest robot is wheels, a sensor and a port for it", "[lua][robot_file]") {
+    const RobotSpec robot = robot_of(R"(return robot_model {
+        mass  = 0.72,
+        drive = { radius = 0.024, track = 0.0925 },
+        sensors = { right_front = { kind = "range", at = { 0.035, -0.040, 0.0 }, yaw = 0.0, table = "ir_table.csv" } },
+        ports = { ir_sensor_out = { type = "TimedShortSeq", from = { "right_front" } } },
+      })");
+    CHECK(robot.body.size.x == Approx(0.10).margin(0.01));
+    CHECK(robot.body.at.z > robot.body.size.z / 2);
+    CHECK(robot.sensors[0].response(0.02) == 792);
+    CHECK(robot.ports.size() == 5);
 }
 
 TEST_CASE("a robot's limits hold on hardware too, unless it has others there", "[lua][robot_file]") {
@@ -311,8 +339,8 @@ TEST_CASE("a robot's value of the wrong kind is told with its field", "[lua][rob
 
 TEST_CASE("a robot's missing field is told with what belongs there", "[lua][robot_file]") {
     CHECK(error("return robot_model {}") == "r.lua:1: robot_model: field 'mass' is missing: expected kilograms");
-    CHECK(error("return robot_model { mass = 1, drive = { radius = 1, track = 1 } }") ==
-          "r.lua:1: robot_model: field 'body' is missing: expected { shape =, size = }");
+    CHECK(error("return robot_model { mass = 1 }") ==
+          "r.lua:1: robot_model: field 'drive' is missing: expected { radius =, track =, limits = }");
     CHECK(
         error("return robot_model { mass = 1, body = { size = { 1, 1, 1 } }, drive = { radius = 1 } }") ==
         "r.lua:1:63: robot_model: field 'drive.track' is missing: expected the distance between the wheels in metres");

@@ -212,6 +212,8 @@ TEST_CASE("seed, rate and the physics step are set once", "[lua][system_file]") 
     CHECK(error("physics { step = 0.01 }\nphysics { step = 0.01 }") ==
           "s.lua:2: physics: is set already, at behaviors/systems/s.lua:1");
     CHECK(error("seed(-1)") == "s.lua:1: seed: expected a whole number from 0 on, got -1");
+    CHECK(error("seed(1.5)") == "s.lua:1: seed: expected a whole number from 0 on, got 1.5");
+    CHECK(system_of("seed(1e3)").seed == 1000);
     CHECK(error("seed 'x'") == "s.lua:1: seed: expected a whole number from 0 on, got string");
     CHECK(error("rate(0)") == "s.lua:1: rate: expected a positive number of ticks a second, got 0");
     CHECK(error("rate(0/0)") == "s.lua:1: rate: expected a positive number of ticks a second, got nan");
