@@ -1,0 +1,52 @@
+// The examples of the documentation are files that can be read.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "bindings/lua/robot_file.hpp"
+#include "bindings/lua/system_file.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+
+// The Lua examples of a page.
+std::vector<std::string> examples(const std::string& page) {
+    const auto text = read_text_file(root / "docs" / page, page);
+    REQUIRE(text.has_value());
+    std::vector<std::string> found;
+    for (std::size_t at = 0; (at = text->find("```lua\n", at)) != std::string::npos;) {
+        at += 7;
+        const std::size_t end = text->find("```", at);
+        REQUIRE(end != std::string::npos);
+        found.push_back(text->substr(at, end - at));
+        at = end + 3;
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("the documentation's robots can be read", "[lua][docs]") {
+    const Project project = Project::of(root / "behaviors/r.lua", {root});
+    const auto all = examples("robot-files.md");
+    CHECK(all.size() == 2);
+    for (const std::string& text : all) {
+        const auto robot = read_robot_text(text, "behaviors/r.lua", project);
+        INFO((robot ? std::string() : describe(robot.error())));
+        CHECK(robot.has_value());
+    }
+}
+
+TEST_CASE("the documentation's systems can be read", "[lua][docs]") {
+    const Project project = Project::of(root / "behaviors/s.lua", {root});
+    const auto all = examples("system-files.md");
+    CHECK(all.size() == 2);
+    for (const std::string& text : all) {
+        const auto system = read_system_text(text, "behaviors/s.lua", project);
+        INFO((system ? std::string() : describe(system.error())));
+        CHECK(system.has_value());
+    }
+}
