@@ -38,6 +38,7 @@ ParameterValues read_values(Fields& fields, std::string_view name) {
 template <class Sets>
 std::vector<std::string_view> names_of(const Sets& sets) {
     std::vector<std::string_view> names;
+    names.reserve(sets.size());
     for (const auto& [name, values] : sets) names.push_back(name);
     return names;
 }
