@@ -23,7 +23,7 @@ Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, c
     if (const auto set = entry.sets.find(entry.set); set != entry.sets.end()) {
         for (const auto& [name, value] : set->second) script.configured.insert_or_assign(name, value);
     }
-    auto component = ScriptComponent::load(entry.name, std::move(*source), std::move(script));
+    auto component = ScriptComponent::load(entry.name, *source, std::move(script));
     if (!component) return Unexpected(component.error());
     return std::unique_ptr<Component>(std::move(*component));
 }

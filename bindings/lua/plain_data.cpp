@@ -77,7 +77,7 @@ struct Taker {
         constexpr std::size_t longest = 200;
         std::string path;
         while (at.table != Origin::kNoTable) {
-            path = key_text(at.key) + path;
+            path.insert(0, key_text(at.key));
             if (path.size() > longest) return "..." + path;
             at = origins[at.table];
         }

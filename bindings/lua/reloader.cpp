@@ -41,8 +41,25 @@ std::vector<ScriptComponent*> Reloader::scripts() const {
     return all;
 }
 
+std::vector<ScriptFile> Reloader::files() const {
+    std::vector<ScriptFile> all = attempted_;
+    for (const ScriptComponent* component : scripts()) {
+        all.push_back(component->script().file());
+        const auto& modules = component->script().modules();
+        all.insert(all.end(), modules.begin(), modules.end());
+    }
+    return all;
+}
+
 Expected<ReloadReport> Reloader::reload_files(const std::vector<std::string>& paths) {
+    auto changes = changes_of(paths);
+    if (!changes) return Unexpected(changes.error());
+    return run(*changes);
+}
+
+Expected<std::vector<Reloader::Change>> Reloader::changes_of(const std::vector<std::string>& paths) const {
     std::vector<std::string> changed;
+    changed.reserve(paths.size());
     for (const std::string& path : paths) changed.push_back(normal(path));
     std::map<std::string, SourceText> sources;
     std::vector<Change> changes;
@@ -59,7 +76,36 @@ Expected<ReloadReport> Reloader::reload_files(const std::vector<std::string>& pa
         }
         changes.emplace_back(component, source->second);
     }
-    return run(changes);
+    return changes;
+}
+
+Expected<std::vector<Reloader::Rehearsal>> Reloader::rehearsal(const std::vector<std::string>& paths) const {
+    auto changes = changes_of(paths);
+    if (!changes) return Unexpected(changes.error());
+    std::vector<Rehearsal> parts;
+    for (auto& [component, source] : *changes) {
+        auto state = component->copy_state();
+        if (!state) return Unexpected(still_running(state.error(), *component));
+        Rehearsal part{.source = source,
+                       .context = component->script().context(),
+                       .parameters = component->parameters(),
+                       .state = std::move(*state),
+                       .running = component->version()};
+        part.context.version = part.running + 1;
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+Expected<void> Reloader::rehearse(const std::vector<Rehearsal>& parts) {
+    for (const Rehearsal& part : parts) {
+        auto script = Script::load(part.source, part.context, {.parameters = &part.parameters, .state = &part.state});
+        if (script) continue;
+        Error error = script.error();
+        error.message += fmt::format("; still running version {}", part.running);
+        return Unexpected(error);
+    }
+    return {};
 }
 
 Expected<ReloadReport> Reloader::reload(ScriptComponent& component, const SourceText& source) {
@@ -95,10 +141,12 @@ Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
     for (const auto& [component, source] : changes) {
         const double limit = preparation_seconds_;
         const Budget budget = limit > 0 ? Budget{limit} : component->script().context().budget;
-        auto prepared = component->prepare(source, budget, now);
+        attempted_.clear();
+        auto prepared = component->prepare(source, budget, now, attempted_);
         if (!prepared) return Unexpected(still_running(prepared.error(), *component));
         next.push_back(std::move(*prepared));
     }
+    attempted_.clear();
     for (std::size_t i = 0; i < changes.size(); ++i) {
         if (auto ok = changes[i].first->adopt(next[i], now); !ok)
             return Unexpected(still_running(ok.error(), *changes[i].first));

@@ -35,6 +35,22 @@ public:
     /// After every tick: takes back what has failed on probation.
     void after_tick();
 
+    /// All files that the scripts of the system come from, modules too, and those that a refused version required.
+    std::vector<ScriptFile> files() const;
+
+    /// A version to be loaded only to see whether it can be, with copies of all that it needs.
+    struct Rehearsal {
+        SourceText source;
+        ScriptContext context;
+        Parameters parameters;
+        PlainData state;
+        int running = 0;  ///< version
+    };
+    /// What `reload_files` would load.
+    Expected<std::vector<Rehearsal>> rehearsal(const std::vector<std::string>& paths) const;
+    /// Loads it and lets it go. May run beside the ticks.
+    static Expected<void> rehearse(const std::vector<Rehearsal>& parts);
+
     /// What the preparation of a component may take [s of CPU time]; 0: what its calls may.
     void limit_preparation(double seconds) { preparation_seconds_ = seconds; }
 
@@ -42,6 +58,7 @@ private:
     using Change = std::pair<ScriptComponent*, SourceText>;
 
     std::vector<ScriptComponent*> scripts() const;
+    Expected<std::vector<Change>> changes_of(const std::vector<std::string>& paths) const;
     Expected<ReloadReport> run(const std::vector<Change>& changes);
     void let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ReloadReport& report);
     void connect_again(ReloadReport& report);
@@ -52,6 +69,7 @@ private:
     int reloads_ = 0;
     double preparation_seconds_ = 0;
     std::vector<std::string> on_probation_;                  // names of components
+    std::vector<ScriptFile> attempted_;                      // modules of the version that was refused last
     std::vector<std::pair<std::string, std::string>> lost_;  // connections that ended with a port
 };
 

@@ -248,6 +248,7 @@ Expected<void> Script::begin_module(lua_State* L, std::string_view name) {
         return failure(fmt::format("require '{}': the modules require each other: {}{}", name, chain, name));
     auto source = context_.find_module(name, loading_modules_.empty() ? file_.path : loading_modules_.back().path);
     if (!source) return failure(fmt::format("require '{}': {}", name, source.error().message));
+    if (inheritance_.required != nullptr) inheritance_.required->emplace_back(*source);
     auto chunk = compile(*source, ScriptKind::module);
     if (!chunk) {
         module_error_ = chunk.error();

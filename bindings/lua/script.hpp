@@ -77,10 +77,11 @@ struct ScriptAbout {
     bool given = false;
 };
 
-/// What a version takes over from the one before it; both may be null.
+/// What a version takes over from the one before it; all may be null.
 struct Inheritance {
-    const Parameters* parameters = nullptr;  ///< values that somebody set and that still fit are kept
-    const PlainData* state = nullptr;        ///< the contents of `state`
+    const Parameters* parameters = nullptr;       ///< values that somebody set and that still fit are kept
+    const PlainData* state = nullptr;             ///< the contents of `state`
+    std::vector<ScriptFile>* required = nullptr;  ///< is told of every module that is required
 };
 
 class Script {

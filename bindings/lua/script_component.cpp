@@ -54,7 +54,7 @@ void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::stri
 
 }  // namespace
 
-Expected<std::unique_ptr<ScriptComponent>> ScriptComponent::load(std::string name, SourceText source,
+Expected<std::unique_ptr<ScriptComponent>> ScriptComponent::load(std::string name, const SourceText& source,
                                                                  ScriptContext context) {
     context.component = name;
     context.version = 1;
@@ -90,7 +90,8 @@ Expected<PlainData> ScriptComponent::copy_state() {
     return script_->take_state(dropped);
 }
 
-Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& source, Budget budget, const Time& now) {
+Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& source, Budget budget, const Time& now,
+                                                            std::vector<ScriptFile>& required) {
     Version next;
     std::vector<Dropped> dropped;
     auto state = script_->take_state(dropped);
@@ -104,7 +105,8 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& so
     context.tick_rate = tick_rate();
     Parameters settings = parameters_;
     settings.take_staged();
-    auto script = Script::load(source, std::move(context), {.parameters = &settings, .state = &*state});
+    auto script =
+        Script::load(source, std::move(context), {.parameters = &settings, .state = &*state, .required = &required});
     if (!script) return Unexpected(script.error());
     next.script = std::move(*script);
     next.script->set_budget(script_->context().budget);

@@ -16,7 +16,8 @@ namespace nezumi {
 class ScriptComponent final : public Component {
 public:
     /// A component of this name from the text of its file; INACTIVE. `context.component` is set to the name.
-    static Expected<std::unique_ptr<ScriptComponent>> load(std::string name, SourceText source, ScriptContext context);
+    static Expected<std::unique_ptr<ScriptComponent>> load(std::string name, const SourceText& source,
+                                                           ScriptContext context);
 
     int version() const override { return version_; }
     Script& script() { return *script_; }
@@ -42,8 +43,10 @@ public:
         int replaced_by = 0;                ///< number of the reload that replaced it
     };
 
-    /// Loads another version, which takes over the state and the parameters of the one that runs. Touches nothing.
-    Expected<Version> prepare(const SourceText& source, Budget budget, const Time& now);
+    /// Loads another version, which takes over the state and the parameters of the one that runs. Touches nothing. The
+    /// modules that it required are added to `required`, also when it fails.
+    Expected<Version> prepare(const SourceText& source, Budget budget, const Time& now,
+                              std::vector<ScriptFile>& required);
     /// Makes the ports that it needs and runs its `on_reload`. Touches nothing.
     Expected<void> adopt(Version& next, const Time& now);
     /// The ports that have no place in another version. They must be disconnected before it replaces this one.

@@ -130,8 +130,9 @@ TEST_CASE("print is log.info, and log has four levels", "[lua][component]") {
 
 TEST_CASE("what a file prints while it loads is not lost", "[lua][component]") {
     Rig rig("param('x', 1)");
-    auto next =
-        rig.component->prepare(source("param('x', 1) print('loaded') log.warn('careful')"), paced_budget, rig.now);
+    std::vector<ScriptFile> required;
+    auto next = rig.component->prepare(source("param('x', 1) print('loaded') log.warn('careful')"), paced_budget,
+                                       rig.now, required);
     REQUIRE(next);
     REQUIRE(rig.component->adopt(*next, rig.now));
     rig.component->commit(std::move(*next), 1);

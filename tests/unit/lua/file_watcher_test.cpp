@@ -1,0 +1,221 @@
+// Every way in which editors and tools save a file is noticed, and what is no change is not.
+#include "bindings/lua/file_watcher.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "bindings/lua/script_source.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Text = std::string;
+using Clock = std::chrono::steady_clock;
+
+struct Folder {
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path / "project" / "behaviors");
+    }
+    ~Folder() { fs::remove_all(path); }
+
+    fs::path path = fs::temp_directory_path() / ("nezumi_watch_" + std::to_string(::getpid()));
+    fs::path file = path / "project" / "behaviors" / "it.lua";
+};
+
+void write(const fs::path& path, const Text& text) { std::ofstream(path) << text; }
+
+struct Watched : Folder {
+    Watched() {
+        write(file, "one");
+        write(other, "other");
+        watcher.watch(
+            {{file.string(), ScriptFile({"", "", "one"}).hash}, {other.string(), ScriptFile({"", "", "other"}).hash}});
+        settle();
+    }
+    // Until nothing that has happened can still be under way.
+    void settle() const { std::this_thread::sleep_for(std::chrono::milliseconds(60)); }
+    bool notices(double seconds = 2.0) {
+        const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+        while (!watcher.has_changes() && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        changed = watcher.take_changes();
+        return !changed.empty();
+    }
+    // Whether the watched file, and only it, is told in time: well before the look that comes twice a second.
+    bool notices_it() {
+        const auto begin = Clock::now();
+        const bool noticed = notices() && changed == std::vector<Text>{file.string()};
+        took = std::chrono::duration<double>(Clock::now() - begin).count();
+        return noticed && took < 0.3;
+    }
+
+    fs::path other = path / "project" / "behaviors" / "other.lua";
+    FileWatcher watcher;
+    std::vector<Text> changed;
+    double took = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a file that is written in place is noticed", "[lua][watcher][wallclock]") {
+    Watched it;
+    write(it.file, "two");
+    CHECK(it.notices_it());
+    write(it.file, "three");
+    CHECK(it.notices_it());
+}
+
+TEST_CASE("a file that is replaced by renaming is noticed, again and again", "[lua][watcher][wallclock]") {
+    Watched it;
+    for (const Text text : {"two", "three", "four"}) {
+        write(it.path / "project" / "behaviors" / ".it.lua.tmp", text);
+        fs::rename(it.path / "project" / "behaviors" / ".it.lua.tmp", it.file);
+        CHECK(it.notices_it());
+    }
+}
+
+TEST_CASE("a file that comes from another folder is noticed", "[lua][watcher][wallclock]") {
+    Watched it;
+    write(it.path / "new.lua", "two");
+    fs::rename(it.path / "new.lua", it.file);
+    CHECK(it.notices_it());
+}
+
+TEST_CASE("vim's way with a backup by renaming is noticed", "[lua][watcher][wallclock]") {
+    Watched it;
+    for (const Text text : {"two", "three"}) {
+        write(it.path / "project" / "behaviors" / "4913", "");
+        fs::remove(it.path / "project" / "behaviors" / "4913");
+        fs::rename(it.file, it.file.string() + "~");
+        write(it.file, text);
+        fs::remove(it.file.string() + "~");
+        CHECK(it.notices_it());
+    }
+}
+
+TEST_CASE("vim's way with a backup by copying, and emacs's, are noticed", "[lua][watcher][wallclock]") {
+    Watched it;
+    fs::copy_file(it.file, it.file.string() + "~");
+    write(it.file, "two");
+    CHECK(it.notices_it());
+    write(it.path / "project" / "behaviors" / "#it.lua#", "three");  // emacs's auto-save is nothing
+    fs::rename(it.file, it.file.string() + "~");
+    write(it.file, "three");
+    fs::remove(it.path / "project" / "behaviors" / "#it.lua#");
+    CHECK(it.notices_it());
+}
+
+TEST_CASE("a touch and a save of the same text are nothing", "[lua][watcher][wallclock]") {
+    Watched it;
+    fs::last_write_time(it.file, fs::file_time_type::clock::now());
+    write(it.file, "one");
+    CHECK_FALSE(it.notices(0.1));
+}
+
+TEST_CASE("a burst of saves is noticed at most a few times, the last one certainly", "[lua][watcher][wallclock]") {
+    Watched it;
+    for (int i = 0; i < 50; ++i) write(it.file, "text " + std::to_string(i));
+    int times = 0;
+    while (it.notices(0.1)) ++times;
+    CHECK(times >= 1);
+    CHECK(times <= 25);
+    write(it.file, "text 49");  // known
+    CHECK_FALSE(it.notices(0.1));
+}
+
+TEST_CASE("an empty file and a half-written one are told, and then the whole one", "[lua][watcher][wallclock]") {
+    Watched it;
+    write(it.file, "");
+    CHECK(it.notices_it());
+    std::ofstream slow(it.file);
+    slow << "first half" << std::flush;
+    CHECK_FALSE(it.notices(0.1));  // it is not closed yet
+    slow << " and the rest";
+    slow.close();
+    CHECK(it.notices_it());
+}
+
+TEST_CASE("a file that goes is no change until it is back", "[lua][watcher][wallclock]") {
+    Watched it;
+    fs::remove(it.file);
+    CHECK_FALSE(it.notices(0.1));
+    write(it.file, "one");
+    CHECK_FALSE(it.notices(0.1));
+    fs::remove(it.file);
+    write(it.file, "two");
+    CHECK(it.notices_it());
+}
+
+TEST_CASE("a folder that is removed and made anew is noticed", "[lua][watcher][wallclock]") {
+    Watched it;
+    for (const Text text : {"two", "three"}) {
+        fs::remove_all(it.path / "project");
+        fs::create_directories(it.path / "project" / "behaviors");
+        write(it.file, text);
+        write(it.other, "other");
+        CHECK(it.notices_it());
+        it.settle();
+        write(it.file, text + " again");  // and is watched from then on
+        CHECK(it.notices_it());
+    }
+}
+
+TEST_CASE("a folder that another one takes the place of is noticed", "[lua][watcher][wallclock]") {
+    Watched it;
+    fs::create_directories(it.path / "next" / "behaviors");
+    write(it.path / "next" / "behaviors" / "it.lua", "two");
+    write(it.path / "next" / "behaviors" / "other.lua", "other");
+    fs::rename(it.path / "project", it.path / "before");
+    fs::rename(it.path / "next", it.path / "project");
+    CHECK(it.notices_it());
+    it.settle();
+    write(it.path / "before" / "behaviors" / "it.lua", "of no interest");
+    CHECK_FALSE(it.notices(0.1));
+    write(it.file, "three");
+    CHECK(it.notices_it());
+}
+
+TEST_CASE("a link that is led elsewhere is noticed, and the file behind it is watched", "[lua][watcher][wallclock]") {
+    Watched it;
+    fs::create_directories(it.path / "elsewhere");
+    write(it.path / "elsewhere" / "real.lua", "two");
+    fs::remove(it.file);
+    fs::create_symlink(it.path / "elsewhere" / "real.lua", it.file);
+    CHECK(it.notices_it());
+    it.settle();
+    write(it.path / "elsewhere" / "real.lua", "three");
+    CHECK(it.notices_it());
+    write(it.path / "linked.lua", "four");
+    fs::remove(it.file);
+    fs::create_hard_link(it.path / "linked.lua", it.file);
+    CHECK(it.notices_it());
+}
+
+TEST_CASE("files can be added to what is watched, and keep what is known of them", "[lua][watcher][wallclock]") {
+    Watched it;
+    write(it.path / "more.lua", "more");
+    write(it.file, "two");
+    CHECK(it.notices_it());
+    it.watcher.watch({{it.file.string(), 1}, {(it.path / "more.lua").string(), 2}});
+    CHECK(it.notices());  // what is given as known of the new one is wrong
+    CHECK(it.changed == std::vector<Text>{(it.path / "more.lua").string()});
+    write(it.other, "not watched any more");
+    CHECK_FALSE(it.notices(0.1));
+}
+
+TEST_CASE("another file of Lua in a watched folder is told apart", "[lua][watcher][wallclock]") {
+    Watched it;
+    CHECK_FALSE(it.watcher.take_others());
+    write(it.path / "project" / "behaviors" / "module.lua", "new");
+    it.settle();
+    CHECK(it.watcher.take_others());
+    CHECK_FALSE(it.watcher.has_changes());
+    CHECK_FALSE(it.watcher.take_others());
+}
