@@ -1,0 +1,159 @@
+// Saving a file changes the running robot; a bad save is told and changes nothing; no tick waits for either.
+#include "bindings/lua/live_reload.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+using namespace nezumi;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Text = std::string;
+using Clock = std::chrono::steady_clock;
+
+void write(const Text& path, const Text& text) { std::ofstream(path) << text; }
+
+// A system that ticks at 100 Hz by the clock.
+struct Live {
+    explicit Live(const Text& text) {
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+        write(file, text);
+        write(system_file, "a system");
+        const ModuleFinder find = [this](std::string_view name, std::string_view) {
+            return read_source((folder / (Text(name) + ".lua")).string());
+        };
+        auto loaded = ScriptComponent::load("it", read_source(file).value(), {.find_module = find, .chunks = &chunks});
+        REQUIRE(loaded);
+        component = loaded->get();
+        REQUIRE(system.add(std::move(*loaded)));
+        REQUIRE(component->activate(system.now()));
+        live = std::make_unique<LiveReload>(system, reloader, std::vector<Text>{system_file});
+        run(10);
+    }
+    ~Live() {
+        live.reset();
+        fs::remove_all(folder);
+    }
+
+    void run(int ticks) {
+        for (; ticks > 0; --ticks) {
+            std::this_thread::sleep_until(next);
+            const auto begin = Clock::now();
+            live->between_ticks();
+            system.tick();
+            longest = std::max(longest, std::chrono::duration<double>(Clock::now() - begin).count());
+            next = std::max(next + std::chrono::milliseconds(10), Clock::now());
+        }
+    }
+    bool says(const Text& part, int ticks = 200) {
+        for (; ticks > 0; --ticks) {
+            for (const Text& line : log) {
+                if (line.find(part) != Text::npos) return true;
+            }
+            run(1);
+        }
+        for (const Text& line : log) UNSCOPED_INFO(line);
+        return false;
+    }
+    std::int32_t value() const { return std::get<std::int32_t>(component->find_out_port("out")->value()); }
+
+    fs::path folder = fs::temp_directory_path() / ("nezumi_live_" + std::to_string(::getpid()));
+    Text file = (folder / "it.lua").string();
+    Text system_file = (folder / "system.lua").string();
+    std::vector<Text> log;
+    ChunkCache chunks;
+    System system{{}, [this](const LogLine& line) { log.push_back(line.text); }};
+    Reloader reloader{system};
+    ScriptComponent* component = nullptr;
+    std::unique_ptr<LiveReload> live;
+    Clock::time_point next = Clock::now();
+    double longest = 0;  // [s] that a tick took
+};
+
+Text writes(const Text& value, const Text& more = "") {
+    return more + "local out = output('out', 'TimedLong') function on_execute() out:write(" + value + ") end\n";
+}
+
+}  // namespace
+
+TEST_CASE("saving a file changes the running behaviour", "[lua][reload][wallclock]") {
+    Live it(writes("1"));
+    CHECK(it.value() == 1);
+    write(it.file, writes("2"));
+    CHECK(it.says("it.lua: version 2 runs in it", 20));
+    it.run(1);
+    CHECK(it.value() == 2);
+}
+
+TEST_CASE("a broken save is told, and the next good one runs", "[lua][reload][wallclock]") {
+    Live it(writes("1"));
+    write(it.file, "function on_execute( end");
+    CHECK(it.says("it.lua:1: <name> or '...' expected near 'end'; still running version 1"));
+    it.run(5);
+    CHECK(it.value() == 1);
+    CHECK(std::count_if(it.log.begin(), it.log.end(),
+                        [](const Text& line) { return line.find("still running") != Text::npos; }) == 1);
+    write(it.file, writes("3"));
+    CHECK(it.says("version 2 runs in it"));
+}
+
+TEST_CASE("a file that never ends its loading delays no tick", "[lua][reload][wallclock]") {
+    Live it(writes("1"));
+    it.longest = 0;
+    write(it.file, writes("2") + "while true do end");
+    CHECK(it.says("it.lua:2: ran for more than 0.1 s: is there an endless loop?; still running version 1"));
+    CHECK(it.longest < 0.05);
+    CHECK(it.value() == 1);
+    write(it.file, writes("4"));
+    CHECK(it.says("version 2 runs in it"));
+}
+
+TEST_CASE("a save while another one is tried beside the ticks is not forgotten", "[lua][reload][wallclock]") {
+    Live it(writes("1"));
+    write(it.file, writes("2") + "while true do end");
+    it.run(4);
+    write(it.file, writes("5"));
+    CHECK(it.says("version 2 runs in it"));
+    it.run(1);
+    CHECK(it.value() == 5);
+}
+
+TEST_CASE("loading that takes long but ends is taken", "[lua][reload][wallclock]") {
+    Live it(writes("1"));
+    write(it.file, writes("6", "for i = 1, 3000000 do end "));
+    CHECK(it.says("version 2 runs in it"));
+    it.run(1);
+    CHECK(it.value() == 6);
+}
+
+TEST_CASE("a missing module that comes, and a wrong one that is put right, try again what needs them",
+          "[lua][reload][wallclock]") {
+    Live it(writes("1"));
+    write(it.file, writes("require_me", "local require_me = require 'module' "));
+    CHECK(it.says("still running version 1"));
+    it.log.clear();
+    write((it.folder / "module.lua").string(), "return = 7");
+    CHECK(it.says("module.lua:1: unexpected symbol near '='; still running version 1"));
+    write((it.folder / "module.lua").string(), "return 7");
+    CHECK(it.says("version 2 runs in it"));
+    it.run(1);
+    CHECK(it.value() == 7);
+    write((it.folder / "module.lua").string(), "return 8");
+    CHECK(it.says("version 3 runs in it"));
+    it.run(1);
+    CHECK(it.value() == 8);
+}
+
+TEST_CASE("a changed system file says what to do", "[lua][reload][wallclock]") {
+    Live it(writes("1"));
+    write(it.system_file, "another system");
+    CHECK(it.says("system.lua has changed: restart() to use it"));
+}
