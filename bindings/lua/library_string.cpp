@@ -17,13 +17,13 @@ int repeat(lua_State* lua) {
     const char* text = luaL_checklstring(lua, 1, &length);
     const lua_Integer count = luaL_checkinteger(lua, 2);
     const char* separator = luaL_optlstring(lua, 3, "", &gap);
-    if (count <= 0 || length + gap == 0) {
+    const std::size_t piece = length + gap;
+    // Nothing, said often enough to be a slip, is refused as well.
+    const std::size_t most = LuaState::of(lua).memory_limit() / (piece > 0 ? piece : 1);
+    if (count > 0 && static_cast<std::size_t>(count) > most) return luaL_error(lua, "resulting string too large");
+    if (count <= 0 || piece == 0) {
         lua_pushliteral(lua, "");
         return 1;
-    }
-    const std::size_t piece = length + gap;
-    if (static_cast<std::size_t>(count) > LuaState::of(lua).memory_limit() / piece) {
-        return luaL_error(lua, "resulting string too large");
     }
     const std::size_t total = piece * static_cast<std::size_t>(count) - gap;
     luaL_Buffer buffer;
