@@ -152,7 +152,7 @@ void push_parameter(lua_State* L, const ParameterValue& value) {
 Expected<ParameterValue> read_parameter(lua_State* L, int index) {
     if (lua_checkstack(L, stack_needed) == 0) return failure("not enough memory");
     index = lua_absindex(L, index);
-    if (lua_type(L, index) == LUA_TTABLE) return read_array(L, index);
+    if (lua_type(L, index) == LUA_TTABLE) return read_array(L, UnlockedTable(L, index).index());
     if (auto single = read_single(L, index)) return std::move(*single);
     return failure(
         fmt::format("expected a boolean, a number, a string or an array of them, got {}", luaL_typename(L, index)));

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "bindings/lua/locked_table.hpp"
 #include "engine/error.hpp"
 #include "engine/messages.hpp"
 #include "engine/parameter.hpp"
@@ -18,9 +19,9 @@
 
 namespace nezumi {
 
-// Two rules hold in this file. Reading calls nothing of Lua's that can raise an error, and looks only at raw tables, so
-// that no metamethod runs and C++ objects may live around it. Pushing may raise an error (out of memory): call it with
-// nothing alive that needs its destructor, or in a protected call.
+// Two rules hold in this file. Reading calls nothing of Lua's that can raise an error, and looks only at raw tables and
+// behind locked ones, so that no metamethod runs and C++ objects may live around it. Pushing may raise an error (out of
+// memory): call it with nothing alive that needs its destructor, or in a protected call.
 
 /// Why a Lua value does not fit.
 struct Mismatch {
@@ -46,6 +47,25 @@ Expected<ParameterValue> read_parameter(lua_State* L, int index);
 
 /// The number of elements of the table at `index` when its keys are 1..n and nothing else, otherwise -1 and why.
 std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why);
+
+/// The table at an index (absolute), or while this lives the one behind it when that one is locked.
+class UnlockedTable {
+public:
+    UnlockedTable(lua_State* L, int index)
+        : L_(L), pushed_(push_behind_lock(L, index)), index_(pushed_ ? lua_gettop(L) : index) {}
+    ~UnlockedTable() {
+        if (pushed_) lua_pop(L_, 1);
+    }
+    UnlockedTable(const UnlockedTable&) = delete;
+    UnlockedTable& operator=(const UnlockedTable&) = delete;
+
+    int index() const { return index_; }
+
+private:
+    lua_State* L_;
+    bool pushed_;
+    int index_;
+};
 
 namespace detail {
 
@@ -177,12 +197,15 @@ template <class T>
 bool read_value(lua_State* L, int index, T& out, Mismatch* why) {
     if constexpr (Described<T>) {
         if (!detail::is_table(L, index, "a table", why)) return false;
+        const UnlockedTable table(L, index);
         out = T{};
-        if (detail::read_fields_fast(L, index, out)) return true;
-        if (why != nullptr) detail::explain_fields(L, index, out, why);
+        if (detail::read_fields_fast(L, table.index(), out)) return true;
+        if (why != nullptr) detail::explain_fields(L, table.index(), out, why);
         return false;
     } else if constexpr (Sequence<T>) {
-        return detail::is_table(L, index, "an array", why) && detail::read_sequence(L, index, out, why);
+        if (!detail::is_table(L, index, "an array", why)) return false;
+        const UnlockedTable table(L, index);
+        return detail::read_sequence(L, table.index(), out, why);
     } else if constexpr (std::is_same_v<T, bool>) {
         return detail::read_boolean(L, index, out, why);
     } else if constexpr (std::is_integral_v<T>) {

@@ -6,6 +6,9 @@
 namespace nezumi {
 namespace {
 
+// Its address is the key of the table behind in the metatable: no script can have such a key.
+constexpr char kBehind = 0;
+
 // Upvalue: what the table is called.
 int refuse_write(lua_State* lua) {
     const char* name = lua_tostring(lua, lua_upvalueindex(1));
@@ -22,10 +25,12 @@ int length_behind(lua_State* lua) {
 }  // namespace
 
 void lock_table(lua_State* lua, const char* name) {
-    luaL_checkstack(lua, 5, nullptr);
+    luaL_checkstack(lua, 6, nullptr);
     lua_newtable(lua);
-    lua_createtable(lua, 0, 4);
+    lua_createtable(lua, 0, 5);
     lua_rotate(lua, -3, 2);  // the locked table, its metatable, what is behind it
+    lua_pushvalue(lua, -1);
+    lua_rawsetp(lua, -3, &kBehind);
     lua_setfield(lua, -2, "__index");
     lua_pushstring(lua, name);
     lua_pushcclosure(lua, refuse_write, 1);
@@ -39,16 +44,11 @@ void lock_table(lua_State* lua, const char* name) {
 
 bool push_behind_lock(lua_State* lua, int index) {
     if (lua_getmetatable(lua, index) == 0) return false;
-    lua_pushliteral(lua, "__newindex");
-    lua_rawget(lua, -2);
-    const bool locked = lua_tocfunction(lua, -1) == refuse_write;
-    lua_pop(lua, 1);
+    const bool locked = lua_rawgetp(lua, -1, &kBehind) != LUA_TNIL;
     if (locked) {
-        lua_pushliteral(lua, "__index");
-        lua_rawget(lua, -2);
         lua_remove(lua, -2);
     } else {
-        lua_pop(lua, 1);
+        lua_pop(lua, 2);
     }
     return locked;
 }

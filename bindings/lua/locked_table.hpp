@@ -10,7 +10,7 @@ namespace nezumi {
 /// see what is behind it. Reading a field costs one hop more than in an open table. May raise a Lua error (memory).
 void lock_table(lua_State* lua, const char* name);
 
-/// Whether the value at `index` is such a table. Then the table behind it is pushed.
+/// Whether the value at `index` is such a table. Then the table behind it is pushed. Raises no error and runs nothing.
 bool push_behind_lock(lua_State* lua, int index);
 
 }  // namespace nezumi

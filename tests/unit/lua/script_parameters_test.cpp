@@ -92,6 +92,16 @@ TEST_CASE("an array is read-only and replaced whole", "[lua][parameters]") {
           "robot_controller.lua:3: parameter 'gains': element 2 expected a number, as the first one, got string");
 }
 
+TEST_CASE("an array of parameters can be written to a port and given to another parameter", "[lua][parameters]") {
+    Rig rig(
+        "param('a', { 1.0, 0.5 }) param('b', { 0.0 })\nlocal out = output('out', 'TimedDoubleSeq')\n"
+        "function on_execute() out:write(config.a) config.b = config.a end");
+    rig.activate().tick(2);
+    CHECK(rig.error() == "");
+    CHECK(rig.out<std::vector<double>>("out").read() == std::vector<double>{1.0, 0.5});
+    CHECK(rig.component->parameters().find("b")->value == ParameterValue(std::vector<double>{1.0, 0.5}));
+}
+
 TEST_CASE("config can be walked through, and not tampered with", "[lua][parameters]") {
     const std::string head = "param('b', 2) param('a', 1)";
     CHECK(failure_of(head, "local s = '' for k, v in pairs(config) do s = s .. k .. v end assert(s == 'a1b2', s)") ==
