@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <csetjmp>
 #include <cstring>
 #include <ctime>
 
@@ -17,6 +18,8 @@
 // ThreadSanitizer holds signals back until the thread calls into libc, which an endless loop never does. This name is
 // the same function, not intercepted.
 extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);
+// It also has to see every jump, or it loses count of the calls; Debian's Lua jumps by a name that it does not know.
+extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value); }
 #define NEZUMI_SIGACTION __sigaction
 #define NEZUMI_IN_SIGNAL __attribute__((no_sanitize("thread")))
 // Nor may the handler call what it intercepts.

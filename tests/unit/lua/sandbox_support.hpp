@@ -23,7 +23,7 @@ public:
     lua_State* lua() const { return state->lua(); }
 
     /// What the text returns, its values as text with blanks between, or "file:line: message".
-    std::string run(std::string_view text, Budget budget = Budget{0.1}) {
+    std::string run(std::string_view text, Budget budget = Budget{10.0}) {
         over_budget = false;
         lua_settop(lua(), 0);
         const auto chunk = compile(text, "box.lua");
@@ -32,8 +32,11 @@ public:
         return call(budget);
     }
 
+    /// The same within 0.1 s, for what does not end by itself.
+    std::string run_for_a_moment(std::string_view text) { return run(text, paced_budget); }
+
     /// Calls the function that lies alone on the stack.
-    std::string call(Budget budget = Budget{0.1}) {
+    std::string call(Budget budget = Budget{10.0}) {
         const auto called = protected_call(lua(), 0, LUA_MULTRET, budget);
         if (!called) {
             over_budget = called.error().over_budget;

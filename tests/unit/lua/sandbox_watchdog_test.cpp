@@ -19,14 +19,14 @@ TEST_CASE("a call returns what the function returns", "[lua][call]") {
 
 TEST_CASE("an endless loop is stopped and the place named", "[lua][watchdog]") {
     Box box;
-    CHECK(box.run("while true do end") == "box.lua:1: " + too_long);
+    CHECK(box.run_for_a_moment("while true do end") == "box.lua:1: " + too_long);
     CHECK(box.over_budget);
-    CHECK(box.run("\n\nrepeat until false") == "box.lua:3: " + too_long);
-    CHECK(box.run("::again:: goto again") == "box.lua:1: " + too_long);
-    CHECK(box.run("for i = 1, math.maxinteger do end") == "box.lua:1: " + too_long);
-    CHECK(box.run("for i = 1.0, math.huge do end") == "box.lua:1: " + too_long);
-    CHECK(box.run("local function f() return f() end return f()") == "box.lua:1: " + too_long);
-    CHECK(box.run("for _ in coroutine.running do end") == "box.lua:1: " + too_long);
+    CHECK(box.run_for_a_moment("\n\nrepeat until false") == "box.lua:3: " + too_long);
+    CHECK(box.run_for_a_moment("::again:: goto again") == "box.lua:1: " + too_long);
+    CHECK(box.run_for_a_moment("for i = 1, math.maxinteger do end") == "box.lua:1: " + too_long);
+    CHECK(box.run_for_a_moment("for i = 1.0, math.huge do end") == "box.lua:1: " + too_long);
+    CHECK(box.run_for_a_moment("local function f() return f() end return f()") == "box.lua:1: " + too_long);
+    CHECK(box.run_for_a_moment("for _ in coroutine.running do end") == "box.lua:1: " + too_long);
     CHECK(box.run("return 'the state lives on'") == "the state lives on");
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("a script can't catch the end of its time", "[lua][watchdog]") {
     CAPTURE(text);
     Box box;
     const auto began = std::chrono::steady_clock::now();
-    const std::string outcome = box.run(text);
+    const std::string outcome = box.run_for_a_moment(text);
     CHECK(outcome.find(too_long) != std::string::npos);
     CHECK(box.over_budget);
     CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(5));
@@ -99,25 +99,25 @@ TEST_CASE("an endless loop far down in a recursion is stopped", "[lua][watchdog]
     CAPTURE(text);
     Box box;
     const std::int64_t began = thread_time();
-    CHECK(box.run(text) == "box.lua:1: " + too_long);
+    CHECK(box.run_for_a_moment(text) == "box.lua:1: " + too_long);
     CHECK(thread_time() - began < 2'000'000'000);
 }
 
 TEST_CASE("a coroutine that was stopped stays stopped in later calls", "[lua][watchdog]") {
     Box box;
-    CHECK(box.run("kept = coroutine.create(function()\n"
-                  "  local x <close> = setmetatable({}, { __close = function() while true do end end })\n"
-                  "  while true do end\n"
-                  "end)\n"
-                  "coroutine.resume(kept)") == "box.lua:3: " + too_long);
+    CHECK(box.run_for_a_moment("kept = coroutine.create(function()\n"
+                               "  local x <close> = setmetatable({}, { __close = function() while true do end end })\n"
+                               "  while true do end\n"
+                               "end)\n"
+                               "coroutine.resume(kept)") == "box.lua:3: " + too_long);
     CHECK(box.run("return coroutine.status(kept)") == "dead");
     CHECK(box.run("return coroutine.resume(kept)") == "false cannot resume dead coroutine");
     CHECK(box.run("return coroutine.close(kept)") == "false the coroutine ran for too long");
-    CHECK(box.run("kept = coroutine.wrap(function()\n"
-                  "  local x <close> = setmetatable({}, { __close = function() while true do end end })\n"
-                  "  while true do end\n"
-                  "end)\n"
-                  "kept()") == "box.lua:3: " + too_long);
+    CHECK(box.run_for_a_moment("kept = coroutine.wrap(function()\n"
+                               "  local x <close> = setmetatable({}, { __close = function() while true do end end })\n"
+                               "  while true do end\n"
+                               "end)\n"
+                               "kept()") == "box.lua:3: " + too_long);
     CHECK(box.run("return pcall(kept)") == "false cannot resume dead coroutine");
 }
 
@@ -143,8 +143,8 @@ TEST_CASE("states in several threads are watched apart", "[lua][watchdog]") {
         threads.emplace_back([i, &outcomes] {
             Box box;
             for (int round = 0; round < 3; ++round) {
-                outcomes[i] =
-                    box.run(i % 2 == 0 ? "while true do end" : "local n = 0 for i = 1, 1000 do n = n + i end return n");
+                outcomes[i] = box.run_for_a_moment(
+                    i % 2 == 0 ? "while true do end" : "local n = 0 for i = 1, 1000 do n = n + i end return n");
             }
         });
     }
