@@ -41,6 +41,18 @@ void find_local_callbacks(const SourceText& source, std::vector<Error>& errors) 
     }
 }
 
+// A module's callback would be no global that it may define.
+void explain_callbacks(std::vector<Error>& errors) {
+    for (Error& error : errors) {
+        for (const std::string_view name : hook_names()) {
+            const std::string quoted = "'" + std::string(name) + "'";
+            if (error.message.find("unknown global " + quoted) != 0) continue;
+            error.message = quoted + " can't be used in a module: callbacks belong into the component's own file";
+            break;
+        }
+    }
+}
+
 }  // namespace
 
 tl::expected<Chunk, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind) {
@@ -54,6 +66,7 @@ tl::expected<Chunk, std::vector<Error>> compile_script(const SourceText& source,
             return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
         });
     }
+    if (kind == ScriptKind::module) explain_callbacks(errors);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return chunk;
 }
