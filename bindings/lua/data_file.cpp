@@ -14,7 +14,8 @@ namespace {
 // Key of the registry's table of what modules returned, by their files.
 const char modules_key = 0;
 
-// A message that quotes what a file says, as one line that a terminal can show.
+}  // namespace
+
 std::string one_line(std::string text) {
     constexpr std::size_t longest = 1000;
     if (text.size() > longest) {
@@ -26,8 +27,6 @@ std::string one_line(std::string text) {
     }
     return text;
 }
-
-}  // namespace
 
 Place calling_place(lua_State* lua) {
     lua_Debug activation;

@@ -28,6 +28,9 @@ struct DataFileOptions {
     std::function<void(std::string_view)> print;  ///< takes what `print` was given, a line at a time; may be empty
 };
 
+/// A message that quotes what a file says, as one short line that a terminal can show.
+std::string one_line(std::string text);
+
 /// The line of Lua code that called the C function which runs now; no file when there is none. Raises no Lua error.
 Place calling_place(lua_State* lua);
 

@@ -33,7 +33,7 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
     if (host.calls == 0) {
         return failure("the file says nothing: expected robot, behavior, arena, connect ...", {shown});
     }
-    if (auto ok = words.finish(); !ok) return Unexpected(ok.error());
+    if (auto ok = words.finish(); !ok) return failure(one_line(ok.error().message), ok.error().place);
     for (const std::string& module : (*file)->files()) words.note_file(module);
     return std::move(words.spec());
 }

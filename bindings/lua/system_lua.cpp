@@ -95,6 +95,7 @@ const char* report(WordHost& host, const WordCall& call, Error error) {
         error.place = call.place;
         if (!error.message.starts_with(call.word)) error.message = call.word + ": " + error.message;
     }
+    error.message = one_line(std::move(error.message));
     if (host.fail) return host.fail(std::move(error));
     host.raised = describe(error);
     return host.raised.c_str();

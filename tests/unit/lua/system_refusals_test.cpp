@@ -255,6 +255,8 @@ TEST_CASE("whatever a file says, a message is one short line", "[lua][system_fil
     CHECK(error("error('a\\nb\\27[2J\\0')") == "s.lua:1: a b?[2J?");
     CHECK_THAT(error("robot('a\\nb', {})"), Catch::StartsWith("s.lua:1: robot 'a b': a name consists"));
     CHECK(error("behavior('c', { script = ('x'):rep(100000) })").size() < 1100);
+    CHECK(error("component('c', { type = 'Camera', on = 'a\\1' })") ==
+          "s.lua:1: component 'c': field 'on' names no robot: there is none 'a?'");
     CHECK(error("local " + std::string(5000, 'x') + " = = 1").size() < 1100);
 }
 
