@@ -1,0 +1,37 @@
+# Lists a test executable's cases for ctest; Catch2's own script breaks names at a semicolon.
+# Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DWALLCLOCK=ON -P discover.cmake
+
+# Appends an add_test for each case that matches `spec`.
+function(list_cases spec properties)
+  execute_process(COMMAND ${TESTS} ${spec} --list-test-names-only OUTPUT_VARIABLE names RESULT_VARIABLE count
+                  WORKING_DIRECTORY ${FOLDER})
+  if(NOT count MATCHES "^[0-9]+$")  # Catch2 exits with the number of cases; a crash is a word
+    message(FATAL_ERROR "${TESTS} does not run: ${count}")
+  endif()
+  # CMake's lists break at semicolons, and do not break within brackets.
+  string(ASCII 1 open)
+  string(ASCII 2 close)
+  string(REGEX REPLACE "\n$" "" names "${names}")
+  string(REPLACE ";" "\\;" names "${names}")
+  string(REPLACE "[" "${open}" names "${names}")
+  string(REPLACE "]" "${close}" names "${names}")
+  string(REPLACE "\n" ";" names "${names}")
+  foreach(name IN LISTS names)
+    string(REPLACE "${open}" "[" name "${name}")
+    string(REPLACE "${close}" "]" name "${name}")
+    string(REGEX REPLACE "([][,\"\\])" "\\\\\\1" found "${name}")
+    # NoTests: a name that Catch2 does not find again must fail, not pass by running nothing. ASAN_OPTIONS: a test that
+    # runs away in memory must end before the machine does.
+    string(APPEND script
+      "add_test([==[${PREFIX}${name}]==] [==[${TESTS}]==] [==[${found}]==] --warn NoTests)\n"
+      "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES WORKING_DIRECTORY [==[${FOLDER}]==] TIMEOUT 120 "
+      "ENVIRONMENT ASAN_OPTIONS=hard_rss_limit_mb=4096 ${properties})\n")
+  endforeach()
+  set(script "${script}" PARENT_SCOPE)
+endfunction()
+
+list_cases("~[wallclock]~[.]" "")
+if(WALLCLOCK)
+  list_cases("[wallclock]~[.]" "RUN_SERIAL ON")
+endif()
+file(WRITE ${CASES} "${script}")
