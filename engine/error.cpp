@@ -39,6 +39,22 @@ std::string describe(const Error& error) {
     return text + ": " + error.message;
 }
 
+std::string shown(std::string_view name) {
+    constexpr std::size_t most = 60;
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (text.size() >= most) return text + "...";
+        if (byte >= 0x20 && byte != 0x7f) {
+            text += c;
+        } else {
+            text += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+        }
+    }
+    return text;
+}
+
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
     std::string_view best;
     std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;

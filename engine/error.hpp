@@ -44,6 +44,9 @@ inline Unexpected failure(std::string message, Place place = {}) {
 /// "file:line:column: message", leaving out what is not known.
 std::string describe(const Error& error);
 
+/// A name that somebody else chose, as a message may show it: one line, no control characters, at most 60 bytes.
+std::string shown(std::string_view name);
+
 /// The candidate nearest to `name` by edit distance (insert, delete, replace, swap of neighbours), or an empty view
 /// when none is near enough to be a slip: at most a third of the name's length, and at least 1, case not counted.
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates);

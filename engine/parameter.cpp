@@ -235,7 +235,7 @@ Expected<std::size_t> Parameters::index_of(std::string_view name) const {
     if (const Parameter* parameter = find(name)) return static_cast<std::size_t>(parameter - all_.data());
     std::vector<std::string_view> names;
     for (const Parameter& parameter : all_) names.push_back(parameter.spec.name);
-    return failure(fmt::format("unknown parameter '{}'{}", name, did_you_mean(name, names)));
+    return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, names)));
 }
 
 Expected<void> Parameters::set(std::string_view name, const ParameterValue& value) {

@@ -23,7 +23,7 @@ Expected<std::size_t> find_message_type(std::string_view name) {
         if (message_type_names[i] == name) return i;
     }
     const std::vector<std::string_view> names(message_type_names.begin(), message_type_names.end());
-    return failure("unknown type '" + std::string(name) + "'" + did_you_mean(name, names) +
+    return failure("unknown type '" + shown(name) + "'" + did_you_mean(name, names) +
                    "; `nezumi types` lists them all");
 }
 

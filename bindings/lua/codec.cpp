@@ -120,7 +120,7 @@ Expected<ParameterValue> read_array(lua_State* L, int index) {
 }  // namespace
 
 std::string describe(const Mismatch& why) {
-    if (why.unknown) return fmt::format("unknown field '{}'{}", why.path, why.text);
+    if (why.unknown) return fmt::format("unknown field '{}'{}", shown(why.path), why.text);
     if (why.path.empty()) return why.text;
     if (why.path.front() == '[' && why.path.find(']') == why.path.size() - 1) {
         return fmt::format("element {} {}", why.path.substr(1, why.path.size() - 2), why.text);
@@ -178,7 +178,7 @@ std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why) {
         }
     }
     if (!other.empty()) {
-        refuse(why, fmt::format("expected an array (elements 1, 2, ...), got a table with the key '{}'", other));
+        refuse(why, fmt::format("expected an array (elements 1, 2, ...), got a table with the key '{}'", shown(other)));
         return -1;
     }
     if (largest == count) return count;

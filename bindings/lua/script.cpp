@@ -121,10 +121,9 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
     if (!is_identifier(name) && !(keyword_allowed && is_keyword(name))) {
         const std::string_view keyword =
             is_keyword(name) ? ": it is a keyword of Lua" : ": use letters, digits and _, no digit first";
-        return failure(fmt::format("{} '{}': the name is no identifier{}", kind, name, keyword));
+        return failure(fmt::format("{} '{}': the name is no identifier{}", kind, shown(name), keyword));
     }
-    if (name.size() > longest_name)
-        return failure(fmt::format("{} '{}...': the name is too long", kind, name.substr(0, 20)));
+    if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
     if (contains(script_words(), name) || contains(component_words(), name)) {
         return failure(fmt::format("{} '{}': the name is one of a component's own words", kind, name));
     }
@@ -326,7 +325,7 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     if (command == commands_.end()) {
         std::vector<std::string_view> names;
         for (const CommandDeclaration& each : commands_) names.push_back(each.name);
-        return failure(fmt::format("unknown command '{}'{}", name, did_you_mean(name, names)));
+        return failure(fmt::format("unknown command '{}'{}", shown(name), did_you_mean(name, names)));
     }
     if (auto ok = refresh(); !ok) return Unexpected(ok.error());
     lua_State* L = lua_->lua();

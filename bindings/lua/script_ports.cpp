@@ -152,7 +152,7 @@ void explain_property(lua_State* L, PortSlot& slot) {
         names.emplace_back("write");
     }
     const std::string near = did_you_mean(key, names);
-    slot.script->raised = fmt::format("{} has no '{}'{}", title(slot), key,
+    slot.script->raised = fmt::format("{} has no '{}'{}", title(slot), shown(key),
                                       near.empty() ? fmt::format(" (it has {})", fmt::join(names, ", ")) : near);
 }
 

@@ -104,7 +104,7 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
         return failure(fmt::format("{}: its name expected a string, got {}", word, luaL_typename(L, 1)));
     port.name = *text_at(L, 1, "");
     const auto refuse = [&](const Error& error) {
-        return failure(fmt::format("{} '{}': {}", word, port.name, error.message));
+        return failure(fmt::format("{} '{}': {}", word, shown(port.name), error.message));
     };
     if (lua_type(L, 2) != LUA_TSTRING) {
         return refuse(
@@ -179,7 +179,7 @@ Expected<void> declare_parameter(lua_State* L, Script& script) {
         return failure(fmt::format("param: its name expected a string, got {}", luaL_typename(L, 1)));
     spec.name = *text_at(L, 1, "");
     const auto refuse = [&](const Error& error) {
-        return failure(fmt::format("parameter '{}': {}", spec.name, error.message));
+        return failure(fmt::format("parameter '{}': {}", shown(spec.name), error.message));
     };
     auto initial = read_parameter(L, 2);
     if (!initial) return refuse({"its default " + initial.error().message});
@@ -308,7 +308,7 @@ int unknown_parameter(lua_State* L) {
         std::vector<std::string_view> names;
         for (const auto& parameter : script.parameters().all()) names.push_back(parameter.spec.name);
         const std::string_view name = lua_tostring(L, -1);
-        return failure(fmt::format("unknown parameter '{}'{}", name, did_you_mean(name, names)));
+        return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, names)));
     });
 }
 
@@ -318,10 +318,10 @@ int config_newindex(lua_State* L) {
     return finish(L, script, [&]() -> Expected<void> {
         const std::string_view name = lua_tostring(L, -1);
         if (script.phase() == Script::Phase::loading) {
-            return failure(fmt::format("config.{} can't be set while the file loads", name));
+            return failure(fmt::format("config.{} can't be set while the file loads", shown(name)));
         }
         auto value = read_parameter(L, 3);
-        if (!value) return failure(fmt::format("parameter '{}': {}", name, value.error().message));
+        if (!value) return failure(fmt::format("parameter '{}': {}", shown(name), value.error().message));
         return script.parameters().stage(name, *value);
     });
 }

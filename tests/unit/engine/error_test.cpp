@@ -68,3 +68,10 @@ TEST_CASE("a suggestion reads as the end of a sentence, or is nothing", "[engine
           "unknown type 'TimedShrt' (did you mean 'TimedShort'?)");
     CHECK(did_you_mean("Joystick", {"TimedLong", "TimedShort"}).empty());
 }
+
+TEST_CASE("a name of somebody else's is shown in one short line", "[engine][error]") {
+    CHECK(shown("speed_x") == "speed_x");
+    CHECK(shown(std::string_view("a\nb\0\x1b[1m", 8)) == "a\\x0ab\\x00\\x1b[1m");
+    CHECK(shown("M\xC3\xA4use") == "M\xC3\xA4use");
+    CHECK(shown(std::string(1000, 'x')) == std::string(60, 'x') + "...");
+}

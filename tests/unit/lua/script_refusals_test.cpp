@@ -117,7 +117,9 @@ TEST_CASE("a name is an identifier and no word of its own", "[lua][refusals]") {
     }
     CHECK(refusal("param('math', 1)") == at1 + "parameter 'math': the name is taken by Lua's library");
     CHECK(refusal("input('" + std::string(200, 'a') + "', 'TimedLong')") ==
-          at1 + "input 'aaaaaaaaaaaaaaaaaaaa...': the name is too long");
+          at1 + "input '" + std::string(60, 'a') + "...': the name is too long");
+    CHECK(refusal("param('a\\nb\\0', 1)") ==
+          at1 + "parameter 'a\\x0ab\\x00': the name is no identifier: use letters, digits and _, no digit first");
 }
 
 TEST_CASE("declarations are made while the file loads", "[lua][refusals]") {
