@@ -141,11 +141,19 @@ std::vector<Port*> ScriptComponent::ports_going(const Version& other) const {
 }
 
 void ScriptComponent::commit(Version next, int reload) {
-    constexpr std::size_t kept = 8;
+    constexpr std::size_t most = 8;
+    constexpr std::size_t most_memory = std::size_t{32} << 20;  // [bytes]
     Version old = replace(std::move(next));
     old.replaced_by = reload;
-    if (past_.size() == kept) past_.erase(past_.begin());
     past_.push_back(std::move(old));
+    std::size_t memory = 0;
+    std::size_t kept = 0;
+    while (kept < past_.size() && kept < most) {
+        memory += past_[past_.size() - 1 - kept].script->memory();
+        if (kept > 0 && memory > most_memory) break;
+        ++kept;
+    }
+    past_.erase(past_.begin(), past_.end() - static_cast<std::ptrdiff_t>(kept));
 }
 
 void ScriptComponent::go_back(bool keep_settings) {

@@ -435,6 +435,22 @@ TEST_CASE("rollback goes back by hand, state included, and parameters keep what 
     CHECK(it.parameters().find("q") == nullptr);
 }
 
+TEST_CASE("rollback goes back step by step, as far as versions are kept", "[lua][reload]") {
+    Setting world;
+    ScriptComponent& it = world.add_text("it", counter("1"));
+    for (int i = 2; i <= 12; ++i) CHECK(world.change("it.lua", counter(std::to_string(i))) == "");
+    CHECK(it.version() == 12);
+    for (int version = 11; version >= 4; --version) {
+        REQUIRE(world.reloader.rollback(it));
+        CHECK(it.version() == version);
+        world.tick();
+    }
+    CHECK(describe(world.reloader.rollback(it).error()) ==
+          "it has no version before this one; still running version 4");
+    CHECK(world.change("it.lua", counter("1")) == "");
+    CHECK(it.version() == 13);  // a number is given once
+}
+
 TEST_CASE("a component in ERROR gets on_reset and on_activated with the new code", "[lua][reload]") {
     Setting world;
     ScriptComponent& it =
