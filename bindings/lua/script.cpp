@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bindings/lua/script_config.hpp"
 #include "bindings/lua/script_ports.hpp"
 #include "bindings/lua/script_words.hpp"
 #include "bindings/lua/stdlib.hpp"
@@ -289,7 +290,7 @@ Expected<void> Script::refresh() {
     Parameters& now = parameters();
     if (now.version() == seen_parameters_) return {};
     auto ok = protect(lua(), context_.budget, [&](lua_State* L) {
-        push_config_values(L, *this, now);
+        show_parameters(L, *this, now);
         return 0;
     });
     if (!ok) return Unexpected(to_error(ok.error()));

@@ -23,9 +23,6 @@ const std::vector<std::string_view>& component_words();
 /// The names of all callbacks, in the order of `Hook` from on_activated on.
 const std::vector<std::string_view>& hook_names();
 
-/// Puts the parameters' values into what `config` shows. May raise a Lua error (memory).
-void push_config_values(lua_State* L, Script& script, const Parameters& parameters);
-
 /// Pushes the table behind `state`. May raise a Lua error (memory).
 void push_state(lua_State* L);
 
