@@ -120,23 +120,44 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
     return error;
 }
 
+CallError lost_error(double budget_seconds) {
+    return {{"ran for more than " + shown(budget_seconds) +
+             " s inside Lua itself, where it could not be stopped: the script is lost, load it again"},
+            true};
+}
+
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {
     const int function = lua_gettop(lua) - arguments;
+    if (LuaState::of(lua).is_lost()) {
+        lua_settop(lua, function - 1);
+        return tl::unexpected(
+            CallError{{"the script is lost: it had to be stopped inside Lua itself; load it again"}, false});
+    }
     if (lua_checkstack(lua, 2) == 0 || c_stack_is_used_up()) {
         lua_settop(lua, function - 1);
         return tl::unexpected(CallError{{"stack overflow: calls are nested too deep"}, false});
     }
     CallRecord call(lua, budget);
+    if (call.outer == nullptr) {
+        if (_setjmp(call.escape) != 0) {
+            finish_escape(call);
+            return tl::unexpected(lost_error(call.budget_seconds));
+        }
+        call.can_escape = true;
+    }
     lua_pushcfunction(lua, handle_error);
     lua_insert(lua, function);
     const int status = lua_pcall(lua, arguments, results, function);
     lua_remove(lua, function);
-    if (status == LUA_OK) return {};
-    CallError error = take_error(lua, status, call);
+    if (status == LUA_OK) {
+        call.can_escape = false;
+        return {};
+    }
     // What the script had gathered is garbage now; nobody may call it again for a long time.
     const LuaState& state = LuaState::of(lua);
     if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
-    return tl::unexpected(std::move(error));
+    call.can_escape = false;
+    return tl::unexpected(take_error(lua, status, call));
 }
 
 }  // namespace nezumi

@@ -43,6 +43,9 @@ CallResult protect(lua_State* lua, Budget budget, Body&& body) {
 /// popped. `status` is theirs; `call` is the record of the call that failed.
 CallError take_error(lua_State* lua, int status, const CallRecord& call);
 
+/// What is said of a call that had to be left in the middle of Lua's own code.
+CallError lost_error(double budget_seconds);
+
 /// The message handler that goes with `take_error`.
 int handle_error(lua_State* lua);
 

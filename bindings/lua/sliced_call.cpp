@@ -40,9 +40,15 @@ tl::expected<std::unique_ptr<SlicedCall>, CallError> SlicedCall::start(LuaState&
     return tl::unexpected(CallError{{"too many arguments"}, false});
 }
 
-SlicedCall::~SlicedCall() { luaL_unref(state_.lua(), LUA_REGISTRYINDEX, anchor_); }
+SlicedCall::~SlicedCall() {
+    if (!state_.is_lost()) luaL_unref(state_.lua(), LUA_REGISTRYINDEX, anchor_);
+}
 
 SlicedCall::Progress SlicedCall::advance(std::chrono::microseconds slice) {
+    if (state_.is_lost()) {
+        error_ = lost_error(total_.seconds);
+        return Progress::failed;
+    }
     const double left = total_.seconds - used_seconds();
     CallRecord call(thread_, Budget{left});
     call.budget_seconds = total_.seconds;
@@ -52,8 +58,17 @@ SlicedCall::Progress SlicedCall::advance(std::chrono::microseconds slice) {
     call.slice_end = std::chrono::steady_clock::now() + slice;
     const std::int64_t began = thread_time();
     keep_watching(thread_);
+    if (call.outer == nullptr) {
+        if (_setjmp(call.escape) != 0) {
+            finish_escape(call);
+            error_ = lost_error(total_.seconds);
+            return Progress::failed;
+        }
+        call.can_escape = true;
+    }
     int results = 0;
     const int status = lua_resume(thread_, nullptr, arguments_, &results);
+    call.can_escape = false;
     arguments_ = 0;
     used_ += thread_time() - began;
     if (status == LUA_OK) return Progress::finished;

@@ -31,12 +31,24 @@ LuaState::LuaState(StateOptions options) : memory_limit_(options.memory_limit), 
 
 Expected<std::unique_ptr<LuaState>> LuaState::create(StateOptions options) {
     auto state = std::unique_ptr<LuaState>(new LuaState(std::move(options)));
-    state->lua_ = lua_newstate(&LuaState::allocate, state.get());
-    if (state->lua_ == nullptr) return failure("not enough memory for a new Lua state");
-    *static_cast<LuaState**>(lua_getextraspace(state->lua_)) = state.get();
-    lua_atpanic(state->lua_, panic);
-    lua_gc(state->lua_, LUA_GCINC, gc_pause, gc_step_speed, gc_step_size_log);
+    if (!state->open()) return failure("not enough memory for a new Lua state");
     return state;
+}
+
+bool LuaState::open() {
+    lua_ = lua_newstate(&LuaState::allocate, this);
+    if (lua_ == nullptr) return false;
+    *static_cast<LuaState**>(lua_getextraspace(lua_)) = this;
+    lua_atpanic(lua_, panic);
+    lua_gc(lua_, LUA_GCINC, gc_pause, gc_step_speed, gc_step_size_log);
+    return true;
+}
+
+LuaState* LuaState::replace_lost() {
+    lua_gc(lua_, LUA_GCSTOP);  // for what may still look at the old one
+    memory_ = 0;
+    if (!open()) std::abort();
+    return std::exchange(next_lost_, nullptr);
 }
 
 LuaState::~LuaState() {

@@ -62,16 +62,31 @@ public:
     /// The next number that tells a table, function, userdata or coroutine from the others in its text ("table: 1").
     std::int64_t next_identity() { return ++identities_; }
 
+    /// A lost state was left in the middle of Lua's own code (watchdog.hpp). Its main thread is then an empty state, so
+    /// that what is done with it does no harm, and every call fails.
+    bool is_lost() const { return lost_; }
+    /// Marks the state as lost and puts it at the head of the list. Safe in a signal handler.
+    void lose(LuaState*& list) {
+        lost_ = true;
+        next_lost_ = list;
+        list = this;
+    }
+    /// Puts an empty state in the place of the lost one, whose memory stays taken. Returns the next of the list.
+    LuaState* replace_lost();
+
     /// Whether `next` has ever had to remember keys.
     bool has_next_cache = false;
 
 private:
     explicit LuaState(StateOptions options);
+    bool open();
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
 
     std::size_t memory_ = 0;
     std::size_t memory_limit_;
     lua_State* lua_ = nullptr;
+    bool lost_ = false;
+    LuaState* next_lost_ = nullptr;
     std::int64_t identities_ = 0;
     Random random_;
     std::uint64_t random_seed_ = 0;

@@ -117,11 +117,10 @@ const Entries& utf8() {
 
 Expected<void> open_sandbox(LuaState& state) {
     const auto opened = protect(state.lua(), Budget{10.0}, [](lua_State* lua) {
-        // Lua looks here for the name of a function whose caller gave it none.
+        // Lua looks here for the name of a function that is called under none.
         luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+        // The basic functions are not there: beside them a script puts functions of its own, under other names.
         lua_pushglobaltable(lua);
-        lua_pushvalue(lua, -1);
-        lua_setfield(lua, -3, LUA_GNAME);
         for (const library::Entry& entry : library::basic()) {
             lua_pushcfunction(lua, entry.function);
             lua_setfield(lua, -2, entry.name);

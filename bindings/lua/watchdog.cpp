@@ -12,6 +12,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "bindings/lua/lua_text.hpp"
 #include "bindings/lua/state.hpp"
 
 #if defined(__SANITIZE_THREAD__)
@@ -24,10 +25,12 @@ extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value
 #define NEZUMI_IN_SIGNAL __attribute__((no_sanitize("thread")))
 // Nor may the handler call what it intercepts.
 #define NEZUMI_CLOCK_GETTIME(clock, time) syscall(SYS_clock_gettime, clock, time)
+#define NEZUMI_CAN_LEAVE false
 #else
 #define NEZUMI_SIGACTION sigaction
 #define NEZUMI_IN_SIGNAL
 #define NEZUMI_CLOCK_GETTIME(clock, time) clock_gettime(clock, time)
+#define NEZUMI_CAN_LEAVE true
 #endif
 
 namespace nezumi {
@@ -39,7 +42,11 @@ namespace {
 
 constexpr std::int64_t tick_ns = 5'000'000;
 constexpr int deep_recursion = 20'000;  // calls within calls
+constexpr std::int64_t escape_after_ns = 1'000'000'000;
 constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): from a signal handler to the place it jumps to
+constinit thread_local LuaState* lost_states = nullptr;
 
 int watch_signal() { return SIGRTMIN + 5; }
 
@@ -53,9 +60,22 @@ NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
     return nanoseconds(time);
 }
 
+// Out of Lua from within its own code, over the frames of C and C++ functions that its own errors jump over as well.
+NEZUMI_IN_SIGNAL void leave_lua(CallRecord* innermost) {
+    CallRecord* outermost = innermost;
+    while (outermost->outer != nullptr) outermost = outermost->outer;
+    if (!NEZUMI_CAN_LEAVE || !outermost->can_escape) return;
+    outermost->can_escape = false;
+    for (CallRecord* call = innermost; call != nullptr; call = call->outer) {
+        LuaState& state = LuaState::of(call->running);
+        if (!state.is_lost()) state.lose(lost_states);
+    }
+    _longjmp(outermost->escape, 1);
+}
+
 // Runs in the thread that is watched, between any two of its instructions. It only looks at the clock and calls
 // lua_sethook, which Lua allows here.
-NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void*) {
+NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
     const int saved_errno = errno;
     CallRecord* const innermost = *static_cast<CallRecord* volatile*>(info->si_value.sival_ptr);
     const std::int64_t now = time_in_signal();
@@ -67,6 +87,7 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void*) {
     // A call waits for those within it: they end with it.
     for (CallRecord* call = expired != nullptr ? innermost : nullptr; call != nullptr; call = call->outer) {
         call->budget_seconds = expired->budget_seconds;
+        if (call->expired == 0) call->expired_at = now;
         call->expired = 1;
         // Setting a hook visits every function that is being called, which may take longer than the time between two
         // ticks: then the script would never get to the instruction that raises the error.
@@ -78,11 +99,20 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void*) {
         if (call == expired) break;
     }
     errno = saved_errno;
+    if (expired != nullptr && now - innermost->expired_at > escape_after_ns && was_in_lua(context))
+        leave_lua(innermost);
 }
 
 enum class Watch : unsigned char { not_yet, by_timer, by_polling };
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a timer belongs to its thread
 constinit thread_local Watch watch = Watch::not_yet;
+
+void mask_signal(int how) {
+    sigset_t ours;
+    sigemptyset(&ours);
+    sigaddset(&ours, watch_signal());
+    pthread_sigmask(how, &ours, nullptr);
+}
 
 // A timer on the CPU time of the thread that makes it: an idle thread is not woken.
 class ThreadTimer {
@@ -99,6 +129,7 @@ public:
     bool restart() {
         stop();
         static const int installed = [] {
+            find_lua_text();
             struct sigaction action {};
             action.sa_sigaction = on_tick;
             action.sa_flags = SA_SIGINFO | SA_RESTART;
@@ -127,13 +158,6 @@ public:
     }
 
 private:
-    static void mask_signal(int how) {
-        sigset_t ours;
-        sigemptyset(&ours);
-        sigaddset(&ours, watch_signal());
-        pthread_sigmask(how, &ours, nullptr);
-    }
-
     timer_t timer_{};
     bool runs_ = false;
 };
@@ -178,6 +202,12 @@ CallRecord::CallRecord(lua_State* lua, Budget budget)
 CallRecord::~CallRecord() {
     current_call = outer;
     std::atomic_signal_fence(std::memory_order_seq_cst);
+}
+
+void finish_escape(CallRecord& outermost) {
+    current_call = &outermost;
+    while (lost_states != nullptr) lost_states = lost_states->replace_lost();
+    mask_signal(SIG_UNBLOCK);  // the handler never returned
 }
 
 void keep_watching(lua_State* lua) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <chrono>
+#include <csetjmp>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +50,7 @@ public:
     volatile std::int64_t seen = 0;          ///< [ns] of CPU time, when the timer first found this call
     std::int64_t next_hook = 0;              ///< [ns] when the timer may set the hook again
     std::int64_t budget_ns;                  ///< so long after that, the budget is used up
+    std::int64_t expired_at = 0;             ///< [ns] when the timer found it used up
     double budget_seconds;                   ///< for the message
     std::int64_t pattern_steps = pattern_step_budget;
     const char* stack_base;  ///< where the C stack was at the thread's outermost call
@@ -59,6 +61,10 @@ public:
     bool slice_over = false;             ///< a coroutine yields because the slice is over, not by its own will
     std::chrono::steady_clock::time_point slice_end{};
     std::int64_t polled_limit = 0;  ///< [ns] of CPU time, where there is no timer; 0: there is one
+
+    /// The way out of Lua's own code, where no hook runs: set by the thread's outermost call, while `can_escape`.
+    std::jmp_buf escape;
+    volatile bool can_escape = false;
 
     ScriptPlace expiry_place;          ///< where the script was when it was stopped
     bool memory_refused = false;       ///< the state's limit was reached
@@ -78,6 +84,10 @@ void raise_expiry(lua_State* lua);
 inline void poll_budget(lua_State* lua) {
     if (current_call->expired != 0) raise_expiry(lua);
 }
+
+/// What an outermost call does where setjmp on its `escape` has returned a second time: the states of all calls that
+/// were under way are replaced by empty ones.
+void finish_escape(CallRecord& outermost);
 
 /// The hook that stops or slices. Removes itself when there is nothing to do.
 void watch_hook(lua_State* lua, lua_Debug* activation);

@@ -124,7 +124,7 @@ TEST_CASE("finalizers and weak tables are refused, and added later they do nothi
     CHECK(box.run("local t = setmetatable({}, { __metatable = 'locked' }) return getmetatable(t), pcall(setmetatable, "
                   "t, {})") == "locked false cannot change a protected metatable");
     CHECK(box.run("return setmetatable({}, nil) ~= nil, pcall(setmetatable, {}, 1)") ==
-          "true false bad argument #2 to 'setmetatable' (nil or table expected, got number)");
+          "true false bad argument #2 to '?' (nil or table expected, got number)");
     CHECK(box.run("local mt = setmetatable({}, { __index = { __gc = 1 } }) return type(setmetatable({}, mt))") ==
           "table");
 }

@@ -201,6 +201,42 @@ TEST_CASE("calls that nest through C without end are an error", "[lua][call]") {
     CHECK(box.run("inner() return n > 10", Budget{5.0}) == "true");
 }
 
+// A weak table made so after setmetatable has looked, with a chain of keys that the collector follows link by link.
+const char* const collector_bomb =
+    "local m = {} local t = setmetatable({}, m) local n, keys = 60000, {} for i = 1, n do keys[i] = {} end "
+    "for i = n, 2, -1 do local j = math.random(i) keys[i], keys[j] = keys[j], keys[i] end "
+    "for i = 1, n - 1 do t[keys[i]] = keys[i + 1] end local first = keys[1] keys = nil m.__mode = 'k' "
+    "local junk while true do junk = { first } end";
+
+// ThreadSanitizer can't follow a jump out of a signal handler; there the call ends late.
+#if !defined(__SANITIZE_THREAD__)
+TEST_CASE("work without end in the garbage collector is left, and its state given up", "[lua][watchdog]") {
+    Box box;
+    Box bystander;
+    const std::string lost =
+        "ran for more than 0.1 s inside Lua itself, where it could not be stopped: the script is lost, load it again";
+    const bool nested = GENERATE(false, true);
+    if (nested) {
+        give_call(bystander, box.lua());
+        box.run(std::string("function inner() ") + collector_bomb + " end");
+        CHECK(bystander.run_for_a_moment("call_other()") == lost);
+        CHECK(bystander.over_budget);
+        CHECK(bystander.state->is_lost());
+    } else {
+        CHECK(box.run_for_a_moment(collector_bomb) == lost);
+        CHECK(box.over_budget);
+        CHECK(bystander.run("return 'goes on'") == "goes on");
+    }
+    CHECK(box.state->is_lost());
+    CHECK(box.run("return 1") == "the script is lost: it had to be stopped inside Lua itself; load it again");
+    lua_getglobal(box.lua(), "anything");
+    lua_settop(box.lua(), 0);
+    CHECK(current_call == nullptr);
+    Box next;
+    CHECK(next.run_for_a_moment("while true do end") == "box.lua:1: " + too_long);
+}
+#endif
+
 TEST_CASE("a host's system calls and errno are left alone", "[lua][watchdog]") {
     Box box;
     box.run("return 1");
