@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/script_component.hpp"
+#include "bindings/lua/script/script_component.hpp"
 
 using namespace nezumi;
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live_reload.hpp"
+#include "bindings/lua/reload/live_reload.hpp"
 
 using namespace nezumi;
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <string>
 
-#include "bindings/lua/call.hpp"
-#include "bindings/lua/compile.hpp"
-#include "bindings/lua/state.hpp"
-#include "bindings/lua/stdlib.hpp"
-#include "bindings/lua/strict_globals.hpp"
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/sandbox/strict_globals.hpp"
 
 namespace nezumi {
 namespace {

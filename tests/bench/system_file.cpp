@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "bindings/lua/system_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
 
 using namespace nezumi;
 

@@ -2,8 +2,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "bindings/lua/behavior_maker.hpp"
-#include "bindings/lua/system_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/script/behavior_maker.hpp"
 #include "engine/build_system.hpp"
 #include "sim/world.hpp"
 

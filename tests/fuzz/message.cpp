@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "bindings/lua/call.hpp"
-#include "bindings/lua/codec.hpp"
-#include "bindings/lua/compile.hpp"
-#include "bindings/lua/stdlib.hpp"
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/values/codec.hpp"
 #include "engine/payload.hpp"
 
 using namespace nezumi;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string_view>
 
-#include "bindings/lua/robot_file.hpp"
+#include "bindings/lua/files/robot_file.hpp"
 #include "engine/robot.hpp"
 
 using namespace nezumi;

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "bindings/lua/system_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
 
 using namespace nezumi;
 

@@ -1,5 +1,5 @@
 // Behaviours from files, in a system, with modules that the project has.
-#include "bindings/lua/behavior_maker.hpp"
+#include "bindings/lua/script/behavior_maker.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

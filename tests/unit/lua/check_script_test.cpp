@@ -1,5 +1,5 @@
 // A check tells all slips of a file at once.
-#include "bindings/lua/check_script.hpp"
+#include "bindings/lua/script/check_script.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Payloads and parameters cross between C++ and Lua whole, or the message says which part does not fit.
-#include "bindings/lua/codec.hpp"
+#include "bindings/lua/values/codec.hpp"
 
 #include <catch2/catch.hpp>
 #include <memory>

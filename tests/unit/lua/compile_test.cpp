@@ -1,7 +1,7 @@
 // From text to a chunk, and globals that can't be invented at run time.
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/strict_globals.hpp"
+#include "bindings/lua/sandbox/strict_globals.hpp"
 #include "sandbox_support.hpp"
 
 namespace nezumi {

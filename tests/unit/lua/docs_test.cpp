@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/robot_file.hpp"
-#include "bindings/lua/system_file.hpp"
+#include "bindings/lua/files/robot_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
 
 using namespace nezumi;
 

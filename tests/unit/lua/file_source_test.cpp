@@ -1,5 +1,5 @@
 // Places of fields in the text of a Lua file.
-#include "bindings/lua/file_source.hpp"
+#include "bindings/lua/files/file_source.hpp"
 
 #include <catch2/catch.hpp>
 

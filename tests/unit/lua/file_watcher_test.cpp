@@ -1,5 +1,5 @@
 // Every way in which editors and tools save a file is noticed, and what is no change is not.
-#include "bindings/lua/file_watcher.hpp"
+#include "bindings/lua/reload/file_watcher.hpp"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <thread>
 
-#include "bindings/lua/script_source.hpp"
+#include "bindings/lua/script/script_source.hpp"
 
 using namespace nezumi;
 

@@ -1,5 +1,5 @@
 // Saving a file changes the running robot; a bad save is told and changes nothing; no tick waits for either.
-#include "bindings/lua/live_reload.hpp"
+#include "bindings/lua/reload/live_reload.hpp"
 
 #include <unistd.h>
 

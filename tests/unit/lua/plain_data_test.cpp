@@ -1,10 +1,10 @@
 // Plain data keeps its shape between Lua states, and what can't go along is named.
-#include "bindings/lua/plain_data.hpp"
+#include "bindings/lua/values/plain_data.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/compile.hpp"
-#include "bindings/lua/stdlib.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
 
 using namespace nezumi;
 

@@ -1,5 +1,5 @@
 // Hot reload in a running system: what is kept, what is new, and that a bad version changes nothing.
-#include "bindings/lua/reloader.hpp"
+#include "bindings/lua/reload/reloader.hpp"
 
 #include <unistd.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/script_component.hpp"
+#include "bindings/lua/script/script_component.hpp"
 
 namespace nezumi {
 

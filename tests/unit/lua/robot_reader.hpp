@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bindings/lua/robot_file.hpp"
+#include "bindings/lua/files/robot_file.hpp"
 
 namespace nezumi::robot_files {
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 
-#include "bindings/lua/sliced_call.hpp"
+#include "bindings/lua/sandbox/sliced_call.hpp"
 #include "sandbox_support.hpp"
 
 namespace nezumi {

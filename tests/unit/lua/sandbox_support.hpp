@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/call.hpp"
-#include "bindings/lua/compile.hpp"
-#include "bindings/lua/state.hpp"
-#include "bindings/lua/stdlib.hpp"
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
 
 namespace nezumi {
 

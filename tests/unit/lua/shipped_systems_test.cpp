@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/script_component.hpp"
-#include "bindings/lua/system_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/script/script_component.hpp"
 #include "engine/build_system.hpp"
 #include "sim/world.hpp"
 

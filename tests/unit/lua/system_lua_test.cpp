@@ -1,11 +1,11 @@
 // The system's words as methods of an object, as scenarios use them.
-#include "bindings/lua/system_lua.hpp"
+#include "bindings/lua/files/system_lua.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/call.hpp"
-#include "bindings/lua/compile.hpp"
-#include "bindings/lua/stdlib.hpp"
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
 
 using namespace nezumi;
 

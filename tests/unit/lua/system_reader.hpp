@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bindings/lua/system_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
 
 namespace nezumi::system_files {
 

@@ -1,9 +1,9 @@
 // A system written as a file, and read back.
-#include "bindings/lua/system_text.hpp"
+#include "bindings/lua/files/system_text.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/system_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
 
 using namespace nezumi;
 

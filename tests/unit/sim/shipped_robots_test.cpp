@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "bindings/lua/robot_file.hpp"
+#include "bindings/lua/files/robot_file.hpp"
 #include "tests/unit/sim/try_world.hpp"
 
 using namespace nezumi;

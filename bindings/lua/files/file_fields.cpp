@@ -1,0 +1,259 @@
+// The checks of fields, and what they say.
+#include "bindings/lua/files/file_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nezumi {
+namespace {
+
+constexpr double largest = 1e6;  // no length, mass or rate of a robot comes near it
+
+const FileTable& empty_table() {
+    static const FileTable table;
+    return table;
+}
+
+std::string_view words_for(NumberRange range) {
+    switch (range) {
+        case NumberRange::any: return "a number";
+        case NumberRange::not_negative: return "a number from 0 on";
+        case NumberRange::positive: return "a positive number";
+    }
+    return "a number";
+}
+
+// Why the value is no number of this range, or "".
+std::string read_number(const FileValue& value, NumberRange range, double& out) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
+        out = static_cast<double>(*whole);
+    } else if (const auto* number = std::get_if<double>(&value.data)) {
+        out = *number;
+    } else {
+        return fmt::format("expected {}, got {}", words_for(range), kind_of(value));
+    }
+    if (!std::isfinite(out))
+        return fmt::format("expected a finite number, got {}", std::isnan(out) ? "nan" : fmt::format("{}", out));
+    if ((range == NumberRange::positive && out <= 0) || (range == NumberRange::not_negative && out < 0)) {
+        return fmt::format("expected {}, got {}", words_for(range), out);
+    }
+    if (std::abs(out) > largest) return fmt::format("expected a number up to {}, got {}", largest, out);
+    return "";
+}
+
+}  // namespace
+
+void FieldCheck::keep(int gravity, Error error) {
+    if (gravity <= gravity_) return;
+    gravity_ = gravity;
+    error_ = std::move(error);
+}
+
+void FieldCheck::unknown(const FieldPath& path, std::string_view hint) {
+    keep(3, {fmt::format("{}: unknown field '{}'{}", what_, to_text(path), hint), place_of(path)});
+}
+
+void FieldCheck::wrong(const FieldPath& path, std::string_view text) {
+    keep(2, {fmt::format("{}: field '{}' {}", what_, to_text(path), text), place_of(path)});
+}
+
+void FieldCheck::explain(const FieldPath& path, std::string_view text) {
+    keep(2, {fmt::format("{}: field '{}': {}", what_, to_text(path), text), place_of(path)});
+}
+
+void FieldCheck::missing(const FieldPath& path, std::string_view expected) {
+    keep(1, {fmt::format("{}: field '{}' is missing: expected {}", what_, to_text(path), expected), place_of(path)});
+}
+
+void FieldCheck::wrong_at(const FieldPath& path, std::string_view text) {
+    keep(2, {fmt::format("{}: {}", what_, text), place_of(path)});
+}
+
+void FieldCheck::wrong(Error error) { keep(2, std::move(error)); }
+
+Expected<void> FieldCheck::result() const {
+    if (ok()) return {};
+    return Unexpected(error_);
+}
+
+Fields::Fields(FieldCheck& check, const FileValue& value, FieldPath path)
+    : check_(check), table_(value.table()), path_(std::move(path)) {
+    if (table_ != nullptr) return;
+    table_ = &empty_table();
+    if (value.is_nil()) return;
+    const std::string text = fmt::format("expected a table, got {}", kind_of(value));
+    path_.empty() ? check_.wrong_at(path_, text) : check_.wrong(path_, text);
+}
+
+FieldPath Fields::path_of(std::string_view name) const {
+    FieldPath path = path_;
+    path.emplace_back(name);
+    return path;
+}
+
+const FileValue* Fields::field(std::string_view name) {
+    if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) asked_.emplace_back(name);
+    return table_->find(name);
+}
+
+bool Fields::boolean(std::string_view name, bool& out) {
+    const FileValue* value = field(name);
+    if (value == nullptr) return false;
+    if (const bool* truth = std::get_if<bool>(&value->data)) {
+        out = *truth;
+        return true;
+    }
+    check_.wrong(path_of(name), fmt::format("expected true or false, got {}", kind_of(*value)));
+    return false;
+}
+
+bool Fields::number(std::string_view name, double& out, NumberRange range) {
+    const FileValue* value = field(name);
+    if (value == nullptr) return false;
+    double number = 0;
+    const std::string problem = read_number(*value, range, number);
+    if (problem.empty()) {
+        out = number;
+        return true;
+    }
+    check_.wrong(path_of(name), problem);
+    return false;
+}
+
+bool Fields::whole(std::string_view name, std::int64_t& out, std::int64_t min, std::int64_t max) {
+    const FileValue* value = field(name);
+    if (value == nullptr) return false;
+    const auto* whole = std::get_if<std::int64_t>(&value->data);
+    const auto* number = std::get_if<double>(&value->data);
+    std::string got = kind_of(*value);
+    if (whole != nullptr && *whole >= min && *whole <= max) {
+        out = *whole;
+        return true;
+    }
+    if (number != nullptr && *number == std::floor(*number) && *number >= static_cast<double>(min) &&
+        *number <= static_cast<double>(max)) {
+        out = static_cast<std::int64_t>(*number);
+        return true;
+    }
+    if (whole != nullptr) got = fmt::format("{}", *whole);
+    if (number != nullptr) got = fmt::format("{}", *number);
+    check_.wrong(path_of(name), fmt::format("expected a whole number from {} to {}, got {}", min, max, got));
+    return false;
+}
+
+bool Fields::text(std::string_view name, std::string& out) {
+    const FileValue* value = field(name);
+    if (value == nullptr) return false;
+    if (const std::string* text = value->text()) {
+        out = *text;
+        return true;
+    }
+    check_.wrong(path_of(name), fmt::format("expected a text, got {}", kind_of(*value)));
+    return false;
+}
+
+bool Fields::coordinates(std::string_view name, std::vector<double>& out, std::size_t least, std::size_t most,
+                         NumberRange range) {
+    constexpr std::string_view axes[] = {"x", "y", "z"};
+    const FileValue* value = field(name);
+    if (value == nullptr) return false;
+    const FileTable* table = value->table();
+    const std::string_view shape = most == 2 ? "{ x, y }" : "{ x, y, z }";
+    if (table == nullptr) {
+        check_.wrong(path_of(name), fmt::format("expected {}, got {}", shape, kind_of(*value)));
+        return false;
+    }
+    const bool by_name = table->elements.empty();
+    FieldPath path = path_of(name);
+    path.emplace_back();
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < most; ++i) {
+        const FileValue* axis = by_name                      ? table->find(axes[i])
+                                : i < table->elements.size() ? &table->elements[i]
+                                                             : nullptr;
+        if (axis == nullptr) break;
+        path.back() = by_name ? std::string(axes[i]) : fmt::format("[{}]", i + 1);
+        double number = 0;
+        if (const std::string problem = read_number(*axis, range, number); !problem.empty()) {
+            check_.wrong(path, problem);
+            return false;
+        }
+        out.push_back(number);
+        ++found;
+    }
+    const std::size_t size = by_name ? table->fields.size() : table->elements.size();
+    if (found < least || size != found || (!by_name && !table->fields.empty())) {
+        for (const auto& [key, unused] : table->fields) {
+            if (by_name && std::find(std::begin(axes), std::begin(axes) + most, key) != std::begin(axes) + most)
+                continue;
+            path.back() = key;
+            check_.unknown(path, fmt::format(": expected {}", shape));
+            return false;
+        }
+        check_.wrong(path_of(name), fmt::format("expected {} numbers {}, got {}", most, shape, by_name ? found : size));
+        return false;
+    }
+    return true;
+}
+
+bool Fields::point(std::string_view name, Point2D& out, NumberRange range) {
+    std::vector<double> v;
+    if (!coordinates(name, v, 2, 2, range)) return false;
+    out = {v[0], v[1]};
+    return true;
+}
+
+bool Fields::point(std::string_view name, Point3D& out, NumberRange range, bool z_optional) {
+    std::vector<double> v;
+    if (!coordinates(name, v, z_optional ? 2 : 3, 3, range)) return false;
+    out = {v[0], v[1], v.size() > 2 ? v[2] : out.z};
+    return true;
+}
+
+bool Fields::choice(std::string_view name, std::size_t& out, const std::vector<std::string_view>& choices) {
+    const FileValue* value = field(name);
+    if (value == nullptr) return false;
+    const std::string* text = value->text();
+    const std::string got = text != nullptr ? "'" + *text + "'" : kind_of(*value);
+    const auto found = text != nullptr ? std::find(choices.begin(), choices.end(), *text) : choices.end();
+    if (found == choices.end()) {
+        const std::string hint = text != nullptr ? did_you_mean(*text, choices) : "";
+        check_.wrong(path_of(name), fmt::format("expected one of {}, got {}{}", fmt::join(choices, ", "), got, hint));
+        return false;
+    }
+    out = static_cast<std::size_t>(found - choices.begin());
+    return true;
+}
+
+Fields Fields::inner(std::string_view name) {
+    static const FileValue nothing;
+    const FileValue* value = field(name);
+    return Fields(check_, value != nullptr ? *value : nothing, path_of(name));
+}
+
+const std::vector<FileValue>& Fields::elements() {
+    elements_asked_ = true;
+    return table_->elements;
+}
+
+void Fields::require(std::string_view name, std::string_view expected) {
+    if (field(name) == nullptr) check_.missing(path_of(name), expected);
+}
+
+void Fields::done(std::string (*hint)(std::string_view name)) {
+    const std::vector<std::string_view> known(asked_.begin(), asked_.end());
+    const auto refuse = [&](std::string_view key) {
+        std::string more = hint != nullptr ? hint(key) : std::string();
+        if (more.empty()) more = did_you_mean(key, known);
+        if (more.empty()) more = fmt::format(": expected {}", fmt::join(known, ", "));
+        check_.unknown(path_of(key), more);
+    };
+    for (const auto& [key, unused] : table_->fields) {
+        if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) return refuse(key);
+    }
+    if (!table_->elements.empty() && !elements_asked_) refuse("[1]");
+}
+
+}  // namespace nezumi

@@ -1,0 +1,104 @@
+// Strict reading of the tables that a person wrote: every field is asked for by name, and what was not asked for is an
+// error.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/files/file_source.hpp"
+#include "bindings/lua/files/file_value.hpp"
+#include "engine/error.hpp"
+#include "engine/messages.hpp"
+
+namespace nezumi {
+
+/// What is wrong with one call of a word. Keeps the first error of the gravest kind: a field nobody knows (a slip
+/// explains the field that is missing), then a value that does not fit, then a field that is missing.
+class FieldCheck {
+public:
+    /// `what` begins every message: "robot 'mouse'". `source` may be null.
+    FieldCheck(std::string what, std::string word, Place call, const FileSource* source)
+        : what_(std::move(what)), word_(std::move(word)), call_(std::move(call)), source_(source) {}
+
+    void unknown(const FieldPath& path, std::string_view hint);
+    /// "robot 'mouse': field 'pose.x' TEXT".
+    void wrong(const FieldPath& path, std::string_view text);
+    void missing(const FieldPath& path, std::string_view expected);
+    /// "robot 'mouse': field 'set': TEXT".
+    void explain(const FieldPath& path, std::string_view text);
+    /// "robot 'mouse': TEXT", at the place of the field.
+    void wrong_at(const FieldPath& path, std::string_view text);
+    /// An error that has words and a place of its own.
+    void wrong(Error error);
+
+    bool ok() const { return gravity_ == 0; }
+    Place place_of(const FieldPath& path) const {
+        return source_ != nullptr ? source_->find(word_, call_, path) : call_;
+    }
+    const Place& call() const { return call_; }
+    Expected<void> result() const;
+
+private:
+    void keep(int gravity, Error error);
+
+    std::string what_;
+    std::string word_;
+    Place call_;
+    const FileSource* source_;
+    int gravity_ = 0;
+    Error error_;
+};
+
+/// Which numbers may stand in a field. All are finite and at most a million.
+enum class NumberRange { any, not_negative, positive };
+
+/// One table and what has been asked of it. A getter leaves `out` as it is when there is no such field; it returns
+/// whether there is one that fits.
+class Fields {
+public:
+    /// `value` nil: an empty table.
+    Fields(FieldCheck& check, const FileValue& value, FieldPath path = {});
+
+    /// nullptr when there is none.
+    const FileValue* field(std::string_view name);
+    bool has(std::string_view name) { return field(name) != nullptr; }
+    bool boolean(std::string_view name, bool& out);
+    bool number(std::string_view name, double& out, NumberRange range = NumberRange::any);
+    bool whole(std::string_view name, std::int64_t& out, std::int64_t min, std::int64_t max);
+    bool text(std::string_view name, std::string& out);
+    /// `{ x, y }` or `{ x =, y = }`.
+    bool point(std::string_view name, Point2D& out, NumberRange range = NumberRange::any);
+    /// `{ x, y, z }` or `{ x =, y =, z = }`; z may be left out, and keeps its value, when `z_optional`.
+    bool point(std::string_view name, Point3D& out, NumberRange range = NumberRange::any, bool z_optional = false);
+    /// One of these words, as its index.
+    bool choice(std::string_view name, std::size_t& out, const std::vector<std::string_view>& choices);
+    /// The fields of a table within; those of an empty one when there is none.
+    Fields inner(std::string_view name);
+    /// Every field, by its name in ascending order, when the names are the person's own.
+    const std::vector<FileField>& all() const { return table_->fields; }
+    /// The elements 1..n, which are then no longer unknown.
+    const std::vector<FileValue>& elements();
+
+    /// An error when there is no such field. `expected` says what belongs there.
+    void require(std::string_view name, std::string_view expected);
+    /// Refuses every field that was not asked for. `hint` may explain a name: it returns "" or " (...)".
+    void done(std::string (*hint)(std::string_view name) = nullptr);
+
+    FieldCheck& check() { return check_; }
+    FieldPath path_of(std::string_view name) const;
+    const FieldPath& path() const { return path_; }
+
+private:
+    bool coordinates(std::string_view name, std::vector<double>& out, std::size_t least, std::size_t most,
+                     NumberRange range);
+
+    FieldCheck& check_;
+    const FileTable* table_;
+    FieldPath path_;
+    std::vector<std::string> asked_;
+    bool elements_asked_ = false;
+};
+
+}  // namespace nezumi

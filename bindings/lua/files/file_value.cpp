@@ -1,0 +1,168 @@
+// Copies values out of Lua without ever raising a Lua error.
+#include "bindings/lua/files/file_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace nezumi {
+namespace {
+
+constexpr int deepest = 32;
+constexpr std::size_t most_parts = 1'000'000;
+
+class Reader {
+public:
+    explicit Reader(lua_State* lua) : lua_(lua) {}
+
+    Expected<FileValue> read(int index, int depth) {
+        if (depth > deepest) return failure("tables are nested too deeply, or a table is within itself");
+        if (++parts_ > most_parts) return failure(fmt::format("has more than {} parts", most_parts));
+        if (lua_checkstack(lua_, 4) == 0) return failure("tables are nested too deeply");
+        switch (lua_type(lua_, index)) {
+            case LUA_TNONE:
+            case LUA_TNIL: return FileValue{};
+            case LUA_TBOOLEAN: return FileValue{lua_toboolean(lua_, index) != 0};
+            case LUA_TNUMBER:
+                if (lua_isinteger(lua_, index) != 0) return FileValue{std::int64_t{lua_tointeger(lua_, index)}};
+                return FileValue{double{lua_tonumber(lua_, index)}};
+            case LUA_TSTRING: return FileValue{text_at(index)};
+            case LUA_TTABLE: return read_table(index, depth);
+            case LUA_TLIGHTUSERDATA: {
+                const auto number = reinterpret_cast<std::uintptr_t>(lua_touserdata(lua_, index));
+                return FileValue{FileThing{static_cast<std::size_t>(number) - 1}};
+            }
+            case LUA_TFUNCTION: return FileValue{FileFunction{}};
+            default: return FileValue{FileOther{lua_typename(lua_, lua_type(lua_, index))}};
+        }
+    }
+
+private:
+    // Only for what is a string already: converting a number could raise an error.
+    std::string text_at(int index) {
+        std::size_t size = 0;
+        const char* text = lua_tolstring(lua_, index, &size);
+        return {text, size};
+    }
+
+    std::string key_at(int index) {
+        switch (lua_type(lua_, index)) {
+            case LUA_TSTRING: return text_at(index);
+            case LUA_TNUMBER:
+                if (lua_isinteger(lua_, index) != 0) return fmt::format("[{}]", lua_tointeger(lua_, index));
+                return fmt::format("[{}]", lua_tonumber(lua_, index));
+            case LUA_TBOOLEAN: return lua_toboolean(lua_, index) != 0 ? "[true]" : "[false]";
+            default: return fmt::format("[a {}]", lua_typename(lua_, lua_type(lua_, index)));
+        }
+    }
+
+    Expected<FileValue> read_table(int index, int depth) {
+        index = lua_absindex(lua_, index);
+        FileTable table;
+        for (lua_Integer i = 1;; ++i) {
+            const bool nothing = lua_rawgeti(lua_, index, i) == LUA_TNIL;
+            if (nothing) {
+                lua_pop(lua_, 1);
+                break;
+            }
+            auto element = read(-1, depth + 1);
+            lua_pop(lua_, 1);
+            if (!element) return element;
+            table.elements.push_back(std::move(*element));
+        }
+        const auto count = static_cast<lua_Integer>(table.elements.size());
+        lua_pushnil(lua_);
+        while (lua_next(lua_, index) != 0) {
+            const bool is_element =
+                lua_isinteger(lua_, -2) != 0 && lua_tointeger(lua_, -2) >= 1 && lua_tointeger(lua_, -2) <= count;
+            if (!is_element) {
+                std::string key = key_at(-2);
+                auto value = read(-1, depth + 1);
+                if (!value) {
+                    lua_pop(lua_, 2);
+                    return value;
+                }
+                table.fields.push_back({std::move(key), std::move(*value)});
+            }
+            lua_pop(lua_, 1);
+        }
+        std::stable_sort(table.fields.begin(), table.fields.end(),
+                         [](const auto& a, const auto& b) { return a.name < b.name; });
+        return FileValue{std::move(table)};
+    }
+
+    lua_State* lua_;
+    std::size_t parts_ = 0;
+};
+
+// All elements as T, or nothing when one is no T.
+template <class T>
+std::optional<std::vector<T>> all_as(const FileTable& table) {
+    std::vector<T> values;
+    for (const FileValue& element : table.elements) {
+        const T* value = std::get_if<T>(&element.data);
+        if (value == nullptr) return std::nullopt;
+        values.push_back(*value);
+    }
+    return values;
+}
+
+std::optional<double> to_number(const FileValue& value) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
+    if (const auto* number = std::get_if<double>(&value.data)) return *number;
+    return std::nullopt;
+}
+
+Expected<ParameterValue> to_array(const FileTable& table) {
+    if (!table.fields.empty())
+        return failure(fmt::format("expected an array, got a table with a field '{}'", table.fields.front().name));
+    if (auto values = all_as<std::int64_t>(table)) return std::move(*values);
+    if (auto values = all_as<bool>(table)) return std::move(*values);
+    if (auto values = all_as<std::string>(table)) return std::move(*values);
+    std::vector<double> numbers;
+    for (const FileValue& element : table.elements) {
+        const auto number = to_number(element);
+        if (!number) return failure("expected an array of numbers, of truth values or of texts");
+        if (!std::isfinite(*number)) return failure(fmt::format("expected finite numbers, got {}", *number));
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+}  // namespace
+
+const FileValue* FileTable::find(std::string_view name) const {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    return found == fields.end() ? nullptr : &found->value;
+}
+
+Expected<FileValue> read_file_value(lua_State* lua, int index) { return Reader(lua).read(index, 0); }
+
+void push_file_thing(lua_State* lua, FileThing thing) {
+    lua_pushlightuserdata(lua, reinterpret_cast<void*>(static_cast<std::uintptr_t>(thing.index + 1)));
+}
+
+std::string kind_of(const FileValue& value) {
+    constexpr std::string_view kinds[] = {
+        "nil", "boolean", "number", "number", "string", "table", "thing of the arena", "function"};
+    if (const auto* other = std::get_if<FileOther>(&value.data)) return other->kind;
+    return std::string(kinds[value.data.index()]);
+}
+
+Expected<ParameterValue> to_parameter(const FileValue& value) {
+    if (const auto* truth = std::get_if<bool>(&value.data)) return *truth;
+    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return *whole;
+    if (const auto* text = value.text()) return *text;
+    if (const auto* table = value.table()) return to_array(*table);
+    if (const auto* number = std::get_if<double>(&value.data)) {
+        if (std::isfinite(*number)) return *number;
+        return failure(fmt::format("expected a finite number, got {}", *number));
+    }
+    return failure(fmt::format("expected a number, a truth value, a text or an array of them, got {}", kind_of(value)));
+}
+
+}  // namespace nezumi

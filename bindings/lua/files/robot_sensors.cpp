@@ -1,0 +1,192 @@
+// The sensors of a robot file: places, ranges, and how a distance becomes a value.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bindings/lua/files/robot_fields.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double twelve_bits = 4095;  // the largest value of a table, unless it says otherwise
+
+// Inline points: `{ { 0.01, 1394 }, { 0.02, 792 } }`.
+std::vector<ResponseTable::Point> read_points(Fields& sensor, const FileTable& table) {
+    std::vector<ResponseTable::Point> points;
+    for (const FileValue& element : table.elements) {
+        double pair[2] = {0, 0};
+        const FileTable* point = element.table();
+        bool fits = point != nullptr && point->elements.size() == 2;
+        for (std::size_t i = 0; fits && i < 2; ++i) {
+            const FileValue& number = point->elements[i];
+            if (const auto* whole = std::get_if<std::int64_t>(&number.data)) {
+                pair[i] = static_cast<double>(*whole);
+            } else if (const auto* real = std::get_if<double>(&number.data)) {
+                pair[i] = *real;
+            } else {
+                fits = false;
+            }
+        }
+        if (!fits) {
+            sensor.check().wrong(sensor.path_of("table"), "expected a file's name or points { distance, value }");
+            return {};
+        }
+        points.push_back({pair[0], pair[1]});
+    }
+    return points;
+}
+
+void read_table(Fields& sensor, SensorSpec& spec, bool range_given, double nothing, double minimum, double maximum,
+                const RobotFileHelp& help) {
+    FieldCheck& check = sensor.check();
+    const FieldPath path = sensor.path_of("table");
+    const FileValue& value = *sensor.field("table");
+    std::vector<ResponseTable::Point> points;
+    if (const std::string* file = value.text()) {
+        auto read = help.read_table(*file);
+        if (!read) {
+            const Error& error = read.error();
+            return error.place.file.empty() ? check.explain(path, error.message) : check.wrong(error);
+        }
+        points = std::move(*read);
+    } else if (const FileTable* table = value.table()) {
+        points = read_points(sensor, *table);
+    } else {
+        return check.wrong(
+            path, fmt::format("expected a file's name or points {{ distance, value }}, got {}", kind_of(value)));
+    }
+    if (!check.ok()) return;
+    double largest = twelve_bits;
+    bool negative = false;
+    for (const ResponseTable::Point& point : points) {
+        largest = std::max(largest, point.value);
+        negative = negative || point.value < 0;
+    }
+    // Beyond its last point a table fades out over as much again.
+    if (!range_given && !points.empty()) spec.range = 2 * points.back().distance;
+    auto made = ResponseTable::from_points(std::move(points), spec.range, nothing,
+                                           minimum > -infinity ? minimum
+                                           : negative          ? -largest
+                                                               : 0,
+                                           maximum < infinity ? maximum : largest);
+    if (!made) return check.explain(path, made.error().message);
+    spec.response = std::move(*made);
+    spec.has_response = true;
+}
+
+void read_response(Fields& sensor, SensorSpec& spec, bool nothing_given, double nothing, double minimum, double maximum,
+                   const RobotFileHelp& help) {
+    FieldCheck& check = sensor.check();
+    const FieldPath path = sensor.path_of("response");
+    const FileValue& value = *sensor.field("response");
+    if (!std::holds_alternative<FileFunction>(value.data)) {
+        return check.wrong(path, fmt::format("expected a function of the distance, got {}", kind_of(value)));
+    }
+    std::vector<double> distances;
+    for (std::size_t i = 0; i <= response_samples; ++i) {
+        distances.push_back(spec.range * static_cast<double>(i) / static_cast<double>(response_samples));
+    }
+    if (!nothing_given) distances.push_back(infinity);
+    auto values = help.call(path, distances);
+    if (!values) {
+        const Error& error = values.error();
+        return error.place.file.empty() ? check.explain(path, error.message) : check.wrong(error);
+    }
+    const double at_infinity = nothing_given ? nothing : values->back();
+    values->resize(response_samples + 1);
+    double least = infinity;
+    double greatest = -infinity;
+    for (const double v : *values) {
+        if (!std::isfinite(v)) continue;
+        least = std::min(least, v);
+        greatest = std::max(greatest, v);
+    }
+    if (least > greatest) return check.explain(path, "returned no finite number");
+    // A formula like 1 / d has no value at 0: it gets the largest that there is, or that there may be.
+    for (double& v : *values) {
+        if (v == infinity) v = maximum < infinity ? maximum : greatest;
+        if (v == -infinity) v = minimum > -infinity ? minimum : least;
+        v = std::clamp(v, minimum, maximum);
+    }
+    const double last = values->back();
+    const double seen_nothing = !std::isfinite(at_infinity) ? last
+                                : nothing_given             ? nothing
+                                                            : std::clamp(at_infinity, minimum, maximum);
+    spec.response = ResponseTable::from_samples(std::move(*values), spec.range, seen_nothing);
+    spec.has_response = true;
+}
+
+void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& help) {
+    const bool range_given = sensor.number("range", spec.range, NumberRange::positive);
+    sensor.number("minimum", spec.minimum, NumberRange::not_negative);
+    if (spec.minimum >= spec.range)
+        sensor.check().wrong(sensor.path_of("minimum"),
+                             fmt::format("expected less than the range of {} m, got {}", spec.range, spec.minimum));
+    sensor.number("cone", spec.cone, NumberRange::not_negative);
+    std::int64_t rays = spec.cone > 0 ? 5 : 1;
+    sensor.whole("rays", rays, 1, 1000);
+    spec.rays = static_cast<int>(rays);
+    sensor.number("noise", spec.noise, NumberRange::not_negative);
+
+    double nothing = 0;
+    double minimum = -infinity;
+    double maximum = infinity;
+    const bool has_table = sensor.has("table");
+    const bool has_function = sensor.has("response");
+    if (!has_table && !has_function) return;
+    const bool nothing_given = sensor.number("nothing", nothing);
+    sensor.number("min_value", minimum);
+    sensor.number("max_value", maximum);
+    if (minimum > maximum)
+        sensor.check().explain(sensor.path_of("min_value"), fmt::format("{} is above max_value {}", minimum, maximum));
+    if (has_table && has_function)
+        sensor.check().wrong(sensor.path_of("response"), "is one too many beside 'table': give one of them");
+    if (!sensor.check().ok()) return;
+    if (has_table) {
+        read_table(sensor, spec, range_given, nothing, minimum, maximum, help);
+    } else {
+        read_response(sensor, spec, nothing_given, nothing, minimum, maximum, help);
+    }
+}
+
+}  // namespace
+
+SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body,
+                              const RobotFileHelp& help) {
+    using Kind = SensorSpec::Kind;
+    SensorSpec spec;
+    spec.name = name;
+    std::size_t kind = 0;
+    const std::vector<std::string_view> kinds{"range", "button", "touch", "gyro", "color", "reflect"};
+    sensor.require("kind", fmt::format("one of {}", fmt::join(kinds, ", ")));
+    sensor.choice("kind", kind, kinds);
+    spec.kind = static_cast<Kind>(kind);
+    if (name == "velocity" || name == "odometry") {
+        sensor.check().wrong_at(sensor.path(),
+                                fmt::format("no sensor may be called '{}': that is what the wheels measure", name));
+    }
+    // Facts about robots are given from the chassis' centre; the body frame begins on the floor.
+    Point3D at{};
+    sensor.point("at", at, NumberRange::any, true);
+    spec.at = {body.at.x + at.x, body.at.y + at.y, body.at.z + at.z};
+    sensor.number("yaw", spec.yaw);
+    sensor.text("on", spec.on);
+    switch (spec.kind) {
+        case Kind::range: read_range_sensor(sensor, spec, help); break;
+        case Kind::touch: sensor.number("travel", spec.travel, NumberRange::not_negative); break;
+        case Kind::gyro:
+            sensor.number("noise", spec.noise, NumberRange::not_negative);
+            sensor.number("drift", spec.drift);
+            sensor.number("max_rate", spec.max_rate, NumberRange::not_negative);
+            break;
+        case Kind::reflect: sensor.number("noise", spec.noise, NumberRange::not_negative); break;
+        case Kind::button:
+        case Kind::color: break;
+    }
+    return spec;
+}
+
+}  // namespace nezumi

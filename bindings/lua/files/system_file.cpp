@@ -1,0 +1,64 @@
+// Runs a system file with the system's words.
+#include "bindings/lua/files/system_file.hpp"
+
+#include <utility>
+
+#include "bindings/lua/files/data_file.hpp"
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/lua/files/system_words.hpp"
+
+namespace nezumi {
+
+namespace {
+
+// Reads a text and, when it fails, tells all that is wrong.
+Expected<SystemSpec> read(std::string_view text, const std::string& shown, const Project& project,
+                          const SystemFileOptions& options, std::vector<Error>& errors) {
+    auto file = DataFile::create(project, {.budget = {options.seconds}, .seed = options.seed, .print = options.print});
+    if (!file) return Unexpected(file.error());
+    SystemWords words(project);
+    words.spec().file = shown;
+    words.note_file(shown);
+    WordHost host;
+    host.words = &words;
+    host.source = [&](const std::string& name) { return (*file)->source(name); };
+    host.fail = [&](Error error) { return (*file)->fail(std::move(error)); };
+
+    std::vector<DataFile::Word> functions;
+    for (const char* name : system_word_names()) functions.push_back({name, call_system_word, &host});
+    if (auto ran = (*file)->run(text, shown, functions); !ran) {
+        errors = (*file)->errors();
+        return Unexpected(ran.error());
+    }
+    if (host.calls == 0) {
+        return failure("the file says nothing: expected robot, behavior, arena, connect ...", {shown});
+    }
+    if (auto ok = words.finish(); !ok) return failure(one_line(ok.error().message), ok.error().place);
+    for (const std::string& module : (*file)->files()) words.note_file(module);
+    return std::move(words.spec());
+}
+
+}  // namespace
+
+Expected<SystemSpec> read_system_text(std::string_view text, const std::string& shown, const Project& project,
+                                      const SystemFileOptions& options) {
+    std::vector<Error> errors;
+    return read(text, shown, project, options, errors);
+}
+
+std::vector<Error> check_system_text(std::string_view text, const std::string& shown, const Project& project) {
+    std::vector<Error> errors;
+    const auto spec = read(text, shown, project, {}, errors);
+    if (!spec && errors.empty()) errors.push_back(spec.error());
+    return errors;
+}
+
+Expected<SystemSpec> read_system_file(const std::filesystem::path& path, const Project& project,
+                                      const SystemFileOptions& options) {
+    const std::string shown = project.shown(path);
+    const auto text = read_text_file(path, shown);
+    if (!text) return Unexpected(text.error());
+    return read_system_text(*text, shown, project, options);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,39 @@
+// The system's words as Lua functions: globals of a system file, methods of a scenario's object.
+#pragma once
+
+#include <functional>
+#include <lua.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/files/system_words.hpp"
+
+namespace nezumi {
+
+/// What the words' functions work on. Must outlive the Lua state that has them.
+struct WordHost {
+    SystemWords* words = nullptr;
+    /// The text of a file, for places within a call; may be empty, and may return null.
+    std::function<const FileSource*(const std::string& shown)> source{};
+    /// Is given the error of a word before it is raised in Lua as the text returned. Empty: the text is the error as
+    /// shown.
+    std::function<const char*(Error error)> fail{};
+    /// How many words were called.
+    std::size_t calls = 0;
+    /// The text of the error that is being raised.
+    std::string raised{};
+};
+
+/// "arena", "behavior", "box", ..., in the order of their numbers.
+const std::vector<const char*>& system_word_names();
+
+/// The function of every word. Upvalue 1: a light userdata, the `WordHost`; upvalue 2: the word's number; upvalue 3:
+/// true when it is a method, so that its first argument is the object.
+int call_system_word(lua_State* lua);
+
+/// Adds all words to the table on top of the stack, as functions or as methods (`s:robot "mouse" { ... }`). May raise a
+/// Lua error.
+void add_system_words(lua_State* lua, WordHost& host, bool methods);
+
+}  // namespace nezumi

@@ -1,0 +1,350 @@
+// Robots, behaviours, components, connections and rates of a system file.
+#include "bindings/lua/files/system_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bindings/lua/files/file_fields.hpp"
+#include "bindings/lua/files/robot_fields.hpp"
+#include "bindings/lua/files/robot_file.hpp"
+
+namespace nezumi {
+namespace {
+
+std::string_view kind_of(const Entry& entry) {
+    constexpr std::string_view kinds[] = {"robot", "behavior", "component"};
+    return kinds[entry.index()];
+}
+
+// Values by parameter name: config, or one of the sets.
+ParameterValues read_values(Fields& fields, std::string_view name) {
+    ParameterValues values;
+    Fields table = fields.inner(name);
+    for (const auto& [key, value] : table.all()) {
+        table.field(key);
+        auto read = to_parameter(value);
+        if (read) {
+            values.emplace(key, std::move(*read));
+        } else {
+            fields.check().wrong(table.path_of(key), read.error().message);
+        }
+    }
+    table.done([](std::string_view) -> std::string { return ": expected NAME = VALUE"; });
+    return values;
+}
+
+template <class Sets>
+std::vector<std::string_view> names_of(const Sets& sets) {
+    std::vector<std::string_view> names;
+    names.reserve(sets.size());
+    for (const auto& [name, values] : sets) names.push_back(name);
+    return names;
+}
+
+// "name.port", both identifiers; a port may be called like one of Lua's keywords ("in").
+bool is_port_path(const std::string& path) {
+    const std::size_t dot = path.find('.');
+    if (dot == std::string::npos) return false;
+    const std::string port = path.substr(dot + 1);
+    return is_identifier(path.substr(0, dot)) && (is_identifier(port) || (!port.empty() && is_identifier(port + "_")));
+}
+
+// A number as a message shows it.
+std::string text_of(double number) { return std::isnan(number) ? "nan" : fmt::format("{}", number); }
+
+}  // namespace
+
+SystemWords::SystemWords(const Project& project, SystemSpec start) : project_(project), spec_(std::move(start)) {
+    for (const Entry& entry : spec_.entries) names_.emplace(name_of(entry), names_.size());
+    for (const ConnectionSpec& connection : spec_.connections) wired_.emplace(connection.from, connection.to);
+}
+
+void SystemWords::note_file(const std::string& shown) {
+    if (std::find(spec_.files.begin(), spec_.files.end(), shown) == spec_.files.end()) spec_.files.push_back(shown);
+}
+
+Expected<void> SystemWords::check_name(const WordCall& call, const std::string& name) const {
+    const std::string what = fmt::format("{} '{}'", call.word, name);
+    if (is_reserved_name(name)) {
+        return failure(fmt::format("{}: '{}' is a word of Lua or of the console: choose another name", what, name),
+                       call.place);
+    }
+    if (!is_identifier(name)) {
+        return failure(
+            fmt::format("{}: a name consists of letters, digits and _, and does not begin with a digit", what),
+            call.place);
+    }
+    if (const auto taken = names_.find(name); taken != names_.end()) {
+        const Entry& other = spec_.entries[taken->second];
+        return failure(fmt::format("{}: the name is taken by the {} of {}:{}", what, kind_of(other),
+                                   place_of(other).file, place_of(other).line),
+                       call.place);
+    }
+    return {};
+}
+
+Expected<void> SystemWords::entry(const WordCall& call, const std::string& name, const FileValue& fields) {
+    if (auto ok = check_name(call, name); !ok) return ok;
+    const auto add = [&](auto read) -> Expected<void> {
+        if (!read) return Unexpected(read.error());
+        names_.emplace(read->name, spec_.entries.size());
+        spec_.entries.emplace_back(std::move(*read));
+        return {};
+    };
+    if (call.word == "robot") return add(read_robot(call, name, fields));
+    if (call.word == "behavior") return add(read_behavior(call, name, fields));
+    return add(read_component(call, name, fields));
+}
+
+Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const FileValue& name) {
+    const std::string* text = name.text();
+    if (text == nullptr) {
+        return failure(fmt::format("{0}: expected a name, got {1}: write {0} \"NAME\" {{ ... }}", call.word,
+                                   nezumi::kind_of(name)),
+                       call.place);
+    }
+    if (auto ok = check_name(call, *text); !ok) return Unexpected(ok.error());
+    begun_.push_back({call, *text});
+    return begun_.size() - 1;
+}
+
+Expected<void> SystemWords::complete_entry(std::size_t begun, const FileValue& fields) {
+    begun_[begun].complete = true;
+    const Begun call = begun_[begun];
+    return entry(call.call, call.name, fields);
+}
+
+Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const FileValue& value) {
+    FieldCheck check(fmt::format("robot '{}'", name), call.word, call.place, call.source);
+    Fields fields(check, value);
+    RobotEntry entry;
+    entry.name = name;
+    entry.place = call.place;
+    fields.require("model", "a robot's model, for example \"raspimouse\"");
+    const bool has_model = fields.text("model", entry.model);
+    Fields pose = fields.inner("pose");
+    pose.number("x", entry.pose.position.x);
+    pose.number("y", entry.pose.position.y);
+    pose.number("heading", entry.pose.heading);
+    pose.done();
+    Fields limits = fields.inner("limits");
+    const auto limit = [&](std::string_view field, std::optional<double>& out) {
+        double number = 0;
+        if (limits.number(field, number, NumberRange::positive)) out = number;
+    };
+    limit("speed", entry.speed);
+    limit("yaw_rate", entry.yaw_rate);
+    limit("acceleration", entry.acceleration);
+    limit("yaw_acceleration", entry.yaw_acceleration);
+    limits.done();
+    fields.text("backend", entry.backend);
+    fields.boolean("active", entry.active);
+    fields.done();
+    if (check.ok() && has_model) {
+        if (auto loaded = load_model(call, entry.model); !loaded) {
+            Error error = loaded.error();
+            if (error.place.file.empty())
+                return failure(fmt::format("robot '{}': {}", name, error.message), check.place_of({"model"}));
+            return Unexpected(std::move(error));
+        }
+    }
+    if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    return entry;
+}
+
+Expected<void> SystemWords::load_model(const WordCall& call, const std::string& model) {
+    auto path = project_.find(FileKind::model, model, call.place.file);
+    if (!path) return Unexpected(path.error());
+    const std::string shown = project_.shown(*path);
+    const auto known = spec_.models.find(model);
+    if (known != spec_.models.end()) {
+        if (known->second.place.file == shown) return {};
+        return failure(fmt::format("model '{}' would be {} here, and was {} before: use different names", model, shown,
+                                   known->second.place.file));
+    }
+    std::vector<std::string> files;
+    auto robot = read_robot_file(*path, project_, &files);
+    if (!robot) return Unexpected(robot.error());
+    for (const std::string& file : files) note_file(file);
+    spec_.models.emplace(model, std::move(*robot));
+    return {};
+}
+
+Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name,
+                                                   const FileValue& value) {
+    FieldCheck check(fmt::format("behavior '{}'", name), call.word, call.place, call.source);
+    Fields fields(check, value);
+    BehaviorEntry entry;
+    entry.name = name;
+    entry.place = call.place;
+    fields.require("script", "a behaviour's file, for example \"robot_controller\"");
+    const bool has_script = fields.text("script", entry.script);
+    entry.config = read_values(fields, "config");
+    Fields sets = fields.inner("sets");
+    for (const auto& [set, values] : sets.all()) entry.sets.emplace(set, read_values(sets, set));
+    sets.done([](std::string_view) -> std::string { return ": expected NAME = { ... }"; });
+    if (fields.text("set", entry.set) && !entry.sets.contains(entry.set)) {
+        check.explain(fields.path_of("set"), fmt::format("there is no set '{}' in 'sets'{}", entry.set,
+                                                         did_you_mean(entry.set, names_of(entry.sets))));
+    }
+    const bool has_rate = fields.number("rate", entry.rate, NumberRange::positive);
+    fields.boolean("active", entry.active);
+    fields.done();
+    if (check.ok() && has_script) {
+        if (const auto path = project_.find(FileKind::script, entry.script, call.place.file)) {
+            entry.path = project_.shown(*path);
+        } else {
+            check.wrong_at({"script"}, path.error().message);
+        }
+    }
+    if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    if (has_rate) rate_places_[name] = check.place_of({"rate"});
+    return entry;
+}
+
+Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const std::string& name,
+                                                     const FileValue& value) {
+    FieldCheck check(fmt::format("component '{}'", name), call.word, call.place, call.source);
+    Fields fields(check, value);
+    ComponentEntry entry;
+    entry.name = name;
+    entry.place = call.place;
+    fields.require("type", "a native component's type, for example \"Camera\"");
+    fields.text("type", entry.type);
+    entry.config = read_values(fields, "config");
+    const bool has_rate = fields.number("rate", entry.rate, NumberRange::positive);
+    fields.text("on", entry.on);
+    fields.point("at", entry.at);
+    fields.number("yaw", entry.yaw);
+    fields.boolean("active", entry.active);
+    fields.done();
+    if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    if (has_rate) rate_places_[name] = check.place_of({"rate"});
+    return entry;
+}
+
+Expected<void> SystemWords::connect(const WordCall& call, const FileValue& from, const FileValue& to) {
+    ConnectionSpec connection;
+    connection.place = call.place;
+    for (auto [value, out] : {std::pair{&from, &connection.from}, std::pair{&to, &connection.to}}) {
+        const std::string* path = value->text();
+        if (path == nullptr || !is_port_path(*path)) {
+            const std::string got = path == nullptr ? nezumi::kind_of(*value) : "'" + *path + "'";
+            return failure(fmt::format("connect: expected \"name.port\", got {}", got), call.place);
+        }
+        *out = *path;
+    }
+    if (!wired_.emplace(connection.from, connection.to).second) {
+        const auto other = std::find(spec_.connections.begin(), spec_.connections.end(), connection);
+        return failure(fmt::format("connect: {} is connected to {} already, at {}:{}", connection.from, connection.to,
+                                   other->place.file, other->place.line),
+                       call.place);
+    }
+    spec_.connections.push_back(std::move(connection));
+    return {};
+}
+
+Expected<void> SystemWords::seed(const WordCall& call, const FileValue& value) {
+    const auto* whole = std::get_if<std::int64_t>(&value.data);
+    const auto* number = std::get_if<double>(&value.data);
+    const bool is_whole = number != nullptr && *number >= 0 && *number <= 9e15 && *number == std::floor(*number);
+    if (!is_whole && (whole == nullptr || *whole < 0)) {
+        const std::string got = whole != nullptr    ? fmt::format("{}", *whole)
+                                : number != nullptr ? text_of(*number)
+                                                    : nezumi::kind_of(value);
+        return failure(fmt::format("seed: expected a whole number from 0 on, got {}", got), call.place);
+    }
+    if (seed_place_)
+        return failure(fmt::format("seed: is set already, at {}:{}", seed_place_->file, seed_place_->line), call.place);
+    seed_place_ = call.place;
+    spec_.seed = is_whole ? static_cast<std::uint64_t>(*number) : static_cast<std::uint64_t>(*whole);
+    return {};
+}
+
+Expected<void> SystemWords::rate(const WordCall& call, const FileValue& hertz) {
+    double value = 0;
+    if (const auto* whole = std::get_if<std::int64_t>(&hertz.data)) value = static_cast<double>(*whole);
+    if (const auto* number = std::get_if<double>(&hertz.data)) value = *number;
+    if (!std::isfinite(value) || value <= 0) {
+        const bool is_number = hertz.data.index() == 2 || hertz.data.index() == 3;
+        return failure(fmt::format("rate: expected a positive number of ticks a second, got {}",
+                                   is_number ? text_of(value) : nezumi::kind_of(hertz)),
+                       call.place);
+    }
+    if (!spec_.rate_place.file.empty()) {
+        return failure(fmt::format("rate: is set already, at {}:{}", spec_.rate_place.file, spec_.rate_place.line),
+                       call.place);
+    }
+    spec_.rate_place = call.place;
+    spec_.rate = value;
+    return {};
+}
+
+Expected<void> SystemWords::physics(const WordCall& call, const FileValue& value) {
+    FieldCheck check("physics", call.word, call.place, call.source);
+    Fields fields(check, value);
+    double step = spec_.physics_step;
+    fields.require("step", "seconds, for example 0.005");
+    fields.number("step", step, NumberRange::positive);
+    fields.done();
+    if (auto ok = check.result(); !ok) return ok;
+    if (physics_place_)
+        return failure(fmt::format("physics: is set already, at {}:{}", physics_place_->file, physics_place_->line),
+                       call.place);
+    physics_place_ = call.place;
+    spec_.physics_step = step;
+    return {};
+}
+
+Expected<void> SystemWords::finish() const {
+    for (const Begun& begun : begun_) {
+        if (begun.complete) continue;
+        return failure(fmt::format("{0} '{1}': expected a table after the name: {0} \"{1}\" {{ ... }}", begun.call.word,
+                                   begun.name),
+                       begun.call.place);
+    }
+    for (const Thing& thing : things_) {
+        if (thing.placed) continue;
+        return failure(fmt::format("{0}: is not in the arena: write arena {{ {0} ... }}", thing.call.word),
+                       thing.call.place);
+    }
+    if (auto ok = check_rates(); !ok) return ok;
+    std::vector<std::string_view> robots;
+    for (const Entry& entry : spec_.entries) {
+        if (std::holds_alternative<RobotEntry>(entry)) robots.push_back(name_of(entry));
+    }
+    for (const Entry& entry : spec_.entries) {
+        const auto* component = std::get_if<ComponentEntry>(&entry);
+        if (component == nullptr || component->on.empty()) continue;
+        if (std::find(robots.begin(), robots.end(), component->on) != robots.end()) continue;
+        return failure(fmt::format("component '{}': field 'on' names no robot: there is none '{}'{}", component->name,
+                                   component->on, did_you_mean(component->on, robots)),
+                       component->place);
+    }
+    return {};
+}
+
+Expected<void> SystemWords::check_rates() const {
+    if (auto steps = steps_per_tick(spec_.rate, spec_.physics_step); !steps) {
+        Place place = spec_.rate_place;
+        if (place.file.empty() && physics_place_) place = *physics_place_;
+        return failure(steps.error().message, place);
+    }
+    for (const Entry& entry : spec_.entries) {
+        double rate = 0;
+        if (const auto* behavior = std::get_if<BehaviorEntry>(&entry)) rate = behavior->rate;
+        if (const auto* component = std::get_if<ComponentEntry>(&entry)) rate = component->rate;
+        if (rate <= spec_.rate) continue;
+        const auto place = rate_places_.find(name_of(entry));
+        return failure(
+            fmt::format(
+                "{} '{}': a rate of {} Hz is above the tick's {} Hz: lower it, or raise the tick with rate(...)",
+                kind_of(entry), name_of(entry), rate, spec_.rate),
+            place == rate_places_.end() ? place_of(entry) : place->second);
+    }
+    return {};
+}
+
+}  // namespace nezumi

@@ -1,0 +1,91 @@
+// The words of a system file: each call adds to a system as data, or says what is wrong with it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "bindings/lua/files/file_source.hpp"
+#include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/project.hpp"
+#include "engine/system_spec.hpp"
+
+namespace nezumi {
+
+/// Where a word was called: names of files are looked up beside `place.file`.
+struct WordCall {
+    std::string word;
+    Place place;
+    const FileSource* source = nullptr;  ///< the text of that file, for places within the call; may be null
+};
+
+/// Builds a `SystemSpec` call by call. A call that fails adds nothing. What depends on the whole (rates, names) is
+/// checked by `finish`; what depends on the components themselves (ports, parameters, overlaps) by `build_system`.
+class SystemWords {
+public:
+    explicit SystemWords(const Project& project, SystemSpec start = {});
+
+    /// `robot`, `behavior` and `component`.
+    Expected<void> entry(const WordCall& call, const std::string& name, const FileValue& fields);
+    /// A name that was given without its table yet: `robot "mouse"` before `{ ... }`. `finish` refuses what stays so.
+    Expected<std::size_t> begin_entry(const WordCall& call, const FileValue& name);
+    Expected<void> complete_entry(std::size_t begun, const FileValue& fields);
+
+    Expected<void> connect(const WordCall& call, const FileValue& from, const FileValue& to);
+
+    /// `box`, `wall`, `cylinder`, `marker`, `floor` and `csv` make a thing; `arena` puts it in its place.
+    Expected<FileThing> thing(const WordCall& call, const FileValue& fields);
+    Expected<void> arena(const WordCall& call, const FileValue& fields);
+
+    Expected<void> seed(const WordCall& call, const FileValue& value);
+    Expected<void> rate(const WordCall& call, const FileValue& hertz);
+    Expected<void> physics(const WordCall& call, const FileValue& fields);
+
+    /// Checks what depends on the whole. May be called again after more words.
+    Expected<void> finish() const;
+
+    SystemSpec& spec() { return spec_; }
+    const SystemSpec& spec() const { return spec_; }
+    const Project& project() const { return project_; }
+    /// Remembers a file that the system was read from.
+    void note_file(const std::string& shown);
+
+private:
+    using Made = std::variant<std::vector<BoxSpec>, CylinderSpec, MarkerSpec, FloorSpec>;
+    struct Thing {
+        WordCall call;
+        Made made;
+        bool placed = false;
+    };
+    struct Begun {
+        WordCall call;
+        std::string name;
+        bool complete = false;
+    };
+
+    Expected<void> check_name(const WordCall& call, const std::string& name) const;
+    Expected<RobotEntry> read_robot(const WordCall& call, const std::string& name, const FileValue& fields);
+    Expected<BehaviorEntry> read_behavior(const WordCall& call, const std::string& name, const FileValue& fields);
+    Expected<ComponentEntry> read_component(const WordCall& call, const std::string& name, const FileValue& fields);
+    Expected<void> load_model(const WordCall& call, const std::string& model);
+    Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const FileValue& name);
+    Expected<void> place_things(const WordCall& call, const std::vector<FileValue>& elements);
+    Expected<void> check_rates() const;
+
+    const Project& project_;
+    SystemSpec spec_;
+    std::vector<Thing> things_;
+    std::vector<Begun> begun_;
+    std::optional<Place> size_place_, border_place_, seed_place_, physics_place_;
+    std::map<std::string, std::size_t, std::less<>> names_;  // of the entries: their places in `spec_`
+    std::set<std::pair<std::string, std::string>> wired_;
+    std::map<std::string, Place> rate_places_;  // of behaviours and components, by name
+};
+
+}  // namespace nezumi

@@ -1,0 +1,81 @@
+// What takes long is tried beside the ticks first, so that a file that never ends its loading delays none.
+#include "bindings/lua/reload/live_reload.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace nezumi {
+
+LiveReload::LiveReload(System& system, Reloader& reloader, std::vector<std::string> other_files)
+    : system_(system), reloader_(reloader), other_files_(std::move(other_files)) {
+    watch_again();
+}
+
+LiveReload::~LiveReload() {
+    if (rehearser_.joinable()) rehearser_.join();
+}
+
+void LiveReload::watch_again() {
+    FileWatcher::Files files;
+    for (const ScriptFile& file : reloader_.files()) files.try_emplace(file.path, file.hash);
+    for (const std::string& path : other_files_) {
+        if (const auto text = read_source(path)) files.try_emplace(path, ScriptFile(*text).hash);
+    }
+    watcher_.watch(files);
+}
+
+void LiveReload::act() {
+    if (rehearsed_.exchange(false)) {
+        rehearser_.join();
+        const std::vector<std::string> paths = std::exchange(rehearsal_, {});
+        if (!waiting_.empty()) {
+            reload(std::exchange(waiting_, {}), false);
+        } else if (outcome_) {
+            reload(paths, true);
+        } else {
+            system_.log(LogLevel::error, describe(outcome_.error()));
+        }
+    }
+    std::vector<std::string> scripts;
+    for (std::string& path : watcher_.take_changes()) {
+        if (std::find(other_files_.begin(), other_files_.end(), path) != other_files_.end()) {
+            system_.log(LogLevel::warn, fmt::format("{} has changed: restart() to use it", path));
+        } else {
+            scripts.push_back(std::move(path));
+        }
+    }
+    // A module that was missing or wrong may have come: what failed without it is tried again.
+    if (watcher_.take_others() || !scripts.empty()) scripts.insert(scripts.end(), failed_.begin(), failed_.end());
+    if (!scripts.empty()) reload(scripts, false);
+}
+
+void LiveReload::reload(const std::vector<std::string>& paths, bool rehearsed) {
+    reloader_.limit_preparation(rehearsed ? 0 : kBetweenTicks);
+    auto report = reloader_.reload_files(paths);
+    reloader_.limit_preparation(0);
+    failed_.clear();
+    if (!report) {
+        if (!rehearsed && report.error().kind == Error::Kind::out_of_time) return rehearse(paths);
+        system_.log(LogLevel::error, describe(report.error()));
+        failed_ = paths;
+    }
+    watch_again();
+}
+
+void LiveReload::rehearse(std::vector<std::string> paths) {
+    if (rehearser_.joinable()) {
+        waiting_ = std::move(paths);
+        return;
+    }
+    auto rehearsal = reloader_.rehearsal(paths);
+    if (!rehearsal) return system_.log(LogLevel::error, describe(rehearsal.error()));
+    rehearsal_ = std::move(paths);
+    rehearser_ = std::thread([this, parts = std::move(*rehearsal)] {
+        outcome_ = Reloader::rehearse(parts);
+        rehearsed_.store(true, std::memory_order_release);
+    });
+}
+
+}  // namespace nezumi

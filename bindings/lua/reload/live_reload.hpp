@@ -1,0 +1,52 @@
+// Reload on save: joins the watcher of files to the reloader, in runs that follow the clock.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bindings/lua/reload/file_watcher.hpp"
+#include "bindings/lua/reload/reloader.hpp"
+
+namespace nezumi {
+
+class LiveReload {
+public:
+    /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose change is
+    /// only told. All must outlive it.
+    LiveReload(System& system, Reloader& reloader, std::vector<std::string> other_files);
+    ~LiveReload();
+    LiveReload(const LiveReload&) = delete;
+    LiveReload& operator=(const LiveReload&) = delete;
+
+    /// To be called between two ticks. Costs a look at a flag when nothing has changed.
+    void between_ticks() {
+        reloader_.after_tick();
+        if (watcher_.has_changes() || rehearsed_.load(std::memory_order_acquire) || !failed_.empty()) act();
+    }
+    /// After a reload that did not come from here, or after components came or went: what is to be watched.
+    void watch_again();
+
+private:
+    void act();
+    void reload(const std::vector<std::string>& paths, bool rehearsed);
+    void rehearse(std::vector<std::string> paths);
+
+    /// What loading may take between two ticks before it is tried in a thread of its own [s].
+    static constexpr double kBetweenTicks = 0.005;
+
+    System& system_;
+    Reloader& reloader_;
+    std::vector<std::string> other_files_;
+    FileWatcher watcher_;
+    std::vector<std::string> failed_;     // changed files whose reload was refused: their modules may be the reason
+    std::vector<std::string> rehearsal_;  // files that are being tried
+    std::vector<std::string> waiting_;    // files that take long and were saved meanwhile
+    Expected<void> outcome_;
+    std::atomic<bool> rehearsed_{false};
+    std::thread rehearser_;
+};
+
+}  // namespace nezumi

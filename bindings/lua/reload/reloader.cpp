@@ -1,0 +1,267 @@
+// Prepare all, adopt all, then commit all: the only step that changes anything, and the only one that can't fail.
+#include "bindings/lua/reload/reloader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+namespace nezumi {
+namespace {
+
+std::string normal(const std::string& path) {
+    std::error_code problem;
+    const auto full = std::filesystem::weakly_canonical(path, problem);
+    return problem ? path : full.string();
+}
+
+bool contains(const std::vector<std::string>& all, const std::string& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+Error still_running(Error error, const ScriptComponent& component) {
+    error.message += fmt::format("; still running version {}", component.version());
+    return error;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 5;
+    if (names.size() <= shown) return fmt::format("{}", fmt::join(names, ", "));
+    return fmt::format("{} and {} more", fmt::join(names.begin(), names.begin() + shown, ", "), names.size() - shown);
+}
+
+}  // namespace
+
+std::vector<ScriptComponent*> Reloader::scripts() const {
+    std::vector<ScriptComponent*> all;
+    for (const auto& component : system_.components()) {
+        if (auto* script = dynamic_cast<ScriptComponent*>(component.get())) all.push_back(script);
+    }
+    return all;
+}
+
+std::vector<ScriptFile> Reloader::files() const {
+    std::vector<ScriptFile> all = attempted_;
+    for (const ScriptComponent* component : scripts()) {
+        all.push_back(component->script().file());
+        const auto& modules = component->script().modules();
+        all.insert(all.end(), modules.begin(), modules.end());
+    }
+    return all;
+}
+
+Expected<ReloadReport> Reloader::reload_files(const std::vector<std::string>& paths) {
+    auto changes = changes_of(paths);
+    if (!changes) return Unexpected(changes.error());
+    return run(*changes);
+}
+
+Expected<std::vector<Reloader::Change>> Reloader::changes_of(const std::vector<std::string>& paths) const {
+    std::vector<std::string> changed;
+    changed.reserve(paths.size());
+    for (const std::string& path : paths) changed.push_back(normal(path));
+    std::map<std::string, SourceText> sources;
+    std::vector<Change> changes;
+    for (ScriptComponent* component : scripts()) {
+        const Script& script = component->script();
+        bool touched = contains(changed, normal(script.file().path));
+        for (const ScriptFile& module : script.modules()) touched = touched || contains(changed, normal(module.path));
+        if (!touched) continue;
+        const auto [source, is_new] = sources.try_emplace(script.file().path);
+        if (is_new) {
+            auto text = read_source(script.file().path);
+            if (!text) return Unexpected(still_running(text.error(), *component));
+            source->second = {text->path, script.file().shown, std::move(text->text)};
+        }
+        changes.emplace_back(component, source->second);
+    }
+    return changes;
+}
+
+Expected<std::vector<Reloader::Rehearsal>> Reloader::rehearsal(const std::vector<std::string>& paths) const {
+    auto changes = changes_of(paths);
+    if (!changes) return Unexpected(changes.error());
+    std::vector<Rehearsal> parts;
+    for (auto& [component, source] : *changes) {
+        auto state = component->copy_state();
+        if (!state) return Unexpected(still_running(state.error(), *component));
+        Rehearsal part{.source = source,
+                       .context = component->script().context(),
+                       .parameters = component->parameters(),
+                       .state = std::move(*state),
+                       .running = component->version()};
+        part.context.version = part.running + 1;
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+Expected<void> Reloader::rehearse(const std::vector<Rehearsal>& parts) {
+    for (const Rehearsal& part : parts) {
+        auto script = Script::load(part.source, part.context, {.parameters = &part.parameters, .state = &part.state});
+        if (script) continue;
+        Error error = script.error();
+        error.message += fmt::format("; still running version {}", part.running);
+        return Unexpected(error);
+    }
+    return {};
+}
+
+Expected<ReloadReport> Reloader::reload(ScriptComponent& component, const SourceText& source) {
+    const std::string file = normal(component.script().file().path);
+    std::vector<Change> changes;
+    for (ScriptComponent* other : scripts()) {
+        if (normal(other->script().file().path) == file) changes.emplace_back(other, source);
+    }
+    return run(changes);
+}
+
+Expected<ReloadReport> Reloader::reload_all() {
+    std::map<std::string, bool> changed;
+    std::vector<std::string> paths;
+    const auto look = [&](const ScriptFile& file) {
+        const auto [known, is_new] = changed.try_emplace(file.path, false);
+        if (is_new) {
+            const auto now = read_source(file.path);
+            known->second = now && ScriptFile(*now).hash != file.hash;
+        }
+        if (known->second && !contains(paths, file.path)) paths.push_back(file.path);
+    };
+    for (ScriptComponent* component : scripts()) {
+        look(component->script().file());
+        for (const ScriptFile& module : component->script().modules()) look(module);
+    }
+    return reload_files(paths);
+}
+
+Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
+    const Time& now = system_.now();
+    std::vector<ScriptComponent::Version> next;
+    for (const auto& [component, source] : changes) {
+        const double limit = preparation_seconds_;
+        const Budget budget = limit > 0 ? Budget{limit} : component->script().context().budget;
+        attempted_.clear();
+        auto prepared = component->prepare(source, budget, now, attempted_);
+        if (!prepared) return Unexpected(still_running(prepared.error(), *component));
+        next.push_back(std::move(*prepared));
+    }
+    attempted_.clear();
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        if (auto ok = changes[i].first->adopt(next[i], now); !ok)
+            return Unexpected(still_running(ok.error(), *changes[i].first));
+    }
+
+    ReloadReport report;
+    ++reloads_;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        ScriptComponent& component = *changes[i].first;
+        let_ports_go(component, next[i], report);
+        component.commit(std::move(next[i]), reloads_);
+        component.begin_probation(system_.settings().out_of_time_is_fatal);
+        if (!contains(on_probation_, component.name())) on_probation_.push_back(component.name());
+        report.components.push_back(component.name());
+    }
+    if (!changes.empty()) report.version = changes.front().first->version();
+    connect_again(report);
+    if (!changes.empty()) finish(report, changes.front().second.shown);
+    for (const auto& [component, source] : changes) {
+        if (component->state() != LifeState::error) continue;
+        // A fresh try; what fails is in the log, and the component is in ERROR as it was.
+        if (component->reset(now)) static_cast<void>(component->activate(now));
+    }
+    return report;
+}
+
+void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ReloadReport& report) {
+    for (Port* port : component.ports_going(next)) {
+        const std::string path = component.name() + "." + port->name();
+        const bool in = port->direction() == Direction::in;
+        const std::vector<std::string> peers = system_.disconnect_all(*port);
+        for (const std::string& peer : peers) lost_.emplace_back(in ? peer : path, in ? path : peer);
+        const auto& ports = next.script->ports();
+        const auto successor =
+            std::find_if(ports.begin(), ports.end(), [&](const PortDeclaration& d) { return d.name == port->name(); });
+        std::string what = fmt::format("{} went", path);
+        if (successor != ports.end() && successor->direction != port->direction()) {
+            what = fmt::format("{} is an {} now", path, in ? "output" : "input");
+        } else if (successor != ports.end()) {
+            what = fmt::format("{} is {} now, not {}", path, message_type_names[successor->type], port->type_name());
+        }
+        report.notes.push_back(peers.empty() ? fmt::format("{}; it was not connected", what)
+                                             : fmt::format("{}; it was connected to {}", what, fmt::join(peers, ", ")));
+    }
+}
+
+// A port that is there again, after a slip or a rollback, gets back what it was connected to.
+void Reloader::connect_again(ReloadReport& report) {
+    std::erase_if(lost_, [&](const auto& connection) {
+        const auto& [from, to] = connection;
+        const auto source = system_.port(from);
+        const auto sink = system_.port(to);
+        if (!source || !sink || (*source)->type() != (*sink)->type()) return false;
+        if (system_.connect(from, to)) report.notes.push_back(fmt::format("{} is connected to {} again", from, to));
+        return true;
+    });
+}
+
+void Reloader::finish(const ReloadReport& report, std::string_view what) {
+    system_.log(LogLevel::info,
+                fmt::format("{}: version {} runs in {}", what, report.version, list_of(report.components)));
+    for (const std::string& note : report.notes) system_.log(LogLevel::warn, note);
+}
+
+ReloadReport Reloader::go_back(int reload, bool keep_settings) {
+    ReloadReport report;
+    for (ScriptComponent* component : scripts()) {
+        const ScriptComponent::Version* before = component->version_before();
+        if (before == nullptr || before->replaced_by != reload) continue;
+        let_ports_go(*component, *before, report);
+        component->go_back(keep_settings);
+        report.components.push_back(component->name());
+        report.version = component->version();
+    }
+    connect_again(report);
+    return report;
+}
+
+Expected<ReloadReport> Reloader::rollback(ScriptComponent& component) {
+    const ScriptComponent::Version* before = component.version_before();
+    if (before == nullptr) {
+        return failure(fmt::format("{} has no version before this one; still running version {}", component.name(),
+                                   component.version()));
+    }
+    ReloadReport report = go_back(before->replaced_by, true);
+    finish(report, "rollback");
+    for (const std::string& name : report.components) {
+        Component* each = system_.find(name);
+        if (each->state() == LifeState::error && each->reset(system_.now()))
+            static_cast<void>(each->activate(system_.now()));
+    }
+    return report;
+}
+
+void Reloader::after_tick() {
+    if (on_probation_.empty()) return;
+    for (const std::string& name : on_probation_) {
+        auto* component = dynamic_cast<ScriptComponent*>(system_.find(name));
+        auto relapse = component != nullptr ? component->take_relapse() : std::nullopt;
+        if (!relapse) continue;
+        ReloadReport report = go_back(relapse->reload, false);
+        if (relapse->went_back) {
+            report.components.insert(report.components.begin(), name);
+            report.version = component->version();
+        }
+        system_.log(LogLevel::error,
+                    fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to version {} in {}",
+                                name, relapse->version, relapse->execution, ScriptComponent::kProbation,
+                                describe(relapse->error), report.version, list_of(report.components)));
+        for (const std::string& note : report.notes) system_.log(LogLevel::warn, note);
+    }
+    std::erase_if(on_probation_, [this](const std::string& name) {
+        const auto* component = dynamic_cast<ScriptComponent*>(system_.find(name));
+        return component == nullptr || !component->on_probation();
+    });
+}
+
+}  // namespace nezumi

@@ -1,0 +1,76 @@
+// Reloads scripts in a running system: all that a change touches go together, or not at all.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings/lua/script/script_component.hpp"
+#include "engine/system.hpp"
+
+namespace nezumi {
+
+/// What a reload or a rollback has done.
+struct ReloadReport {
+    std::vector<std::string> components;  ///< that run another version now
+    int version = 0;                      ///< of the first of them
+    std::vector<std::string> notes;       ///< ports that went, with what they were connected to
+};
+
+/// All of it is to be called between two ticks. An error means that nothing has changed; its message ends with
+/// "still running version N".
+class Reloader {
+public:
+    explicit Reloader(System& system) : system_(system) {}
+
+    /// Reloads every component of these files and every one that requires them, from what the files hold now.
+    Expected<ReloadReport> reload_files(const std::vector<std::string>& paths);
+    /// Reloads a component, and the others of its file, from this text.
+    Expected<ReloadReport> reload(ScriptComponent& component, const SourceText& source);
+    /// Reloads everything whose file has changed since it was loaded.
+    Expected<ReloadReport> reload_all();
+    /// Takes a component, and those that came to their version with it, back to the version before, state included.
+    Expected<ReloadReport> rollback(ScriptComponent& component);
+
+    /// After every tick: takes back what has failed on probation.
+    void after_tick();
+
+    /// All files that the scripts of the system come from, modules too, and those that a refused version required.
+    std::vector<ScriptFile> files() const;
+
+    /// A version to be loaded only to see whether it can be, with copies of all that it needs.
+    struct Rehearsal {
+        SourceText source;
+        ScriptContext context;
+        Parameters parameters;
+        PlainData state;
+        int running = 0;  ///< version
+    };
+    /// What `reload_files` would load.
+    Expected<std::vector<Rehearsal>> rehearsal(const std::vector<std::string>& paths) const;
+    /// Loads it and lets it go. May run beside the ticks.
+    static Expected<void> rehearse(const std::vector<Rehearsal>& parts);
+
+    /// What the preparation of a component may take [s of CPU time]; 0: what its calls may.
+    void limit_preparation(double seconds) { preparation_seconds_ = seconds; }
+
+private:
+    using Change = std::pair<ScriptComponent*, SourceText>;
+
+    std::vector<ScriptComponent*> scripts() const;
+    Expected<std::vector<Change>> changes_of(const std::vector<std::string>& paths) const;
+    Expected<ReloadReport> run(const std::vector<Change>& changes);
+    void let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ReloadReport& report);
+    void connect_again(ReloadReport& report);
+    void finish(const ReloadReport& report, std::string_view what);
+    ReloadReport go_back(int reload, bool keep_settings);
+
+    System& system_;
+    int reloads_ = 0;
+    double preparation_seconds_ = 0;
+    std::vector<std::string> on_probation_;                  // names of components
+    std::vector<ScriptFile> attempted_;                      // modules of the version that was refused last
+    std::vector<std::pair<std::string, std::string>> lost_;  // connections that ended with a port
+};
+
+}  // namespace nezumi

@@ -1,0 +1,163 @@
+// From a Lua error to a place and a sentence.
+#include "bindings/lua/sandbox/call.hpp"
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "bindings/lua/sandbox/state.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::size_t longest_message = 2000;  // [bytes]
+constexpr int searched_levels = 100;
+
+// The length of "file:line: " at the start of `message`, where file is how Lua shortens the file of `activation`.
+std::size_t prefix_length(const char* message, const lua_Debug& activation, int& line) {
+    const std::size_t name = std::strlen(activation.short_src);
+    if (std::strncmp(message, activation.short_src, name) != 0 || message[name] != ':') return 0;
+    std::size_t end = name + 1;
+    int number = 0;
+    for (; message[end] >= '0' && message[end] <= '9' && number < 100'000'000; ++end) {
+        number = number * 10 + (message[end] - '0');
+    }
+    if (end == name + 1 || message[end] != ':' || message[end + 1] != ' ') return 0;
+    line = number;
+    return end + 2;
+}
+
+// The place that the message itself names, if it names one of a function that runs; else the innermost line of Lua.
+void find_error_place(lua_State* lua, CallRecord& call) {
+    call.error_place.line = 0;
+    call.error_prefix = 0;
+    find_place(lua, call.error_place);
+    if (lua_type(lua, -1) != LUA_TSTRING) return;
+    const char* message = lua_tostring(lua, -1);
+    lua_Debug activation;
+    for (int level = 0; level < searched_levels && lua_getstack(lua, level, &activation) != 0; ++level) {
+        if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) continue;
+        int line = 0;
+        const std::size_t length = prefix_length(message, activation, line);
+        if (length == 0) continue;
+        activation.currentline = line;
+        call.error_prefix = length;
+        call.error_place.set(activation);
+        return;
+    }
+}
+
+std::string shown(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", number);
+    return text;
+}
+
+Place to_place(const CallRecord::ScriptPlace& place) {
+    if (place.line == 0) return {};
+    return {place.file, place.line};
+}
+
+std::string describe_value(lua_State* lua, std::size_t prefix) {
+    switch (lua_type(lua, -1)) {
+        case LUA_TSTRING:
+        case LUA_TNUMBER: {
+            std::size_t length = 0;
+            const char* text = lua_tolstring(lua, -1, &length);
+            if (prefix <= length) text += prefix, length -= prefix;
+            if (length <= longest_message) return {text, length};
+            return std::string(text, longest_message) + "...";
+        }
+        case LUA_TNIL: return "an error of value nil";
+        default: return std::string("an error of type ") + luaL_typename(lua, -1);
+    }
+}
+
+CallError error_of_memory(const LuaState& state, const CallRecord& call) {
+    std::string message = "not enough memory";
+    if (call.memory_refused) {
+        message = call.memory_refused_deep ? "stack overflow: the recursion is too deep for the script's limit of "
+                                           : "not enough memory: the script reached its limit of ";
+        message += shown(static_cast<double>(state.memory_limit()) / (1 << 20)) + " MB";
+    }
+    return {{message, to_place(call.memory_place)}, false};
+}
+
+}  // namespace
+
+int handle_error(lua_State* lua) {
+    CallRecord& call = *current_call;
+    if (call.expired != 0) {
+        if (call.expiry_place.line == 0) find_place(lua, call.expiry_place);
+        return 1;
+    }
+    if (lua_type(lua, 1) != LUA_TSTRING && luaL_getmetafield(lua, 1, "__tostring") != LUA_TNIL) {
+        lua_pushvalue(lua, 1);
+        lua_call(lua, 1, 1);
+        if (lua_type(lua, -1) != LUA_TSTRING) lua_settop(lua, 1);
+    }
+    find_error_place(lua, call);
+    return 1;
+}
+
+CallError take_error(lua_State* lua, int status, const CallRecord& call) {
+    const LuaState& state = LuaState::of(lua);
+    CallError error;
+    if (call.expired != 0) {
+        error = {{"ran for more than " + shown(call.budget_seconds) + " s: is there an endless loop?",
+                  to_place(call.expiry_place.line != 0 ? call.expiry_place : call.memory_place)},
+                 true};
+    } else if (status == LUA_ERRMEM) {
+        error = error_of_memory(state, call);
+    } else {
+        // What could not be handled is not the message whose place was found.
+        const std::size_t prefix = status == LUA_ERRERR ? 0 : call.error_prefix;
+        error = {{describe_value(lua, prefix), to_place(call.error_place)}, false};
+        error.message += state.hint(error.message);
+    }
+    lua_pop(lua, 1);
+    return error;
+}
+
+CallError lost_error(double budget_seconds) {
+    return {{"ran for more than " + shown(budget_seconds) +
+             " s inside Lua itself, where it could not be stopped: the script is lost, load it again"},
+            true};
+}
+
+CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {
+    const int function = lua_gettop(lua) - arguments;
+    if (LuaState::of(lua).is_lost()) {
+        lua_settop(lua, function - 1);
+        return tl::unexpected(
+            CallError{{"the script is lost: it had to be stopped inside Lua itself; load it again"}, false});
+    }
+    if (lua_checkstack(lua, 2) == 0 || c_stack_is_used_up()) {
+        lua_settop(lua, function - 1);
+        return tl::unexpected(CallError{{"stack overflow: calls are nested too deep"}, false});
+    }
+    CallRecord call(lua, budget);
+    if (call.outer == nullptr) {
+        if (_setjmp(call.escape) != 0) {
+            finish_escape(call);
+            return tl::unexpected(lost_error(call.budget_seconds));
+        }
+        call.can_escape = true;
+    }
+    lua_pushcfunction(lua, handle_error);
+    lua_insert(lua, function);
+    const int status = lua_pcall(lua, arguments, results, function);
+    lua_remove(lua, function);
+    if (status == LUA_OK) {
+        call.can_escape = false;
+        return {};
+    }
+    // What the script had gathered is garbage now; nobody may call it again for a long time.
+    const LuaState& state = LuaState::of(lua);
+    if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
+    call.can_escape = false;
+    return tl::unexpected(take_error(lua, status, call));
+}
+
+}  // namespace nezumi

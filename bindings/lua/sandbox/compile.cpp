@@ -1,0 +1,93 @@
+// Compiles in a state of its own, and keeps the bytecode.
+#include "bindings/lua/sandbox/compile.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bindings/lua/sandbox/lexer.hpp"
+#include "bindings/lua/sandbox/state.hpp"
+
+namespace nezumi {
+namespace {
+
+// Gives Lua the text piece by piece, and stops it where compiling takes too long: no hook runs in the compiler.
+struct SourceReader {
+    std::string_view rest;
+    std::size_t piece;
+    std::int64_t deadline;
+
+    static const char* read(lua_State* lua, void* self, std::size_t* size) {
+        auto& reader = *static_cast<SourceReader*>(self);
+        if (thread_time() > reader.deadline) luaL_error(lua, "takes too long to compile");
+        const std::string_view given = reader.rest.substr(0, reader.piece);
+        reader.rest.remove_prefix(given.size());
+        *size = given.size();
+        return given.data();
+    }
+};
+
+int append_bytecode(lua_State*, const void* bytes, std::size_t size, void* text) {
+    static_cast<std::string*>(text)->append(static_cast<const char*>(bytes), size);
+    return 0;
+}
+
+// "file:12: text" into place and text. Lua shortens a long name to its last bytes.
+Error place_of_syntax_error(std::string_view message, const std::string& file) {
+    std::size_t at = std::min<std::size_t>(file.size(), LUA_IDSIZE - 1);
+    int line = 0;
+    if (at < message.size() && message[at] == ':') {
+        for (++at; at < message.size() && message[at] >= '0' && message[at] <= '9'; ++at) {
+            line = line * 10 + (message[at] - '0');
+        }
+        if (message.substr(at, 2) == ": ") return {std::string(message.substr(at + 2)), {file, line}};
+    }
+    return {std::string(message), {file}};
+}
+
+}  // namespace
+
+Expected<Chunk> compile(std::string_view source, const std::string& file) {
+    if (source.size() > source_size_limit) return failure("the file is too large: at most 1 MB", {file});
+    source = without_preamble(source);
+    if (source.substr(0, 1) == std::string_view(LUA_SIGNATURE, 1))
+        return failure("this is bytecode: only Lua source text is run", {file, 1});
+    auto state = LuaState::create();
+    if (!state) return Unexpected(state.error());
+    lua_State* const lua = (*state)->lua();
+    const std::int64_t deadline = thread_time() + static_cast<std::int64_t>(compile_seconds_limit * 1e9);
+    SourceReader reader{source, 4096, deadline};
+    const std::string chunk_name = "@" + file;
+    const int status = lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
+    if (status == LUA_ERRMEM) return failure("not enough memory to compile it", {file});
+    if (status != LUA_OK && std::string_view(lua_tostring(lua, -1)) == "C stack overflow") {
+        // Lua does not say where. Read byte by byte, the text shows how far Lua came.
+        reader = {source, 1, deadline};
+        lua_load(lua, SourceReader::read, &reader, chunk_name.c_str(), "t");
+        const std::string_view seen = source.substr(0, source.size() - reader.rest.size());
+        return failure("the code is nested too deeply",
+                       {file, 1 + static_cast<int>(std::count(seen.begin(), seen.end(), '\n'))});
+    }
+    if (status != LUA_OK) return Unexpected(place_of_syntax_error(lua_tostring(lua, -1), file));
+    Chunk chunk{file, {}};
+    lua_dump(lua, append_bytecode, &chunk.bytecode, 0);
+    return chunk;
+}
+
+tl::expected<Chunk, std::vector<Error>> compile_checked(std::string_view source, const std::string& file,
+                                                        const KnownGlobals& known) {
+    auto chunk = compile(source, file);
+    if (!chunk) return tl::unexpected(std::vector<Error>{chunk.error()});
+    std::vector<Error> errors = check_globals(source, file, known);
+    if (!errors.empty()) return tl::unexpected(std::move(errors));
+    return std::move(*chunk);
+}
+
+CallResult load_chunk(lua_State* lua, const Chunk& chunk) {
+    return protect(lua, Budget{compile_seconds_limit}, [&chunk](lua_State* inside) {
+        if (luaL_loadbufferx(inside, chunk.bytecode.data(), chunk.bytecode.size(), "chunk", "b") != LUA_OK)
+            lua_error(inside);
+        return 1;
+    });
+}
+
+}  // namespace nezumi

@@ -1,0 +1,203 @@
+// `coroutine`: coroutines that the watchdog follows, and that can be sliced.
+#include "bindings/lua/sandbox/library.hpp"
+#include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
+
+namespace nezumi::library {
+namespace {
+
+lua_State* check_coroutine(lua_State* lua, int index) {
+    lua_State* coroutine = lua_tothread(lua, index);
+    luaL_argexpected(lua, coroutine != nullptr, index, "coroutine");
+    return coroutine;
+}
+
+// A coroutine that was stopped inside its hook can't be watched any more: nothing of it may run again.
+bool is_poisoned(lua_State* coroutine) { return *static_cast<void**>(lua_getextraspace(coroutine)) == nullptr; }
+void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(coroutine)) = nullptr; }
+
+constexpr int failed = -1;
+
+// Runs `coroutine`, with `arguments` values on top of its stack, until it yields, returns or fails. Returns how many
+// results lie on top of the caller's stack, or `failed` with the error there. Where a slice ends in it, the caller
+// yields as well, and `go_on` takes up from there.
+int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on) {
+    CallRecord& call = *current_call;
+    for (;;) {
+        if (call.keep_hook) keep_watching(coroutine);
+        int results = 0;
+        call.running = coroutine;
+        const int status = lua_resume(coroutine, lua, arguments, &results);
+        call.running = lua;
+        if (call.expired != 0) {
+            if (status == LUA_OK || status == LUA_YIELD) {
+                lua_pop(coroutine, results);
+            } else {
+                poison(coroutine);
+            }
+            raise_expiry(lua);
+        }
+        if (status == LUA_YIELD && call.slice_over) {
+            if (lua_isyieldable(lua) != 0) return lua_yieldk(lua, 0, 0, go_on);
+            call.slice_over = false;
+            arguments = 0;
+            continue;
+        }
+        if (status == LUA_OK || status == LUA_YIELD) {
+            if (lua_checkstack(lua, results + 1) == 0) {
+                lua_pop(coroutine, results);
+                lua_pushliteral(lua, "too many results to resume");
+                return failed;
+            }
+            lua_xmove(coroutine, lua, results);
+            return results;
+        }
+        lua_xmove(coroutine, lua, 1);
+        return failed;
+    }
+}
+
+// Moves the arguments of the caller over; returns false, with an error on the caller's stack, where that can't be.
+bool give_arguments(lua_State* lua, lua_State* coroutine, int count) {
+    check_c_stack(lua);
+    if (lua_checkstack(coroutine, count) == 0) {
+        lua_pushliteral(lua, "too many arguments to resume");
+        return false;
+    }
+    lua_xmove(lua, coroutine, count);
+    return true;
+}
+
+int finish_resume(lua_State* lua, int results) {
+    lua_pushboolean(lua, results == failed ? 0 : 1);
+    lua_insert(lua, results == failed ? -2 : -(results + 1));
+    return results == failed ? 2 : results + 1;
+}
+
+int go_on_resume(lua_State* lua, int, lua_KContext) {
+    return finish_resume(lua, run(lua, lua_tothread(lua, 1), 0, go_on_resume));
+}
+
+int resume(lua_State* lua) {
+    lua_State* coroutine = check_coroutine(lua, 1);
+    const int arguments = lua_gettop(lua) - 1;
+    if (!give_arguments(lua, coroutine, arguments)) return finish_resume(lua, failed);
+    return finish_resume(lua, run(lua, coroutine, arguments, go_on_resume));
+}
+
+// Ends what is open in a coroutine that is not running. Returns whether that went well; else an error is on its stack.
+bool reset(lua_State* lua, lua_State* coroutine) {
+    check_c_stack(lua);
+    current_call->running = coroutine;
+    if (current_call->keep_hook) keep_watching(coroutine);
+    const int status = lua_resetthread(coroutine);
+    current_call->running = lua;
+    poll_budget(lua);
+    return status == LUA_OK;
+}
+
+int finish_wrapped(lua_State* lua, lua_State* coroutine, int results) {
+    if (results != failed) return results;
+    const int status = lua_status(coroutine);
+    if (status != LUA_OK && status != LUA_YIELD && !is_poisoned(coroutine) && !reset(lua, coroutine)) {
+        lua_xmove(coroutine, lua, 1);
+    }
+    return lua_error(lua);
+}
+
+int go_on_wrapped(lua_State* lua, int, lua_KContext) {
+    lua_State* coroutine = lua_tothread(lua, lua_upvalueindex(1));
+    return finish_wrapped(lua, coroutine, run(lua, coroutine, 0, go_on_wrapped));
+}
+
+int call_wrapped(lua_State* lua) {
+    lua_State* coroutine = lua_tothread(lua, lua_upvalueindex(1));
+    const int arguments = lua_gettop(lua);
+    if (!give_arguments(lua, coroutine, arguments)) return lua_error(lua);
+    return finish_wrapped(lua, coroutine, run(lua, coroutine, arguments, go_on_wrapped));
+}
+
+int create(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TFUNCTION);
+    lua_State* coroutine = lua_newthread(lua);
+    lua_pushvalue(lua, 1);
+    lua_xmove(lua, coroutine, 1);
+    return 1;
+}
+
+int wrap(lua_State* lua) {
+    create(lua);
+    lua_pushcclosure(lua, call_wrapped, 1);
+    return 1;
+}
+
+enum class Status : unsigned char { suspended, running, normal, dead };
+
+Status status_of(lua_State* lua, lua_State* coroutine) {
+    if (lua == coroutine) return Status::running;
+    switch (lua_status(coroutine)) {
+        case LUA_YIELD: return Status::suspended;
+        case LUA_OK: {
+            lua_Debug activation;
+            if (lua_getstack(coroutine, 0, &activation) != 0) return Status::normal;
+            return lua_gettop(coroutine) == 0 ? Status::dead : Status::suspended;
+        }
+        default: return Status::dead;
+    }
+}
+
+constexpr const char* status_names[] = {"suspended", "running", "normal", "dead"};
+
+int status(lua_State* lua) {
+    lua_pushstring(lua, status_names[static_cast<int>(status_of(lua, check_coroutine(lua, 1)))]);
+    return 1;
+}
+
+int close(lua_State* lua) {
+    lua_State* coroutine = check_coroutine(lua, 1);
+    const Status status = status_of(lua, coroutine);
+    if (status != Status::suspended && status != Status::dead) {
+        return luaL_error(lua, "cannot close a %s coroutine", status_names[static_cast<int>(status)]);
+    }
+    if (is_poisoned(coroutine)) {
+        lua_pushboolean(lua, 0);
+        lua_pushliteral(lua, "the coroutine ran for too long");
+        return 2;
+    }
+    const bool well = reset(lua, coroutine);
+    lua_pushboolean(lua, well ? 1 : 0);
+    if (well) return 1;
+    lua_xmove(coroutine, lua, 1);
+    return 2;
+}
+
+// The bottom of a sliced call is a coroutine to Lua, and none to the script.
+bool is_sliced_bottom(lua_State* lua) { return current_call->sliced_bottom == lua; }
+
+int yield(lua_State* lua) {
+    if (is_sliced_bottom(lua)) return luaL_error(lua, "attempt to yield from outside a coroutine");
+    return lua_yield(lua, lua_gettop(lua));
+}
+
+int is_yieldable(lua_State* lua) {
+    lua_State* coroutine = lua_isnone(lua, 1) ? lua : check_coroutine(lua, 1);
+    lua_pushboolean(lua, lua_isyieldable(coroutine) != 0 && !is_sliced_bottom(coroutine) ? 1 : 0);
+    return 1;
+}
+
+int running(lua_State* lua) {
+    const bool is_main = lua_pushthread(lua) == 1 || is_sliced_bottom(lua);
+    lua_pushboolean(lua, is_main ? 1 : 0);
+    return 2;
+}
+
+}  // namespace
+
+const Entries& coroutine() {
+    static const Entries entries = {{"close", close},   {"create", create},   {"isyieldable", is_yieldable},
+                                    {"resume", resume}, {"running", running}, {"status", status},
+                                    {"wrap", wrap},     {"yield", yield}};
+    return entries;
+}
+
+}  // namespace nezumi::library

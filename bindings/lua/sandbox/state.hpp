@@ -1,0 +1,97 @@
+// One Lua state with an exact memory limit: the box that a script lives in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <lua.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "bindings/lua/sandbox/random.hpp"
+#include "engine/error.hpp"
+
+namespace nezumi {
+
+/// How a Lua state is made.
+struct StateOptions {
+    std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes], exact; at least 64 KB
+    std::uint64_t seed = 1;                            ///< of `math.random`
+    /// Takes what `print` was given, one line without its end. Must not throw. Empty: the line is dropped.
+    std::function<void(std::string_view)> print{};
+};
+
+/// Owns one `lua_State`. Many live in one process; each may be used from any thread, but from one at a time.
+/// Everything that may raise a Lua error, running out of memory included, goes through `protected_call` or `protect`
+/// (call.hpp).
+class LuaState {
+public:
+    /// A bare state: no library is open, the collector is set to small steps. Fails only for want of memory.
+    static Expected<std::unique_ptr<LuaState>> create(StateOptions options = {});
+    ~LuaState();
+    LuaState(const LuaState&) = delete;
+    LuaState& operator=(const LuaState&) = delete;
+
+    /// The owner of a state or of any of its coroutines: a pointer read, no look-up.
+    static LuaState& of(lua_State* lua) { return **static_cast<LuaState**>(lua_getextraspace(lua)); }
+
+    /// The main thread of the state.
+    lua_State* lua() const { return lua_; }
+
+    std::size_t memory() const { return memory_; }              ///< [bytes] in use now
+    std::size_t memory_limit() const { return memory_limit_; }  ///< [bytes]
+    void set_memory_limit(std::size_t bytes) { memory_limit_ = bytes; }
+
+    /// Starts `math.random` anew. The layer above derives the seed from (run seed, component's name, version).
+    void seed_random(std::uint64_t seed);
+    Random& random() { return random_; }
+    std::uint64_t random_seed() const { return random_seed_; }  ///< what `math.randomseed()` goes back to
+
+    /// Where `print` goes; may be replaced at any time.
+    void set_print(std::function<void(std::string_view)> print) { print_ = std::move(print); }
+    void print(std::string_view line) const {
+        if (print_) print_(line);
+    }
+
+    /// Adds a hint to the text of an error that leaves a call, such as what a nil upvalue means after a reload. Gets
+    /// the message without its place; what it returns is appended. Empty: no hints. Must not throw.
+    void set_hint(std::function<std::string(std::string_view)> hint) { hint_ = std::move(hint); }
+    std::string hint(std::string_view message) const { return hint_ ? hint_(message) : std::string(); }
+
+    /// The next number that tells a table, function, userdata or coroutine from the others in its text ("table: 1").
+    std::int64_t next_identity() { return ++identities_; }
+
+    /// A lost state was left in the middle of Lua's own code (watchdog.hpp). Its main thread is then an empty state, so
+    /// that what is done with it does no harm, and every call fails.
+    bool is_lost() const { return lost_; }
+    /// Marks the state as lost and puts it at the head of the list. Safe in a signal handler.
+    void lose(LuaState*& list) {
+        lost_ = true;
+        next_lost_ = list;
+        list = this;
+    }
+    /// Puts an empty state in the place of the lost one, whose memory stays taken. Returns the next of the list.
+    LuaState* replace_lost();
+
+    /// Whether `next` has ever had to remember keys.
+    bool has_next_cache = false;
+
+private:
+    explicit LuaState(StateOptions options);
+    bool open();
+    static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+
+    std::size_t memory_ = 0;
+    std::size_t memory_limit_;
+    lua_State* lua_ = nullptr;
+    bool lost_ = false;
+    LuaState* next_lost_ = nullptr;
+    std::int64_t identities_ = 0;
+    Random random_;
+    std::uint64_t random_seed_ = 0;
+    std::function<void(std::string_view)> print_;
+    std::function<std::string(std::string_view)> hint_;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,159 @@
+// Opens the sandbox's library in a state.
+#include "bindings/lua/sandbox/stdlib.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/library.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
+
+namespace nezumi {
+namespace library {
+namespace {
+
+using StockFunctions = std::map<std::pair<std::string, std::string>, lua_CFunction, std::less<>>;
+
+void collect(lua_State* lua, const char* library, StockFunctions& functions) {
+    for (lua_pushnil(lua); lua_next(lua, -2) != 0; lua_pop(lua, 1)) {
+        if (lua_type(lua, -2) != LUA_TSTRING || lua_iscfunction(lua, -1) == 0) continue;
+        functions[{library, lua_tostring(lua, -2)}] = lua_tocfunction(lua, -1);
+    }
+}
+
+StockFunctions find_stock_functions() {
+    StockFunctions functions;
+    lua_State* lua = luaL_newstate();
+    assert(lua != nullptr);
+    luaL_openlibs(lua);
+    lua_pushglobaltable(lua);
+    collect(lua, "", functions);
+    for (const char* name : {"math", "string", "table", "utf8"}) {
+        lua_getglobal(lua, name);
+        collect(lua, name, functions);
+    }
+    lua_pushliteral(lua, "");
+    lua_getmetatable(lua, -1);
+    collect(lua, "string metatable", functions);
+    lua_close(lua);
+    return functions;
+}
+
+// Copies lua_State's functions that need no upvalues; those that do are not among what we take.
+void push_entries(lua_State* lua, const Entries& entries, int more = 0) {
+    lua_createtable(lua, 0, static_cast<int>(entries.size()) + more);
+    for (const Entry& entry : entries) {
+        lua_pushcfunction(lua, entry.function);
+        lua_setfield(lua, -2, entry.name);
+    }
+}
+
+void push_math(lua_State* lua) {
+    push_entries(lua, math(), 4);
+    lua_pushnumber(lua, 3.141592653589793238462643383279502884);
+    lua_setfield(lua, -2, "pi");
+    lua_pushnumber(lua, HUGE_VAL);
+    lua_setfield(lua, -2, "huge");
+    lua_pushinteger(lua, LUA_MAXINTEGER);
+    lua_setfield(lua, -2, "maxinteger");
+    lua_pushinteger(lua, LUA_MININTEGER);
+    lua_setfield(lua, -2, "mininteger");
+}
+
+void push_utf8(lua_State* lua) {
+    push_entries(lua, utf8(), 1);
+    lua_pushlstring(lua, "[\0-\x7F\xC2-\xFD][\x80-\xBF]*", 14);
+    lua_setfield(lua, -2, "charpattern");
+}
+
+// Leaves the open table of the functions of strings on the stack.
+void push_string(lua_State* lua) {
+    push_entries(lua, string());
+    lua_pushliteral(lua, "");
+    push_entries(lua, string_metamethods(), 2);
+    lua_pushvalue(lua, -3);
+    lua_setfield(lua, -2, "__index");
+    lua_pushboolean(lua, 0);
+    lua_setfield(lua, -2, "__metatable");
+    lua_setmetatable(lua, -2);
+    lua_pop(lua, 1);
+}
+
+struct Library {
+    const char* name;
+    void (*push)(lua_State*);
+};
+
+constexpr Library libraries[] = {
+    {"coroutine", [](lua_State* lua) { push_entries(lua, coroutine()); }}, {"math", push_math}, {"string", push_string},
+    {"table", [](lua_State* lua) { push_entries(lua, table()); }},         {"utf8", push_utf8},
+};
+
+}  // namespace
+
+lua_CFunction stock(std::string_view library, std::string_view name) {
+    static const StockFunctions functions = find_stock_functions();
+    const auto found = functions.find(std::pair(std::string(library), std::string(name)));
+    assert(found != functions.end());
+    return found->second;
+}
+
+Entries stock(std::string_view library, std::initializer_list<const char*> names) {
+    Entries entries;
+    for (const char* name : names) entries.push_back({name, stock(library, name)});
+    return entries;
+}
+
+const Entries& utf8() {
+    static const Entries entries = stock("utf8", {"char", "codepoint", "codes", "len", "offset"});
+    return entries;
+}
+
+}  // namespace library
+
+Expected<void> open_sandbox(LuaState& state) {
+    const auto opened = protect(state.lua(), Budget{10.0}, [](lua_State* lua) {
+        // Lua looks here for the name of a function that is called under none.
+        luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+        // The basic functions are not there: beside them a script puts functions of its own, under other names.
+        lua_pushglobaltable(lua);
+        for (const library::Entry& entry : library::basic()) {
+            lua_pushcfunction(lua, entry.function);
+            lua_setfield(lua, -2, entry.name);
+        }
+        for (const library::Library& each : library::libraries) {
+            each.push(lua);
+            lua_pushvalue(lua, -1);
+            lua_setfield(lua, -4, each.name);
+            lock_table(lua, each.name);
+            lua_setfield(lua, -2, each.name);
+        }
+        return 0;
+    });
+    if (!opened) return Unexpected(opened.error());
+    return {};
+}
+
+Expected<std::unique_ptr<LuaState>> create_sandbox(StateOptions options) {
+    auto state = LuaState::create(std::move(options));
+    if (!state) return state;
+    if (auto opened = open_sandbox(**state); !opened) return Unexpected(opened.error());
+    return state;
+}
+
+const std::vector<std::string_view>& sandbox_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> list;
+        for (const library::Entry& entry : library::basic()) list.emplace_back(entry.name);
+        for (const library::Library& each : library::libraries) list.emplace_back(each.name);
+        std::sort(list.begin(), list.end());
+        return list;
+    }();
+    return names;
+}
+
+}  // namespace nezumi

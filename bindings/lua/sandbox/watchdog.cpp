@@ -1,0 +1,279 @@
+// The timer of each thread, its signal handler, and the hook that the handler sets.
+#include "bindings/lua/sandbox/watchdog.hpp"
+
+#include <pthread.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <csetjmp>
+#include <cstring>
+#include <ctime>
+
+#include "bindings/lua/sandbox/lua_text.hpp"
+#include "bindings/lua/sandbox/state.hpp"
+
+#if defined(__SANITIZE_THREAD__)
+// ThreadSanitizer holds signals back until the thread calls into libc, which an endless loop never does. This name is
+// the same function, not intercepted.
+extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);
+// It also has to see every jump, or it loses count of the calls; Debian's Lua jumps by a name that it does not know.
+extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value); }
+#define NEZUMI_SIGACTION __sigaction
+#define NEZUMI_IN_SIGNAL __attribute__((no_sanitize("thread")))
+// Nor may the handler call what it intercepts.
+#define NEZUMI_CLOCK_GETTIME(clock, time) syscall(SYS_clock_gettime, clock, time)
+#define NEZUMI_CAN_LEAVE false
+#else
+#define NEZUMI_SIGACTION sigaction
+#define NEZUMI_IN_SIGNAL
+#define NEZUMI_CLOCK_GETTIME(clock, time) clock_gettime(clock, time)
+#define NEZUMI_CAN_LEAVE true
+#endif
+
+namespace nezumi {
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler finds its thread's call by it
+constinit thread_local CallRecord* current_call = nullptr;
+
+namespace {
+
+constexpr std::int64_t tick_ns = 5'000'000;
+constexpr int deep_recursion = 20'000;  // calls within calls
+constexpr std::int64_t escape_after_ns = 1'000'000'000;
+constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): from a signal handler to the place it jumps to
+constinit thread_local LuaState* lost_states = nullptr;
+
+int watch_signal() { return SIGRTMIN + 5; }
+
+NEZUMI_IN_SIGNAL std::int64_t nanoseconds(const timespec& time) {
+    return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
+    timespec time{};
+    NEZUMI_CLOCK_GETTIME(CLOCK_THREAD_CPUTIME_ID, &time);
+    return nanoseconds(time);
+}
+
+// Out of Lua from within its own code, over the frames of C and C++ functions that its own errors jump over as well.
+NEZUMI_IN_SIGNAL void leave_lua(CallRecord* innermost) {
+    CallRecord* outermost = innermost;
+    while (outermost->outer != nullptr) outermost = outermost->outer;
+    if (!NEZUMI_CAN_LEAVE || !outermost->can_escape) return;
+    outermost->can_escape = false;
+    for (CallRecord* call = innermost; call != nullptr; call = call->outer) {
+        LuaState& state = LuaState::of(call->running);
+        if (!state.is_lost()) state.lose(lost_states);
+    }
+    _longjmp(outermost->escape, 1);
+}
+
+// Runs in the thread that is watched, between any two of its instructions. It only looks at the clock and calls
+// lua_sethook, which Lua allows here.
+NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
+    const int saved_errno = errno;
+    CallRecord* const innermost = *static_cast<CallRecord* volatile*>(info->si_value.sival_ptr);
+    const std::int64_t now = time_in_signal();
+    CallRecord* expired = nullptr;  // the outermost one
+    for (CallRecord* call = innermost; call != nullptr; call = call->outer) {
+        if (call->seen == 0) call->seen = now;
+        if (now - call->seen >= call->budget_ns) expired = call;
+    }
+    // A call waits for those within it: they end with it.
+    for (CallRecord* call = expired != nullptr ? innermost : nullptr; call != nullptr; call = call->outer) {
+        call->budget_seconds = expired->budget_seconds;
+        if (call->expired == 0) call->expired_at = now;
+        call->expired = 1;
+        // Setting a hook visits every function that is being called, which may take longer than the time between two
+        // ticks: then the script would never get to the instruction that raises the error.
+        if (now >= call->next_hook) {
+            lua_sethook(call->running, watch_hook, LUA_MASKCOUNT, 1);
+            const std::int64_t done = time_in_signal();
+            call->next_hook = done + 8 * (done - now);
+        }
+        if (call == expired) break;
+    }
+    errno = saved_errno;
+    if (expired != nullptr && now - innermost->expired_at > escape_after_ns && was_in_lua(context))
+        leave_lua(innermost);
+}
+
+enum class Watch : unsigned char { not_yet, by_timer, by_polling };
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a timer belongs to its thread
+constinit thread_local Watch watch = Watch::not_yet;
+
+void mask_signal(int how) {
+    sigset_t ours;
+    sigemptyset(&ours);
+    sigaddset(&ours, watch_signal());
+    pthread_sigmask(how, &ours, nullptr);
+}
+
+// A timer on the CPU time of the thread that makes it: an idle thread is not woken.
+class ThreadTimer {
+public:
+    ThreadTimer() = default;
+    ~ThreadTimer() {
+        stop();
+        watch = Watch::by_polling;  // for what the thread still does at its end
+    }
+    ThreadTimer(const ThreadTimer&) = delete;
+    ThreadTimer& operator=(const ThreadTimer&) = delete;
+
+    // Returns whether the system gives such timers.
+    bool restart() {
+        stop();
+        static const int installed = [] {
+            find_lua_text();
+            struct sigaction action {};
+            action.sa_sigaction = on_tick;
+            action.sa_flags = SA_SIGINFO | SA_RESTART;
+            sigemptyset(&action.sa_mask);
+            return NEZUMI_SIGACTION(watch_signal(), &action, nullptr);
+        }();
+        sigevent event{};
+        event.sigev_notify = SIGEV_THREAD_ID;
+        event.sigev_signo = watch_signal();
+        event.sigev_value.sival_ptr = &current_call;
+        event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
+        if (installed != 0 || timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &timer_) != 0) return false;
+        itimerspec period{};
+        period.it_interval.tv_nsec = period.it_value.tv_nsec = tick_ns;
+        runs_ = timer_settime(timer_, 0, &period, nullptr) == 0;
+        if (!runs_) timer_delete(timer_);
+        if (runs_) mask_signal(SIG_UNBLOCK);
+        return runs_;
+    }
+
+    void stop() {
+        if (!runs_) return;
+        mask_signal(SIG_BLOCK);  // a signal that is under way must not find the thread's variables gone
+        timer_delete(timer_);
+        runs_ = false;
+    }
+
+private:
+    timer_t timer_{};
+    bool runs_ = false;
+};
+
+void forget_timer() { watch = Watch::not_yet; }
+
+// Where the system gives no timer, the clock is polled from a hook: slower, but an endless loop still ends.
+void watch_this_thread() {
+    // The child of a fork has its parent's variables and none of its timers.
+    static const int registered = pthread_atfork(nullptr, nullptr, forget_timer);
+    static_cast<void>(registered);
+    static thread_local ThreadTimer timer;
+    watch = timer.restart() ? Watch::by_timer : Watch::by_polling;
+}
+
+}  // namespace
+
+void CallRecord::ScriptPlace::set(const lua_Debug& activation) {
+    const char* name = *activation.source == '@' ? activation.source + 1 : activation.short_src;
+    std::strncpy(file, name, sizeof file - 1);
+    file[sizeof file - 1] = '\0';
+    line = activation.currentline;
+}
+
+CallRecord::CallRecord(lua_State* lua, Budget budget)
+    : running(lua),
+      outer(current_call),
+      budget_ns(static_cast<std::int64_t>(budget.seconds * 1e9)),
+      budget_seconds(budget.seconds),
+      stack_base(outer != nullptr ? outer->stack_base : static_cast<const char*>(__builtin_frame_address(0))) {
+    if (watch == Watch::not_yet) watch_this_thread();
+    if (watch == Watch::by_polling) {
+        polled_limit = thread_time() + budget_ns;
+        if (outer != nullptr && outer->polled_limit != 0) polled_limit = std::min(polled_limit, outer->polled_limit);
+        keep_hook = true;
+        keep_watching(lua);
+    }
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    current_call = this;
+}
+
+CallRecord::~CallRecord() {
+    current_call = outer;
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+}
+
+void finish_escape(CallRecord& outermost) {
+    current_call = &outermost;
+    while (lost_states != nullptr) lost_states = lost_states->replace_lost();
+    mask_signal(SIG_UNBLOCK);  // the handler never returned
+}
+
+void keep_watching(lua_State* lua) {
+    if (lua_gethook(lua) != watch_hook) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
+}
+
+void watch_hook(lua_State* lua, lua_Debug*) {
+    CallRecord* const call = current_call;
+    if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
+    if (call->polled_limit != 0 && thread_time() > call->polled_limit) call->expired = 1;
+    if (call->expired != 0) {
+        // From here on every instruction ends here: neither handlers nor closers of variables run on.
+        if (lua_gethookcount(lua) != 1) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, 1);
+        raise_expiry(lua);
+    }
+    if (call->slicing && lua_isyieldable(lua) != 0 && std::chrono::steady_clock::now() >= call->slice_end) {
+        call->slice_over = true;
+        lua_yield(lua, 0);
+        return;
+    }
+    if (!call->keep_hook) {
+        lua_sethook(lua, nullptr, 0, 0);
+    } else if (lua_gethookcount(lua) != hook_interval) {  // left by a call that was stopped
+        lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
+    }
+}
+
+void raise_expiry(lua_State* lua) {
+    CallRecord& call = *current_call;
+    if (call.expiry_place.line == 0) find_place(lua, call.expiry_place);
+    lua_pushnil(lua);  // no text: that could need memory, and protected_call makes its own
+    lua_error(lua);
+}
+
+void find_place(lua_State* lua, CallRecord::ScriptPlace& place) {
+    lua_Debug activation;
+    for (int level = 0; level < 250 && lua_getstack(lua, level, &activation) != 0; ++level) {
+        if (lua_getinfo(lua, "Sl", &activation) != 0 && activation.currentline > 0) {
+            return place.set(activation);
+        }
+    }
+}
+
+void note_memory_limit(const LuaState& state) {
+    CallRecord* const call = current_call;
+    if (call == nullptr || &LuaState::of(call->running) != &state) return;
+    call->memory_refused = true;
+    lua_Debug activation;
+    call->memory_refused_deep = lua_getstack(call->running, deep_recursion, &activation) != 0;
+    call->memory_place.line = 0;
+    find_place(call->running, call->memory_place);
+}
+
+bool c_stack_is_used_up() {
+    const auto* here = static_cast<const char*>(__builtin_frame_address(0));
+    return current_call != nullptr && current_call->stack_base - here > c_stack_limit;
+}
+
+void check_c_stack(lua_State* lua) {
+    if (c_stack_is_used_up()) luaL_error(lua, "C stack overflow");
+}
+
+std::int64_t thread_time() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return nanoseconds(now);
+}
+
+}  // namespace nezumi

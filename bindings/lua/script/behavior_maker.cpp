@@ -1,0 +1,31 @@
+// From an entry of a system file to a component that runs its script.
+#include "bindings/lua/script/behavior_maker.hpp"
+
+namespace nezumi {
+
+Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
+                                                   const BehaviorSettings& settings) {
+    auto source = read_source(entry.path);
+    if (!source) return Unexpected(source.error());
+    ScriptContext script{.component = entry.name,
+                         .seed = context.seed,
+                         .budget = settings.budget,
+                         .memory_limit = settings.memory_limit,
+                         .find_module = [project = settings.project](std::string_view name,
+                                                                     std::string_view from) -> Expected<SourceText> {
+                             auto path = project.find(FileKind::module, name, std::string(from));
+                             if (!path) return Unexpected(path.error());
+                             return read_source(path->string());
+                         },
+                         .chunks = settings.chunks,
+                         .configured = entry.config,
+                         .tick_rate = context.tick_rate};
+    if (const auto set = entry.sets.find(entry.set); set != entry.sets.end()) {
+        for (const auto& [name, value] : set->second) script.configured.insert_or_assign(name, value);
+    }
+    auto component = ScriptComponent::load(entry.name, *source, std::move(script));
+    if (!component) return Unexpected(component.error());
+    return std::unique_ptr<Component>(std::move(*component));
+}
+
+}  // namespace nezumi

@@ -1,0 +1,24 @@
+// Makes the behaviours of a system file: what `build_system` asks the composition root for.
+#pragma once
+
+#include <memory>
+
+#include "bindings/lua/files/project.hpp"
+#include "bindings/lua/script/script_component.hpp"
+#include "engine/build_system.hpp"
+
+namespace nezumi {
+
+/// What all behaviours of a run have in common.
+struct BehaviorSettings {
+    Project project;                                   ///< where their modules are found
+    Budget budget = paced_budget;                      ///< `headless_budget` in runs without a clock
+    std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes] of each
+    ChunkCache* chunks = nullptr;  ///< must outlive the behaviours; null: every behaviour compiles its own
+};
+
+/// For `Makers::behavior`.
+Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
+                                                   const BehaviorSettings& settings);
+
+}  // namespace nezumi

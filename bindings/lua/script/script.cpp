@@ -1,0 +1,380 @@
+// Loading: the top level runs in a fresh state and declares. Running: one protected call per callback.
+#include "bindings/lua/script/script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/script/script_config.hpp"
+#include "bindings/lua/script/script_ports.hpp"
+#include "bindings/lua/script/script_words.hpp"
+#include "engine/payload.hpp"
+#include "engine/system_spec.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::size_t longest_name = 100;
+
+bool contains(const std::vector<std::string_view>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// "input 'in'" of what has this name already, and where.
+std::string first_in(const Place& place) {
+    return place.line > 0 ? fmt::format(" (first in line {})", place.line) : "";
+}
+
+bool is_keyword(std::string_view name) {
+    // An identifier but for being a keyword.
+    return !name.empty() && !is_identifier(name) && is_identifier(std::string(name) + "_");
+}
+
+int stack_depth(lua_State* L) {
+    lua_Debug activation;
+    int depth = 0;
+    while (lua_getstack(L, depth, &activation) != 0) ++depth;
+    return depth;
+}
+
+}  // namespace
+
+Script::Script(const SourceText& source, ScriptContext context) : file_(source), context_(std::move(context)) {
+    hooks_.fill(LUA_NOREF);
+}
+
+Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptContext context,
+                                               const Inheritance& inheritance) {
+    auto script = std::unique_ptr<Script>(new Script(source, std::move(context)));
+    Script* const self = script.get();
+    const std::uint64_t seed = mix(mix(script->context_.seed, script->context_.component),
+                                   static_cast<std::uint64_t>(script->context_.version));
+    auto lua = create_sandbox(
+        {.memory_limit = script->context_.memory_limit, .seed = seed, .print = [self](std::string_view line) {
+             self->log(LogLevel::info, std::string(line));
+         }});
+    if (!lua) return Unexpected(lua.error());
+    script->lua_ = std::move(*lua);
+    script->lua_->set_hint([self](std::string_view message) { return self->hint(message); });
+    script->inheritance_ = inheritance;
+    auto ok = script->run_top_level(source);
+    script->inheritance_ = {};
+    if (!ok) return Unexpected(std::move(ok.error()));
+    return script;
+}
+
+Error Script::to_error(const CallError& error) const {
+    Error plain{error.message, error.place, error.over_budget ? Error::Kind::out_of_time : Error::Kind::ordinary};
+    if (plain.place.file.empty()) plain.place.file = file_.shown;
+    return plain;
+}
+
+Expected<Chunk> Script::compile(const SourceText& source, ScriptKind kind) const {
+    if (context_.chunks != nullptr) return context_.chunks->compile(source, kind);
+    auto chunk = compile_script(source, kind);
+    if (!chunk) return Unexpected(chunk.error().front());
+    return std::move(*chunk);
+}
+
+Expected<void> Script::run_top_level(const SourceText& source) {
+    lua_State* L = lua_->lua();
+    auto chunk = compile(source, ScriptKind::component);
+    if (!chunk) return Unexpected(chunk.error());
+    auto installed = protect(L, context_.budget, [&](lua_State* inside) {
+        install_words(inside, *this, inheritance_.state);
+        return 0;
+    });
+    if (!installed) return Unexpected(to_error(installed.error()));
+    if (auto loaded = load_chunk(L, *chunk); !loaded) return Unexpected(to_error(loaded.error()));
+    auto ran = protected_call(L, 0, 0, context_.budget);
+    if (!ran) {
+        // A module that does not compile is to be told with its own place, not with the line that requires it.
+        if (module_error_ && ran.error().message.find(module_error_->message) != std::string::npos)
+            return Unexpected(*module_error_);
+        return Unexpected(to_error(ran.error()));
+    }
+    if (ports_.empty() && commands_.empty() && parameters_.all().empty() &&
+        std::all_of(hooks_.begin(), hooks_.end(), [](int function) { return function == LUA_NOREF; })) {
+        return failure("the file declares nothing: no port, parameter, command or callback", {file_.shown});
+    }
+    lua_gc(L, LUA_GCCOLLECT);  // what loading left behind; nothing of the script runs in it
+    seen_parameters_ = parameters_.version();
+    phase_ = Phase::bound;
+    return {};
+}
+
+int Script::raise(lua_State* L) const {
+    luaL_where(L, 1);
+    lua_pushlstring(L, raised.data(), raised.size());
+    lua_concat(L, 2);
+    return lua_error(L);
+}
+
+// Declarations
+
+Expected<void> Script::check_loading(std::string_view word) const {
+    if (phase_ == Phase::loading) return {};
+    return failure(fmt::format("{} can only be called while the file loads", word));
+}
+
+Expected<void> Script::check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const {
+    if (!is_identifier(name) && !(keyword_allowed && is_keyword(name))) {
+        const std::string_view keyword =
+            is_keyword(name) ? ": it is a keyword of Lua" : ": use letters, digits and _, no digit first";
+        return failure(fmt::format("{} '{}': the name is no identifier{}", kind, shown(name), keyword));
+    }
+    if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
+    if (contains(script_words(), name) || contains(component_words(), name)) {
+        return failure(fmt::format("{} '{}': the name is one of a component's own words", kind, name));
+    }
+    if (contains(sandbox_names(), name))
+        return failure(fmt::format("{} '{}': the name is taken by Lua's library", kind, name));
+    return {};
+}
+
+Expected<PortSlot*> Script::declare_port(PortDeclaration declaration) {
+    const std::string_view word = declaration.direction == Direction::in ? "input" : "output";
+    if (auto ok = check_loading(word); !ok) return Unexpected(ok.error());
+    if (auto ok = check_name(word, declaration.name, true); !ok) return Unexpected(ok.error());
+    for (const PortDeclaration& other : ports_) {
+        if (other.name != declaration.name) continue;
+        if (other.direction == declaration.direction) {
+            return failure(fmt::format("{} is declared twice{}", port_title(declaration), first_in(other.place)));
+        }
+        return failure(fmt::format("{}: the name is taken by {}{}", port_title(declaration), port_title(other),
+                                   first_in(other.place)));
+    }
+    for (const CommandDeclaration& other : commands_) {
+        if (other.name == declaration.name) {
+            return failure(fmt::format("{}: the name is taken by command '{}'{}", port_title(declaration), other.name,
+                                       first_in(other.place)));
+        }
+    }
+    ports_.push_back(std::move(declaration));
+    slots_.push_back({.script = this, .declaration = &ports_.back()});
+    return &slots_.back();
+}
+
+Expected<void> Script::declare_parameter(ParameterSpec spec) {
+    if (auto ok = check_loading("param"); !ok) return ok;
+    if (auto ok = check_name("parameter", spec.name, false); !ok) return ok;
+    if (const auto* other = parameters_.find(spec.name)) {
+        return failure(fmt::format("parameter '{}' is declared twice{}", spec.name, first_in(other->spec.place)));
+    }
+    const std::string name = spec.name;
+    if (auto ok = parameters_.declare(std::move(spec)); !ok) return failure(ok.error().message);
+    // What does not fit is no matter of the script's: the system file or the reload says so.
+    if (inheritance_.parameters != nullptr) {
+        parameters_.adopt(*inheritance_.parameters, name);
+    } else if (const auto given = context_.configured.find(name); given != context_.configured.end()) {
+        static_cast<void>(parameters_.set(name, given->second));
+    }
+    return {};
+}
+
+Expected<void> Script::declare_command(CommandDeclaration declaration) {
+    if (auto ok = check_loading("command"); !ok) return ok;
+    if (auto ok = check_name("command", declaration.name, false); !ok) return ok;
+    for (const CommandDeclaration& other : commands_) {
+        if (other.name == declaration.name) {
+            return failure(fmt::format("command '{}' is declared twice{}", declaration.name, first_in(other.place)));
+        }
+    }
+    for (const PortDeclaration& port : ports_) {
+        if (port.name == declaration.name) {
+            return failure(fmt::format("command '{}': the name is taken by {}{}", declaration.name, port_title(port),
+                                       first_in(port.place)));
+        }
+    }
+    commands_.push_back(std::move(declaration));
+    return {};
+}
+
+Expected<void> Script::declare_about(ScriptAbout about) {
+    if (auto ok = check_loading("about"); !ok) return ok;
+    if (about_.given) return failure("about is given twice");
+    about_ = std::move(about);
+    return {};
+}
+
+Expected<std::size_t> Script::check_hook(std::string_view name, std::string_view type) const {
+    const auto& names = hook_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        if (name.starts_with("on_"))
+            return failure(fmt::format("unknown callback '{}'{}", name, did_you_mean(name, names)));
+        return failure(fmt::format("global '{}' is assigned: is a `local` missing?", name));
+    }
+    if (phase_ != Phase::loading) return failure(fmt::format("{} can only be defined while the file loads", name));
+    if (!loading_modules_.empty())
+        return failure(fmt::format("{} can't be defined in a module: it belongs into the component's file", name));
+    const auto hook = static_cast<std::size_t>(Hook::on_activated) + static_cast<std::size_t>(found - names.begin());
+    if (hooks_[hook] != LUA_NOREF)
+        return failure(fmt::format("{} is defined twice (first in line {})", name, hook_lines_[hook]));
+    if (type != "function") return failure(fmt::format("{} expected a function, got {}", name, type));
+    return hook;
+}
+
+void Script::set_hook(std::size_t hook, int function, int line) {
+    hooks_[hook] = function;
+    hook_lines_[hook] = line;
+}
+
+int Script::hook_function(std::string_view name) const {
+    const auto& names = hook_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return LUA_NOREF;
+    const int function =
+        hooks_[static_cast<std::size_t>(Hook::on_activated) + static_cast<std::size_t>(found - names.begin())];
+    return function == LUA_NOREF ? LUA_REFNIL : function;
+}
+
+// Modules
+
+Expected<void> Script::begin_module(lua_State* L, std::string_view name) {
+    if (phase_ != Phase::loading)
+        return failure(
+            fmt::format("require '{}': modules are loaded while the file loads; require it at its top", name));
+    if (!context_.find_module) return failure(fmt::format("require '{}': there are no modules here", name));
+    const int depth = stack_depth(L);
+    // What a pcall has caught did not end its module.
+    while (!loading_modules_.empty() && loading_modules_.back().depth >= depth) loading_modules_.pop_back();
+    std::string chain;
+    for (const LoadingModule& loading : loading_modules_) {
+        if (loading.name == name || !chain.empty()) chain += loading.name + " requires ";
+    }
+    if (!chain.empty())
+        return failure(fmt::format("require '{}': the modules require each other: {}{}", name, chain, name));
+    auto source = context_.find_module(name, loading_modules_.empty() ? file_.path : loading_modules_.back().path);
+    if (!source) return failure(fmt::format("require '{}': {}", name, source.error().message));
+    if (inheritance_.required != nullptr) inheritance_.required->emplace_back(*source);
+    auto chunk = compile(*source, ScriptKind::module);
+    if (!chunk) {
+        module_error_ = chunk.error();
+        return failure(module_error_->message);
+    }
+    loading_modules_.push_back({std::string(name), source->path, depth});
+    modules_.emplace_back(*source);
+    module_chunk_ = std::move(*chunk);
+    return {};
+}
+
+void Script::end_module() {
+    if (!loading_modules_.empty()) loading_modules_.pop_back();
+}
+
+// Running
+
+void Script::bind(Component& owner) { owner_ = &owner; }
+
+void Script::go_live(bool live) {
+    phase_ = live ? Phase::live : Phase::bound;
+    for (PortSlot& slot : slots_) slot.live = live;
+}
+
+Parameters& Script::parameters() { return phase_ == Phase::live ? owner_->parameters() : parameters_; }
+
+double Script::dt() const {
+    const double given = owner_ != nullptr ? owner_->dt() : 0;
+    if (given > 0) return given;
+    return 1.0 / (owner_ != nullptr && owner_->rate > 0 ? owner_->rate : context_.tick_rate);
+}
+
+void Script::log(LogLevel level, std::string text) {
+    if (owner_ != nullptr) return owner_->log(level, std::move(text));
+    early_log_.emplace_back(level, std::move(text));
+}
+
+Expected<void> Script::refresh() {
+    Parameters& now = parameters();
+    if (now.version() == seen_parameters_) return {};
+    auto ok = protect(lua(), context_.budget, [&](lua_State* L) {
+        show_parameters(L, *this, now);
+        return 0;
+    });
+    if (!ok) return Unexpected(to_error(ok.error()));
+    seen_parameters_ = now.version();
+    return {};
+}
+
+Expected<void> Script::call(Hook hook) {
+    if (hook == Hook::on_activated) was_activated_ = true;
+    const int function = hooks_[static_cast<std::size_t>(hook)];
+    if (function == LUA_NOREF) return {};
+    if (auto ok = refresh(); !ok) return ok;
+    lua_State* L = lua_->lua();
+    lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+    if (auto ok = protected_call(L, 0, 0, context_.budget); !ok) return Unexpected(to_error(ok.error()));
+    return {};
+}
+
+Expected<void> Script::call_on_reload(int old_version) {
+    const int function = hooks_[static_cast<std::size_t>(Hook::on_reload)];
+    if (function == LUA_NOREF) return {};
+    if (auto ok = refresh(); !ok) return ok;
+    lua_State* L = lua_->lua();
+    lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+    lua_pushinteger(L, old_version);
+    if (auto ok = protected_call(L, 1, 0, context_.budget); !ok) return Unexpected(to_error(ok.error()));
+    return {};
+}
+
+Expected<PlainData> Script::call_command(std::string_view name, const PlainData& arguments) {
+    const auto command =
+        std::find_if(commands_.begin(), commands_.end(), [&](const auto& c) { return c.name == name; });
+    if (command == commands_.end()) {
+        std::vector<std::string_view> names;
+        for (const CommandDeclaration& each : commands_) names.push_back(each.name);
+        return failure(fmt::format("unknown command '{}'{}", shown(name), did_you_mean(name, names)));
+    }
+    if (auto ok = refresh(); !ok) return Unexpected(ok.error());
+    lua_State* L = lua_->lua();
+    const int before = lua_gettop(L);
+    const int function = command->function;
+    auto pushed = protect(L, context_.budget, [&](lua_State* inside) {
+        lua_rawgeti(inside, LUA_REGISTRYINDEX, function);
+        push_plain(inside, arguments);
+        return lua_gettop(inside);
+    });
+    if (!pushed) return Unexpected(to_error(pushed.error()));
+    auto called = protected_call(L, static_cast<int>(arguments.values.size()), LUA_MULTRET, context_.budget);
+    if (!called) return Unexpected(to_error(called.error()));
+    const int count = lua_gettop(L) - before;
+    std::vector<std::string> names;
+    for (int i = 1; i <= count; ++i) names.push_back(fmt::format("result {}", i));
+    std::vector<Dropped> dropped;
+    auto results = take_plain(L, count, context_.budget, names, dropped);
+    lua_settop(L, before);
+    if (!results) return results;
+    if (!dropped.empty()) {
+        return failure(fmt::format("command '{}': {} is {}, and only plain data can be returned", name,
+                                   dropped.front().path, dropped.front().what),
+                       command->place);
+    }
+    return results;
+}
+
+Expected<PlainData> Script::take_state(std::vector<Dropped>& dropped) {
+    lua_State* L = lua_->lua();
+    const int before = lua_gettop(L);
+    auto pushed = protect(L, context_.budget, [](lua_State* inside) {
+        push_state(inside);
+        return 1;
+    });
+    if (!pushed) return Unexpected(to_error(pushed.error()));
+    auto data = take_plain(L, 1, context_.budget, {"state"}, dropped);
+    lua_settop(L, before);
+    return data;
+}
+
+// Locals are new after a reload, and on_activated, which may have set them, does not run again.
+std::string Script::hint(std::string_view message) const {
+    if (was_activated_ || context_.version == 1 || message.find("nil value (upvalue '") == std::string_view::npos)
+        return "";
+    return "; a reload makes the file's locals new and does not run on_activated again: set it at the top of the file "
+           "or in "
+           "on_reload, or keep it in `state`";
+}
+
+}  // namespace nezumi

@@ -1,0 +1,199 @@
+// One version of a script: its own Lua state, and what the file declared when it was loaded.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <lua.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/script/script_chunk.hpp"
+#include "bindings/lua/script/script_source.hpp"
+#include "bindings/lua/values/plain_data.hpp"
+#include "engine/component.hpp"
+
+namespace nezumi {
+
+class Script;
+
+/// What a script is loaded for.
+struct ScriptContext {
+    std::string component;                             ///< its name
+    std::uint64_t seed = 0;                            ///< of the run
+    int version = 1;                                   ///< the number this version will have
+    Budget budget = paced_budget;                      ///< of every call into the script, its loading included
+    std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes]
+    ModuleFinder find_module;                          ///< empty: there are no modules
+    ChunkCache* chunks = nullptr;  ///< shares compiled code among components; may be null, must outlive them
+    ParameterValues configured;    ///< values of a system file, so that the file's top level reads them
+    double tick_rate = 100;        ///< [Hz]; `dt` before the first execution
+    double seconds = 0;            ///< `now()` while it loads
+};
+
+/// `input(...)` or `output(...)`.
+struct PortDeclaration {
+    Direction direction = Direction::in;
+    std::string name;
+    std::size_t type = 0;  ///< in `message_types`
+    std::string doc;
+    std::size_t queue = 0;         ///< of an in-port
+    std::vector<AnyPayload> safe;  ///< of an out-port, if it has one: a payload is large
+    Place place;
+
+    /// A port that fits this declaration.
+    bool fits(const Port& port) const {
+        return port.direction() == direction && port.name() == name && port.type() == type;
+    }
+};
+
+/// What a port object in Lua refers to. Its address is in the object and in its methods.
+struct PortSlot {
+    Script* script = nullptr;
+    const PortDeclaration* declaration = nullptr;
+    const void* object = nullptr;  ///< the Lua object, to know it by
+    Port* port = nullptr;          ///< null while the file loads
+    bool live = false;             ///< it may be read and written: the version is the one that runs
+};
+
+/// `command(...)`.
+struct CommandDeclaration {
+    std::string name;
+    std::string doc;
+    int function = LUA_NOREF;
+    Place place;
+};
+
+/// `about { ... }`.
+struct ScriptAbout {
+    std::string version, vendor, category;
+    bool given = false;
+};
+
+/// What a version takes over from the one before it; all may be null.
+struct Inheritance {
+    const Parameters* parameters = nullptr;       ///< values that somebody set and that still fit are kept
+    const PlainData* state = nullptr;             ///< the contents of `state`
+    std::vector<ScriptFile>* required = nullptr;  ///< is told of every module that is required
+};
+
+class Script {
+public:
+    /// Runs the top level of a file, which declares and does not act. May run beside the tick.
+    static Expected<std::unique_ptr<Script>> load(const SourceText& source, ScriptContext context,
+                                                  const Inheritance& inheritance = {});
+
+    Script(const Script&) = delete;
+    Script& operator=(const Script&) = delete;
+
+    /// Where it came from; the text itself is let go.
+    const ScriptFile& file() const { return file_; }
+    const ScriptContext& context() const { return context_; }
+    /// The files that `require` loaded, directly or not.
+    const std::vector<ScriptFile>& modules() const { return modules_; }
+    const std::list<PortDeclaration>& ports() const { return ports_; }
+    std::list<PortSlot>& slots() { return slots_; }
+    const std::vector<CommandDeclaration>& commands() const { return commands_; }
+    const ScriptAbout& about() const { return about_; }
+    bool has(Hook hook) const { return hooks_[static_cast<std::size_t>(hook)] != LUA_NOREF; }
+    /// The component's while this version is live; before, as the file declares them.
+    Parameters& parameters();
+    /// What the file declares, to be given to the component.
+    Parameters take_parameters() { return std::exchange(parameters_, {}); }
+
+    /// From now on the script sees this component's time and name. Its ports can't be written until `go_live`.
+    void bind(Component& owner);
+    /// What every call may use up from now on.
+    void set_budget(Budget budget) { context_.budget = budget; }
+    /// Opens the ports, or closes them: whether this version is the one that runs. Their slots must be filled.
+    void go_live(bool live);
+
+    /// Calls a callback; nothing when the script has none.
+    Expected<void> call(Hook hook);
+    /// Calls `on_reload(old_version)`.
+    Expected<void> call_on_reload(int old_version);
+    /// Calls a command with copies of these arguments; its results are copies.
+    Expected<PlainData> call_command(std::string_view name, const PlainData& arguments);
+    /// A copy of the script's `state`; what is no plain data is listed in `dropped`.
+    Expected<PlainData> take_state(std::vector<Dropped>& dropped);
+
+    /// [bytes] that its Lua state uses.
+    std::size_t memory() const { return lua_->memory(); }
+    /// Log lines of the top level, which nobody could be told yet.
+    std::vector<std::pair<LogLevel, std::string>> take_early_log() { return std::exchange(early_log_, {}); }
+
+    // What the functions that scripts call use. Errors are texts without a place.
+
+    enum class Phase { loading, bound, live };
+    Phase phase() const { return phase_; }
+    Component* owner() const { return owner_; }
+    lua_State* lua() const { return lua_->lua(); }
+    double seconds() const { return owner_ != nullptr ? owner_->now().seconds : context_.seconds; }
+    double dt() const;
+    void log(LogLevel level, std::string text);
+
+    /// The text of the Lua error that `raise` raises. Set it, let everything go that needs a destructor, then `raise`.
+    std::string raised;
+    int raise(lua_State* L) const;
+
+    Expected<PortSlot*> declare_port(PortDeclaration declaration);
+    Expected<void> declare_parameter(ParameterSpec spec);
+    Expected<void> declare_command(CommandDeclaration declaration);
+    Expected<void> declare_about(ScriptAbout about);
+    /// The hook that may be defined by this global now, with a value of this Lua type.
+    Expected<std::size_t> check_hook(std::string_view name, std::string_view type) const;
+    void set_hook(std::size_t hook, int function, int line);
+    /// The registry reference of a callback; LUA_REFNIL when it is not defined, LUA_NOREF when there is no such
+    /// callback.
+    int hook_function(std::string_view name) const;
+    /// Finds and compiles a module; `module_chunk` is then its code, to be run before `end_module`.
+    Expected<void> begin_module(lua_State* L, std::string_view name);
+    void end_module();
+    const Chunk& module_chunk() const { return module_chunk_; }
+
+private:
+    struct LoadingModule {
+        std::string name;
+        std::string path;
+        int depth;  // of the stack when it was required
+    };
+
+    Script(const SourceText& source, ScriptContext context);
+    Expected<void> run_top_level(const SourceText& source);
+    Expected<void> check_loading(std::string_view word) const;
+    Expected<void> check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const;
+    Expected<void> refresh();
+    Expected<Chunk> compile(const SourceText& source, ScriptKind kind) const;
+    Error to_error(const CallError& error) const;
+    std::string hint(std::string_view message) const;
+
+    ScriptFile file_;
+    ScriptContext context_;
+    Inheritance inheritance_;  // while it loads
+    std::vector<ScriptFile> modules_;
+    std::vector<LoadingModule> loading_modules_;
+    std::optional<Error> module_error_;
+    Chunk module_chunk_;
+    std::list<PortDeclaration> ports_;
+    std::list<PortSlot> slots_;
+    std::vector<CommandDeclaration> commands_;
+    ScriptAbout about_;
+    Parameters parameters_;
+    std::array<int, 9> hooks_{};  // registry references, by Hook
+    std::array<int, 9> hook_lines_{};
+    std::vector<std::pair<LogLevel, std::string>> early_log_;
+    Component* owner_ = nullptr;
+    Phase phase_ = Phase::loading;
+    bool was_activated_ = false;         // in this version
+    std::uint64_t seen_parameters_ = 0;  // version of the parameters that `config` shows
+    std::unique_ptr<LuaState> lua_;      // last: dies first
+};
+
+}  // namespace nezumi

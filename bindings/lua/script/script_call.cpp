@@ -1,0 +1,14 @@
+// Where in a script a call came from.
+#include "bindings/lua/script/script_call.hpp"
+
+namespace nezumi {
+
+Place caller(lua_State* L) {
+    lua_Debug activation;
+    if (lua_getstack(L, 1, &activation) == 0 || lua_getinfo(L, "Sl", &activation) == 0 || activation.currentline <= 0)
+        return {};
+    const char* file = *activation.source == '@' ? activation.source + 1 : activation.short_src;
+    return {file, activation.currentline};
+}
+
+}  // namespace nezumi

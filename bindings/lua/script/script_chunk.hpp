@@ -1,0 +1,37 @@
+// The text of a script or a module as code: compiled once for all components that run it, and refused for its slips.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/script/script_source.hpp"
+#include "engine/error.hpp"
+
+namespace nezumi {
+
+/// What a text is for: modules can't define callbacks.
+enum class ScriptKind { component, module };
+
+/// Compiles a text; or all that is wrong with it, in order of place.
+tl::expected<Chunk, std::vector<Error>> compile_script(const SourceText& source, ScriptKind kind);
+
+/// Remembers the newest code of every file. May be used from several threads.
+class ChunkCache {
+public:
+    /// The code of this text, or the first thing that is wrong with it.
+    Expected<Chunk> compile(const SourceText& source, ScriptKind kind);
+
+private:
+    struct Entry {
+        std::string text;
+        Chunk chunk;
+    };
+
+    std::mutex mutex_;
+    std::map<std::string, Entry> entries_;  // by path, name shown and kind
+};
+
+}  // namespace nezumi

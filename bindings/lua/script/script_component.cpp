@@ -1,0 +1,261 @@
+// Joins the life cycle to a script, and replaces the script by another version of it.
+#include "bindings/lua/script/script_component.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace nezumi {
+namespace {
+
+template <class Ports>
+auto find_fitting(Ports& ports, const PortDeclaration& declaration) {
+    return std::find_if(ports.begin(), ports.end(),
+                        [&](const auto& port) { return port != nullptr && declaration.fits(*port); });
+}
+
+// Moves the port that fits out of `ports`, or gives null.
+template <class Ports>
+auto take_fitting(Ports& ports, const PortDeclaration& declaration) {
+    typename Ports::value_type taken;
+    if (const auto found = find_fitting(ports, declaration); found != ports.end()) {
+        taken = std::move(*found);
+        ports.erase(found);
+    }
+    return taken;
+}
+
+void describe_lost(const Parameters& before, const Parameters& after, std::vector<std::string>& warnings) {
+    for (const auto& old : before.all()) {
+        if (!old.set) continue;
+        const auto* now = after.find(old.spec.name);
+        if (now == nullptr) {
+            warnings.push_back(
+                fmt::format("parameter '{}' went, and its value {} with it", old.spec.name, to_text(old.value)));
+        } else if (!now->set) {
+            warnings.push_back(fmt::format("parameter '{}': its value {} no longer fits, it is the default {} now",
+                                           old.spec.name, to_text(old.value), to_text(now->value)));
+        }
+    }
+}
+
+void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings) {
+    constexpr std::size_t shown = 10;
+    for (std::size_t i = 0; i < dropped.size() && i < shown; ++i) {
+        const bool kept = dropped[i].what.starts_with("a table with");
+        warnings.push_back(
+            fmt::format("{} is {}: {}", dropped[i].path, dropped[i].what,
+                        kept ? "only its plain data was kept" : "it was dropped, state keeps plain data"));
+    }
+    if (dropped.size() > shown)
+        warnings.push_back(fmt::format("and {} more such values of state", dropped.size() - shown));
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<ScriptComponent>> ScriptComponent::load(std::string name, const SourceText& source,
+                                                                 ScriptContext context) {
+    context.component = name;
+    context.version = 1;
+    const std::string type = type_of_file(source.path.empty() ? source.shown : source.path);
+    auto script = Script::load(source, std::move(context));
+    if (!script) return Unexpected(script.error());
+    auto component = std::unique_ptr<ScriptComponent>(new ScriptComponent(std::move(name), type));
+    Version first;
+    first.script = std::move(*script);
+    first.number = 1;
+    first.parameters = first.script->take_parameters();
+    component->make_ports(first);
+    component->fill_slots(first);
+    first.script->bind(*component);
+    component->replace(std::move(first));
+    return component;
+}
+
+Expected<PlainData> ScriptComponent::call_command(std::string_view command, const PlainData& arguments,
+                                                  const Time& now) {
+    set_now(now);
+    std::vector<std::size_t> written;
+    for (const auto& port : out_ports_) written.push_back(port->pending());
+    auto results = run(Hook::command, [&] { return script_->call_command(command, arguments); });
+    if (!results) {
+        for (std::size_t i = 0; i < written.size(); ++i) out_ports_[i]->discard_after(written[i]);
+    }
+    return results;
+}
+
+Expected<PlainData> ScriptComponent::copy_state() {
+    std::vector<Dropped> dropped;
+    return script_->take_state(dropped);
+}
+
+Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& source, Budget budget, const Time& now,
+                                                            std::vector<ScriptFile>& required) {
+    Version next;
+    std::vector<Dropped> dropped;
+    auto state = script_->take_state(dropped);
+    if (!state) return failure("state can't be taken over: " + state.error().message, state.error().place);
+    describe_dropped(dropped, next.warnings);
+
+    ScriptContext context = script_->context();
+    context.version = next_version();
+    context.budget = budget;
+    context.seconds = now.seconds;
+    context.tick_rate = tick_rate();
+    Parameters settings = parameters_;
+    settings.take_staged();
+    auto script =
+        Script::load(source, std::move(context), {.parameters = &settings, .state = &*state, .required = &required});
+    if (!script) return Unexpected(script.error());
+    next.script = std::move(*script);
+    next.script->set_budget(script_->context().budget);
+    next.number = next_version();
+    describe_lost(settings, next.script->parameters(), next.warnings);
+    return next;
+}
+
+Expected<void> ScriptComponent::adopt(Version& next, const Time& now) {
+    set_now(now);
+    make_ports(next);
+    fill_slots(next);
+    next.script->bind(*this);
+    auto ok = run(Hook::on_reload, [&] { return next.script->call_on_reload(version_); });
+    if (ok) next.parameters = next.script->take_parameters();  // with what on_reload set
+    return ok;
+}
+
+std::vector<Port*> ScriptComponent::ports_going(const Version& other) const {
+    const auto goes = [&](const Port& port) {
+        return std::none_of(other.script->ports().begin(), other.script->ports().end(),
+                            [&](const PortDeclaration& declaration) { return declaration.fits(port); });
+    };
+    std::vector<Port*> going;
+    for (const auto& port : in_ports_) {
+        if (goes(*port)) going.push_back(port.get());
+    }
+    for (const auto& port : out_ports_) {
+        if (goes(*port)) going.push_back(port.get());
+    }
+    return going;
+}
+
+void ScriptComponent::commit(Version next, int reload) {
+    constexpr std::size_t most = 8;
+    constexpr std::size_t most_memory = std::size_t{32} << 20;  // [bytes]
+    Version old = replace(std::move(next));
+    old.replaced_by = reload;
+    past_.push_back(std::move(old));
+    std::size_t memory = 0;
+    std::size_t kept = 0;
+    while (kept < past_.size() && kept < most) {
+        memory += past_[past_.size() - 1 - kept].script->memory();
+        if (kept > 0 && memory > most_memory) break;
+        ++kept;
+    }
+    past_.erase(past_.begin(), past_.end() - static_cast<std::ptrdiff_t>(kept));
+}
+
+void ScriptComponent::go_back(bool keep_settings) {
+    assert(!past_.empty());
+    Version back = std::move(past_.back());
+    past_.pop_back();
+    if (keep_settings) back.parameters.adopt(parameters_);
+    make_ports(back);
+    fill_slots(back);
+    probation_left_ = 0;
+    replace(std::move(back));
+}
+
+void ScriptComponent::begin_probation(bool time_is_fatal) {
+    probation_left_ = kProbation;
+    time_is_fatal_ = time_is_fatal;
+    relapse_.reset();
+}
+
+Expected<void> ScriptComponent::execute_on_probation() {
+    if (relapse_) return {};  // waits to be taken back
+    auto ok = script_->call(Hook::on_execute);
+    if (ok || (time_is_fatal_ && ok.error().kind == Error::Kind::out_of_time)) {
+        --probation_left_;
+        return ok;
+    }
+    for (const auto& port : out_ports_) port->discard();
+    const Version& before = past_.back();
+    relapse_ = {.error = std::move(ok.error()),
+                .version = version_,
+                .execution = kProbation - probation_left_ + 1,
+                .reload = before.replaced_by};
+    // When no port differs, the version before can take this very tick.
+    if (!before.in_ports.empty() || !before.out_ports.empty() || !ports_going(before).empty()) return {};
+    relapse_->went_back = true;
+    go_back(false);
+    return script_->call(Hook::on_execute);
+}
+
+ScriptComponent::Version ScriptComponent::replace(Version next) {
+    Version old;
+    old.script = std::move(script_);
+    old.number = version_;
+    old.parameters = std::move(parameters_);
+    old.in_ports = std::move(in_ports_);
+    old.out_ports = std::move(out_ports_);
+    if (old.script != nullptr) old.script->go_live(false);
+
+    in_ports_.clear();
+    out_ports_.clear();
+    for (const PortDeclaration& declaration : next.script->ports()) {
+        if (declaration.direction == Direction::in) {
+            auto port = take_fitting(old.in_ports, declaration);
+            if (port == nullptr) port = take_fitting(next.in_ports, declaration);
+            port->set_doc(declaration.doc);
+            port->set_queue(declaration.queue);
+            in_ports_.push_back(std::move(port));
+        } else {
+            auto port = take_fitting(old.out_ports, declaration);
+            if (port == nullptr) port = take_fitting(next.out_ports, declaration);
+            port->set_doc(declaration.doc);
+            port->set_safe_any(declaration.safe.empty() ? nullptr : &declaration.safe.front());
+            out_ports_.push_back(std::move(port));
+        }
+    }
+    parameters_ = std::move(next.parameters);
+    script_ = std::move(next.script);
+    version_ = next.number;
+    newest_ = std::max(newest_, version_);
+    script_->go_live(true);
+    for (const auto& [level, text] : script_->take_early_log()) log(level, text);
+    for (const std::string& warning : next.warnings) log(LogLevel::warn, warning);
+    return old;
+}
+
+// Ports that neither run now nor are there from an earlier time.
+void ScriptComponent::make_ports(Version& next) const {
+    for (const PortDeclaration& declaration : next.script->ports()) {
+        if (declaration.direction == Direction::in) {
+            if (find_fitting(in_ports_, declaration) != in_ports_.end()) continue;
+            if (find_fitting(next.in_ports, declaration) != next.in_ports.end()) continue;
+            next.in_ports.push_back(
+                make_in_port(declaration.type, declaration.name, declaration.doc, declaration.queue));
+        } else {
+            if (find_fitting(out_ports_, declaration) != out_ports_.end()) continue;
+            if (find_fitting(next.out_ports, declaration) != next.out_ports.end()) continue;
+            next.out_ports.push_back(make_out_port(declaration.type, declaration.name, declaration.doc));
+        }
+    }
+}
+
+void ScriptComponent::fill_slots(Version& next) const {
+    for (PortSlot& slot : next.script->slots()) {
+        const PortDeclaration& declaration = *slot.declaration;
+        if (declaration.direction == Direction::in) {
+            auto found = find_fitting(in_ports_, declaration);
+            slot.port = found != in_ports_.end() ? found->get() : find_fitting(next.in_ports, declaration)->get();
+        } else {
+            auto found = find_fitting(out_ports_, declaration);
+            slot.port = found != out_ports_.end() ? found->get() : find_fitting(next.out_ports, declaration)->get();
+        }
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,108 @@
+// A component written in Lua: one file is one component type.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/lua/script/script.hpp"
+#include "engine/component.hpp"
+
+namespace nezumi {
+
+class ScriptComponent final : public Component {
+public:
+    /// A component of this name from the text of its file; INACTIVE. `context.component` is set to the name.
+    static Expected<std::unique_ptr<ScriptComponent>> load(std::string name, const SourceText& source,
+                                                           ScriptContext context);
+
+    int version() const override { return version_; }
+    Script& script() { return *script_; }
+    const Script& script() const { return *script_; }
+
+    /// The commands that its script gives, callable as `name:command(...)`.
+    const std::vector<CommandDeclaration>& commands() const { return script_->commands(); }
+    /// Runs a command between two ticks. When it fails, nothing that it wrote is published and the component goes on.
+    Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now);
+    /// A copy of the script's `state`, for a look at it; what is no plain data is left out.
+    Expected<PlainData> copy_state();
+
+    // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
+
+    /// A version that does not run (yet, or any more), with the ports that only it has.
+    struct Version {
+        std::unique_ptr<Script> script;
+        int number = 0;
+        Parameters parameters;
+        std::vector<std::unique_ptr<InPortBase>> in_ports;
+        std::vector<std::unique_ptr<OutPortBase>> out_ports;
+        std::vector<std::string> warnings;  ///< what could not be taken over from the version before
+        int replaced_by = 0;                ///< number of the reload that replaced it
+    };
+
+    /// Loads another version, which takes over the state and the parameters of the one that runs. Touches nothing. The
+    /// modules that it required are added to `required`, also when it fails.
+    Expected<Version> prepare(const SourceText& source, Budget budget, const Time& now,
+                              std::vector<ScriptFile>& required);
+    /// Makes the ports that it needs and runs its `on_reload`. Touches nothing.
+    Expected<void> adopt(Version& next, const Time& now);
+    /// The ports that have no place in another version. They must be disconnected before it replaces this one.
+    std::vector<Port*> ports_going(const Version& other) const;
+    /// Replaces the version that runs, between two ticks; can't fail. Ports that fit stay the same objects with what
+    /// they hold. The old version is kept to go back to.
+    void commit(Version next, int reload);
+
+    /// The version to go back to; null when there is none.
+    const Version* version_before() const { return past_.empty() ? nullptr : &past_.back(); }
+    /// Goes back to it as it was, state included. With `keep_settings` parameters keep what somebody set since.
+    void go_back(bool keep_settings);
+
+    /// Executions for which a new version is on probation: when one fails, the version before takes its place.
+    static constexpr int kProbation = 10;
+    /// A failure on probation.
+    struct Relapse {
+        Error error;
+        int version = 0;         ///< that failed
+        int execution = 0;       ///< the how manieth failed
+        int reload = 0;          ///< number of the reload that brought it
+        bool went_back = false;  ///< the version before has run in its place already; else the component waits
+    };
+    /// From now on failures do not lead to ERROR; with `time_is_fatal` but for those of time.
+    void begin_probation(bool time_is_fatal);
+    bool on_probation() const { return probation_left_ > 0; }
+    /// What happened, once.
+    std::optional<Relapse> take_relapse() { return std::exchange(relapse_, std::nullopt); }
+
+protected:
+    Expected<void> on_activated() override { return script_->call(Hook::on_activated); }
+    Expected<void> on_execute() override {
+        return probation_left_ > 0 ? execute_on_probation() : script_->call(Hook::on_execute);
+    }
+    Expected<void> on_deactivated() override { return script_->call(Hook::on_deactivated); }
+    Expected<void> on_aborting() override { return script_->call(Hook::on_aborting); }
+    Expected<void> on_error() override { return script_->call(Hook::on_error); }
+    Expected<void> on_reset() override { return script_->call(Hook::on_reset); }
+
+private:
+    ScriptComponent(std::string name, std::string type) : Component(std::move(name), std::move(type)) {}
+
+    /// The number that the next version will have.
+    int next_version() const { return newest_ + 1; }
+    Expected<void> execute_on_probation();
+    void make_ports(Version& next) const;
+    void fill_slots(Version& next) const;
+    Version replace(Version next);
+
+    std::unique_ptr<Script> script_;
+    int version_ = 0;
+    int newest_ = 0;             // the highest number that a version had
+    std::vector<Version> past_;  // oldest first
+    int probation_left_ = 0;     // executions
+    bool time_is_fatal_ = false;
+    std::optional<Relapse> relapse_;
+};
+
+}  // namespace nezumi

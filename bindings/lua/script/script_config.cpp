@@ -1,0 +1,94 @@
+// An object without fields of its own reads from a table that scripts never get hold of.
+#include "bindings/lua/script/script_config.hpp"
+
+#include <fmt/format.h>
+
+#include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/ordered.hpp"
+#include "bindings/lua/sandbox/text.hpp"
+#include "bindings/lua/script/script_call.hpp"
+#include "bindings/lua/values/codec.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr char config_values_key = 0;  // its address is a key of the registry
+
+// A value as `config` shows it, on top of the stack: arrays are locked.
+void push_config_value(lua_State* L, Script& script, const Parameters::Parameter& parameter) {
+    push_parameter(L, parameter.value);
+    if (lua_type(L, -1) != LUA_TTABLE) return;
+    script.raised = "config." + parameter.spec.name;
+    lock_table(L, script.raised.c_str());
+}
+
+int unknown_parameter(lua_State* L) {
+    Script& script = script_of(L);
+    push_text(L, 2);
+    return finish(L, script, [&]() -> Expected<void> {
+        std::vector<std::string_view> names;
+        for (const auto& parameter : script.parameters().all()) names.push_back(parameter.spec.name);
+        const std::string_view name = lua_tostring(L, -1);
+        return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, names)));
+    });
+}
+
+int config_newindex(lua_State* L) {
+    Script& script = script_of(L);
+    push_text(L, 2);
+    return finish(L, script, [&]() -> Expected<void> {
+        const std::string_view name = lua_tostring(L, -1);
+        if (script.phase() == Script::Phase::loading) {
+            return failure(fmt::format("config.{} can't be set while the file loads", shown(name)));
+        }
+        auto value = read_parameter(L, 3);
+        if (!value) return failure(fmt::format("parameter '{}': {}", shown(name), value.error().message));
+        return script.parameters().stage(name, *value);
+    });
+}
+
+int config_pairs(lua_State* L) {
+    lua_settop(L, 0);
+    lua_pushcfunction(L, ordered_pairs);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &config_values_key);
+    lock_table(L, "config");
+    lua_call(L, 1, 3);
+    return 3;
+}
+
+}  // namespace
+
+void push_config(lua_State* L, Script& script) {
+    lua_newuserdatauv(L, 0, 0);
+    lua_createtable(L, 0, 5);
+    lua_newtable(L);  // the values
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &config_values_key);
+    lua_createtable(L, 0, 1);
+    set_word(L, script, "__index", unknown_parameter);
+    lua_setmetatable(L, -2);
+    lua_setfield(L, -2, "__index");
+    set_word(L, script, "__newindex", config_newindex);
+    lua_pushcfunction(L, config_pairs);
+    lua_setfield(L, -2, "__pairs");
+    lua_pushliteral(L, "config");
+    lua_setfield(L, -2, "__name");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+}
+
+void show_parameter(lua_State* L, Script& script, const Parameters::Parameter& parameter) {
+    luaL_checkstack(L, 10, nullptr);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &config_values_key);
+    lua_pushlstring(L, parameter.spec.name.data(), parameter.spec.name.size());
+    push_config_value(L, script, parameter);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+}
+
+void show_parameters(lua_State* L, Script& script, const Parameters& parameters) {
+    for (const auto& parameter : parameters.all()) show_parameter(L, script, parameter);
+}
+
+}  // namespace nezumi

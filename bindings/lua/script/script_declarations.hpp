@@ -1,0 +1,13 @@
+// The words with which a file declares what its component has: input, output, param, command, about.
+#pragma once
+
+#include <lua.hpp>
+
+#include "bindings/lua/script/script.hpp"
+
+namespace nezumi {
+
+/// Sets the words in the table on top of the stack. May raise a Lua error (memory).
+void set_declaring_words(lua_State* L, Script& script);
+
+}  // namespace nezumi

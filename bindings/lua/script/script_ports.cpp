@@ -1,0 +1,225 @@
+// Each port has a metatable of its own whose methods carry the port's slot: no look-up and no string compare in a tick.
+#include "bindings/lua/script/script_ports.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "bindings/lua/values/codec.hpp"
+
+namespace nezumi {
+namespace {
+
+PortSlot& slot_of(lua_State* L) { return *static_cast<PortSlot*>(lua_touserdata(L, lua_upvalueindex(1))); }
+
+// All that follows `slot.script->raised = ...` needs no destructor.
+int raise(lua_State* L, const PortSlot& slot) { return slot.script->raise(L); }
+
+std::string title(const PortSlot& slot) { return port_title(*slot.declaration); }
+
+int refuse_self(lua_State* L, PortSlot& slot, const char* method) {
+    slot.script->raised = fmt::format("{}: write `:{}(...)` with a colon, not `.{}(...)`", title(slot), method, method);
+    return raise(L, slot);
+}
+
+int refuse_while_loading(lua_State* L, PortSlot& slot, const char* verb) {
+    slot.script->raised = fmt::format("{}: ports can't be {} while the file loads", title(slot), verb);
+    return raise(L, slot);
+}
+
+// Why the port can't be written now; empty when it can. Writing needs an ACTIVE component; on the way to ERROR and back
+// everything but a velocity may still be written.
+std::string refuse_write(const PortSlot& slot) {
+    if (!slot.live) return fmt::format("{}: on_reload can't write; the next execution can", title(slot));
+    const Component& owner = *slot.script->owner();
+    const bool is_velocity = slot.declaration->type == type_index<Velocity2D>();
+    switch (owner.state()) {
+        case LifeState::active: return "";
+        case LifeState::inactive:
+            return fmt::format("{}: {} is INACTIVE and can't write: activate it first", title(slot), owner.name());
+        case LifeState::error: break;
+    }
+    const Hook hook = owner.hook();
+    if (is_velocity && (hook == Hook::on_aborting || hook == Hook::on_error)) {
+        return fmt::format("{} ({}): velocities can't be written in {}: the robot is being stopped", title(slot),
+                           message_type_names[slot.declaration->type], to_text(hook));
+    }
+    if (is_velocity || hook == Hook::command) {
+        return fmt::format("{}: {} is in ERROR and can't write: reset and activate it first", title(slot),
+                           owner.name());
+    }
+    return "";
+}
+
+template <Payload T>
+int port_read(lua_State* L) {
+    PortSlot& slot = slot_of(L);
+    if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "read");
+    if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");
+    if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 20, nullptr);
+    auto& port = *static_cast<InPort<T>*>(slot.port);
+    push_value(L, slot.live ? port.read() : port.latest().data);  // on_reload may look, the version before may need it
+    return 1;
+}
+
+template <Payload T>
+bool explain_write(lua_State* L, PortSlot& slot) {
+    T value{};
+    Mismatch why;
+    if (read_value(L, 2, value, &why)) return true;
+    slot.script->raised = fmt::format("{} ({}): {}", title(slot), message_type_names[type_index<T>()], describe(why));
+    return false;
+}
+
+template <Payload T>
+int port_write(lua_State* L) {
+    PortSlot& slot = slot_of(L);
+    if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "write");
+    if (slot.port == nullptr) return refuse_while_loading(L, slot, "written");
+    if (!slot.live || slot.script->owner()->state() != LifeState::active) {
+        slot.script->raised = refuse_write(slot);
+        if (!slot.script->raised.empty()) return raise(L, slot);
+    }
+    lua_settop(L, 2);
+    if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 30, nullptr);
+    auto& port = *static_cast<OutPort<T>*>(slot.port);
+    const std::size_t before = port.pending();
+    if (read_value(L, 2, port.next_pending(), nullptr)) return 0;
+    port.discard_after(before);
+    explain_write<T>(L, slot);
+    return raise(L, slot);
+}
+
+// The stamp of what a read gives: with a queue that of the message read last, once there is one.
+template <Payload T>
+double stamp(const InPortBase& port) {
+    const double taken = static_cast<const InPort<T>&>(port).current().tm;
+    return port.queue() > 0 && taken == 0 ? port.tm() : taken;
+}
+
+struct PortFunctions {
+    lua_CFunction read;
+    lua_CFunction write;
+    double (*stamp)(const InPortBase&);
+};
+
+const PortFunctions& functions_of(std::size_t type) {
+    static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
+        return std::array<PortFunctions, message_type_count>{PortFunctions{
+            port_read<std::variant_alternative_t<I, AnyPayload>>, port_write<std::variant_alternative_t<I, AnyPayload>>,
+            stamp<std::variant_alternative_t<I, AnyPayload>>}...};
+    }
+    (std::make_index_sequence<message_type_count>{});
+    return table[type];
+}
+
+enum class Property { is_new, tm, age, connected, stale };
+constexpr std::array<std::string_view, 5> property_names{"is_new", "tm", "age", "connected", "stale"};
+
+void push_property(lua_State* L, const PortSlot& slot, Property property) {
+    const auto& port = static_cast<const InPortBase&>(*slot.port);
+    const Component& owner = *slot.script->owner();
+    const bool arrived = port.arrival_tick() >= 0;
+    const double tm = arrived ? functions_of(port.type()).stamp(port) : 0;
+    switch (property) {
+        case Property::is_new: return lua_pushboolean(L, port.is_new() ? 1 : 0);
+        case Property::tm: return lua_pushnumber(L, tm);
+        case Property::age:
+            return lua_pushnumber(L, arrived ? owner.now().seconds - tm : std::numeric_limits<double>::infinity());
+        case Property::connected: return lua_pushboolean(L, port.connected() ? 1 : 0);
+        case Property::stale: {
+            const double silent = static_cast<double>(owner.now().tick - port.arrival_tick()) / owner.tick_rate();
+            return lua_pushboolean(L, !port.connected() || !arrived || silent > InPortBase::stale_after ? 1 : 0);
+        }
+    }
+}
+
+void explain_property(lua_State* L, PortSlot& slot) {
+    const bool in = slot.declaration->direction == Direction::in;
+    if (lua_type(L, 2) != LUA_TSTRING) {
+        slot.script->raised =
+            in ? fmt::format("{} is the port, not its value: read it first, with `:read()`", title(slot))
+               : fmt::format("{} is the port, not its value: write it with `:write(value)`", title(slot));
+        return;
+    }
+    const std::string_view key = lua_tostring(L, 2);
+    std::vector<std::string_view> names;
+    if (in) {
+        names.emplace_back("read");
+        names.insert(names.end(), property_names.begin(), property_names.end());
+    } else {
+        names.emplace_back("write");
+    }
+    const std::string near = did_you_mean(key, names);
+    slot.script->raised = fmt::format("{} has no '{}'{}", title(slot), shown(key),
+                                      near.empty() ? fmt::format(" (it has {})", fmt::join(names, ", ")) : near);
+}
+
+// __index of the table of methods: what is no method is a property. Stack: methods, key.
+int port_index(lua_State* L) {
+    PortSlot& slot = slot_of(L);
+    if (slot.declaration->direction == Direction::in && lua_type(L, 2) == LUA_TSTRING) {
+        const char* key = lua_tostring(L, 2);
+        for (std::size_t i = 0; i < property_names.size(); ++i) {
+            if (property_names[i] != key) continue;
+            if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");
+            push_property(L, slot, static_cast<Property>(i));
+            return 1;
+        }
+    }
+    explain_property(L, slot);
+    return raise(L, slot);
+}
+
+int port_newindex(lua_State* L) {
+    PortSlot& slot = slot_of(L);
+    slot.script->raised =
+        slot.declaration->direction == Direction::in
+            ? fmt::format("{}: nothing of it can be set", title(slot))
+            : fmt::format("{}: nothing of it can be set; write a value with `:write(value)`", title(slot));
+    return raise(L, slot);
+}
+
+int port_tostring(lua_State* L) {
+    const PortDeclaration& declaration = *slot_of(L).declaration;
+    lua_pushfstring(L, "%s '%s' (%s)", declaration.direction == Direction::in ? "input" : "output",
+                    declaration.name.c_str(), message_type_names[declaration.type].data());
+    return 1;
+}
+
+void set_closure(lua_State* L, PortSlot& slot, const char* name, lua_CFunction function) {
+    lua_pushlightuserdata(L, &slot);
+    lua_pushcclosure(L, function, 1);
+    lua_setfield(L, -2, name);
+}
+
+}  // namespace
+
+std::string port_title(const PortDeclaration& declaration) {
+    return fmt::format("{} '{}'", declaration.direction == Direction::in ? "input" : "output", declaration.name);
+}
+
+void push_port_object(lua_State* L, PortSlot& slot) {
+    luaL_checkstack(L, 6, nullptr);
+    const bool in = slot.declaration->direction == Direction::in;
+    const PortFunctions& functions = functions_of(slot.declaration->type);
+    slot.object = lua_newuserdatauv(L, 0, 0);
+
+    lua_createtable(L, 0, 6);  // the metatable
+    lua_createtable(L, 0, 1);  // the methods
+    set_closure(L, slot, in ? "read" : "write", in ? functions.read : functions.write);
+    lua_createtable(L, 0, 1);
+    set_closure(L, slot, "__index", port_index);
+    lua_setmetatable(L, -2);
+    lua_setfield(L, -2, "__index");
+    set_closure(L, slot, "__newindex", port_newindex);
+    set_closure(L, slot, "__tostring", port_tostring);
+    lua_pushliteral(L, "port");
+    lua_setfield(L, -2, "__name");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+}
+
+}  // namespace nezumi

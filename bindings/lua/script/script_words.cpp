@@ -1,0 +1,196 @@
+// Every word is a C function that carries its script. What it reads from Lua it reads without raising; then it raises.
+#include "bindings/lua/script/script_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/text.hpp"
+#include "bindings/lua/script/script_call.hpp"
+#include "bindings/lua/script/script_config.hpp"
+#include "bindings/lua/script/script_declarations.hpp"
+
+namespace nezumi {
+namespace {
+
+// Addresses that are keys of the registry.
+constexpr char state_key = 0;
+constexpr char modules_key = 0;
+
+// now(), log.*
+
+int word_now(lua_State* L) {
+    lua_pushnumber(L, script_of(L).seconds());
+    return 1;
+}
+
+template <LogLevel level>
+int word_log(lua_State* L) {
+    const int count = lua_gettop(L);
+    luaL_Buffer line;
+    luaL_buffinit(L, &line);
+    for (int i = 1; i <= count; ++i) {
+        if (i > 1) luaL_addchar(&line, '\t');
+        push_text(L, i);
+        luaL_addvalue(&line);
+    }
+    luaL_pushresult(&line);
+    std::size_t size = 0;
+    const char* text = lua_tolstring(L, -1, &size);
+    script_of(L).log(level, std::string(text, size));
+    return 0;
+}
+
+int unknown_level(lua_State* L) {
+    Script& script = script_of(L);
+    push_text(L, 2);
+    return finish(L, script, [&]() -> Expected<void> {
+        const std::string_view name = lua_tostring(L, -1);
+        const std::string near = did_you_mean(name, {"debug", "info", "warn", "error"});
+        return failure(
+            fmt::format("log has no '{}'{}", name, near.empty() ? " (it has debug, info, warn, error)" : near));
+    });
+}
+
+void push_log(lua_State* L, Script& script) {
+    lua_createtable(L, 0, 4);
+    set_word(L, script, "debug", word_log<LogLevel::debug>);
+    set_word(L, script, "info", word_log<LogLevel::info>);
+    set_word(L, script, "warn", word_log<LogLevel::warn>);
+    set_word(L, script, "error", word_log<LogLevel::error>);
+    lua_createtable(L, 0, 1);
+    set_word(L, script, "__index", unknown_level);
+    lua_setmetatable(L, -2);
+    lock_table(L, "log");
+}
+
+// require(name)
+int word_require(lua_State* L) {
+    Script& script = script_of(L);
+    lua_settop(L, 1);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &modules_key);
+    if (lua_type(L, 1) == LUA_TSTRING) {
+        lua_pushvalue(L, 1);
+        if (lua_rawget(L, 2) != LUA_TNIL) return 1;
+        lua_pop(L, 1);
+    }
+    finish(L, script, [&]() -> Expected<void> {
+        if (lua_type(L, 1) != LUA_TSTRING)
+            return failure(fmt::format("require expected a module's name, got {}", luaL_typename(L, 1)));
+        return script.begin_module(L, lua_tostring(L, 1));
+    });
+    const Chunk& chunk = script.module_chunk();
+    if (luaL_loadbufferx(L, chunk.bytecode.data(), chunk.bytecode.size(), "module", "b") != LUA_OK) lua_error(L);
+    lua_call(L, 0, 1);
+    script.end_module();
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        lua_pushboolean(L, 1);
+    }
+    lua_pushvalue(L, 1);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, 2);
+    return 1;
+}
+
+// Globals: callbacks are taken as they are defined; everything else is a slip.
+
+int global_newindex(lua_State* L) {
+    Script& script = script_of(L);
+    push_text(L, 2);
+    std::size_t hook = 0;
+    int line = 0;
+    finish(L, script, [&]() -> Expected<void> {
+        line = caller(L).line;
+        return script.check_hook(lua_tostring(L, -1), luaL_typename(L, 3)).map([&](std::size_t found) {
+            hook = found;
+        });
+    });
+    lua_pushvalue(L, 3);
+    script.set_hook(hook, luaL_ref(L, LUA_REGISTRYINDEX), line);
+    return 0;
+}
+
+// `dt` costs those who read it, and nobody else.
+int global_index(lua_State* L) {
+    Script& script = script_of(L);
+    if (lua_type(L, 2) == LUA_TSTRING && std::strcmp(lua_tostring(L, 2), "dt") == 0) {
+        lua_pushnumber(L, script.dt());
+        return 1;
+    }
+    push_text(L, 2);
+    const int function = script.hook_function(lua_tostring(L, -1));
+    if (function == LUA_REFNIL) {
+        lua_pushnil(L);
+        return 1;
+    }
+    if (function != LUA_NOREF) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+        return 1;
+    }
+    return finish(L, script, [&]() -> Expected<void> {
+        const std::string_view name = lua_tostring(L, -1);
+        return failure(fmt::format("unknown global '{}'{}", name, did_you_mean(name, script_words())));
+    });
+}
+
+}  // namespace
+
+void install_words(lua_State* L, Script& script, const PlainData* state) {
+    luaL_checkstack(L, 12, nullptr);
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
+    lua_pushglobaltable(L);
+    set_declaring_words(L, script);
+    set_word(L, script, "now", word_now);
+    set_word(L, script, "require", word_require);
+    push_log(L, script);
+    lua_setfield(L, -2, "log");
+    push_config(L, script);
+    lua_setfield(L, -2, "config");
+    if (state != nullptr) {
+        push_plain(L, *state);
+    } else {
+        lua_newtable(L);
+    }
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &state_key);
+    lua_setfield(L, -2, "state");
+
+    lua_createtable(L, 0, 3);
+    set_word(L, script, "__index", global_index);
+    set_word(L, script, "__newindex", global_newindex);
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
+}
+
+const std::vector<std::string_view>& script_words() {
+    static const std::vector<std::string_view> words{"about", "command", "config", "dt",      "input", "log",
+                                                     "now",   "output",  "param",  "require", "state"};
+    return words;
+}
+
+const std::vector<std::string_view>& component_words() {
+    static const std::vector<std::string_view> words{"activate", "config", "deactivate", "name", "ports", "reset",
+                                                     "sets",     "state",  "status",     "type", "use",   "version"};
+    return words;
+}
+
+const std::vector<std::string_view>& hook_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all;
+        for (int i = static_cast<int>(Hook::on_activated); i <= static_cast<int>(Hook::on_reload); ++i) {
+            all.push_back(to_text(static_cast<Hook>(i)));
+        }
+        return all;
+    }();
+    return names;
+}
+
+void push_state(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &state_key); }
+
+}  // namespace nezumi

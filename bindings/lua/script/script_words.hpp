@@ -1,0 +1,29 @@
+// The words that scripts have beside Lua's library: input, output, param, config, state, now, log, about, command,
+// require.
+#pragma once
+
+#include <lua.hpp>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/script/script.hpp"
+
+namespace nezumi {
+
+/// Puts the words into the globals of a script's Lua state, with a copy of this `state` unless it is null. May raise a
+/// Lua error (memory).
+void install_words(lua_State* L, Script& script, const PlainData* state);
+
+/// The words, without those of the library.
+const std::vector<std::string_view>& script_words();
+
+/// What `X.word` means for every component X: a port, parameter or command can't be called that.
+const std::vector<std::string_view>& component_words();
+
+/// The names of all callbacks, in the order of `Hook` from on_activated on.
+const std::vector<std::string_view>& hook_names();
+
+/// Pushes the table behind `state`. May raise a Lua error (memory).
+void push_state(lua_State* L);
+
+}  // namespace nezumi

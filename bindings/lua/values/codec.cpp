@@ -1,0 +1,294 @@
+// The parts of the codec that do not depend on the payload's type, and payloads whose type is known at run time.
+#include "bindings/lua/values/codec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace nezumi {
+namespace {
+
+// Deep enough for every payload, both ways.
+constexpr int stack_needed = 40;
+
+std::string number_text(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+    return fmt::format("{}", value);
+}
+
+bool refuse(Mismatch* why, std::string text) {
+    if (why != nullptr) *why = {.path = "", .text = std::move(text)};
+    return false;
+}
+
+bool refuse_type(lua_State* L, int index, std::string_view expected, Mismatch* why) {
+    return why != nullptr && refuse(why, fmt::format("expected {}, got {}", expected, luaL_typename(L, index)));
+}
+
+// A double that a whole number can be, as that number.
+std::optional<std::int64_t> whole_number(double value) {
+    constexpr double limit = 9223372036854775808.0;  // 2^63
+    if (!(value >= -limit && value < limit) || value != std::floor(value)) return std::nullopt;
+    return static_cast<std::int64_t>(value);
+}
+
+// How a key is shown: "[3]", "[true]", "[table]".
+std::string key_name(lua_State* L, int index) {
+    switch (lua_type(L, index)) {
+        case LUA_TNUMBER:
+            return lua_isinteger(L, index) ? fmt::format("[{}]", lua_tointeger(L, index))
+                                           : fmt::format("[{}]", number_text(lua_tonumber(L, index)));
+        case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0 ? "[true]" : "[false]";
+        case LUA_TSTRING: {
+            std::size_t size = 0;
+            const char* text = lua_tolstring(L, index, &size);
+            return {text, size};
+        }
+        default: return fmt::format("[{}]", luaL_typename(L, index));
+    }
+}
+
+// All of `names`, as a hint behind an unknown one.
+std::string list_of(const std::vector<std::string_view>& names) {
+    return fmt::format(" (its fields are {})", fmt::join(names, ", "));
+}
+
+// Which alternative of ParameterValue a single Lua value is.
+std::optional<ParameterValue> read_single(lua_State* L, int index) {
+    switch (lua_type(L, index)) {
+        case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0;
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, index)) return static_cast<std::int64_t>(lua_tointeger(L, index));
+            return static_cast<double>(lua_tonumber(L, index));
+        case LUA_TSTRING: {
+            std::size_t size = 0;
+            const char* text = lua_tolstring(L, index, &size);
+            return std::string(text, size);
+        }
+        default: return std::nullopt;
+    }
+}
+
+template <class T>
+std::vector<T> elements(lua_State* L, int index, std::ptrdiff_t size) {
+    std::vector<T> all;
+    all.reserve(static_cast<std::size_t>(size));
+    for (std::ptrdiff_t i = 1; i <= size; ++i) {
+        lua_rawgeti(L, index, i);
+        if constexpr (std::is_same_v<T, double>) {
+            all.push_back(lua_tonumber(L, -1));
+        } else {
+            all.push_back(std::get<T>(*read_single(L, lua_gettop(L))));
+        }
+        lua_pop(L, 1);
+    }
+    return all;
+}
+
+Expected<ParameterValue> read_array(lua_State* L, int index) {
+    Mismatch why;
+    const std::ptrdiff_t size = read_array_size(L, index, &why);
+    if (size < 0) return failure(describe(why));
+    if (size == 0) return ParameterValue(std::vector<double>());  // fits an array of anything
+    // The first element says what the others must be; integers and numbers mix to numbers.
+    int first = LUA_TNIL;
+    bool all_whole = true;
+    for (std::ptrdiff_t i = 1; i <= size; ++i) {
+        lua_rawgeti(L, index, i);
+        const int type = lua_type(L, -1);
+        all_whole = all_whole && lua_isinteger(L, -1);
+        lua_pop(L, 1);
+        if (i == 1) first = type;
+        if (type != LUA_TBOOLEAN && type != LUA_TNUMBER && type != LUA_TSTRING) {
+            return failure(
+                fmt::format("element {} expected a boolean, a number or a string, got {}", i, lua_typename(L, type)));
+        }
+        if (type != first) {
+            return failure(fmt::format("element {} expected a {}, as the first one, got {}", i, lua_typename(L, first),
+                                       lua_typename(L, type)));
+        }
+    }
+    if (first == LUA_TBOOLEAN) return ParameterValue(elements<bool>(L, index, size));
+    if (first == LUA_TSTRING) return ParameterValue(elements<std::string>(L, index, size));
+    if (all_whole) return ParameterValue(elements<std::int64_t>(L, index, size));
+    return ParameterValue(elements<double>(L, index, size));
+}
+
+}  // namespace
+
+std::string describe(const Mismatch& why) {
+    if (why.unknown) return fmt::format("unknown field '{}'{}", shown(why.path), why.text);
+    if (why.path.empty()) return why.text;
+    if (why.path.front() == '[' && why.path.find(']') == why.path.size() - 1) {
+        return fmt::format("element {} {}", why.path.substr(1, why.path.size() - 2), why.text);
+    }
+    return fmt::format("field '{}' {}", why.path, why.text);
+}
+
+void push_payload(lua_State* L, const AnyPayload& value) {
+    luaL_checkstack(L, stack_needed, "a message");
+    std::visit([L](const auto& payload) { push_value(L, payload); }, value);
+}
+
+Expected<AnyPayload> read_payload(lua_State* L, int index, std::size_t type) {
+    if (lua_checkstack(L, stack_needed) == 0) return failure("not enough memory");
+    index = lua_absindex(L, index);
+    return with_payload_type(type, [&]<class T>() -> Expected<AnyPayload> {
+        T value{};
+        Mismatch why;
+        if (!read_value(L, index, value, &why)) return failure(describe(why));
+        return AnyPayload(std::move(value));
+    });
+}
+
+void push_parameter(lua_State* L, const ParameterValue& value) {
+    luaL_checkstack(L, stack_needed, "a parameter");
+    std::visit([L](const auto& v) { push_value(L, v); }, value);
+}
+
+Expected<ParameterValue> read_parameter(lua_State* L, int index) {
+    if (lua_checkstack(L, stack_needed) == 0) return failure("not enough memory");
+    index = lua_absindex(L, index);
+    if (lua_type(L, index) == LUA_TTABLE) return read_array(L, UnlockedTable(L, index).index());
+    if (auto single = read_single(L, index)) return std::move(*single);
+    return failure(
+        fmt::format("expected a boolean, a number, a string or an array of them, got {}", luaL_typename(L, index)));
+}
+
+std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why) {
+    std::ptrdiff_t count = 0;
+    lua_Integer largest = 0;
+    std::string other;
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        lua_pop(L, 1);
+        const bool whole = lua_isinteger(L, -1) != 0;
+        if (whole && lua_tointeger(L, -1) >= 1) {
+            ++count;
+            largest = std::max(largest, lua_tointeger(L, -1));
+        } else if (why != nullptr) {
+            const std::string name = key_name(L, -1);
+            if (other.empty() || name < other) other = name;
+        } else {
+            lua_pop(L, 1);
+            return -1;
+        }
+    }
+    if (!other.empty()) {
+        refuse(why, fmt::format("expected an array (elements 1, 2, ...), got a table with the key '{}'", shown(other)));
+        return -1;
+    }
+    if (largest == count) return count;
+    if (why != nullptr) {
+        lua_Integer hole = 1;
+        while (lua_rawgeti(L, index, hole) != LUA_TNIL) {
+            lua_pop(L, 1);
+            ++hole;
+        }
+        lua_pop(L, 1);
+        refuse(why, fmt::format("expected an array without holes, got no element {} before element {}", hole, largest));
+    }
+    return -1;
+}
+
+namespace detail {
+
+bool read_boolean(lua_State* L, int index, bool& out, Mismatch* why) {
+    if (lua_type(L, index) != LUA_TBOOLEAN) return refuse_type(L, index, "a boolean", why);
+    out = lua_toboolean(L, index) != 0;
+    return true;
+}
+
+bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, std::int64_t& out, Mismatch* why) {
+    if (lua_type(L, index) != LUA_TNUMBER) return refuse_type(L, index, "an integer", why);
+    std::string found;
+    if (lua_isinteger(L, index) != 0) {
+        out = lua_tointeger(L, index);
+        if (out >= min && out <= max) return true;
+        if (why != nullptr) found = fmt::format("{}", out);
+    } else {
+        const double number = lua_tonumber(L, index);
+        if (const auto whole = whole_number(number)) {
+            out = *whole;
+            if (out >= min && out <= max) return true;
+        } else if (std::isnan(number) || std::isinf(number) || number != std::floor(number)) {
+            return why != nullptr && refuse(why, "expected an integer, got " + number_text(number));
+        }
+        if (why != nullptr) found = number_text(number);
+    }
+    return why != nullptr && refuse(why, fmt::format("expected an integer from {} to {}, got {}", min, max, found));
+}
+
+bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why) {
+    if (lua_type(L, index) != LUA_TNUMBER) return refuse_type(L, index, "a number", why);
+    out = lua_tonumber(L, index);
+    if (std::fabs(out) <= max) return true;
+    if (why == nullptr) return false;
+    if (!std::isfinite(out)) return refuse(why, "expected a finite number, got " + number_text(out));
+    return refuse(why, fmt::format("expected a number from {0} to {1}, got {2}", number_text(-max), number_text(max),
+                                   number_text(out)));
+}
+
+bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why) {
+    if (lua_type(L, index) != LUA_TSTRING) return refuse_type(L, index, "a string", why);
+    std::size_t size = 0;
+    const char* text = lua_tolstring(L, index, &size);
+    out = {text, size};
+    return true;
+}
+
+bool is_table(lua_State* L, int index, std::string_view expected, Mismatch* why) {
+    return lua_type(L, index) == LUA_TTABLE || refuse_type(L, index, expected, why);
+}
+
+void prepend(Mismatch* why, std::string_view field) {
+    if (why == nullptr) return;
+    const bool dot = !why->path.empty() && why->path.front() != '[';
+    why->path = std::string(field) + (dot ? "." : "") + why->path;
+}
+
+void prepend(Mismatch* why, std::size_t element) {
+    if (why == nullptr) return;
+    const bool dot = !why->path.empty() && why->path.front() != '[';
+    why->path = fmt::format("[{}]{}{}", element, dot ? "." : "", why->path);
+}
+
+void explain_unknown(lua_State* L, int index, const std::vector<std::string_view>& names, Mismatch* why) {
+    std::string unknown;
+    bool found = false;
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        lua_pop(L, 1);
+        std::string name = key_name(L, -1);
+        const bool known = lua_type(L, -1) == LUA_TSTRING && std::find(names.begin(), names.end(), name) != names.end();
+        if (known || (found && name >= unknown)) continue;
+        unknown = std::move(name);
+        found = true;
+    }
+    std::string hint = did_you_mean(unknown, names);
+    *why = {.path = unknown, .text = hint.empty() ? list_of(names) : std::move(hint), .unknown = true};
+}
+
+bool push_raw_field(lua_State* L, int index, std::string_view name) {
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        if (lua_type(L, -2) == LUA_TSTRING && key_text(L) == name) {
+            lua_remove(L, -2);
+            return true;
+        }
+        lua_pop(L, 1);
+    }
+    return false;
+}
+
+std::string_view key_text(lua_State* L) {
+    std::size_t size = 0;
+    const char* text = lua_tolstring(L, -2, &size);
+    return {text, size};
+}
+
+}  // namespace detail
+}  // namespace nezumi

@@ -1,0 +1,233 @@
+// Payloads and parameters between C++ and Lua, both ways, derived from the one set of descriptions.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <lua.hpp>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "bindings/lua/sandbox/locked_table.hpp"
+#include "engine/error.hpp"
+#include "engine/messages.hpp"
+#include "engine/parameter.hpp"
+#include "engine/payload.hpp"
+
+namespace nezumi {
+
+// Two rules hold in this file. Reading calls nothing of Lua's that can raise an error, and looks only at raw tables and
+// behind locked ones, so that no metamethod runs and C++ objects may live around it. Pushing may raise an error (out of
+// memory): call it with nothing alive that needs its destructor, or in a protected call.
+
+/// Why a Lua value does not fit.
+struct Mismatch {
+    std::string path;      ///< "" for the value itself, "position.x", "[3]", "ranges[3]"
+    std::string text;      ///< "expected a number, got string"
+    bool unknown = false;  ///< there is no field `path`; `text` is a hint
+};
+
+/// "field 'position.x' expected a number, got string", "element 3 expected ...", "unknown field 'vz' (did you mean
+/// 'vx'?)".
+std::string describe(const Mismatch& why);
+
+/// A fresh value of the script's own on top of the stack.
+void push_payload(lua_State* L, const AnyPayload& value);
+/// The value at `index` as a payload of the message type at this index of `message_types`, or why it is none (the text
+/// of `describe(Mismatch)`).
+Expected<AnyPayload> read_payload(lua_State* L, int index, std::size_t type);
+
+/// A fresh value of the script's own on top of the stack; arrays as plain tables.
+void push_parameter(lua_State* L, const ParameterValue& value);
+/// The value at `index` as a parameter's value, or why it can be none.
+Expected<ParameterValue> read_parameter(lua_State* L, int index);
+
+/// The number of elements of the table at `index` when its keys are 1..n and nothing else, otherwise -1 and why.
+std::ptrdiff_t read_array_size(lua_State* L, int index, Mismatch* why);
+
+/// The table at an index (absolute), or while this lives the one behind it when that one is locked.
+class UnlockedTable {
+public:
+    UnlockedTable(lua_State* L, int index)
+        : L_(L), pushed_(push_behind_lock(L, index)), index_(pushed_ ? lua_gettop(L) : index) {}
+    ~UnlockedTable() {
+        if (pushed_) lua_pop(L_, 1);
+    }
+    UnlockedTable(const UnlockedTable&) = delete;
+    UnlockedTable& operator=(const UnlockedTable&) = delete;
+
+    int index() const { return index_; }
+
+private:
+    lua_State* L_;
+    bool pushed_;
+    int index_;
+};
+
+namespace detail {
+
+// Every one of these says into `why` (unless it is null) what was wrong and returns false.
+bool read_boolean(lua_State* L, int index, bool& out, Mismatch* why);
+bool read_integer(lua_State* L, int index, std::int64_t min, std::int64_t max, std::int64_t& out, Mismatch* why);
+bool read_number(lua_State* L, int index, double max, double& out, Mismatch* why);
+bool read_text(lua_State* L, int index, std::string_view& out, Mismatch* why);
+bool is_table(lua_State* L, int index, std::string_view expected, Mismatch* why);
+// Puts "name" or "[3]" before the path.
+void prepend(Mismatch* why, std::string_view field);
+void prepend(Mismatch* why, std::size_t element);
+// Describes the first key (in a fixed order) of the table at `index` that is none of these names.
+void explain_unknown(lua_State* L, int index, const std::vector<std::string_view>& names, Mismatch* why);
+// Pushes the value of a raw field found without making a string; returns whether there is one, else pushes nothing.
+bool push_raw_field(lua_State* L, int index, std::string_view name);
+// The string at the top of the stack minus one (a key during lua_next).
+std::string_view key_text(lua_State* L);
+
+}  // namespace detail
+
+template <class T>
+void push_value(lua_State* L, const T& value) {
+    if constexpr (Described<T>) {
+        lua_createtable(L, 0, static_cast<int>(std::tuple_size_v<std::remove_cvref_t<decltype(Describe<T>::fields)>>));
+        for_each_field(value, [L](const auto& field, const auto& member) {
+            lua_pushlstring(L, field.name.data(), field.name.size());
+            push_value(L, member);
+            lua_rawset(L, -3);
+        });
+    } else if constexpr (Sequence<T>) {
+        lua_createtable(L, static_cast<int>(value.size()), 0);
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            push_value<typename T::value_type>(L, value[i]);
+            lua_rawseti(L, -2, static_cast<lua_Integer>(i + 1));
+        }
+    } else if constexpr (std::is_same_v<T, bool>) {
+        lua_pushboolean(L, value ? 1 : 0);
+    } else if constexpr (std::is_integral_v<T>) {
+        lua_pushinteger(L, static_cast<lua_Integer>(value));
+    } else if constexpr (std::is_floating_point_v<T>) {
+        lua_pushnumber(L, static_cast<lua_Number>(value));
+    } else {
+        static_assert(std::is_same_v<T, std::string> || std::is_same_v<T, Octets>);
+        lua_pushlstring(L, reinterpret_cast<const char*>(value.data()), value.size());
+    }
+}
+
+/// Reads the value at `index` (absolute) into `out`. Returns false and says why when it does not fit; then `out` is of
+/// no use.
+template <class T>
+bool read_value(lua_State* L, int index, T& out, Mismatch* why);
+
+namespace detail {
+
+// One pass over the keys, with no regard to which of several faults is met first.
+template <class T>
+bool read_fields_fast(lua_State* L, int index, T& out) {
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        bool fits = false;
+        if (lua_type(L, -2) == LUA_TSTRING) {
+            const std::string_view key = key_text(L);
+            for_each_field(out, [&](const auto& field, auto& member) {
+                if (!fits && field.name == key) fits = read_value(L, lua_gettop(L), member, nullptr);
+            });
+        }
+        if (!fits) {
+            lua_pop(L, 2);
+            return false;
+        }
+        lua_pop(L, 1);
+    }
+    return true;
+}
+
+// The same in the order of the description, so that the message does not depend on the order of a table's keys.
+template <class T>
+void explain_fields(lua_State* L, int index, T& out, Mismatch* why) {
+    bool found = false;
+    std::vector<std::string_view> names;
+    for_each_field(out, [&](const auto& field, auto& member) {
+        names.push_back(field.name);
+        if (found || !push_raw_field(L, index, field.name)) return;
+        if (!read_value(L, lua_gettop(L), member, why)) {
+            prepend(why, field.name);
+            found = true;
+        }
+        lua_pop(L, 1);
+    });
+    if (!found) explain_unknown(L, index, names, why);
+}
+
+template <class T>
+bool read_sequence(lua_State* L, int index, T& out, Mismatch* why) {
+    out.clear();
+    // Elements come in order from a table's array part. Anything else takes the slower way.
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        typename T::value_type element{};
+        const bool in_order = lua_isinteger(L, -2) && lua_tointeger(L, -2) == static_cast<lua_Integer>(out.size() + 1);
+        if (!in_order || !read_value(L, lua_gettop(L), element, nullptr)) {
+            lua_pop(L, 2);
+            const std::ptrdiff_t size = read_array_size(L, index, why);
+            if (size < 0) return false;
+            out.clear();
+            for (std::ptrdiff_t i = 1; i <= size; ++i) {
+                lua_rawgeti(L, index, i);
+                typename T::value_type each{};
+                const bool fits = read_value(L, lua_gettop(L), each, why);
+                lua_pop(L, 1);
+                if (!fits) {
+                    prepend(why, static_cast<std::size_t>(i));
+                    return false;
+                }
+                out.push_back(std::move(each));
+            }
+            return true;
+        }
+        out.push_back(std::move(element));
+        lua_pop(L, 1);
+    }
+    return true;
+}
+
+}  // namespace detail
+
+template <class T>
+bool read_value(lua_State* L, int index, T& out, Mismatch* why) {
+    if constexpr (Described<T>) {
+        if (!detail::is_table(L, index, "a table", why)) return false;
+        const UnlockedTable table(L, index);
+        out = T{};
+        if (detail::read_fields_fast(L, table.index(), out)) return true;
+        if (why != nullptr) detail::explain_fields(L, table.index(), out, why);
+        return false;
+    } else if constexpr (Sequence<T>) {
+        if (!detail::is_table(L, index, "an array", why)) return false;
+        const UnlockedTable table(L, index);
+        return detail::read_sequence(L, table.index(), out, why);
+    } else if constexpr (std::is_same_v<T, bool>) {
+        return detail::read_boolean(L, index, out, why);
+    } else if constexpr (std::is_integral_v<T>) {
+        std::int64_t whole = 0;
+        if (!detail::read_integer(L, index, std::numeric_limits<T>::min(), std::numeric_limits<T>::max(), whole, why)) {
+            return false;
+        }
+        out = static_cast<T>(whole);
+        return true;
+    } else if constexpr (std::is_floating_point_v<T>) {
+        double number = 0;
+        if (!detail::read_number(L, index, static_cast<double>(std::numeric_limits<T>::max()), number, why))
+            return false;
+        out = static_cast<T>(number);
+        return true;
+    } else {
+        static_assert(std::is_same_v<T, std::string> || std::is_same_v<T, Octets>);
+        std::string_view text;
+        if (!detail::read_text(L, index, text, why)) return false;
+        out.assign(text.begin(), text.end());
+        return true;
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,240 @@
+// Walks over tables breadth first, with no recursion: a list of a million links must not overflow a stack.
+#include "bindings/lua/values/plain_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "bindings/lua/sandbox/locked_table.hpp"
+#include "engine/system_spec.hpp"
+
+namespace nezumi {
+namespace {
+
+using Value = PlainData::Value;
+
+// Numbers in ascending order, then strings, then false, then true: the order in which scripts see them.
+bool key_before(const Value& a, const Value& b) {
+    const auto group = [](const Value& v) {
+        if (std::holds_alternative<std::string>(v)) return 1;
+        return std::holds_alternative<bool>(v) ? 2 : 0;
+    };
+    if (group(a) != group(b)) return group(a) < group(b);
+    if (group(a) == 1) return std::get<std::string>(a) < std::get<std::string>(b);
+    if (group(a) == 2) return !std::get<bool>(a) && std::get<bool>(b);
+    const auto* whole_a = std::get_if<std::int64_t>(&a);
+    const auto* whole_b = std::get_if<std::int64_t>(&b);
+    if (whole_a != nullptr && whole_b != nullptr) return *whole_a < *whole_b;
+    const auto number = [](const Value& v) {
+        return std::holds_alternative<double>(v) ? std::get<double>(v) : static_cast<double>(std::get<std::int64_t>(v));
+    };
+    return number(a) < number(b);
+}
+
+std::string key_text(const Value& key) {
+    if (const auto* text = std::get_if<std::string>(&key)) {
+        return is_identifier(*text) ? "." + *text : fmt::format("[\"{}\"]", *text);
+    }
+    if (const auto* whole = std::get_if<std::int64_t>(&key)) return fmt::format("[{}]", *whole);
+    if (const auto* number = std::get_if<double>(&key)) return fmt::format("[{}]", *number);
+    return std::get<bool>(key) ? "[true]" : "[false]";
+}
+
+std::string type_name(lua_State* L, int index) {
+    switch (lua_type(L, index)) {
+        case LUA_TFUNCTION: return "a function";
+        case LUA_TTHREAD: return "a coroutine";
+        case LUA_TUSERDATA: return "a port or another object of the engine";
+        default: return luaL_typename(L, index);
+    }
+}
+
+// Where a value was found: under a key of a table, or as one of the values themselves. Whole paths would cost the
+// square of a list's length.
+struct Origin {
+    std::size_t table = kNoTable;
+    Value key;
+    std::size_t value = 0;
+
+    static constexpr std::size_t kNoTable = static_cast<std::size_t>(-1);
+};
+
+// Lives outside of the protected call in which it works, so that an error there skips no destructor of its own.
+struct Taker {
+    const std::vector<std::string>& names;
+    std::vector<Dropped>& dropped;
+    PlainData data;
+    std::vector<Origin> origins;                           // of data.tables
+    std::unordered_map<const void*, std::size_t> indices;  // of data.tables
+    std::vector<Value> keys;                               // of the table at hand
+    Origin origin;                                         // of the value at hand
+
+    int work_list = 0;  // stack index of a Lua table: data.tables[i - 1] is at i
+
+    // "state.a.b"; of a very long path its end.
+    std::string path_of(Origin at) const {
+        constexpr std::size_t longest = 200;
+        std::string path;
+        while (at.table != Origin::kNoTable) {
+            path.insert(0, key_text(at.key));
+            if (path.size() > longest) return "..." + path;
+            at = origins[at.table];
+        }
+        return names[at.value] + path;
+    }
+
+    // The value on top of the stack, which is popped.
+    Value take(lua_State* L) {
+        Value value;
+        switch (lua_type(L, -1)) {
+            case LUA_TNIL: break;
+            case LUA_TTABLE: value = take_table(L); break;
+            default:
+                if (!scalar(L, -1, value)) dropped.push_back({path_of(origin), type_name(L, -1)});
+        }
+        lua_pop(L, 1);
+        return value;
+    }
+
+    bool scalar(lua_State* L, int index, Value& out) {
+        switch (lua_type(L, index)) {
+            case LUA_TBOOLEAN: out = lua_toboolean(L, index) != 0; return true;
+            case LUA_TNUMBER:
+                if (lua_isinteger(L, index) != 0) {
+                    out = static_cast<std::int64_t>(lua_tointeger(L, index));
+                } else {
+                    out = static_cast<double>(lua_tonumber(L, index));
+                }
+                return true;
+            case LUA_TSTRING: {
+                std::size_t size = 0;
+                const char* text = lua_tolstring(L, index, &size);
+                out = std::string(text, size);
+                return true;
+            }
+            default: return false;
+        }
+    }
+
+    // A reference to the table on top of the stack, which is remembered as work when it is new.
+    Value take_table(lua_State* L) {
+        const auto [known, is_new] = indices.try_emplace(lua_topointer(L, -1), data.tables.size());
+        if (!is_new) return PlainData::TableRef{known->second};
+        data.tables.emplace_back();
+        origins.push_back(origin);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, work_list, static_cast<lua_Integer>(data.tables.size()));
+        return PlainData::TableRef{data.tables.size() - 1};
+    }
+
+    void take_fields(lua_State* L, std::size_t index) {
+        lua_rawgeti(L, work_list, static_cast<lua_Integer>(index + 1));
+        // A parameter's array is locked; its elements are plain.
+        if (push_behind_lock(L, lua_gettop(L))) {
+            lua_remove(L, -2);
+        } else if (lua_getmetatable(L, -1) != 0) {
+            dropped.push_back({path_of(origins[index]), "a table with a metatable"});
+            lua_pop(L, 1);
+        }
+        const int table = lua_gettop(L);
+        keys.clear();
+        bool bad_key = false;
+        lua_pushnil(L);
+        while (lua_next(L, table) != 0) {
+            lua_pop(L, 1);
+            Value key;
+            if (scalar(L, -1, key)) {
+                keys.push_back(std::move(key));
+            } else {
+                bad_key = true;
+            }
+        }
+        if (bad_key)
+            dropped.push_back({path_of(origins[index]), "a table with a key that is a table, a function or an object"});
+        std::sort(keys.begin(), keys.end(), key_before);
+        for (Value& key : keys) {
+            push_scalar(L, key);
+            lua_rawget(L, table);
+            origin = {.table = index, .key = key};
+            Value value = take(L);
+            if (!std::holds_alternative<std::monostate>(value))
+                data.tables[index].emplace_back(std::move(key), std::move(value));
+        }
+        lua_settop(L, table - 1);
+    }
+
+    static void push_scalar(lua_State* L, const Value& value) {
+        if (const auto* truth = std::get_if<bool>(&value)) {
+            lua_pushboolean(L, *truth ? 1 : 0);
+        } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+            lua_pushinteger(L, *whole);
+        } else if (const auto* number = std::get_if<double>(&value)) {
+            lua_pushnumber(L, *number);
+        } else if (const auto* text = std::get_if<std::string>(&value)) {
+            lua_pushlstring(L, text->data(), text->size());
+        } else {
+            lua_pushnil(L);
+        }
+    }
+
+    // Stack: this, values...
+    static int run(lua_State* L) {
+        Taker& self = *static_cast<Taker*>(lua_touserdata(L, 1));
+        const int count = lua_gettop(L) - 1;
+        luaL_checkstack(L, 10, nullptr);
+        lua_newtable(L);
+        self.work_list = lua_gettop(L);
+        for (int i = 0; i < count; ++i) {
+            self.origin = {.value = static_cast<std::size_t>(i)};
+            lua_pushvalue(L, i + 2);
+            self.data.values.push_back(self.take(L));
+        }
+        for (std::size_t i = 0; i < self.data.tables.size(); ++i) self.take_fields(L, i);
+        return 0;
+    }
+};
+
+}  // namespace
+
+Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
+                               std::vector<Dropped>& dropped) {
+    const int first = lua_gettop(L) - count + 1;
+    if (lua_checkstack(L, count + 4) == 0) return failure("not enough memory");
+    Taker taker{.names = names, .dropped = dropped, .data = {}, .origins = {}, .indices = {}, .keys = {}, .origin = {}};
+    lua_pushcfunction(L, Taker::run);
+    lua_pushlightuserdata(L, &taker);
+    for (int i = 0; i < count; ++i) lua_pushvalue(L, first + i);
+    if (auto ok = protected_call(L, count + 1, 0, budget); !ok) return Unexpected(ok.error());
+    return std::move(taker.data);
+}
+
+void push_plain(lua_State* L, const PlainData& data) {
+    luaL_checkstack(L, static_cast<int>(data.values.size()) + 6, nullptr);
+    const auto push = [&](const Value& value, int tables) {
+        if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
+            lua_rawgeti(L, tables, static_cast<lua_Integer>(ref->index + 1));
+        } else {
+            Taker::push_scalar(L, value);
+        }
+    };
+    lua_createtable(L, static_cast<int>(data.tables.size()), 0);
+    const int tables = lua_gettop(L);
+    for (std::size_t i = 0; i < data.tables.size(); ++i) {
+        lua_newtable(L);
+        lua_rawseti(L, tables, static_cast<lua_Integer>(i + 1));
+    }
+    for (std::size_t i = 0; i < data.tables.size(); ++i) {
+        lua_rawgeti(L, tables, static_cast<lua_Integer>(i + 1));
+        for (const auto& [key, value] : data.tables[i]) {
+            push(key, tables);
+            push(value, tables);
+            lua_rawset(L, -3);
+        }
+        lua_pop(L, 1);
+    }
+    for (const Value& value : data.values) push(value, tables);
+    lua_remove(L, tables);
+}
+
+}  // namespace nezumi
