@@ -1,0 +1,19 @@
+// The sub-commands of `nezumi`: each file of this room adds one, and says there what it does.
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace nezumi::cli {
+
+/// How `nezumi` ends: scripts rely on it.
+enum Status : int {
+    kDone = 0,
+    kFailed = 1,       ///< a scenario failed, a file has something wrong with it
+    kCouldNotRun = 2,  ///< bad input, a missing file, no permission: one plain line has said which
+};
+
+/// Each adds its sub-command, which sets `status` when it is run.
+void add_run_command(CLI::App& app, int& status);
+void add_types_command(CLI::App& app, int& status);
+
+}  // namespace nezumi::cli

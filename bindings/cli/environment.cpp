@@ -1,0 +1,39 @@
+// Looks for the installed files and joins the rooms.
+#include "bindings/cli/environment.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <system_error>
+
+#include "bindings/cli/commands.hpp"
+#include "sim/world.hpp"
+
+namespace nezumi::cli {
+
+std::vector<std::filesystem::path> installed_folders() {
+    std::vector<std::filesystem::path> folders;
+    std::error_code none;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+    for (const std::filesystem::path& folder :
+         {program.parent_path().parent_path() / "share/nezumi", std::filesystem::path(NEZUMI_SOURCE_ROOT)}) {
+        if (std::filesystem::is_directory(folder / "engine/robots", none)) folders.push_back(folder);
+    }
+    return folders;
+}
+
+LiveOptions simulated_systems() { return {.installed = installed_folders(), .world = sim::make_world}; }
+
+int refuse(std::string_view why) {
+    fmt::print(stderr, "nezumi: {}\n", why);
+    return kCouldNotRun;
+}
+
+int refuse(const Error& error) {
+    // A place begins the line, so that editors can go there.
+    if (error.place.file.empty()) return refuse(error.message);
+    fmt::print(stderr, "{}\n", describe(error));
+    return kCouldNotRun;
+}
+
+}  // namespace nezumi::cli
