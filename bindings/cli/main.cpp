@@ -37,6 +37,7 @@ int run(int count, char** words) {
     int status = cli::kDone;
     cli::add_run_command(app, status);
     cli::add_types_command(app, status);
+    cli::add_check_command(app, status);
 
     if (const std::string wrong = unknown_command(app, count, words); !wrong.empty()) return cli::refuse(wrong);
     try {

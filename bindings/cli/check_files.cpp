@@ -1,0 +1,184 @@
+// Gives each file to the reader that will load it.
+#include "bindings/cli/check_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "bindings/lua/files/robot_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/script/check_script.hpp"
+#include "bindings/lua/script/script_component.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_errors = 50;  // of one system: each costs a build
+
+// The text of a script as messages here call it: by its path, so that an editor finds it.
+Expected<SourceText> read_shown(const fs::path& path, const Project& project) {
+    const std::string name = project.shown(path);
+    auto text = read_text_file(path, name);
+    if (!text) return Unexpected(text.error());
+    return SourceText{path.string(), name, std::move(*text)};
+}
+
+ScriptContext context_of(const std::string& component, const Project& project) {
+    ScriptContext context;
+    context.component = component;
+    context.budget = headless_budget;
+    context.find_module = [&project](std::string_view name, std::string_view from) -> Expected<SourceText> {
+        const auto path = project.find(FileKind::module, name, from);
+        if (!path) return Unexpected(path.error());
+        return read_shown(*path, project);
+    };
+    return context;
+}
+
+// Takes out of a system what an error is about, and all that needs it, so that a further build finds further errors.
+// False when nothing is at that place.
+bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
+    if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
+    std::set<std::string, std::less<>> gone;
+    for (const Entry& entry : spec.entries) {
+        const auto* behavior = std::get_if<BehaviorEntry>(&entry);
+        const auto* component = std::get_if<ComponentEntry>(&entry);
+        if (place_of(entry) == place || (behavior != nullptr && project.shown(behavior->path) == place.file) ||
+            (component != nullptr && gone.contains(component->on))) {
+            gone.insert(name_of(entry));
+        }
+    }
+    std::erase_if(spec.entries, [&](const Entry& entry) { return gone.contains(name_of(entry)); });
+    std::erase_if(spec.connections, [&](const ConnectionSpec& c) {
+        return gone.contains(c.from.substr(0, c.from.find('.'))) || gone.contains(c.to.substr(0, c.to.find('.')));
+    });
+    return !gone.empty();
+}
+
+std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,
+                                const LiveOptions& options) {
+    if (auto errors = check_system_text(text, shown, project); !errors.empty()) return errors;
+    auto spec = read_system_text(text, shown, project);
+    if (!spec) return {spec.error()};
+    Makers makers;
+    makers.world = options.world;
+    makers.components = options.components;
+    makers.behavior = [&](const BehaviorEntry& entry,
+                          const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {
+        auto source = read_shown(entry.path, project);
+        if (!source) return Unexpected(source.error());
+        // All slips of a script are its own file's to tell; here the first will do.
+        ScriptContext context = context_of(entry.name, project);
+        context.configured = entry.config;
+        context.tick_rate = maker.tick_rate;
+        auto made = ScriptComponent::load(entry.name, *source, std::move(context));
+        if (!made) return Unexpected(made.error());
+        return std::unique_ptr<Component>(std::move(*made));
+    };
+    std::vector<Error> errors;
+    for (int i = 0; i < most_errors; ++i) {
+        const auto built = build_system(*spec, makers, options.build);
+        if (built) break;
+        errors.push_back(built.error());
+        if (!leave_out(*spec, project, built.error().place)) break;
+    }
+    return errors;
+}
+
+// A text that is compiled and not run, and may name these words.
+std::vector<Error> check_words(const std::string& text, const std::string& shown, std::vector<std::string_view> words) {
+    words.insert(words.end(), sandbox_names().begin(), sandbox_names().end());
+    words.emplace_back("require");
+    auto chunk = compile_checked(text, shown, {std::move(words), {}});
+    return chunk ? std::vector<Error>() : std::move(chunk.error());
+}
+
+// "(did you mean 'near.lua'?)" among the files of the folder where this one is not.
+std::string near_file(const fs::path& path) {
+    std::vector<std::string> names;
+    std::error_code problem;
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+        names.push_back(entry->path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return did_you_mean(path.filename().string(), {names.begin(), names.end()});
+}
+
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with("."); }
+
+Expected<std::vector<fs::path>> files_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code problem;
+    for (fs::recursive_directory_iterator entry(folder, problem), end; !problem && entry != end;
+         entry.increment(problem)) {
+        std::error_code none;
+        const bool is_folder = entry->is_directory(none);
+        if (is_hidden(entry->path())) {
+            if (is_folder) entry.disable_recursion_pending();
+        } else if (!is_folder && entry->path().extension() == ".lua") {
+            files.push_back(entry->path().lexically_normal());
+        }
+    }
+    if (problem) return failure(fmt::format("can't be read: {}", problem.message()), {folder.string()});
+    if (files.empty()) return failure("has no Lua files", {folder.string()});
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace
+
+std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) {
+    const Project project = Project::of(file, options.installed);
+    const std::string shown = project.shown(file);
+    const auto text = read_text_file(file, shown);
+    if (!text) return {text.error()};
+    const SourceText source{file.string(), shown, *text};
+    switch (kind_of_file(file, *text)) {
+        case LuaKind::behavior: return check_behavior(source, context_of(type_of_file(shown), project));
+        case LuaKind::module: return check_module(source);
+        case LuaKind::system_module:
+            return check_words(*text, shown, {system_word_names().begin(), system_word_names().end()});
+        case LuaKind::system: return check_system(*text, shown, project, options);
+        case LuaKind::robot: return check_robot_text(*text, shown, project);
+        case LuaKind::scenario: return check_words(*text, shown, {"scenario", "range"});
+        case LuaKind::definitions: break;
+    }
+    const auto chunk = compile(*text, shown);
+    return chunk ? std::vector<Error>() : std::vector<Error>{chunk.error()};
+}
+
+Expected<std::vector<fs::path>> lua_files(const std::vector<std::string>& paths) {
+    std::vector<fs::path> files;
+    std::set<fs::path> known;
+    const auto add = [&](const fs::path& file) {
+        std::error_code none;
+        if (known.insert(fs::weakly_canonical(file, none)).second) files.push_back(file);
+    };
+    for (const std::string& path : paths) {
+        std::error_code none;
+        if (fs::is_directory(path, none)) {
+            const auto below = files_below(path);
+            if (!below) return Unexpected(below.error());
+            for (const fs::path& file : *below) add(file);
+        } else if (!fs::exists(path, none)) {
+            return failure("there is no such file" + near_file(path), {path});
+        } else if (fs::path(path).extension() != ".lua") {
+            return failure("is no Lua file: `nezumi check` reads files that end in .lua, and folders", {path});
+        } else {
+            add(path);
+        }
+    }
+    return files;
+}
+
+}  // namespace nezumi::cli

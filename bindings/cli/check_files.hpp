@@ -1,0 +1,23 @@
+// Finds what is wrong with files without running them: everything for which they would be refused when they load.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bindings/cli/lua_kind.hpp"
+#include "bindings/lua/live/live_system.hpp"
+#include "engine/error.hpp"
+
+namespace nezumi::cli {
+
+/// All that is wrong with one Lua file, in order of place; empty when it would load. A system is built as well, so that
+/// its ports, parameters and scripts are checked, and never started. An error without a line says that the file can't
+/// be read.
+std::vector<Error> check_file(const std::filesystem::path& file, const LiveOptions& options);
+
+/// The Lua files that a person names: files as they are, and of folders all that is in them and below, sorted, without
+/// hidden ones. Every file once. An error names a path that is not there, no Lua, or a folder without Lua files.
+Expected<std::vector<std::filesystem::path>> lua_files(const std::vector<std::string>& paths);
+
+}  // namespace nezumi::cli

@@ -1,0 +1,171 @@
+// What `nezumi check` finds in files, and which kind it takes a file for.
+#include <catch2/catch.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/cli/check_files.hpp"
+#include "bindings/cli/environment.hpp"
+#include "bindings/cli/json_text.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::cli;
+
+namespace {
+
+// A project with files, and what is wrong with one of them, with the paths as they are in the project.
+struct Checked {
+    explicit Checked(std::string_view name, std::string_view text) { files.write(name, text); }
+
+    Checked& with(std::string_view name, std::string_view text) {
+        files.write(name, text);
+        return *this;
+    }
+    std::vector<std::string> check(std::string_view name) const {
+        std::vector<std::string> lines;
+        const std::string root = files.path("").string();
+        for (const Error& error : check_file(files.path(name), simulated_systems())) {
+            std::string line = describe(error);
+            for (std::size_t at = 0; (at = line.find(root)) != std::string::npos;) line.erase(at, root.size());
+            lines.push_back(std::move(line));
+        }
+        return lines;
+    }
+
+    Scratch files;
+};
+
+using Lines = std::vector<std::string>;
+
+// What is wrong with one file of this name.
+Lines wrong(std::string_view name, std::string_view text) { return Checked(name, text).check(name); }
+
+}  // namespace
+
+TEST_CASE("a file's kind is told by its words, then by its folder", "[cli][check]") {
+    CHECK(kind_of_file("a.lua", "local p = input('in', 'TimedShort')") == LuaKind::behavior);
+    CHECK(kind_of_file("a.lua", "function on_execute() end") == LuaKind::behavior);
+    CHECK(kind_of_file("a.lua", "function on_exectue() end") == LuaKind::behavior);
+    CHECK(kind_of_file("systems/a.lua", "local p = input('in', 'TimedShort')") == LuaKind::behavior);
+    CHECK(kind_of_file("a.lua", "robot 'mouse' { model = 'raspimouse' }") == LuaKind::system);
+    CHECK(kind_of_file("a.lua", "require 'lib.arena' {}") == LuaKind::behavior);
+    CHECK(kind_of_file("systems/a.lua", "require 'lib.arena' {}") == LuaKind::system);
+    CHECK(kind_of_file("a.lua", "return { twice = function(x) return 2 * x end }") == LuaKind::module);
+    CHECK(kind_of_file("a.lua", "return function() robot('m', {}) end") == LuaKind::system_module);
+    CHECK(kind_of_file("a.lua", "function on_execute() if true then return end end") == LuaKind::behavior);
+    CHECK(kind_of_file("a.lua", "return robot_model {}") == LuaKind::robot);
+    CHECK(kind_of_file("robots/a.lua", "return robot_modle {}") == LuaKind::robot);
+    CHECK(kind_of_file("a_test.lua", "") == LuaKind::scenario);
+    CHECK(kind_of_file("a.lua", "scenario('x', function() end)") == LuaKind::scenario);
+    CHECK(kind_of_file("nezumi.lua", "---@meta\nfunction input() end") == LuaKind::definitions);
+}
+
+TEST_CASE("every slip of a behaviour is found, and nothing of it is run", "[cli][check]") {
+    CHECK(wrong("behaviors/a.lua",
+                "local target = output('out', 'TimedVelocity2D')\n"
+                "function on_execute()\n"
+                "  if config.x then taget:write {} end\n"
+                "  count = 1\n"
+                "end\n"
+                "function on_activate() end\n") ==
+          Lines{"behaviors/a.lua:3:20: unknown global 'taget' (did you mean 'target'?)",
+                "behaviors/a.lua:4:3: unknown global 'count' (declare it first: local count)",
+                "behaviors/a.lua:6:10: unknown callback 'on_activate' (did you mean 'on_activated'?)"});
+    CHECK(wrong("behaviors/a.lua", "local p = input('in', 'TimedShrot')\n") ==
+          Lines{"behaviors/a.lua:1: input 'in': unknown type 'TimedShrot' (did you mean 'TimedShort'?); `nezumi types` "
+                "lists them all"});
+    CHECK(wrong("behaviors/a.lua", "") ==
+          Lines{"behaviors/a.lua: the file declares nothing: no port, parameter, command or callback"});
+    CHECK(wrong("behaviors/a.lua", "function on_execute() error('never called') end") == Lines{});
+}
+
+TEST_CASE("a module's slip is found in the module and through the behaviour that requires it", "[cli][check]") {
+    Checked project("behaviors/a.lua", "local steering = require 'lib.steering'\nfunction on_execute() end\n");
+    project.with("behaviors/lib/steering.lua", "local M = {}\nfunction M.turn() return mth.pi end\nreturn M\n");
+    const Lines found{"behaviors/lib/steering.lua:2:26: unknown global 'mth' (did you mean 'math'?)"};
+    CHECK(project.check("behaviors/lib/steering.lua") == found);
+    CHECK(project.check("behaviors/a.lua") == found);
+}
+
+TEST_CASE("a system is checked with its ports, types, parameters and scripts", "[cli][check]") {
+    Checked project("behaviors/systems/a.lua", R"(robot "mouse" { model = "raspimouse" }
+behavior "c" { script = "robot_controller", config = { speed_y = 1 } }
+behavior "d" { script = "broken" }
+behavior "e" { script = "robot_controller" }
+connect("mouse.ir_sensor_outt", "e.in")
+connect("mouse.ir_sensor_out", "e.out")
+connect("e.out", "mouse.target_velocity_in")
+connect("e.out", "d.in")
+connect("mouse.ir_sensor_out", "mouse.target_velocity_in")
+)");
+    project.with("behaviors/broken.lua", "function on_execute() oops() end");
+    CHECK(project.check("behaviors/systems/a.lua") ==
+          Lines{"behaviors/systems/a.lua:2: c: config: unknown parameter 'speed_y' (did you mean 'speed_x'?)",
+                "behaviors/broken.lua:1:23: unknown global 'oops'",
+                "behaviors/systems/a.lua:5: mouse has no out-port 'ir_sensor_outt' (did you mean 'ir_sensor_out'?)",
+                "behaviors/systems/a.lua:6: 'e.out' is an out-port: connect goes from an out-port to an in-port",
+                "behaviors/systems/a.lua:9: types differ: mouse.ir_sensor_out is TimedShortSeq, "
+                "mouse.target_velocity_in is TimedVelocity2D (did you mean 'mouse.current_velocity_out'?)"});
+}
+
+TEST_CASE("robots that overlap, unknown models and fields are found in a system", "[cli][check]") {
+    const Lines overlap =
+        wrong("behaviors/systems/a.lua", "robot 'a' { model = 'raspimouse' }\nrobot 'b' { model = 'raspimouse' }\n");
+    REQUIRE(overlap.size() == 1);
+    CHECK(overlap[0].find("behaviors/systems/a.lua:2: ") == 0);
+    const Lines model = wrong("behaviors/systems/a.lua", "robot 'a' { model = 'raspimose' }");
+    REQUIRE(model.size() == 1);
+    CHECK(model[0].find("(did you mean 'raspimouse'?)") != std::string::npos);
+}
+
+TEST_CASE("robot files, modules of systems and scenarios are checked", "[cli][check]") {
+    CHECK(wrong("behaviors/r.lua", "return robot_model { mass = 1, drive = { radius = 0.02 } }").size() == 1);
+    CHECK(wrong("behaviors/lib/m.lua", "return function() robot('m', {}); conect('a.b', 'c.d') end") ==
+          Lines{"behaviors/lib/m.lua:1:35: unknown global 'conect' (did you mean 'connect'?)"});
+    const Lines scenario = wrong("tests/a_test.lua", "scenaro('x', function(s) end)");
+    REQUIRE(scenario.size() == 1);
+    CHECK(scenario[0].find("tests/a_test.lua:1:1: unknown global 'scenaro' (did you mean 'scenario'?)") == 0);
+}
+
+TEST_CASE("what is shipped has nothing wrong with it", "[cli][check]") {
+    const std::string root = NEZUMI_SOURCE_ROOT;
+    const auto files = lua_files({root + "/behaviors", root + "/engine/robots"});
+    REQUIRE(files.has_value());
+    CHECK(files->size() >= 8);
+    for (const auto& file : *files) {
+        const auto errors = check_file(file, simulated_systems());
+        INFO((errors.empty() ? file.string() : describe(errors.front())));
+        CHECK(errors.empty());
+    }
+}
+
+TEST_CASE("folders give their Lua files, sorted, once and without hidden ones", "[cli][check]") {
+    const Scratch files;
+    files.write("b.lua", "");
+    files.write("a/c.lua", "");
+    files.write("a/note.txt", "");
+    files.write(".git/x.lua", "");
+    const std::string root = files.path("").string();
+    const auto found = lua_files({root, root + "b.lua"});
+    REQUIRE(found.has_value());
+    CHECK(*found == std::vector<std::filesystem::path>{root + "a/c.lua", root + "b.lua"});
+
+    const auto refused = [&](const std::string& path) {
+        const auto result = lua_files({root + path});
+        return result ? std::string() : result.error().message;
+    };
+    CHECK(refused("d.lua") == "there is no such file (did you mean 'b.lua'?)");
+    CHECK(refused("a/note.txt") == "is no Lua file: `nezumi check` reads files that end in .lua, and folders");
+    files.write("none/x.txt", "");
+    CHECK(refused("none") == "has no Lua files");
+}
+
+TEST_CASE("texts become JSON whatever bytes they have", "[cli][check]") {
+    CHECK(json_text("a \"b\" \\ \n\t\x01") == R"("a \"b\" \\ \n\t\u0001")");
+    CHECK(json_text("gr\xc3\xb6\xc3\x9f"
+                    "e \xf0\x9f\x90\xad") ==
+          "\"gr\xc3\xb6\xc3\x9f"
+          "e \xf0\x9f\x90\xad\"");
+    CHECK(json_text("\xff \xc3 \xed\xa0\x80") == R"("\ufffd \ufffd \ufffd\ufffd\ufffd")");
+}
