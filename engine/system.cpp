@@ -80,6 +80,7 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
     } else {
         behaviors_.push_back(added);
     }
+    by_name_.emplace(added->name(), added);
     components_.push_back(std::move(component));
     return added;
 }
@@ -99,6 +100,7 @@ Expected<void> System::remove(std::string_view name) {
     }
     std::erase_if(connections_,
                   [&](const Connection& c) { return c.from_component == gone || c.to_component == gone; });
+    by_name_.erase(gone->name());
     std::erase(behaviors_, gone);
     std::erase_if(devices_, [&](const Device* device) { return device == gone; });
     std::erase_if(robots_, [&](const Robot* robot) { return robot == gone; });
@@ -107,10 +109,8 @@ Expected<void> System::remove(std::string_view name) {
 }
 
 Component* System::find(std::string_view name) const {
-    for (const auto& component : components_) {
-        if (component->name() == name) return component.get();
-    }
-    return nullptr;
+    const auto found = by_name_.find(name);
+    return found != by_name_.end() ? found->second : nullptr;
 }
 
 Robot* System::find_robot(std::string_view name) const {
@@ -183,13 +183,11 @@ Expected<void> System::connect(std::string_view from, std::string_view to) {
         return failure(
             fmt::format("types differ: {} is {}, {} is {}{}", from, out->type_name(), to, in->type_name(), hint));
     }
-    bool fed = false;
-    for (const Connection& connection : connections_) {
-        if (connection.from == out && connection.to == in)
-            return failure(fmt::format("{} is connected to {} already", from, to));
-        fed = fed || connection.to == in;
-    }
-    if (fed && dynamic_cast<Device*>(to_component) != nullptr && !std::exchange(said_many_commands_, true)) {
+    const std::vector<const OutPortBase*> sources = in->sources();
+    if (std::find(sources.begin(), sources.end(), out) != sources.end())
+        return failure(fmt::format("{} is connected to {} already", from, to));
+    if (!sources.empty() && dynamic_cast<Device*>(to_component) != nullptr &&
+        !std::exchange(said_many_commands_, true)) {
         log(LogLevel::warn,
             fmt::format(
                 "{} is fed by several connections: the last one in the order of the connect lines wins (said once)",

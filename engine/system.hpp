@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/component.hpp"
@@ -108,6 +109,7 @@ private:
     Time now_;
     std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
     std::vector<std::unique_ptr<Component>> components_;
+    std::unordered_map<std::string_view, Component*> by_name_;
     std::vector<Device*> devices_;       // in the order of components_
     std::vector<Component*> behaviors_;  // the others, likewise
     std::vector<Robot*> robots_;
