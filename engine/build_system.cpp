@@ -10,7 +10,16 @@ Unexpected at(const Place& place, const Error& error) {
     return failure(error.message, error.place.file.empty() ? place : error.place);
 }
 
-Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec) {
+using Body = Expected<std::unique_ptr<RobotBody>>;
+
+Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec) {
+    const auto model = spec.models.find(entry.model);
+    if (model == spec.models.end() || system.world() == nullptr) return nullptr;  // `add_robot` says so
+    return system.world()->add_robot(entry.name, model->second, entry.pose);
+}
+
+// `early` is the robot's body when it is in the world already.
+Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, Body* early) {
     const auto model = spec.models.find(entry.model);
     if (model == spec.models.end())
         return failure(fmt::format("robot '{}': there is no model '{}'", entry.name, entry.model), entry.place);
@@ -28,7 +37,7 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
     made->place = entry.place;
     auto added = system.add(std::move(*robot));
     if (!added) return added;
-    auto body = system.world()->add_robot(entry.name, model->second, entry.pose);
+    auto body = early != nullptr ? std::move(*early) : add_body(system, entry, spec);
     if (!body) return at(entry.place, body.error());
     made->take_body(std::move(*body));
     return added;
@@ -82,7 +91,7 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
 }  // namespace
 
 Expected<Component*> add_entry(System& system, const Entry& entry, const SystemSpec& spec, const Makers& makers) {
-    if (const auto* robot = std::get_if<RobotEntry>(&entry)) return add_robot(system, *robot, spec);
+    if (const auto* robot = std::get_if<RobotEntry>(&entry)) return add_robot(system, *robot, spec, nullptr);
     if (const auto* behavior = std::get_if<BehaviorEntry>(&entry)) return add_behavior(system, *behavior, makers);
     return add_native(system, std::get<ComponentEntry>(entry), makers);
 }
@@ -105,8 +114,18 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         if (!world) return Unexpected(world.error());
         system->take_world(std::move(*world));
     }
+    // The bodies come first, to lie side by side in memory: each physics step visits all of them, and a thousand robots
+    // with their scripts' states in between cost a third more. What is wrong with one is told in the order of the file.
+    std::vector<Body> bodies;
     for (const Entry& entry : spec.entries) {
-        if (auto added = add_entry(*system, entry, spec, makers); !added) return Unexpected(added.error());
+        if (const auto* robot = std::get_if<RobotEntry>(&entry)) bodies.push_back(add_body(*system, *robot, spec));
+    }
+    auto body = bodies.begin();
+    for (const Entry& entry : spec.entries) {
+        const auto* robot = std::get_if<RobotEntry>(&entry);
+        auto added =
+            robot != nullptr ? add_robot(*system, *robot, spec, &*body++) : add_entry(*system, entry, spec, makers);
+        if (!added) return Unexpected(added.error());
     }
     for (const ConnectionSpec& connection : spec.connections) {
         if (auto ok = system->connect(connection.from, connection.to); !ok) return at(connection.place, ok.error());
