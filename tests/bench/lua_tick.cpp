@@ -6,13 +6,13 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "bindings/lua/script/script_component.hpp"
+#include "tests/bench/report.hpp"
 
 using namespace nezumi;
 
@@ -78,16 +78,15 @@ template <class Work>
 double nanoseconds(int calls, const Work& work) {
     double best = 1e300;
     for (int round = 0; round < 15; ++round) {
-        const auto begin = std::chrono::steady_clock::now();
+        const double begin = bench::thread_seconds();
         for (int i = 0; i < calls; ++i) work(i);
-        const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
-        best = std::min(best, took.count() / calls);
+        best = std::min(best, (bench::thread_seconds() - begin) / calls * 1e9);
     }
     return best;
 }
 
 // Whole ticks of a component: latch a new value, execute, latch what it wrote. And the execution alone.
-void measure(const char* name, Component& component) {
+void measure(const char* name, Component& component, double limit) {
     OutPort<Shorts> source("source");
     component.find_in_port("in")->connect(source);
     if (!component.activate({})) std::puts("can't be activated");
@@ -106,8 +105,8 @@ void measure(const char* name, Component& component) {
         component.find_out_port("out")->discard();
     });
     const bool drives = std::get<Velocity2D>(component.find_out_port("out")->value()).vx > 0;
-    std::printf("%-34s execute %6.1f ns, with ports %6.1f ns%s\n", name, alone, whole,
-                drives ? "" : " (does not drive!)");
+    std::printf("%-34s execute %6.1f ns, with ports %6.1f ns (limit %.0f: %s)%s\n", name, alone, whole, limit,
+                bench::verdict(alone, limit), drives ? "" : " (does not drive!)");
 }
 
 std::unique_ptr<ScriptComponent> load(const char* text, ChunkCache* chunks = nullptr) {
@@ -129,11 +128,11 @@ long resident_kilobytes() {
 }  // namespace
 
 int main() {
-    std::puts("budget 0.1 s, memory limit 64 MB");
-    measure("Lua, robot_controller", *load(kScript));
-    measure("Lua, 4 integers and a velocity", *load(kPlainScript));
+    bench::print_header("a component's tick", "budget 0.1 s, memory limit 64 MB; the best of 15 rounds, CPU time");
+    measure("Lua, robot_controller", *load(kScript), 500);
+    measure("Lua, 4 integers and a velocity", *load(kPlainScript), 500);
     Native native;
-    measure("C++, 4 integers and a velocity", native);
+    measure("C++, 4 integers and a velocity", native, 60);
 
     OutPort<Velocity2D> out("out");
     InPort<Velocity2D> in("in");
@@ -146,16 +145,18 @@ int main() {
         in.latch(now);
         sum += in.read().vx;
     });
-    std::printf("port, write to read                %.1f ns%s\n", port, sum > 0 ? "" : " (lost!)");
+    std::printf("port, write to read                %.1f ns (limit 30: %s)%s\n", port, bench::verdict(port, 30),
+                sum > 0 ? "" : " (lost!)");
 
     constexpr int count = 1000;
     ChunkCache chunks;
     std::vector<std::unique_ptr<ScriptComponent>> all;
     const long before = resident_kilobytes();
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = bench::thread_seconds();
     for (int i = 0; i < count; ++i) all.push_back(load(kScript, &chunks));
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    std::printf("a scripted component               %.1f KB in Lua, %.1f KB in all; %d loaded in %.3f s\n",
-                static_cast<double>(all[0]->script().memory()) / 1024,
-                static_cast<double>(resident_kilobytes() - before) / count, count, took.count());
+    const double took = bench::thread_seconds() - begin;
+    const double kilobytes = static_cast<double>(resident_kilobytes() - before) / count;
+    std::printf(
+        "a scripted component               %.1f KB in Lua, %.1f KB in all (limit 30: %s); %d loaded in %.3f s\n",
+        static_cast<double>(all[0]->script().memory()) / 1024, kilobytes, bench::verdict(kilobytes, 30), count, took);
 }

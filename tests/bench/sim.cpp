@@ -3,7 +3,6 @@
 // 10 steps of 10 ms a tick. "bare" are the same bodies and floor contacts in plain ODE, driving ahead. "world" has
 // collisions and rays and drives by the workload's rule in C++; "no rays" is the same world with robots that turn
 // blindly on the spot. Measured (two shared cores): bare / world 1.02 to 1.08 at every size.
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -13,14 +12,13 @@
 
 #include "sim/world.hpp"
 #include "tests/bench/bare_ode.hpp"
+#include "tests/bench/report.hpp"
 
 using namespace nezumi;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_since(double begin) { return bench::thread_seconds() - begin; }
 
 RobotSpec swarm_spec() {
     RobotSpec spec;
@@ -65,7 +63,7 @@ Result run_bare(std::size_t count, int ticks) {
     bench::BareLoop loop(bench::bare_disc, 0.01);
     for (const auto& [x, y, heading] : bench::swarm_poses(count, bench::swarm_side(count))) loop.add(x, y, heading);
     for (std::size_t i = 0; i < count; ++i) loop.drive(i, 0.05, 0.05);
-    const auto begin = Clock::now();
+    const double begin = bench::thread_seconds();
     for (int i = 0; i < ticks * 10; ++i) loop.step();
     return {0, static_cast<double>(count) * ticks / seconds_since(begin), 0};
 }
@@ -80,7 +78,7 @@ Result run_world(std::size_t count, int ticks, bool rays) {
     arena.border_thickness = 0.1;
 
     Result result;
-    auto begin = Clock::now();
+    double begin = bench::thread_seconds();
     auto made = sim::make_world(arena, {.step = 0.01, .seed = 124}, {});
     if (!made) std::abort();
     World& world = **made;
@@ -95,7 +93,7 @@ Result run_world(std::size_t count, int ticks, bool rays) {
     }
     result.start = seconds_since(begin);
 
-    begin = Clock::now();
+    begin = bench::thread_seconds();
     std::array<double, 24> distances;
     distances.fill(std::numeric_limits<double>::infinity());
     for (int tick = 0; tick < ticks; ++tick) {
@@ -136,7 +134,7 @@ double time_bare_mouse(int ticks) {
     loop.add(0, 0, 0);
     const std::vector<bench::BareBox> boxes{{0.75, 0.85, -0.5, 0.5}};
     double nearest = 1;
-    const auto begin = Clock::now();
+    const double begin = bench::thread_seconds();
     for (int i = 0; i < ticks; ++i) {
         for (const double distance : loop.cast_mouse_rays(0, boxes)) nearest = std::min(nearest, distance);
         loop.drive(0, nearest < 0 ? 0 : 0.05, 0.2);
@@ -157,7 +155,7 @@ double time_mouse(int ticks) {
     if (!body) std::abort();
     std::array<double, 4> distances{};
     double nearest = 1;
-    const auto begin = Clock::now();
+    const double begin = bench::thread_seconds();
     for (int i = 0; i < ticks; ++i) {
         (*body)->read_ranges(distances);
         for (const double distance : distances) nearest = std::min(nearest, distance);
@@ -181,9 +179,10 @@ void compare_mice() {
 
 int main(int argc, char** argv) {
     const std::size_t only = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 0;
+    bench::print_header("the simulated world against a bare ODE loop, in robot-ticks a second",
+                        "swarm bodies and rays, 10 steps of 10 ms a tick, seed 124, one thread, the best of 3 rounds");
     if (only == 0) compare_mice();
     if (argc > 1 && only == 0) return 0;
-    std::printf("swarm bodies and rays, 10 steps of 10 ms a tick, seed 124, one thread; robot-ticks a second\n");
     std::printf("%8s %10s %10s %10s %8s %10s %9s\n", "robots", "bare", "no rays", "world", "ratio", "start [s]",
                 "touching");
     for (const std::size_t count : {1u, 10u, 100u, 1000u, 10000u}) {

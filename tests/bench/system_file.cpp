@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bindings/lua/files/system_file.hpp"
+#include "tests/bench/report.hpp"
 
 using namespace nezumi;
 
@@ -35,4 +36,8 @@ BENCHMARK(swarm)->Unit(benchmark::kMillisecond)->RangeMultiplier(10)->Range(10, 
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    nezumi::bench::print_header("reading system files", "the tutorial and swarms of 10 to 10000 robots, 60 s budget");
+    benchmark::RunSpecifiedBenchmarks();
+}

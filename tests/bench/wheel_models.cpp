@@ -6,10 +6,11 @@
 // speed exactly, both slip when blocked. That is why sim/ builds robots from one body. Figures are ratios from one run.
 #include <ode/ode.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <vector>
+
+#include "tests/bench/report.hpp"
 
 namespace {
 
@@ -142,20 +143,21 @@ Result measure(int count, int steps, Build build, Step step) {
     Bench bench;
     for (int i = 0; i < count; ++i) build(bench, (i % 10) * 2.0, (i / 10) * 2.0);
     for (int i = 0; i < 300; ++i) step(bench);  // come up to speed
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = nezumi::bench::thread_seconds();
     for (int i = 0; i < steps; ++i) step(bench);
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+    const double took = nezumi::bench::thread_seconds() - begin;
     const double* v = dBodyGetLinearVel(bench.robots[0].body);
-    return {took.count() / steps / count, std::hypot(v[0], v[1])};
+    return {took * 1e6 / steps / count, std::hypot(v[0], v[1])};
 }
 
 }  // namespace
 
 int main() {
+    nezumi::bench::print_header(
+        "wheel models: hinged wheels against contacts that move",
+        "ODE dWorldStep, step 10 ms, wheels commanded 0.2 and 0.3 m/s (0.25 m/s at the chassis)");
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
-    std::printf("wheel models, ODE dWorldStep, step %g s, wheels commanded 0.2 and 0.3 m/s (0.25 m/s at the chassis)\n",
-                kStep);
     std::printf("%8s %14s %14s %8s %14s %14s\n", "robots", "hinge us/step", "contact us/step", "ratio", "hinge m/s",
                 "contact m/s");
     for (const int count : {1, 10, 100}) {

@@ -76,16 +76,12 @@ void LiveSystem::take(std::unique_ptr<Running> running) {
 
 void LiveSystem::activate() { activate_all(*running_->system, running_->spec); }
 
-void LiveSystem::between_ticks() {
+void LiveSystem::tick() {
     if (running_->live_reload) {
         running_->live_reload->between_ticks();
     } else {
         running_->reloader->after_tick();
     }
-}
-
-void LiveSystem::tick() {
-    between_ticks();
     running_->system->tick();
 }
 
