@@ -1,13 +1,58 @@
-// `nezumi types`: the message types.
+// `nezumi types`: the message types, as a table or as annotations for an editor.
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "bindings/cli/commands.hpp"
+#include "bindings/cli/environment.hpp"
+#include "bindings/lua/stubs/annotations.hpp"
+#include "bindings/lua/stubs/type_table.hpp"
 
 namespace nezumi::cli {
+namespace {
+
+struct TypesOptions {
+    std::vector<std::string> names;
+    bool lua = false;
+};
+
+int show_types(const TypesOptions& options) {
+    if (options.lua && !options.names.empty()) return refuse("types: --lua writes all types: leave out the names");
+    if (options.lua) {
+        fmt::print("{}", annotations());
+        return kDone;
+    }
+    if (options.names.empty()) {
+        fmt::print("{}", type_table());
+        return kDone;
+    }
+    const std::vector<MessageShape> messages = message_shapes();
+    std::string text;
+    for (const std::string& name : options.names) {
+        const auto found = std::find_if(messages.begin(), messages.end(),
+                                        [&](const MessageShape& message) { return message.name == name; });
+        if (found == messages.end()) {
+            return refuse(fmt::format("types: there is no message type '{}'{}; `nezumi types` shows all", shown(name),
+                                      did_you_mean(name, {message_type_names.begin(), message_type_names.end()})));
+        }
+        text += (text.empty() ? "" : "\n") + type_table(*found);
+    }
+    fmt::print("{}", text);
+    return kDone;
+}
+
+}  // namespace
 
 void add_types_command(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand("types", "Show the message types with their fields, units and limits");
-    command->callback([&status] { status = kDone; });
+    auto options = std::make_shared<TypesOptions>();
+    command->add_option("TYPE", options->names, "only these types");
+    command->add_flag("--lua", options->lua, "write annotations for the Lua language server (LuaLS)");
+    command->callback([options, &status] { status = show_types(*options); });
 }
 
 }  // namespace nezumi::cli

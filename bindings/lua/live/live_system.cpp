@@ -76,12 +76,16 @@ void LiveSystem::take(std::unique_ptr<Running> running) {
 
 void LiveSystem::activate() { activate_all(*running_->system, running_->spec); }
 
-void LiveSystem::tick() {
+void LiveSystem::between_ticks() {
     if (running_->live_reload) {
         running_->live_reload->between_ticks();
     } else {
         running_->reloader->after_tick();
     }
+}
+
+void LiveSystem::tick() {
+    between_ticks();
     running_->system->tick();
 }
 

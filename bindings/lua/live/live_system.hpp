@@ -41,6 +41,8 @@ public:
     void activate();
     /// Takes what was saved, if anything, and runs one tick.
     void tick();
+    /// Takes what was saved, if anything: for the time in which no tick comes.
+    void between_ticks();
     /// Reads the file again and starts anew from time 0, activated: everything is as in the file. On an error the
     /// system that runs has not been touched.
     Expected<void> restart();

@@ -1,0 +1,142 @@
+// Deadlines are the pacer's; what is left before them belongs to the attendants.
+#include "bindings/cli/run_loop.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+namespace nezumi::cli {
+namespace {
+
+Pacer::Clock::duration duration_of(double seconds) {
+    return std::chrono::duration_cast<Pacer::Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+// The last part of a wait is the pacer's, which sleeps to the point [s].
+constexpr double precise = 0.001;
+// What attendants leave of the time before a tick, for all that comes between their turn and it [s].
+constexpr double margin = 0.0002;
+
+}  // namespace
+
+RunLoop::RunLoop(LiveSystem& live, const Options& options) : live_(live), options_(options), starts_(live.starts()) {
+    assert(options.speed > 0);
+    pace_anew();
+}
+
+void RunLoop::pace_anew() {
+    before_ = lateness();
+    pacer_.reset();
+    if (std::isfinite(options_.speed)) pacer_ = std::make_unique<Pacer>(live_.system().settings().rate, options_.speed);
+}
+
+RunLoop::Lateness RunLoop::lateness() const {
+    Lateness all = before_;
+    if (pacer_ == nullptr) return all;
+    all.late += pacer_->late();
+    all.skipped += pacer_->skipped();
+    all.latest = pacer_->lateness();
+    all.worst = std::max(all.worst, pacer_->worst_lateness());
+    return all;
+}
+
+void RunLoop::resume() {
+    if (is_paused() && pacer_ != nullptr) pacer_->restart();
+    ticks_left_ = kForever;
+}
+
+void RunLoop::advance(std::int64_t ticks) {
+    if (is_paused() && pacer_ != nullptr) pacer_->restart();
+    ticks_left_ = std::clamp<std::int64_t>(ticks, 0, kForever - 1);
+}
+
+void RunLoop::set_speed(double factor) {
+    assert(factor > 0);
+    options_.speed = factor;
+    pace_anew();
+}
+
+Expected<void> RunLoop::restart() {
+    auto restarted = live_.restart();
+    follow_restart();
+    return restarted;
+}
+
+std::vector<LogLine> RunLoop::problems() const {
+    return options_.problems != nullptr ? options_.problems->lines() : std::vector<LogLine>{};
+}
+
+bool RunLoop::ended() const {
+    const System& system = live_.system();
+    return quit_ || interrupted() || system.fatal_error() || system.now().seconds >= end_at_ - 1e-9;
+}
+
+void RunLoop::follow_restart() {
+    if (starts_ == live_.starts()) return;
+    starts_ = live_.starts();
+    pace_anew();  // its rate may be another
+}
+
+void RunLoop::run() {
+    if (pacer_ != nullptr) pacer_->restart();
+    while (!ended()) {
+        serve_until_due();
+        if (ended()) return;
+        if (!is_paused()) tick();
+    }
+}
+
+void RunLoop::tick() {
+    if (pacer_ != nullptr) pacer_->wait();
+    live_.tick();
+    advanced_ += 1 / live_.system().settings().rate;
+    if (ticks_left_ != kForever) --ticks_left_;
+    for (const auto& action : after_tick_) action();
+}
+
+void RunLoop::serve_until_due() {
+    for (;;) {
+        const auto now = Clock::now();
+        const double spare = spare_seconds();
+        // Ticks that are never in time, or never wait, still let the others have a turn now and then.
+        const bool starving = now - served_ > duration_of(more_waits_ ? kSlice * 2 : kLongestWait / 2);
+        if (spare < 2 * margin && !starving) return;
+
+        serve(now + duration_of(std::clamp(spare - margin, margin, kSlice)));
+        if (is_paused()) live_.between_ticks();
+        follow_restart();
+        if (ended()) return;
+        const double left = spare_seconds() - margin;
+        if (more_waits_ && left > 0) continue;
+        if (left < precise) return;
+        wait_for_files(std::min(left - precise / 2, kLongestWait));
+    }
+}
+
+double RunLoop::spare_seconds() const {
+    if (is_paused()) return kLongestWait;
+    return pacer_ != nullptr ? std::chrono::duration<double>(pacer_->until_due()).count() : 0;
+}
+
+void RunLoop::serve(Clock::time_point until) {
+    more_waits_ = false;
+    for (Attendant* attendant : attendants_) more_waits_ = attendant->serve(until) || more_waits_;
+    served_ = Clock::now();
+}
+
+void RunLoop::wait_for_files(double seconds) {
+    std::vector<int> files;
+    for (const Attendant* attendant : attendants_) attendant->add_files(files);
+    std::vector<pollfd> polled;
+    polled.reserve(files.size());
+    for (const int file : files) polled.push_back({.fd = file, .events = POLLIN, .revents = 0});
+    const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(seconds * 1e9)};  // kLongestWait is far below 1 s
+    ppoll(polled.data(), polled.size(), &timeout, nullptr);  // a signal ends it as well, and the loop looks again
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,121 @@
+// Runs a system tick by tick, by the clock or as fast as possible, and serves others between two ticks.
+#pragma once
+
+#include <csignal>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "bindings/cli/problems.hpp"
+#include "bindings/console/clock_control.hpp"
+#include "bindings/lua/live/live_system.hpp"
+#include "engine/pacer.hpp"
+
+namespace nezumi::cli {
+
+/// As a speed: ticks follow each other without waiting.
+inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
+
+/// Something that has its turn between two ticks: the console, its socket, a status line.
+class Attendant {
+public:
+    virtual ~Attendant() = default;
+
+    /// Does what waits. With every tick on time `until` is when the next is due, at most `RunLoop::kSlice` away; work
+    /// that would last longer is to be left for the next turn. Returns whether more waits: then the next turn comes as
+    /// soon as possible.
+    virtual bool serve(Pacer::Clock::time_point until) = 0;
+
+    /// Adds the file descriptors that it reads from: its turn comes as soon as one of them is readable.
+    virtual void add_files(std::vector<int>& /*files*/) const {}
+};
+
+class RunLoop final : public ClockControl {
+public:
+    /// The longest turn of all attendants together, and how long they wait at most for their next one [s].
+    static constexpr double kSlice = 0.001;
+    static constexpr double kLongestWait = 0.05;
+
+    /// How ticks have kept to the clock.
+    struct Lateness {
+        std::uint64_t late = 0;     ///< ticks that began later than a tenth of a period after they were due
+        std::uint64_t skipped = 0;  ///< ticks that were left out after stalls
+        double latest = 0;          ///< [s] how late the latest tick began
+        double worst = 0;           ///< [s]
+    };
+
+    struct Options {
+        double speed = 1;                    ///< a factor of real time, or `as_fast_as_possible`
+        bool hardware = false;               ///< real robots move
+        const Problems* problems = nullptr;  ///< what has been logged; must outlive the loop
+    };
+
+    /// The system must outlive the loop, be active, and be ticked by nobody else.
+    RunLoop(LiveSystem& live, const Options& options);
+
+    /// Attendants have their turns in the order in which they were added, and must outlive the loop.
+    void add(Attendant& attendant) { attendants_.push_back(&attendant); }
+    /// Is called after every tick.
+    void after_tick(std::function<void()> action) { after_tick_.push_back(std::move(action)); }
+    /// The run ends as soon as this is not 0: what a signal's handler sets. It must outlive the loop.
+    void end_when(const volatile std::sig_atomic_t& flag) { end_ = &flag; }
+    /// The run ends when simulated time gets there [s].
+    void end_at(double seconds) { end_at_ = seconds; }
+
+    /// Runs until the end: `quit`, `end_when`, `end_at`, or an error that the system can't go on after.
+    void run();
+    /// Runs one tick, as `run` does, whenever it is due: for those who have a loop of their own.
+    void tick();
+
+    // What attendants may do in their turn, and anybody before `run`.
+    bool is_hardware() const override { return options_.hardware; }
+    void pause() override { ticks_left_ = 0; }
+    void resume() override;
+    bool is_paused() const override { return ticks_left_ == 0; }
+    void advance(std::int64_t ticks) override;
+    bool is_advancing() const override { return ticks_left_ > 0 && ticks_left_ < kForever; }
+    void set_speed(double factor) override;
+    double speed() const override { return options_.speed; }
+    Expected<void> restart() override;
+    void quit() override { quit_ = true; }
+    std::vector<LogLine> problems() const override;
+
+    /// Simulated seconds that have passed in all, over restarts.
+    double advanced() const { return advanced_; }
+    /// Whether `end_when` has ended the run.
+    bool interrupted() const { return end_ != nullptr && *end_ != 0; }
+    Lateness lateness() const;
+    LiveSystem& live() { return live_; }
+    const LiveSystem& live() const { return live_; }
+
+private:
+    using Clock = Pacer::Clock;
+    static constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
+
+    bool ended() const;
+    void follow_restart();
+    void pace_anew();
+    void serve_until_due();
+    double spare_seconds() const;
+    void serve(Clock::time_point until);
+    void wait_for_files(double seconds);
+
+    LiveSystem& live_;
+    Options options_;
+    double end_at_ = as_fast_as_possible;
+    const volatile std::sig_atomic_t* end_ = nullptr;
+    std::vector<Attendant*> attendants_;
+    std::vector<std::function<void()>> after_tick_;
+    std::unique_ptr<Pacer> pacer_;  // none: as fast as possible
+    Lateness before_;               // of the pacers before this one
+    Clock::time_point served_{};
+    std::int64_t ticks_left_ = kForever;
+    double advanced_ = 0;
+    int starts_ = 0;
+    bool more_waits_ = false;
+    bool quit_ = false;
+};
+
+}  // namespace nezumi::cli

@@ -1,0 +1,48 @@
+// The time of a running system as the console's words drive it: what the loop that runs the ticks lends to the console.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/error.hpp"
+#include "engine/log.hpp"
+
+namespace nezumi {
+
+/// Implemented by the loop that runs the ticks; called between two ticks, from the thread that runs them. What may not
+/// be done on hardware (`speed`, `step`, `run`, `restart`) the console refuses itself, by `is_hardware`.
+class ClockControl {
+public:
+    virtual ~ClockControl() = default;
+
+    /// Real robots move: `--hw`.
+    virtual bool is_hardware() const = 0;
+
+    /// No ticks pass until `resume` or `advance`. On hardware the robots are stopped.
+    virtual void pause() = 0;
+    /// Ticks pass again, at `speed`.
+    virtual void resume() = 0;
+    virtual bool is_paused() const = 0;
+
+    /// Lets so many ticks pass from now on, at `speed`, and pauses then. `pause` and `resume` end it early; another
+    /// `advance` begins anew.
+    virtual void advance(std::int64_t ticks) = 0;
+    /// Ticks of an `advance` are still to come.
+    virtual bool is_advancing() const = 0;
+
+    /// Simulated seconds a second, positive; infinity: as fast as possible.
+    virtual void set_speed(double factor) = 0;
+    virtual double speed() const = 0;
+
+    /// Reads the system file again and starts anew from time 0 (`LiveSystem::restart`, and the clock with it). An error
+    /// leaves everything as it was.
+    virtual Expected<void> restart() = 0;
+
+    /// Ends the run in good order, soon after this returns.
+    virtual void quit() = 0;
+
+    /// The latest warnings and errors of the log, oldest first.
+    virtual std::vector<LogLine> problems() const = 0;
+};
+
+}  // namespace nezumi

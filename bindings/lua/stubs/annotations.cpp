@@ -1,0 +1,121 @@
+// Writes the classes of values and ports from the descriptions of the message types.
+#include "bindings/lua/stubs/annotations.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/stubs/message_shape.hpp"
+
+namespace nezumi {
+namespace {
+
+// What scripts read is whole; in what they write, fields may be left out.
+enum class Use { read, write };
+
+std::string type_of(const Shape& shape, Use use) {
+    std::string type;
+    switch (shape.kind) {
+        case Shape::Kind::boolean: type = "boolean"; break;
+        case Shape::Kind::integer: type = "integer"; break;
+        case Shape::Kind::number: type = "number"; break;
+        case Shape::Kind::text:
+        case Shape::Kind::octets: type = "string"; break;
+        case Shape::Kind::structure: type = fmt::format("{}{}", shape.name, use == Use::write ? ".Written" : ""); break;
+    }
+    return shape.sequence ? type + "[]" : type;
+}
+
+// "[m/s] speed along the robot's x axis", as far as there is something to say.
+std::string remark(const FieldShape& field) {
+    std::string text;
+    if (!field.unit.empty()) text = fmt::format(" [{}]", field.unit);
+    if (!field.doc.empty()) text += fmt::format(" {}", field.doc);
+    if (field.shape.kind == Shape::Kind::integer) text += fmt::format(" {}..{}", field.shape.min, field.shape.max);
+    return text;
+}
+
+// A structure after those that it is made of, each once.
+void add_structure(std::string& text, const Shape& shape, std::set<std::string_view>& done) {
+    if (shape.kind != Shape::Kind::structure || !done.insert(shape.name).second) return;
+    for (const FieldShape& field : shape.fields) add_structure(text, field.shape, done);
+    for (const Use use : {Use::read, Use::write}) {
+        text += fmt::format("---@class (exact) {}{}\n", shape.name, use == Use::write ? ".Written" : "");
+        for (const FieldShape& field : shape.fields) {
+            text += fmt::format("---@field {}{} {}{}\n", field.name, use == Use::write ? "?" : "",
+                                type_of(field.shape, use), remark(field));
+        }
+        text += "\n";
+    }
+}
+
+std::string limits(const Shape& shape) {
+    return shape.kind == Shape::Kind::integer ? fmt::format(" from {} to {}", shape.min, shape.max) : "";
+}
+
+void add_ports(std::string& text, const MessageShape& message) {
+    text += fmt::format(
+        "---An in-port of {0}: {1}{2}.\n"
+        "---@class {0}.In : InPort\n"
+        "---@field read fun(self: {0}.In): {3}\n\n"
+        "---An out-port of {0}: {1}{2}.\n"
+        "---@class {0}.Out : OutPort\n"
+        "---@field write fun(self: {0}.Out, value: {4})\n\n",
+        message.name, message.doc, limits(message.shape), type_of(message.shape, Use::read),
+        type_of(message.shape, Use::write));
+}
+
+// `input` or `output` with an overload for each type, so that the port has its type's class.
+void add_word(std::string& text, std::string_view word, std::string_view suffix, std::string_view doc,
+              const std::vector<MessageShape>& messages) {
+    text += fmt::format("---{}\n", doc);
+    for (const MessageShape& message : messages) {
+        text += fmt::format(
+            "---@overload fun(name: string, type: \"{0}\", doc?: string, options?: {0}.{1}Options): {0}.{1}\n",
+            message.name, suffix);
+    }
+    text += fmt::format("function {}(name, type, doc, options) end\n\n", word);
+}
+
+}  // namespace
+
+std::string annotations() {
+    const std::vector<MessageShape> messages = message_shapes();
+    std::string text =
+        "---@meta\n"
+        "--- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.\n"
+        "--- Written by `nezumi types --lua`; do not edit.\n\n"
+        "---@alias MessageType";
+    for (std::size_t i = 0; i < messages.size(); ++i)
+        text += fmt::format("{}\"{}\"", i == 0 ? " " : "|", messages[i].name);
+    text += "\n\n";
+    std::set<std::string_view> done;
+    for (const MessageShape& message : messages) add_structure(text, message.shape, done);
+    text +=
+        "---@class InPort\n"
+        "---@field is_new boolean something unread waits\n"
+        "---@field tm number [s] stamp of the value, 0 before anything came\n"
+        "---@field age number [s] now() - tm, math.huge before anything came\n"
+        "---@field connected boolean\n"
+        "---@field stale boolean nothing came for 0.5 s, or nothing can come\n\n"
+        "---@class OutPort\n\n";
+    for (const MessageShape& message : messages) {
+        add_ports(text, message);
+        text += fmt::format(
+            "---@class (exact) {0}.InOptions\n"
+            "---@field queue? integer keep so many unread messages; without it the latest only\n\n"
+            "---@class (exact) {0}.OutOptions\n"
+            "---@field safe? {1} written when the component stops\n\n",
+            message.name, type_of(message.shape, Use::write));
+    }
+    add_word(text, "input", "In",
+             "Declares an in-port: `local range = input(\"range\", \"TimedShortSeq\", \"what it is\")`.", messages);
+    add_word(text, "output", "Out",
+             "Declares an out-port: `local target = output(\"target\", \"TimedVelocity2D\", \"what it is\")`.",
+             messages);
+    return text + detail::behavior_annotations + detail::system_annotations + detail::scenario_annotations;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,209 @@
+// The words of a scenario's file, as annotations.
+#include "bindings/lua/stubs/annotations.hpp"
+
+namespace nezumi::detail {
+
+const char* const scenario_annotations = R"lua(---A port as seen from outside: looking at it consumes nothing.
+---@class Port
+---@field value any
+---@field tm number [s]
+---@field age number [s]
+---@field connected boolean
+---@field type MessageType
+---@field peers string[]
+---@field write fun(self: Port, value: any)
+
+---@class Pose
+---@field position { x: number, y: number } [m]
+---@field heading number [rad]
+
+---@class Component
+---@field name string
+---@field type string
+---@field status "INACTIVE"|"ACTIVE"|"ERROR"
+---@field version integer
+---@field ports table<string, Port>
+---@field config table<string, ParameterValue>
+---@field state table
+---@field truth { pose: Pose, velocity: Velocity2D } of a robot
+---@field collided boolean of a robot: it touches something
+---@field activate fun(self: Component)
+---@field deactivate fun(self: Component)
+---@field reset fun(self: Component)
+---@field use fun(self: Component, set: string)
+---@field [string] any its ports and commands
+
+---@alias World table<string, Component>
+---@alias PortName Port|string a port or "name.port"
+---@alias Condition fun(): any
+
+---@class (exact) ScenarioOptions
+---@field timeout? number [s] simulated
+---@field sweep? table<string, any[]|Range> a run for each combination
+---@field samples? integer draw so many combinations at random
+
+---@class Range
+
+---@param from number
+---@param to number
+---@return Range
+function range(from, to) end
+
+---@param name string
+---@param options ScenarioOptions
+---@param fn fun(s: Scenario, p: table<string, any>)
+---@overload fun(name: string, fn: fun(s: Scenario))
+function scenario(name, options, fn) end
+
+---@class Scenario
+local s = {}
+
+---Loads a system file and activates what it names.
+---@param file string
+---@return World
+function s:load(file) end
+
+---@param name string
+---@param fields RobotFields
+---@overload fun(self: Scenario, name: string): fun(fields: RobotFields): Component
+---@return Component
+function s:robot(name, fields) end
+
+---@param name string
+---@param fields BehaviorFields
+---@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields): Component
+---@return Component
+function s:behavior(name, fields) end
+
+---@param name string
+---@param fields ComponentFields
+---@overload fun(self: Scenario, name: string): fun(fields: ComponentFields): Component
+---@return Component
+function s:component(name, fields) end
+
+---@param from PortName
+---@param to PortName
+function s:connect(from, to) end
+
+---@param fields ArenaFields
+function s:arena(fields) end
+
+---Holds from here to the end, after every tick.
+---@param name string
+---@param condition Condition
+---@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+function s:always(name, condition) end
+
+---Never holds, from here to the end.
+---@param name string
+---@param condition Condition
+---@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+function s:never(name, condition) end
+
+---Lets time pass.
+---@param seconds number [s]
+function s:run(seconds) end
+
+---@param name string
+---@param options { within?: number } [s]
+---@param condition Condition
+function s:wait_until(name, options, condition) end
+
+---@param name string
+---@param options { within?: number } [s]
+---@param condition Condition
+function s:eventually(name, options, condition) end
+
+---@param name string
+---@param options { hold: number, within?: number } [s] the hold begins within `within`
+---@param condition Condition
+function s:maintain(name, options, condition) end
+
+---@param value any
+---@param message? string
+function s:check(value, message) end
+
+---@param actual number
+---@param expected number
+---@param tolerance number
+function s:near(actual, expected, tolerance) end
+
+---One message as from a connection.
+---@param port PortName
+---@param value any
+function s:inject(port, value) end
+
+---This value and nothing else, until `release`.
+---@param port PortName
+---@param value any
+function s:hold(port, value) end
+
+---@param port PortName
+function s:release(port) end
+
+---@param component Component|string
+---@param new { file?: string, text?: string }
+---@return boolean ok
+---@return string? message
+function s:reload(component, new) end
+
+---Nothing gets through.
+---@param port PortName
+---@param seconds? number [s] without it until `restore`
+function s:drop(port, seconds) end
+
+---The present value again and again.
+---@param port PortName
+---@param seconds? number [s] without it until `restore`
+function s:freeze(port, seconds) end
+
+---A hand that moves the robot.
+---@param robot Component|string
+---@param push { vx?: number, va?: number, seconds?: number }
+function s:disturb(robot, push) end
+
+---@param robot Component|string
+---@param button string
+---@param seconds? number [s] without it until `restore`
+function s:press(robot, button, seconds) end
+
+---@param robot Component|string
+---@param pose { x?: number, y?: number, heading?: number }
+function s:teleport(robot, pose) end
+
+---Ends what `drop`, `freeze`, `disturb` and `press` began.
+---@param thing PortName|Component
+function s:restore(thing) end
+)lua";
+
+}  // namespace nezumi::detail
+
+namespace nezumi {
+
+const char* const annotations_plugin =
+    R"lua(--- A plugin of the Lua language server: `config.` completes the parameters that a file declares with `param`.
+--- Written by `nezumi new project`.
+
+local function type_of(default)
+  if default == "true" or default == "false" then return "boolean" end
+  if default:find("^[\"']") then return "string" end
+  if default:find("^{") then return type_of(default:match("^{%s*([^%s,}]+)") or "0.0") .. "[]" end
+  return math.type(tonumber(default)) == "integer" and "integer" or "number"
+end
+
+function OnSetText(uri, text)
+  local fields = {}
+  for name, at in text:gmatch("%f[%w_]param%s*%(?%s*[\"']([%a_][%w_]*)[\"']%s*,%s*()") do
+    local default = text:match("^%b{}", at) or text:match("^[^,)%s]+", at) or ""
+    table.insert(fields, ("---@field %s %s\n"):format(name, type_of(default)))
+  end
+  if #fields == 0 then return nil end
+  local class = "Config." .. (uri:match("([%w_]+)%.lua$") or "here")
+  return { {
+    start = 1, finish = 0,
+    text = ("---@class (exact) %s\n%slocal config\n"):format(class, table.concat(fields)),
+  } }
+end
+)lua";
+
+}  // namespace nezumi

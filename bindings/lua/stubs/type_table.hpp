@@ -1,0 +1,16 @@
+// The message types as text for a person: fields, units and limits.
+#pragma once
+
+#include <string>
+
+#include "bindings/lua/stubs/message_shape.hpp"
+
+namespace nezumi {
+
+/// One message type: a line with its name and meaning, then a line for each field.
+std::string type_table(const MessageShape& message);
+
+/// All message types, and what holds for all of them.
+std::string type_table();
+
+}  // namespace nezumi

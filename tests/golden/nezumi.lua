@@ -1,0 +1,742 @@
+---@meta
+--- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.
+--- Written by `nezumi types --lua`; do not edit.
+
+---@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"
+
+---@class (exact) Velocity2D
+---@field vx number [m/s] speed along the robot's x axis (forward)
+---@field vy number [m/s] speed along the robot's y axis (left); 0 for two wheels that don't skid
+---@field va number [rad/s] yaw rate, counter-clockwise
+
+---@class (exact) Velocity2D.Written
+---@field vx? number [m/s] speed along the robot's x axis (forward)
+---@field vy? number [m/s] speed along the robot's y axis (left); 0 for two wheels that don't skid
+---@field va? number [rad/s] yaw rate, counter-clockwise
+
+---@class (exact) Point2D
+---@field x number [m]
+---@field y number [m]
+
+---@class (exact) Point2D.Written
+---@field x? number [m]
+---@field y? number [m]
+
+---@class (exact) Pose2D
+---@field position Point2D where
+---@field heading number [rad] which way, counter-clockwise from the x axis
+
+---@class (exact) Pose2D.Written
+---@field position? Point2D.Written where
+---@field heading? number [rad] which way, counter-clockwise from the x axis
+
+---@class (exact) Point3D
+---@field x number [m]
+---@field y number [m]
+---@field z number [m]
+
+---@class (exact) Point3D.Written
+---@field x? number [m]
+---@field y? number [m]
+---@field z? number [m]
+
+---@class (exact) Orientation3D
+---@field r number [rad] roll about x
+---@field p number [rad] pitch about y
+---@field y number [rad] yaw about z, counter-clockwise
+
+---@class (exact) Orientation3D.Written
+---@field r? number [rad] roll about x
+---@field p? number [rad] pitch about y
+---@field y? number [rad] yaw about z, counter-clockwise
+
+---@class (exact) Pose3D
+---@field position Point3D where
+---@field orientation Orientation3D roll, pitch and yaw
+
+---@class (exact) Pose3D.Written
+---@field position? Point3D.Written where
+---@field orientation? Orientation3D.Written roll, pitch and yaw
+
+---@class (exact) Size3D
+---@field l number [m] along x
+---@field w number [m] along y
+---@field h number [m] along z
+
+---@class (exact) Size3D.Written
+---@field l? number [m] along x
+---@field w? number [m] along y
+---@field h? number [m] along z
+
+---@class (exact) RangerElement
+---@field pose Pose3D relative to the ranger
+---@field size Size3D extent of the element
+
+---@class (exact) RangerElement.Written
+---@field pose? Pose3D.Written relative to the ranger
+---@field size? Size3D.Written extent of the element
+
+---@class (exact) RangerGeometry
+---@field pose Pose3D in the robot's frame
+---@field size Size3D extent of the device
+---@field elements RangerElement[] its single transducers
+
+---@class (exact) RangerGeometry.Written
+---@field pose? Pose3D.Written in the robot's frame
+---@field size? Size3D.Written extent of the device
+---@field elements? RangerElement.Written[] its single transducers
+
+---@class (exact) RangerConfig
+---@field minAngle number [rad] first scan angle
+---@field maxAngle number [rad] last scan angle
+---@field angularRes number [rad] angle between two scans
+---@field minRange number [m] shortest distance it measures
+---@field maxRange number [m] longest distance it measures
+---@field rangeRes number [m] resolution of a distance
+---@field frequency number [Hz] scans per second
+
+---@class (exact) RangerConfig.Written
+---@field minAngle? number [rad] first scan angle
+---@field maxAngle? number [rad] last scan angle
+---@field angularRes? number [rad] angle between two scans
+---@field minRange? number [m] shortest distance it measures
+---@field maxRange? number [m] longest distance it measures
+---@field rangeRes? number [m] resolution of a distance
+---@field frequency? number [Hz] scans per second
+
+---@class (exact) RangeData
+---@field ranges number[] [m] distances, one per scan angle
+---@field geometry RangerGeometry where the ranger sits
+---@field config RangerConfig what it can measure
+
+---@class (exact) RangeData.Written
+---@field ranges? number[] [m] distances, one per scan angle
+---@field geometry? RangerGeometry.Written where the ranger sits
+---@field config? RangerConfig.Written what it can measure
+
+---@class (exact) CameraImage
+---@field width integer [px] 0..65535
+---@field height integer [px] 0..65535
+---@field bpp integer [bit] bits per pixel 0..65535
+---@field format string how a pixel is stored, for example "rgb8" or "gray8"
+---@field fDiv number scale factor of a compressed image
+---@field pixels string the bytes, row by row from the top left; a string in Lua
+
+---@class (exact) CameraImage.Written
+---@field width? integer [px] 0..65535
+---@field height? integer [px] 0..65535
+---@field bpp? integer [bit] bits per pixel 0..65535
+---@field format? string how a pixel is stored, for example "rgb8" or "gray8"
+---@field fDiv? number scale factor of a compressed image
+---@field pixels? string the bytes, row by row from the top left; a string in Lua
+
+---@class InPort
+---@field is_new boolean something unread waits
+---@field tm number [s] stamp of the value, 0 before anything came
+---@field age number [s] now() - tm, math.huge before anything came
+---@field connected boolean
+---@field stale boolean nothing came for 0.5 s, or nothing can come
+
+---@class OutPort
+
+---An in-port of TimedBoolean: one truth value.
+---@class TimedBoolean.In : InPort
+---@field read fun(self: TimedBoolean.In): boolean
+
+---An out-port of TimedBoolean: one truth value.
+---@class TimedBoolean.Out : OutPort
+---@field write fun(self: TimedBoolean.Out, value: boolean)
+
+---@class (exact) TimedBoolean.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedBoolean.OutOptions
+---@field safe? boolean written when the component stops
+
+---An in-port of TimedShort: one 16-bit integer from -32768 to 32767.
+---@class TimedShort.In : InPort
+---@field read fun(self: TimedShort.In): integer
+
+---An out-port of TimedShort: one 16-bit integer from -32768 to 32767.
+---@class TimedShort.Out : OutPort
+---@field write fun(self: TimedShort.Out, value: integer)
+
+---@class (exact) TimedShort.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedShort.OutOptions
+---@field safe? integer written when the component stops
+
+---An in-port of TimedLong: one 32-bit integer from -2147483648 to 2147483647.
+---@class TimedLong.In : InPort
+---@field read fun(self: TimedLong.In): integer
+
+---An out-port of TimedLong: one 32-bit integer from -2147483648 to 2147483647.
+---@class TimedLong.Out : OutPort
+---@field write fun(self: TimedLong.Out, value: integer)
+
+---@class (exact) TimedLong.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedLong.OutOptions
+---@field safe? integer written when the component stops
+
+---An in-port of TimedFloat: one 32-bit number.
+---@class TimedFloat.In : InPort
+---@field read fun(self: TimedFloat.In): number
+
+---An out-port of TimedFloat: one 32-bit number.
+---@class TimedFloat.Out : OutPort
+---@field write fun(self: TimedFloat.Out, value: number)
+
+---@class (exact) TimedFloat.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedFloat.OutOptions
+---@field safe? number written when the component stops
+
+---An in-port of TimedDouble: one 64-bit number.
+---@class TimedDouble.In : InPort
+---@field read fun(self: TimedDouble.In): number
+
+---An out-port of TimedDouble: one 64-bit number.
+---@class TimedDouble.Out : OutPort
+---@field write fun(self: TimedDouble.Out, value: number)
+
+---@class (exact) TimedDouble.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedDouble.OutOptions
+---@field safe? number written when the component stops
+
+---An in-port of TimedString: one text.
+---@class TimedString.In : InPort
+---@field read fun(self: TimedString.In): string
+
+---An out-port of TimedString: one text.
+---@class TimedString.Out : OutPort
+---@field write fun(self: TimedString.Out, value: string)
+
+---@class (exact) TimedString.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedString.OutOptions
+---@field safe? string written when the component stops
+
+---An in-port of TimedBooleanSeq: a sequence of truth values.
+---@class TimedBooleanSeq.In : InPort
+---@field read fun(self: TimedBooleanSeq.In): boolean[]
+
+---An out-port of TimedBooleanSeq: a sequence of truth values.
+---@class TimedBooleanSeq.Out : OutPort
+---@field write fun(self: TimedBooleanSeq.Out, value: boolean[])
+
+---@class (exact) TimedBooleanSeq.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedBooleanSeq.OutOptions
+---@field safe? boolean[] written when the component stops
+
+---An in-port of TimedShortSeq: a sequence of 16-bit integers from -32768 to 32767.
+---@class TimedShortSeq.In : InPort
+---@field read fun(self: TimedShortSeq.In): integer[]
+
+---An out-port of TimedShortSeq: a sequence of 16-bit integers from -32768 to 32767.
+---@class TimedShortSeq.Out : OutPort
+---@field write fun(self: TimedShortSeq.Out, value: integer[])
+
+---@class (exact) TimedShortSeq.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedShortSeq.OutOptions
+---@field safe? integer[] written when the component stops
+
+---An in-port of TimedLongSeq: a sequence of 32-bit integers from -2147483648 to 2147483647.
+---@class TimedLongSeq.In : InPort
+---@field read fun(self: TimedLongSeq.In): integer[]
+
+---An out-port of TimedLongSeq: a sequence of 32-bit integers from -2147483648 to 2147483647.
+---@class TimedLongSeq.Out : OutPort
+---@field write fun(self: TimedLongSeq.Out, value: integer[])
+
+---@class (exact) TimedLongSeq.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedLongSeq.OutOptions
+---@field safe? integer[] written when the component stops
+
+---An in-port of TimedFloatSeq: a sequence of 32-bit numbers.
+---@class TimedFloatSeq.In : InPort
+---@field read fun(self: TimedFloatSeq.In): number[]
+
+---An out-port of TimedFloatSeq: a sequence of 32-bit numbers.
+---@class TimedFloatSeq.Out : OutPort
+---@field write fun(self: TimedFloatSeq.Out, value: number[])
+
+---@class (exact) TimedFloatSeq.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedFloatSeq.OutOptions
+---@field safe? number[] written when the component stops
+
+---An in-port of TimedDoubleSeq: a sequence of 64-bit numbers.
+---@class TimedDoubleSeq.In : InPort
+---@field read fun(self: TimedDoubleSeq.In): number[]
+
+---An out-port of TimedDoubleSeq: a sequence of 64-bit numbers.
+---@class TimedDoubleSeq.Out : OutPort
+---@field write fun(self: TimedDoubleSeq.Out, value: number[])
+
+---@class (exact) TimedDoubleSeq.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedDoubleSeq.OutOptions
+---@field safe? number[] written when the component stops
+
+---An in-port of TimedStringSeq: a sequence of texts.
+---@class TimedStringSeq.In : InPort
+---@field read fun(self: TimedStringSeq.In): string[]
+
+---An out-port of TimedStringSeq: a sequence of texts.
+---@class TimedStringSeq.Out : OutPort
+---@field write fun(self: TimedStringSeq.Out, value: string[])
+
+---@class (exact) TimedStringSeq.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedStringSeq.OutOptions
+---@field safe? string[] written when the component stops
+
+---An in-port of TimedVelocity2D: a velocity in the robot's own frame.
+---@class TimedVelocity2D.In : InPort
+---@field read fun(self: TimedVelocity2D.In): Velocity2D
+
+---An out-port of TimedVelocity2D: a velocity in the robot's own frame.
+---@class TimedVelocity2D.Out : OutPort
+---@field write fun(self: TimedVelocity2D.Out, value: Velocity2D.Written)
+
+---@class (exact) TimedVelocity2D.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedVelocity2D.OutOptions
+---@field safe? Velocity2D.Written written when the component stops
+
+---An in-port of TimedPose2D: a place and heading on the floor.
+---@class TimedPose2D.In : InPort
+---@field read fun(self: TimedPose2D.In): Pose2D
+
+---An out-port of TimedPose2D: a place and heading on the floor.
+---@class TimedPose2D.Out : OutPort
+---@field write fun(self: TimedPose2D.Out, value: Pose2D.Written)
+
+---@class (exact) TimedPose2D.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedPose2D.OutOptions
+---@field safe? Pose2D.Written written when the component stops
+
+---An in-port of TimedPose3D: a place and orientation in space.
+---@class TimedPose3D.In : InPort
+---@field read fun(self: TimedPose3D.In): Pose3D
+
+---An out-port of TimedPose3D: a place and orientation in space.
+---@class TimedPose3D.Out : OutPort
+---@field write fun(self: TimedPose3D.Out, value: Pose3D.Written)
+
+---@class (exact) TimedPose3D.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) TimedPose3D.OutOptions
+---@field safe? Pose3D.Written written when the component stops
+
+---An in-port of RangeData: distances measured by a ranger.
+---@class RangeData.In : InPort
+---@field read fun(self: RangeData.In): RangeData
+
+---An out-port of RangeData: distances measured by a ranger.
+---@class RangeData.Out : OutPort
+---@field write fun(self: RangeData.Out, value: RangeData.Written)
+
+---@class (exact) RangeData.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) RangeData.OutOptions
+---@field safe? RangeData.Written written when the component stops
+
+---An in-port of CameraImage: a picture.
+---@class CameraImage.In : InPort
+---@field read fun(self: CameraImage.In): CameraImage
+
+---An out-port of CameraImage: a picture.
+---@class CameraImage.Out : OutPort
+---@field write fun(self: CameraImage.Out, value: CameraImage.Written)
+
+---@class (exact) CameraImage.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) CameraImage.OutOptions
+---@field safe? CameraImage.Written written when the component stops
+
+---Declares an in-port: `local range = input("range", "TimedShortSeq", "what it is")`.
+---@overload fun(name: string, type: "TimedBoolean", doc?: string, options?: TimedBoolean.InOptions): TimedBoolean.In
+---@overload fun(name: string, type: "TimedShort", doc?: string, options?: TimedShort.InOptions): TimedShort.In
+---@overload fun(name: string, type: "TimedLong", doc?: string, options?: TimedLong.InOptions): TimedLong.In
+---@overload fun(name: string, type: "TimedFloat", doc?: string, options?: TimedFloat.InOptions): TimedFloat.In
+---@overload fun(name: string, type: "TimedDouble", doc?: string, options?: TimedDouble.InOptions): TimedDouble.In
+---@overload fun(name: string, type: "TimedString", doc?: string, options?: TimedString.InOptions): TimedString.In
+---@overload fun(name: string, type: "TimedBooleanSeq", doc?: string, options?: TimedBooleanSeq.InOptions): TimedBooleanSeq.In
+---@overload fun(name: string, type: "TimedShortSeq", doc?: string, options?: TimedShortSeq.InOptions): TimedShortSeq.In
+---@overload fun(name: string, type: "TimedLongSeq", doc?: string, options?: TimedLongSeq.InOptions): TimedLongSeq.In
+---@overload fun(name: string, type: "TimedFloatSeq", doc?: string, options?: TimedFloatSeq.InOptions): TimedFloatSeq.In
+---@overload fun(name: string, type: "TimedDoubleSeq", doc?: string, options?: TimedDoubleSeq.InOptions): TimedDoubleSeq.In
+---@overload fun(name: string, type: "TimedStringSeq", doc?: string, options?: TimedStringSeq.InOptions): TimedStringSeq.In
+---@overload fun(name: string, type: "TimedVelocity2D", doc?: string, options?: TimedVelocity2D.InOptions): TimedVelocity2D.In
+---@overload fun(name: string, type: "TimedPose2D", doc?: string, options?: TimedPose2D.InOptions): TimedPose2D.In
+---@overload fun(name: string, type: "TimedPose3D", doc?: string, options?: TimedPose3D.InOptions): TimedPose3D.In
+---@overload fun(name: string, type: "RangeData", doc?: string, options?: RangeData.InOptions): RangeData.In
+---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.InOptions): CameraImage.In
+function input(name, type, doc, options) end
+
+---Declares an out-port: `local target = output("target", "TimedVelocity2D", "what it is")`.
+---@overload fun(name: string, type: "TimedBoolean", doc?: string, options?: TimedBoolean.OutOptions): TimedBoolean.Out
+---@overload fun(name: string, type: "TimedShort", doc?: string, options?: TimedShort.OutOptions): TimedShort.Out
+---@overload fun(name: string, type: "TimedLong", doc?: string, options?: TimedLong.OutOptions): TimedLong.Out
+---@overload fun(name: string, type: "TimedFloat", doc?: string, options?: TimedFloat.OutOptions): TimedFloat.Out
+---@overload fun(name: string, type: "TimedDouble", doc?: string, options?: TimedDouble.OutOptions): TimedDouble.Out
+---@overload fun(name: string, type: "TimedString", doc?: string, options?: TimedString.OutOptions): TimedString.Out
+---@overload fun(name: string, type: "TimedBooleanSeq", doc?: string, options?: TimedBooleanSeq.OutOptions): TimedBooleanSeq.Out
+---@overload fun(name: string, type: "TimedShortSeq", doc?: string, options?: TimedShortSeq.OutOptions): TimedShortSeq.Out
+---@overload fun(name: string, type: "TimedLongSeq", doc?: string, options?: TimedLongSeq.OutOptions): TimedLongSeq.Out
+---@overload fun(name: string, type: "TimedFloatSeq", doc?: string, options?: TimedFloatSeq.OutOptions): TimedFloatSeq.Out
+---@overload fun(name: string, type: "TimedDoubleSeq", doc?: string, options?: TimedDoubleSeq.OutOptions): TimedDoubleSeq.Out
+---@overload fun(name: string, type: "TimedStringSeq", doc?: string, options?: TimedStringSeq.OutOptions): TimedStringSeq.Out
+---@overload fun(name: string, type: "TimedVelocity2D", doc?: string, options?: TimedVelocity2D.OutOptions): TimedVelocity2D.Out
+---@overload fun(name: string, type: "TimedPose2D", doc?: string, options?: TimedPose2D.OutOptions): TimedPose2D.Out
+---@overload fun(name: string, type: "TimedPose3D", doc?: string, options?: TimedPose3D.OutOptions): TimedPose3D.Out
+---@overload fun(name: string, type: "RangeData", doc?: string, options?: RangeData.OutOptions): RangeData.Out
+---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.OutOptions): CameraImage.Out
+function output(name, type, doc, options) end
+
+---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]
+
+---@class (exact) ParameterOptions
+---@field min? number inclusive; of each element of an array
+---@field max? number inclusive; of each element of an array
+---@field step? number of widgets only
+---@field widget? "slider"|"spin"|"text"|"checkbox"|"radio"|string
+---@field unit? string
+---@field doc? string
+---@field choices? ParameterValue[]
+---@field min_size? integer of an array
+---@field max_size? integer of an array
+
+---Declares a parameter, read as `config.name`. Its type follows the default: `30` integer, `0.0` number.
+---@param name string
+---@param default ParameterValue
+---@param options? ParameterOptions
+function param(name, default, options) end
+
+---@class Config
+---@field [string] any
+
+---The parameters that the file declares; `config.x = v` holds from the next tick.
+---@type Config
+config = {}
+
+---Survives a reload: plain data only.
+---@type table<any, any>
+state = {}
+
+---[s] Time since the start.
+---@return number
+function now() end
+
+---[s] Time since the previous execution.
+---@type number
+dt = 0
+
+---@class Log
+---@field debug fun(...: any)
+---@field info fun(...: any)
+---@field warn fun(...: any)
+---@field error fun(...: any)
+log = {}
+
+---@class (exact) About
+---@field version? string
+---@field vendor? string
+---@field category? string
+
+---Says who made this component, and what it is.
+---@param fields About
+function about(fields) end
+
+---Declares a command, callable from console and scenario as `component:name(...)`.
+---@param name string
+---@param fn fun(...: any): any
+---@param doc? string
+function command(name, fn, doc) end
+
+---@class (exact) RobotFields
+---@field model string "raspimouse", or a file that returns robot_model { ... }
+---@field pose? { x?: number, y?: number, heading?: number } [m] [rad]
+---@field limits? { speed?: number, yaw_rate?: number, acceleration?: number, yaw_acceleration?: number } [m/s] [rad/s]
+---@field backend? string
+---@field active? boolean
+
+---@class (exact) BehaviorFields
+---@field script string the file `behaviors/SCRIPT.lua`
+---@field config? table<string, ParameterValue>
+---@field sets? table<string, table<string, ParameterValue>>
+---@field set? string the set in use
+---@field rate? number [Hz], at most the tick's
+---@field active? boolean
+
+---@class (exact) ComponentFields
+---@field type string of a native component
+---@field config? table<string, ParameterValue>
+---@field rate? number [Hz]
+---@field on? string the robot that carries it
+---@field at? number[] [m] { x, y, z } on that robot
+---@field yaw? number [rad]
+---@field active? boolean
+
+---@class Thing
+
+---@param fields { at: number[], size: number[], yaw?: number, pitch?: number, color?: string, mass?: number }
+---@return Thing
+function box(fields) end
+
+---@param fields { from: number[], to: number[], height?: number, thickness?: number, color?: string }
+---@return Thing
+function wall(fields) end
+
+---@param fields { at: number[], radius: number, height: number, mass?: number, color?: string }
+---@return Thing
+function cylinder(fields) end
+
+---@param fields { id: integer, name?: string, size?: number, at: number[], facing?: number }
+---@return Thing
+function marker(fields) end
+
+---@param fields { image: string, size: number[] }
+---@return Thing
+function floor(fields) end
+
+---Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.
+---@param file string
+---@return Thing
+function csv(file) end
+
+---@class (exact) ArenaFields
+---@field size? number[] [m] { x, y }
+---@field border? boolean|{ height?: number, thickness?: number }
+---@field [integer] Thing|Thing[]
+
+---@param fields ArenaFields
+function arena(fields) end
+
+---@param name string
+---@param fields RobotFields
+---@overload fun(name: string): fun(fields: RobotFields)
+function robot(name, fields) end
+
+---@param name string
+---@param fields BehaviorFields
+---@overload fun(name: string): fun(fields: BehaviorFields)
+function behavior(name, fields) end
+
+---@param name string
+---@param fields ComponentFields
+---@overload fun(name: string): fun(fields: ComponentFields)
+function component(name, fields) end
+
+---Connects an out-port to an in-port of the same type.
+---@param from string "name.port"
+---@param to string "name.port"
+function connect(from, to) end
+
+---@param n integer of everything random in the run
+function seed(n) end
+
+---@param hz number ticks a second, 100 unless it says otherwise
+function rate(hz) end
+
+---@param fields { step?: number } [s]
+function physics(fields) end
+
+---@param fields table
+---@return table
+function robot_model(fields) end
+
+---A port as seen from outside: looking at it consumes nothing.
+---@class Port
+---@field value any
+---@field tm number [s]
+---@field age number [s]
+---@field connected boolean
+---@field type MessageType
+---@field peers string[]
+---@field write fun(self: Port, value: any)
+
+---@class Pose
+---@field position { x: number, y: number } [m]
+---@field heading number [rad]
+
+---@class Component
+---@field name string
+---@field type string
+---@field status "INACTIVE"|"ACTIVE"|"ERROR"
+---@field version integer
+---@field ports table<string, Port>
+---@field config table<string, ParameterValue>
+---@field state table
+---@field truth { pose: Pose, velocity: Velocity2D } of a robot
+---@field collided boolean of a robot: it touches something
+---@field activate fun(self: Component)
+---@field deactivate fun(self: Component)
+---@field reset fun(self: Component)
+---@field use fun(self: Component, set: string)
+---@field [string] any its ports and commands
+
+---@alias World table<string, Component>
+---@alias PortName Port|string a port or "name.port"
+---@alias Condition fun(): any
+
+---@class (exact) ScenarioOptions
+---@field timeout? number [s] simulated
+---@field sweep? table<string, any[]|Range> a run for each combination
+---@field samples? integer draw so many combinations at random
+
+---@class Range
+
+---@param from number
+---@param to number
+---@return Range
+function range(from, to) end
+
+---@param name string
+---@param options ScenarioOptions
+---@param fn fun(s: Scenario, p: table<string, any>)
+---@overload fun(name: string, fn: fun(s: Scenario))
+function scenario(name, options, fn) end
+
+---@class Scenario
+local s = {}
+
+---Loads a system file and activates what it names.
+---@param file string
+---@return World
+function s:load(file) end
+
+---@param name string
+---@param fields RobotFields
+---@overload fun(self: Scenario, name: string): fun(fields: RobotFields): Component
+---@return Component
+function s:robot(name, fields) end
+
+---@param name string
+---@param fields BehaviorFields
+---@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields): Component
+---@return Component
+function s:behavior(name, fields) end
+
+---@param name string
+---@param fields ComponentFields
+---@overload fun(self: Scenario, name: string): fun(fields: ComponentFields): Component
+---@return Component
+function s:component(name, fields) end
+
+---@param from PortName
+---@param to PortName
+function s:connect(from, to) end
+
+---@param fields ArenaFields
+function s:arena(fields) end
+
+---Holds from here to the end, after every tick.
+---@param name string
+---@param condition Condition
+---@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+function s:always(name, condition) end
+
+---Never holds, from here to the end.
+---@param name string
+---@param condition Condition
+---@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+function s:never(name, condition) end
+
+---Lets time pass.
+---@param seconds number [s]
+function s:run(seconds) end
+
+---@param name string
+---@param options { within?: number } [s]
+---@param condition Condition
+function s:wait_until(name, options, condition) end
+
+---@param name string
+---@param options { within?: number } [s]
+---@param condition Condition
+function s:eventually(name, options, condition) end
+
+---@param name string
+---@param options { hold: number, within?: number } [s] the hold begins within `within`
+---@param condition Condition
+function s:maintain(name, options, condition) end
+
+---@param value any
+---@param message? string
+function s:check(value, message) end
+
+---@param actual number
+---@param expected number
+---@param tolerance number
+function s:near(actual, expected, tolerance) end
+
+---One message as from a connection.
+---@param port PortName
+---@param value any
+function s:inject(port, value) end
+
+---This value and nothing else, until `release`.
+---@param port PortName
+---@param value any
+function s:hold(port, value) end
+
+---@param port PortName
+function s:release(port) end
+
+---@param component Component|string
+---@param new { file?: string, text?: string }
+---@return boolean ok
+---@return string? message
+function s:reload(component, new) end
+
+---Nothing gets through.
+---@param port PortName
+---@param seconds? number [s] without it until `restore`
+function s:drop(port, seconds) end
+
+---The present value again and again.
+---@param port PortName
+---@param seconds? number [s] without it until `restore`
+function s:freeze(port, seconds) end
+
+---A hand that moves the robot.
+---@param robot Component|string
+---@param push { vx?: number, va?: number, seconds?: number }
+function s:disturb(robot, push) end
+
+---@param robot Component|string
+---@param button string
+---@param seconds? number [s] without it until `restore`
+function s:press(robot, button, seconds) end
+
+---@param robot Component|string
+---@param pose { x?: number, y?: number, heading?: number }
+function s:teleport(robot, pose) end
+
+---Ends what `drop`, `freeze`, `disturb` and `press` began.
+---@param thing PortName|Component
+function s:restore(thing) end

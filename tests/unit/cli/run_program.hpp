@@ -1,0 +1,123 @@
+// Runs the real executable, as a person or a script would, and keeps what it said.
+#pragma once
+
+#include <poll.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nezumi {
+
+/// Where the executable of this build lies: beside the test that runs.
+inline std::string nezumi_program() {
+    std::string path(4096, '\0');
+    const ssize_t length = readlink("/proc/self/exe", path.data(), path.size());
+    path.resize(length > 0 ? static_cast<std::size_t>(length) : 0);
+    return path.substr(0, path.rfind('/') + 1) + "nezumi";
+}
+
+/// A program that runs, with its standard output and error in pipes and an empty standard input.
+class Program {
+public:
+    explicit Program(std::vector<std::string> words, const std::string& folder = "") {
+        words.insert(words.begin(), nezumi_program());
+        std::vector<char*> pointers;
+        for (std::string& word : words) pointers.push_back(word.data());
+        pointers.push_back(nullptr);
+        int out[2];
+        int error[2];
+        if (pipe(out) != 0 || pipe(error) != 0) return;
+        child_ = fork();
+        if (child_ == 0) {
+            // From here to exec only what may follow a fork.
+            if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
+            close(STDIN_FILENO);
+            dup2(out[1], STDOUT_FILENO);
+            dup2(error[1], STDERR_FILENO);
+            for (const int fd : {out[0], out[1], error[0], error[1]}) close(fd);
+            execv(pointers[0], pointers.data());
+            _exit(127);
+        }
+        close(out[1]);
+        close(error[1]);
+        files_[0] = out[0];
+        files_[1] = error[0];
+    }
+    ~Program() {
+        if (child_ > 0) {
+            kill(child_, SIGKILL);
+            waitpid(child_, nullptr, 0);
+        }
+        for (const int fd : files_) {
+            if (fd >= 0) close(fd);
+        }
+    }
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    void send(int signal) const { kill(child_, signal); }
+
+    /// Waits until `text` has been said on standard error; false when the program ends or `seconds` pass before.
+    bool wait_for_error(const std::string& text, double seconds = 30) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+        while (error.find(text) == std::string::npos) {
+            if (std::chrono::steady_clock::now() > end || !read_some(100)) return error.find(text) != std::string::npos;
+        }
+        return true;
+    }
+
+    /// Waits for the end. Returns the exit status, or minus the signal that ended it.
+    int wait() {
+        while (read_some(1000)) {
+        }
+        int status = 0;
+        waitpid(std::exchange(child_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    }
+
+    std::string out;    ///< what it has said so far
+    std::string error;  ///< on standard error
+
+private:
+    // Takes what there is, after at most so long; false when both ends are closed.
+    bool read_some(int milliseconds) {
+        pollfd polled[2] = {{files_[0], POLLIN, 0}, {files_[1], POLLIN, 0}};
+        poll(polled, 2, milliseconds);
+        for (int i = 0; i < 2; ++i) {
+            if (files_[i] < 0 || polled[i].revents == 0) continue;
+            char buffer[65536];
+            const ssize_t count = read(files_[i], buffer, sizeof buffer);
+            if (count > 0) {
+                (i == 0 ? out : error).append(buffer, static_cast<std::size_t>(count));
+            } else {
+                close(std::exchange(files_[i], -1));
+            }
+        }
+        return files_[0] >= 0 || files_[1] >= 0;
+    }
+
+    pid_t child_ = -1;
+    int files_[2] = {-1, -1};
+};
+
+/// What a program has said and how it ended.
+struct Outcome {
+    int status = 0;     ///< exit status, or minus the signal that ended it
+    std::string out;    ///< standard output
+    std::string error;  ///< standard error
+};
+
+/// Runs `nezumi WORDS...` to its end, in `folder` or the tests' own (the project's root).
+inline Outcome run_nezumi(std::vector<std::string> words, const std::string& folder = "") {
+    Program program(std::move(words), folder);
+    const int status = program.wait();
+    return {status, program.out, program.error};
+}
+
+}  // namespace nezumi

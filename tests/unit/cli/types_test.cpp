@@ -1,0 +1,133 @@
+// What `nezumi types` says, as a table and as annotations for an editor.
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <lua.hpp>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/stubs/annotations.hpp"
+#include "bindings/lua/stubs/type_table.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+std::string read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+struct CloseLua {
+    void operator()(lua_State* lua) const { lua_close(lua); }
+};
+
+// What the plugin puts before a file; "" for nothing.
+std::string put_before(const std::string& uri, const std::string& text) {
+    const std::unique_ptr<lua_State, CloseLua> owner(luaL_newstate());
+    lua_State* lua = owner.get();
+    luaL_openlibs(lua);
+    REQUIRE(luaL_dostring(lua, annotations_plugin) == LUA_OK);
+    lua_getglobal(lua, "OnSetText");
+    lua_pushstring(lua, uri.c_str());
+    lua_pushstring(lua, text.c_str());
+    REQUIRE(lua_pcall(lua, 2, 1, 0) == LUA_OK);
+    if (lua_isnil(lua, -1)) return "";
+    lua_geti(lua, -1, 1);
+    lua_getfield(lua, -1, "text");
+    return lua_tostring(lua, -1);
+}
+
+}  // namespace
+
+TEST_CASE("a message type's fields are shown with unit, limits and meaning", "[cli][types]") {
+    for (const MessageShape& message : message_shapes()) {
+        if (message.name == "TimedVelocity2D") {
+            CHECK(
+                type_table(message) ==
+                "TimedVelocity2D: a velocity in the robot's own frame\n"
+                "  vx  finite number  m/s    speed along the robot's x axis (forward)\n"
+                "  vy  finite number  m/s    speed along the robot's y axis (left); 0 for two wheels that don't skid\n"
+                "  va  finite number  rad/s  yaw rate, counter-clockwise\n");
+        } else if (message.name == "TimedShortSeq") {
+            CHECK(type_table(message) ==
+                  "TimedShortSeq: a sequence of 16-bit integers\n"
+                  "  value  array of integers from -32768 to 32767\n");
+        } else if (message.name == "TimedFloat") {
+            CHECK(type_table(message) ==
+                  "TimedFloat: one 32-bit number\n"
+                  "  value  finite number from -3.403e+38 to 3.403e+38\n");
+        }
+    }
+}
+
+TEST_CASE("the table of types has every message type", "[cli][types]") {
+    const std::string table = type_table();
+    for (const std::string_view name : message_type_names) {
+        CHECK(("\n" + table).find("\n" + std::string(name) + ": ") != std::string::npos);
+    }
+}
+
+TEST_CASE("the annotations are the committed ones", "[cli][types]") {
+    // After a change that is meant: nezumi types --lua > tests/golden/nezumi.lua
+    const bool same = annotations() == read(std::string(NEZUMI_SOURCE_ROOT) + "/tests/golden/nezumi.lua");
+    CHECK(same);
+}
+
+TEST_CASE("the annotations are Lua, and have every word and a class for every type and direction", "[cli][types]") {
+    const std::string text = annotations();
+    CHECK(text.find("---@meta\n") == 0);
+    const std::unique_ptr<lua_State, CloseLua> lua(luaL_newstate());
+    CHECK(luaL_loadstring(lua.get(), text.c_str()) == LUA_OK);
+
+    const auto has = [&](const std::string& line) { return text.find("\n" + line) != std::string::npos; };
+    for (const std::string_view type : message_type_names) {
+        CHECK(has("---@class " + std::string(type) + ".In : InPort\n"));
+        CHECK(has("---@class " + std::string(type) + ".Out : OutPort\n"));
+    }
+    for (const std::string_view name : script_words()) {
+        if (name == "require") continue;  // Lua's own
+        const std::string word(name);
+        CAPTURE(word);
+        CHECK((has("function " + word + "(") || has(word + " = ")));
+    }
+    for (const std::string word : system_word_names()) {
+        CAPTURE(word);
+        CHECK(has("function " + word + "("));
+    }
+}
+
+TEST_CASE("a port's class says what it reads and what it takes", "[cli][types]") {
+    const std::string text = annotations();
+    const auto has = [&](const std::string& line) { return text.find("\n" + line + "\n") != std::string::npos; };
+    CHECK(has("---@field read fun(self: TimedShortSeq.In): integer[]"));
+    CHECK(has("---@field write fun(self: TimedVelocity2D.Out, value: Velocity2D.Written)"));
+    CHECK(has("---@field vx number [m/s] speed along the robot's x axis (forward)"));
+    CHECK(has("---@field vx? number [m/s] speed along the robot's x axis (forward)"));
+    CHECK(
+        has("---@overload fun(name: string, type: \"TimedShortSeq\", doc?: string, options?: "
+            "TimedShortSeq.InOptions): TimedShortSeq.In"));
+}
+
+TEST_CASE("the editor's plugin gives config the parameters that a file declares", "[cli][types]") {
+    CHECK(put_before("file:///p/behaviors/avoider.lua",
+                     "param(\"speed_x\", 0.0, { min = -1.5 })\n"
+                     "param('stop_d', 30)\n"
+                     "param(\"eager\", true, {})\n"
+                     "param(\"words\", \"a, b\")\n"
+                     "param(\"gains\", { 1.0, 0.5 })\n"
+                     "  param( \"steps\" , { 1, 2 }, {})\n") ==
+          "---@class (exact) Config.avoider\n"
+          "---@field speed_x number\n"
+          "---@field stop_d integer\n"
+          "---@field eager boolean\n"
+          "---@field words string\n"
+          "---@field gains number[]\n"
+          "---@field steps integer[]\n"
+          "local config\n");
+    CHECK(put_before("file:///p/behaviors/none.lua", "local my_param = 1\nlog.info('param')\n") == "");
+}
