@@ -92,7 +92,9 @@ Expected<void> Component::deactivate(const Time& now) {
         return failure(fmt::format("{} went to ERROR: {}", name_, describe(ok.error())));
     }
     state_ = LifeState::inactive;
-    write_safe();
+    for (const auto& port : out_ports_) {
+        if (!port->written()) port->write_safe();
+    }
     return {};
 }
 
@@ -116,7 +118,9 @@ void Component::execute(const Time& now) {
     now_ = now;
     if (state_ == LifeState::error) {
         if (error_hook_failed_) return;
-        if (auto ok = run(Hook::on_error, [this] { return on_error(); }); !ok) {
+        auto ok = run(Hook::on_error, [this] { return on_error(); });
+        discard_velocities();
+        if (!ok) {
             error_hook_failed_ = true;  // said once; it has nothing to lose but our patience
             last_error_ = ok.error();
             log(LogLevel::error,
@@ -153,11 +157,14 @@ void Component::abort(Error error) {
         for (const auto& port : out_ports_) port->discard();
         log(LogLevel::error, fmt::format("on_aborting failed: {}", describe(ok.error())));
     }
-    write_safe();
+    discard_velocities();
+    for (const auto& port : out_ports_) port->write_safe();
 }
 
-void Component::write_safe() {
-    for (const auto& port : out_ports_) port->write_safe();
+void Component::discard_velocities() {
+    for (const auto& port : out_ports_) {
+        if (port->type() == type_index<Velocity2D>()) port->discard();
+    }
 }
 
 }  // namespace nezumi

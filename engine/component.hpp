@@ -139,7 +139,7 @@ protected:
     Parameters parameters_;
 
 private:
-    void write_safe();
+    void discard_velocities();
 
     std::string name_;
     std::string type_;

@@ -1,0 +1,154 @@
+// The message types: names, fields, units, and the walks over them.
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "engine/payload.hpp"
+#include "engine/port.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// "vx m/s, vy m/s" of a described structure.
+template <class T>
+std::string fields_of() {
+    std::string text;
+    T object{};
+    for_each_field(object, [&](const auto& field, const auto&) {
+        text += (text.empty() ? "" : ", ") + std::string(field.name);
+        if (!field.unit.empty()) text += " " + std::string(field.unit);
+    });
+    return text;
+}
+
+template <class T>
+std::vector<std::string> leaves_of(const T& value) {
+    std::vector<std::string> paths;
+    for_each_leaf(value, [&](const std::string& path, const auto&) { paths.push_back(path); });
+    return paths;
+}
+
+}  // namespace
+
+TEST_CASE("there are the seventeen message types of OpenRTM-aist, by their names", "[engine][message]") {
+    const std::vector<std::string_view> expected{
+        "TimedBoolean",    "TimedShort",    "TimedLong",    "TimedFloat",    "TimedDouble",    "TimedString",
+        "TimedBooleanSeq", "TimedShortSeq", "TimedLongSeq", "TimedFloatSeq", "TimedDoubleSeq", "TimedStringSeq",
+        "TimedVelocity2D", "TimedPose2D",   "TimedPose3D",  "RangeData",     "CameraImage"};
+    CHECK(std::vector<std::string_view>(message_type_names.begin(), message_type_names.end()) == expected);
+}
+
+TEST_CASE("single values and sequences carry the width that their name says", "[engine][message]") {
+    CHECK(type_index<bool>() == find_message_type("TimedBoolean"));
+    CHECK(type_index<std::int16_t>() == find_message_type("TimedShort"));
+    CHECK(type_index<std::int32_t>() == find_message_type("TimedLong"));
+    CHECK(type_index<float>() == find_message_type("TimedFloat"));
+    CHECK(type_index<double>() == find_message_type("TimedDouble"));
+    CHECK(type_index<std::string>() == find_message_type("TimedString"));
+    CHECK(type_index<std::vector<bool>>() == find_message_type("TimedBooleanSeq"));
+    CHECK(type_index<std::vector<std::int16_t>>() == find_message_type("TimedShortSeq"));
+    CHECK(type_index<std::vector<std::int32_t>>() == find_message_type("TimedLongSeq"));
+    CHECK(type_index<std::vector<float>>() == find_message_type("TimedFloatSeq"));
+    CHECK(type_index<std::vector<double>>() == find_message_type("TimedDoubleSeq"));
+    CHECK(type_index<std::vector<std::string>>() == find_message_type("TimedStringSeq"));
+}
+
+TEST_CASE("every structure lists its fields in order, with units of the SI", "[engine][message]") {
+    CHECK(fields_of<Velocity2D>() == "vx m/s, vy m/s, va rad/s");
+    CHECK(fields_of<Pose2D>() == "position, heading rad");
+    CHECK(fields_of<Point2D>() == "x m, y m");
+    CHECK(fields_of<Pose3D>() == "position, orientation");
+    CHECK(fields_of<Point3D>() == "x m, y m, z m");
+    CHECK(fields_of<Orientation3D>() == "r rad, p rad, y rad");
+    CHECK(fields_of<RangeData>() == "ranges m, geometry, config");
+    CHECK(fields_of<RangerGeometry>() == "pose, size, elements");
+    CHECK(fields_of<RangerElement>() == "pose, size");
+    CHECK(fields_of<Size3D>() == "l m, w m, h m");
+    CHECK(fields_of<RangerConfig>() ==
+          "minAngle rad, maxAngle rad, angularRes rad, minRange m, maxRange m, rangeRes m, frequency Hz");
+    CHECK(fields_of<CameraImage>() == "width px, height px, bpp bit, format, fDiv, pixels");
+}
+
+TEST_CASE("for_each_field hands out the members themselves", "[engine][message]") {
+    Velocity2D velocity;
+    double next = 1;
+    for_each_field(velocity, [&](const auto&, double& member) { member = next++; });
+    CHECK(velocity == Velocity2D{.vx = 1, .vy = 2, .va = 3});
+}
+
+TEST_CASE("leaves are told with their paths, elements from 1", "[engine][message]") {
+    CHECK(leaves_of(std::int16_t{3}) == std::vector<std::string>{""});
+    CHECK(leaves_of(Pose2D{}) == std::vector<std::string>{"position.x", "position.y", "heading"});
+    CHECK(leaves_of(std::vector<bool>{true, false}) == std::vector<std::string>{"[1]", "[2]"});
+    RangeData range;
+    range.ranges = {0.1, 0.2};
+    const auto paths = leaves_of(range);
+    CHECK(paths[0] == "ranges[1]");
+    CHECK(paths[1] == "ranges[2]");
+    CHECK(paths.back() == "config.frequency");
+    CHECK(leaves_of(CameraImage{.pixels = {1, 2, 3}}).back() == "pixels");
+}
+
+TEST_CASE("a payload with one number that is not finite is not finite", "[engine][message]") {
+    const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                          -std::numeric_limits<double>::infinity()};
+    CHECK(is_finite(AnyPayload(Velocity2D{1, 2, 3})));
+    CHECK(is_finite(AnyPayload(std::vector<double>{})));
+    CHECK(is_finite(AnyPayload(std::string("nan"))));
+    CHECK(is_finite(AnyPayload(std::vector<bool>{true})));
+    for (const double value : bad) {
+        CHECK_FALSE(is_finite(AnyPayload(value)));
+        CHECK_FALSE(is_finite(AnyPayload(static_cast<float>(value))));
+        CHECK_FALSE(is_finite(AnyPayload(std::vector<double>{0, value})));
+        CHECK_FALSE(is_finite(AnyPayload(std::vector<float>{static_cast<float>(value)})));
+        CHECK_FALSE(is_finite(AnyPayload(Velocity2D{.va = value})));
+        CHECK_FALSE(is_finite(AnyPayload(Pose2D{.position = {.y = value}})));
+        CHECK_FALSE(is_finite(AnyPayload(RangeData{.ranges = {1, value}})));
+        RangeData deep;
+        deep.geometry.elements.push_back({.pose = {.orientation = {.r = value}}});
+        CHECK_FALSE(is_finite(AnyPayload(deep)));
+        CHECK_FALSE(is_finite(AnyPayload(CameraImage{.fDiv = value})));
+    }
+}
+
+TEST_CASE("equal payloads mix equally, and every leaf counts", "[engine][message]") {
+    CHECK(mix_payload(1, Velocity2D{1, 2, 3}) == mix_payload(1, Velocity2D{1, 2, 3}));
+    CHECK(mix_payload(1, Velocity2D{1, 2, 3}) != mix_payload(2, Velocity2D{1, 2, 3}));
+    CHECK(mix_payload(1, Velocity2D{1, 2, 3}) != mix_payload(1, Velocity2D{1, 3, 2}));
+    CHECK(mix_payload(1, 0.0) == mix_payload(1, -0.0));
+    CHECK(mix_payload(1, std::string("ab")) != mix_payload(1, std::string("ba")));
+    CHECK(mix_payload(1, std::string("a")) != mix_payload(1, std::string("a\0", 2)));
+    CHECK(mix_payload(1, std::vector<bool>{}) != mix_payload(1, std::vector<bool>{false}));
+    CHECK(mix_payload(1, std::vector<std::string>{"ab", "c"}) != mix_payload(1, std::vector<std::string>{"a", "bc"}));
+    CHECK(mix_payload(1, Octets{1, 2}) != mix_payload(1, Octets{2, 1}));
+    CHECK(mix_payload(1, std::vector<std::int16_t>{-1}) != mix_payload(1, std::vector<std::int16_t>{1}));
+}
+
+TEST_CASE("an unknown message type is told with the nearest", "[engine][message]") {
+    const auto slip = find_message_type("TimedVelocity2d");
+    REQUIRE_FALSE(slip);
+    CHECK(slip.error().message ==
+          "unknown type 'TimedVelocity2d' (did you mean 'TimedVelocity2D'?); `nezumi types` lists them all");
+    CHECK(find_message_type("Joystick").error().message == "unknown type 'Joystick'; `nezumi types` lists them all");
+}
+
+TEST_CASE("a port of every type can be made by the type's name alone", "[engine][message][port]") {
+    for (std::size_t type = 0; type < message_type_count; ++type) {
+        const auto in = make_in_port(type, "in", "doc", 0);
+        const auto out = make_out_port(type, "out", "doc");
+        INFO(message_type_names[type]);
+        CHECK(in->type_name() == message_type_names[type]);
+        CHECK(out->type() == type);
+        CHECK(in->direction() == Direction::in);
+        CHECK(out->direction() == Direction::out);
+        CHECK(in->value().index() == type);
+        CHECK(in->value() == out->value());
+        // Only a velocity is a command that is safe at zero.
+        CHECK(out->has_safe() == (out->type_name() == "TimedVelocity2D"));
+        in->connect(*out);
+        out->write_any(out->value());
+        CHECK(out->latch({0, 0}));
+        in->latch({0, 0});
+        CHECK(in->is_new());
+    }
+}
