@@ -178,14 +178,14 @@ Expected<ParameterValue> check_value(const ParameterSpec& spec, const ParameterV
     if (!spec.choices.empty() &&
         std::find(spec.choices.begin(), spec.choices.end(), *converted) == spec.choices.end()) {
         std::string list;
-        std::vector<std::string> texts;
+        std::vector<std::string_view> texts;
         for (const ParameterValue& choice : spec.choices) {
             list += (list.empty() ? "" : ", ") + to_text(choice);
-            texts.push_back(to_text(choice));
+            if (const auto* text = std::get_if<std::string>(&choice)) texts.emplace_back(*text);
         }
-        const std::vector<std::string_view> views(texts.begin(), texts.end());
+        const auto* text = std::get_if<std::string>(&*converted);
         return refuse(fmt::format("{} is none of its choices {}{}", to_text(*converted), list,
-                                  did_you_mean(to_text(*converted), views)));
+                                  text != nullptr ? did_you_mean(*text, texts) : ""));
     }
     return std::move(*converted);
 }

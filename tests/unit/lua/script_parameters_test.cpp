@@ -156,7 +156,7 @@ TEST_CASE("choices bind whoever sets the value", "[lua][parameters]") {
     CHECK(failure_of(head, "config.mode = 'fast'") == "");
     CHECK(failure_of(head, "config.mode = 'fsat'") ==
           "robot_controller.lua:3: parameter 'mode' (string): \"fsat\" is none of its choices \"slow\", \"fast\" (did "
-          "you mean '\"fast\"'?)");
+          "you mean 'fast'?)");
 }
 
 TEST_CASE("the top level of a file reads the values that the system file gave, and sets none", "[lua][parameters]") {
