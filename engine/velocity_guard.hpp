@@ -20,8 +20,6 @@ public:
     Verdict command(const Velocity2D& velocity, double now);
     /// From now on: stand still.
     void stop() { target_ = {}; }
-    /// Stands still at once, whatever the acceleration.
-    void halt() { target_ = current_ = {}; }
 
     /// The velocity to drive at `now` [s], `dt` [s] after the last call.
     Velocity2D advance(double now, double dt);
