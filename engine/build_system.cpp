@@ -21,8 +21,13 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec) {
 // `early` is the robot's body when it is in the world already.
 Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, Body* early) {
     const auto model = spec.models.find(entry.model);
-    if (model == spec.models.end())
-        return failure(fmt::format("robot '{}': there is no model '{}'", entry.name, entry.model), entry.place);
+    if (model == spec.models.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [name, known] : spec.models) names.push_back(name);
+        return failure(fmt::format("robot '{}': there is no model '{}'{}", entry.name, entry.model,
+                                   did_you_mean(entry.model, names)),
+                       entry.place);
+    }
     if (system.world() == nullptr)
         return failure(fmt::format("robot '{}': there is no world to put it in", entry.name), entry.place);
     Limits limits = model->second.drive.limits;
@@ -31,14 +36,18 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
     limits.acceleration = entry.acceleration.value_or(limits.acceleration);
     limits.yaw_acceleration = entry.yaw_acceleration.value_or(limits.yaw_acceleration);
 
-    auto robot = Robot::make(entry.name, model->second, limits, system.robots().size(), system.settings().seed);
+    auto robot = Robot::make(entry.name, model->second, limits, system.next_robot_id(), system.settings().seed);
     if (!robot) return at(entry.place, robot.error());
     Robot* made = robot->get();
     made->place = entry.place;
     auto added = system.add(std::move(*robot));
     if (!added) return added;
     auto body = early != nullptr ? std::move(*early) : add_body(system, entry, spec);
-    if (!body) return at(entry.place, body.error());
+    if (!body) {
+        // Nothing half done: it may be added elsewhere under the same name.
+        static_cast<void>(system.remove(entry.name));
+        return at(entry.place, body.error());
+    }
     made->take_body(std::move(*body));
     return added;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "engine/worker_pool.hpp"
 
@@ -29,6 +30,38 @@ std::vector<std::string_view> port_names(const Component& component, Direction d
 }
 
 std::string path(const Component& component, const Port& port) { return component.name() + "." + port.name(); }
+
+// Why a connection to a port that is not there can't be, with the nearest name or else all that there are.
+std::string no_port(const Component& component, Direction direction, std::string_view name) {
+    const std::string_view kind = direction == Direction::in ? "in-port" : "out-port";
+    const auto names = port_names(component, direction);
+    std::string hint = did_you_mean(name, names);
+    if (hint.empty() && !names.empty()) hint = fmt::format("; it has {}", fmt::join(names, ", "));
+    return fmt::format("{} has no {} '{}'{}", component.name(), kind, name, hint);
+}
+
+// The first port at either end that would make the types equal, as the end of a sentence.
+std::string fitting_port(const Component& from, const Port& out, const Component& to, const Port& in) {
+    for (const auto& port : to.in_ports()) {
+        if (port->type() == out.type()) return fmt::format(" (did you mean '{}'?)", path(to, *port));
+    }
+    for (const auto& port : from.out_ports()) {
+        if (port->type() == in.type()) return fmt::format(" (did you mean '{}'?)", path(from, *port));
+    }
+    return "";
+}
+
+std::string wrong_direction(const Component& from, const Port& first, const Component& to, const Port& second) {
+    const auto told = [](const Component& component, const Port& port) {
+        return fmt::format("{} ({}) is an {}", path(component, port), port.type_name(),
+                           port.direction() == Direction::in ? "in-port" : "out-port");
+    };
+    std::string hint = fitting_port(from, first, to, second);
+    if (first.direction() == Direction::in && second.direction() == Direction::out)
+        hint = fmt::format(" (did you mean connect(\"{}\", \"{}\")?)", path(to, second), path(from, first));
+    return fmt::format("connect goes from an out-port to an in-port: {}, {}{}", told(from, first), told(to, second),
+                       hint);
+}
 
 }  // namespace
 
@@ -59,6 +92,10 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
     if (const Component* other = find(name)) {
         std::string first = other->place.line > 0 ? fmt::format(", first in line {}", other->place.line) : "";
         return failure(fmt::format("the name '{}' is given twice{}", name, first), component->place);
+    }
+    if (!std::isfinite(component->rate) || component->rate < 0) {
+        return failure(fmt::format("{}: a rate of {} Hz is not a positive number", name, component->rate),
+                       component->place);
     }
     if (component->rate > settings_.rate) {
         return failure(
@@ -103,7 +140,10 @@ Expected<void> System::remove(std::string_view name) {
     by_name_.erase(gone->name());
     std::erase(behaviors_, gone);
     std::erase_if(devices_, [&](const Device* device) { return device == gone; });
-    std::erase_if(robots_, [&](const Robot* robot) { return robot == gone; });
+    std::erase_if(robots_, [&](const Robot* robot) {
+        if (robot == gone && robot->has_body()) ++removed_robots_;
+        return robot == gone;
+    });
     std::erase_if(components_, [&](const auto& component) { return component.get() == gone; });
     return {};
 }
@@ -157,37 +197,20 @@ Expected<void> System::connect(std::string_view from, std::string_view to) {
 
     OutPortBase* out = from_component->find_out_port(from_name);
     InPortBase* in = to_component->find_in_port(to_name);
-    if (out == nullptr) {
-        if (from_component->find_in_port(from_name) != nullptr) {
-            return failure(fmt::format("'{}' is an in-port: connect goes from an out-port to an in-port", from));
-        }
-        return failure(fmt::format("{} has no out-port '{}'{}", from_component->name(), from_name,
-                                   did_you_mean(from_name, port_names(*from_component, Direction::out))));
-    }
-    if (in == nullptr) {
-        if (to_component->find_out_port(to_name) != nullptr) {
-            return failure(fmt::format("'{}' is an out-port: connect goes from an out-port to an in-port", to));
-        }
-        return failure(fmt::format("{} has no in-port '{}'{}", to_component->name(), to_name,
-                                   did_you_mean(to_name, port_names(*to_component, Direction::in))));
-    }
+    const Port* first = from_component->find_port(from_name);
+    const Port* second = to_component->find_port(to_name);
+    if (first == nullptr) return failure(no_port(*from_component, Direction::out, from_name));
+    if (second == nullptr) return failure(no_port(*to_component, Direction::in, to_name));
+    if (out == nullptr || in == nullptr)
+        return failure(wrong_direction(*from_component, *first, *to_component, *second));
     if (out->type() != in->type()) {
-        std::vector<std::string> fitting;
-        for (const auto& port : to_component->in_ports()) {
-            if (port->type() == out->type()) fitting.push_back(path(*to_component, *port));
-        }
-        for (const auto& port : from_component->out_ports()) {
-            if (port->type() == in->type()) fitting.push_back(path(*from_component, *port));
-        }
-        const std::string hint = fitting.empty() ? "" : fmt::format(" (did you mean '{}'?)", fitting.front());
-        return failure(
-            fmt::format("types differ: {} is {}, {} is {}{}", from, out->type_name(), to, in->type_name(), hint));
+        return failure(fmt::format("types differ: {} is {}, {} is {}{}", from, out->type_name(), to, in->type_name(),
+                                   fitting_port(*from_component, *out, *to_component, *in)));
     }
     const std::vector<const OutPortBase*> sources = in->sources();
     if (std::find(sources.begin(), sources.end(), out) != sources.end())
         return failure(fmt::format("{} is connected to {} already", from, to));
-    if (!sources.empty() && dynamic_cast<Device*>(to_component) != nullptr &&
-        !std::exchange(said_many_commands_, true)) {
+    if (sources.size() == 1 && dynamic_cast<Device*>(to_component) != nullptr) {
         log(LogLevel::warn,
             fmt::format(
                 "{} is fed by several connections: the last one in the order of the connect lines wins (said once)",
@@ -267,6 +290,14 @@ void System::notify_observers() {
     }
 }
 
+void System::end_when_out_of_time() {
+    // Not only those that are due: a hook that ran between two ticks counts too.
+    const auto found = std::find_if(behaviors_.begin(), behaviors_.end(), [](const Component* behavior) {
+        return behavior->last_error().kind == Error::Kind::out_of_time;
+    });
+    if (found != behaviors_.end()) fatal_error_ = (*found)->last_error();
+}
+
 void System::tick() {
     for_each_in_parallel(devices_.size(), [this](std::size_t i) {
         devices_[i]->sense(now_);
@@ -279,11 +310,7 @@ void System::tick() {
         if (is_due(*behavior)) due_.push_back(behavior);
     }
     for_each_in_parallel(due_.size(), [this](std::size_t i) { due_[i]->execute(now_); });
-    if (settings_.out_of_time_is_fatal && !fatal_error_) {
-        for (const Component* behavior : due_) {
-            if (behavior->last_error().kind == Error::Kind::out_of_time) fatal_error_ = behavior->last_error();
-        }
-    }
+    if (settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
 
     for_each_in_parallel(behaviors_.size(), [this](std::size_t i) { behaviors_[i]->latch_outputs(now_); });
     for_each_in_parallel(devices_.size(), [this](std::size_t i) {

@@ -63,6 +63,8 @@ public:
     const std::vector<std::unique_ptr<Component>>& components() const { return components_; }
     const std::vector<Robot*>& robots() const { return robots_; }
     const std::vector<Connection>& connections() const { return connections_; }
+    /// What the world will call the robot that is added next.
+    RobotId next_robot_id() const { return robots_.size() + removed_robots_; }
     /// nullptr when there is none of this name.
     Component* find(std::string_view name) const;
     Robot* find_robot(std::string_view name) const;
@@ -101,6 +103,7 @@ private:
     void for_each_in_parallel(std::size_t count, const Action& action);
     void notify_observers();
     void flush_logs();
+    void end_when_out_of_time();
     Expected<std::pair<Component*, std::string>> split(std::string_view path) const;
 
     Settings settings_;
@@ -113,13 +116,13 @@ private:
     std::vector<Device*> devices_;       // in the order of components_
     std::vector<Component*> behaviors_;  // the others, likewise
     std::vector<Robot*> robots_;
+    std::size_t removed_robots_ = 0;  // whose bodies the world still counts
     std::vector<Component*> due_;
     std::vector<Connection> connections_;
     std::vector<PortObserver*> observers_;
     std::unique_ptr<WorkerPool> workers_;
     mutable std::vector<std::vector<LogLine>> worker_logs_;
     std::optional<Error> fatal_error_;
-    bool said_many_commands_ = false;
 };
 
 }  // namespace nezumi

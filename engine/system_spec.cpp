@@ -23,6 +23,8 @@ constexpr std::array<std::string_view, 48> console_words{
     "restart", "restore",  "rollback", "run",       "save",    "select",     "speed", "step",    "string", "system",
     "table",   "tonumber", "tostring", "type",      "utf8",    "watch",      "world", "xpcall"};
 
+constexpr double most_steps = 1e6;  // of physics in a tick
+
 // Wide enough for a tick number times a rate; not of ISO C++, which -Wpedantic wants to hear.
 __extension__ using Wide = __int128;
 
@@ -46,14 +48,16 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
     }
     const double steps = 1.0 / (rate * physics_step);
     const double whole = std::round(steps);
-    if (whole >= 1 && whole <= 1e6 && std::abs(steps - whole) < 1e-9 * whole) return static_cast<int>(whole);
-    const double below = std::max(1.0, std::ceil(steps));
-    const double above = std::max(1.0, std::floor(steps));
-    const auto rate_of = [&](double n) { return fmt::format("{:.6g}", 1.0 / (n * physics_step)); };
-    const std::string nearest = below == above ? rate_of(below) : rate_of(below) + " or " + rate_of(above);
-    return failure(fmt::format(
-        "rate: a tick of {:.6g} Hz is no whole number of physics steps of {:.6g} s; the nearest rates are {} Hz", rate,
-        physics_step, nearest));
+    if (whole >= 1 && whole <= most_steps && std::abs(steps - whole) < 1e-9 * whole) return static_cast<int>(whole);
+    // In full: a person may copy it.
+    const auto rate_of = [&](double n) { return fmt::format("{}", 1.0 / (n * physics_step)); };
+    const double slower = std::clamp(std::ceil(steps), 1.0, most_steps);
+    const double faster = std::clamp(std::floor(steps), 1.0, most_steps);
+    const std::string nearest =
+        slower == faster ? fmt::format("the nearest rate is {} Hz", rate_of(slower))
+                         : fmt::format("the nearest rates are {} or {} Hz", rate_of(slower), rate_of(faster));
+    return failure(fmt::format("rate: a tick of {} Hz is no whole number of physics steps of {} s{}; {}", rate,
+                               physics_step, steps > most_steps ? fmt::format(" up to {}", most_steps) : "", nearest));
 }
 
 bool is_due(std::int64_t k, double rate, double tick_rate) {

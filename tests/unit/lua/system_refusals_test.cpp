@@ -32,7 +32,7 @@ TEST_CASE("seed, rate and the physics step are set once", "[lua][system_file]") 
 TEST_CASE("a tick is a whole number of physics steps", "[lua][system_file]") {
     CHECK(error("-- tick\nrate(60)") ==
           "s.lua:2: rate: a tick of 60 Hz is no whole number of physics steps of 0.005 s; the nearest rates are 50 or "
-          "66.6667 Hz");
+          "66.66666666666667 Hz");
     CHECK_THAT(error("physics { step = 0.003 }"),
                Catch::StartsWith("s.lua:1: rate: a tick of 100 Hz is no whole number"));
     CHECK(system_of("rate(200)").rate == 200);
