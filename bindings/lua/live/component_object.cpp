@@ -1,0 +1,308 @@
+// `X`: what a component shows and does.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/live/robot_acts.hpp"
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/script/script_component.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr Budget copy_budget{1.0};  // to copy arguments
+
+// The words of every component, which no port of a script may have; those of robots; and those that give way to ports.
+constexpr std::string_view words[] = {"activate", "config", "deactivate", "name", "ports", "reset",
+                                      "sets",     "state",  "status",     "type", "use",   "version"};
+constexpr std::string_view robot_words[] = {"collided", "truth"};
+constexpr std::string_view more_words[] = {"commands", "error", "rate", "set"};
+constexpr std::string_view more_robot_words[] = {"buzzer", "disturb",  "leds",    "limits",
+                                                 "press",  "teleport", "touching"};
+
+template <class Words>
+bool contains(const Words& all, std::string_view word) {
+    return std::find(std::begin(all), std::end(all), word) != std::end(all);
+}
+
+const std::vector<CommandDeclaration>& commands_of(const Component& component) {
+    static const std::vector<CommandDeclaration> none;
+    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
+    return script != nullptr ? script->commands() : none;
+}
+
+std::string status_of(const Component& component) { return std::string(to_text(component.state())); }
+
+Answer now_in(const ComponentAt& at) { return status_of(*at.component); }
+
+// What a method does, and what it returns.
+Expected<Answer> call_method(lua_State* L, const Objects& objects, const ComponentAt& at, std::string_view method) {
+    Component& component = *at.component;
+    System& system = at.live->system();
+    const auto then_status = [&](const Expected<void>& ok) -> Expected<Answer> {
+        if (!ok) return Unexpected(ok.error());
+        return now_in(at);
+    };
+    const auto then_nothing = [](const Expected<void>& ok) -> Expected<Answer> {
+        if (!ok) return Unexpected(ok.error());
+        return Answer{};
+    };
+    if (method == "activate") return then_status(component.activate(system.now()));
+    if (method == "deactivate") return then_status(component.deactivate(system.now()));
+    if (method == "reset") return then_status(component.reset(system.now()));
+    if (method == "use") {
+        if (lua_type(L, 2) != LUA_TSTRING) return failure(R"(use: expected the name of a set, as in :use "careful")");
+        if (auto ok = component.use(text_at(L, 2)); !ok) return Unexpected(ok.error());
+        return Answer{component.set_in_use()};
+    }
+    if (ObjectAccess::hardware(objects)) return failure(fmt::format("{}: this is a real robot", method));
+    if (method == "teleport") {
+        const auto pose = read_pose(L, 2);
+        if (!pose) return Unexpected(pose.error());
+        return then_nothing(teleport(system, component, *pose));
+    }
+    if (method == "disturb") {
+        const auto push = lua_isnoneornil(L, 2) ? Expected<Push>(Push{}) : read_push(L, 2);
+        if (!push) return Unexpected(push.error());
+        return then_nothing(disturb(system, component, *push));
+    }
+    if (lua_type(L, 2) != LUA_TSTRING) return failure("press: expected the name of a button");
+    const bool pressed = lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0;
+    return then_nothing(press(system, component, text_at(L, 2), pressed));
+}
+
+// The component that a method was called on.
+Expected<ComponentAt> check_self(lua_State* L, std::string_view method) {
+    const ObjectRef* self = to_object(L, 1, ObjectKind::component);
+    if (self == nullptr)
+        return failure(fmt::format("{}: write `X:{}(...)` with a colon, not `X.{}(...)`", method, method, method));
+    return find_component(*self);
+}
+
+int method(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const std::string_view name = text_at(L, lua_upvalueindex(2));
+        const auto at = check_self(L, name);
+        if (!at) return Unexpected(at.error());
+        return call_method(L, objects, *at, name);
+    });
+}
+
+int command(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const std::string_view name = text_at(L, lua_upvalueindex(2));
+        const auto at = check_self(L, name);
+        if (!at) return Unexpected(at.error());
+        auto* script = dynamic_cast<ScriptComponent*>(at->component);
+        if (script == nullptr) return failure(fmt::format("{} has no command '{}'", at->component->name(), name));
+        const int count = lua_gettop(L) - 1;
+        std::vector<std::string> names;
+        for (int i = 1; i <= count; ++i) names.push_back(fmt::format("argument {}", i));
+        std::vector<Dropped> dropped;
+        const auto arguments = take_plain(L, count, copy_budget, names, dropped);
+        if (!arguments) return Unexpected(arguments.error());
+        if (!dropped.empty()) {
+            return failure(fmt::format("command '{}': {} is {}, and only plain data can be given", name,
+                                       dropped.front().path, dropped.front().what));
+        }
+        auto results = script->call_command(name, *arguments, at->live->system().now());
+        if (!results) return Unexpected(results.error());
+        return Answer{std::move(*results)};
+    });
+}
+
+Expected<Answer> state_of(Component& component) {
+    PlainData state;
+    if (auto* script = dynamic_cast<ScriptComponent*>(&component)) {
+        auto copy = script->copy_state();
+        if (!copy) return Unexpected(copy.error());
+        state = std::move(*copy);
+    } else {
+        state.values.emplace_back(PlainData::TableRef{0});
+        state.tables.emplace_back();
+    }
+    return Answer{LockedValue{component.name() + ".state", std::move(state)}};
+}
+
+Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::string_view word) {
+    Component& component = *at.component;
+    const auto part = [&](ObjectKind kind) {
+        return Answer{ObjectName{kind, ref.live, std::string(ref.component()), ""}};
+    };
+    if (word == "ports") return part(ObjectKind::ports);
+    if (word == "config") return part(ObjectKind::config);
+    if (word == "truth") {
+        if (auto robot = simulated_robot(at.live->system(), component); !robot) return Unexpected(robot.error());
+        return part(ObjectKind::truth);
+    }
+    if (word == "name") return Answer{component.name()};
+    if (word == "type") return Answer{component.type()};
+    if (word == "status") return now_in(at);
+    if (word == "version") return Answer{std::int64_t{component.version()}};
+    if (word == "state") return state_of(component);
+    if (word == "sets") {
+        std::vector<std::string> names;
+        for (const auto& [name, values] : component.sets) names.push_back(name);
+        return Answer{std::move(names)};
+    }
+    return Answer{MethodName{method, std::string(word)}};
+}
+
+Expected<Answer> more_of(const ComponentAt& at, std::string_view word) {
+    Component& component = *at.component;
+    if (word == "rate") return Answer{component.rate > 0 ? component.rate : at.live->system().settings().rate};
+    if (word == "set") {
+        if (component.set_in_use().empty()) return Answer{};
+        return Answer{component.set_in_use()};
+    }
+    if (word == "error") {
+        if (component.last_error().message.empty()) return Answer{};
+        return Answer{describe(component.last_error())};
+    }
+    std::vector<std::string> names;
+    for (const CommandDeclaration& each : commands_of(component)) names.push_back(each.name);
+    return Answer{std::move(names)};
+}
+
+Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
+    const auto& robot = dynamic_cast<const Robot&>(*at.component);
+    if (word == "leds") {
+        return Answer{LockedValue{robot.name() + ".leds", ParameterValue(robot.leds())}};
+    }
+    if (word == "buzzer") return Answer{std::int64_t{robot.buzzer_hertz()}};
+    if (word == "limits") {
+        const Limits& limits = robot.guard().limits();
+        return Answer{LockedValue{robot.name() + ".limits",
+                                  std::map<std::string, double>{{"speed", limits.speed},
+                                                                {"yaw_rate", limits.yaw_rate},
+                                                                {"acceleration", limits.acceleration},
+                                                                {"yaw_acceleration", limits.yaw_acceleration}}}};
+    }
+    if (word == "teleport" || word == "press" || word == "disturb")
+        return Answer{MethodName{method, std::string(word)}};
+    const auto simulated = simulated_robot(at.live->system(), *at.component);
+    if (!simulated) return Unexpected(simulated.error());
+    const World& world = *at.live->system().world();
+    if (word == "collided") return Answer{world.collided(robot.id())};
+    const std::string touching = world.collided_with(robot.id());
+    if (touching.empty()) return Answer{};
+    return Answer{touching};
+}
+
+Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string_view name) {
+    const Component& component = *at.component;
+    const bool is_robot = dynamic_cast<const Robot*>(&component) != nullptr;
+    if (contains(words, name)) return word_of(ref, at, name);
+    if (is_robot && name == "truth") return word_of(ref, at, name);
+    if (is_robot && name == "collided") return robot_word_of(at, name);
+    if (component.find_port(name) != nullptr)
+        return Answer{ObjectName{ObjectKind::port, ref.live, component.name(), std::string(name)}};
+    for (const CommandDeclaration& each : commands_of(component)) {
+        if (each.name == name) return Answer{MethodName{command, each.name}};
+    }
+    if (contains(more_words, name)) return more_of(at, name);
+    if (is_robot && contains(more_robot_words, name)) return robot_word_of(at, name);
+    if (component.parameters().find(name) != nullptr) {
+        return failure(fmt::format("{} has no '{}': its parameter is {}.config.{}", component.name(), shown(name),
+                                   component.name(), name));
+    }
+    const std::vector<std::string> all = Objects::members(component);
+    const std::vector<std::string_view> names(all.begin(), all.end());
+    return failure(fmt::format("{} has no '{}'{}", component.name(), shown(name), did_you_mean(name, names)));
+}
+
+int component_index(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        const auto at = find_component(ref);
+        if (!at) return Unexpected(at.error());
+        if (lua_type(L, 2) != LUA_TSTRING)
+            return failure(fmt::format("{} is a component: its members have names", at->component->name()));
+        return member(ref, *at, text_at(L, 2));
+    });
+}
+
+int component_newindex(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const auto at = find_component(*to_object(L, 1));
+        if (!at) return Unexpected(at.error());
+        const std::string& name = at->component->name();
+        const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? text_at(L, 2) : "?";
+        if (at->component->find_port(key) != nullptr) {
+            return failure(fmt::format("{}.{} is a port: write a value with {}.{}:write(value)", name, shown(key), name,
+                                       shown(key)));
+        }
+        if (at->component->parameters().find(key) != nullptr) {
+            return failure(
+                fmt::format("{}.{} can't be set: its parameter is {}.config.{}", name, shown(key), name, shown(key)));
+        }
+        return failure(
+            fmt::format("{}.{} can't be set; parameters can, as in {}.config.NAME = value", name, shown(key), name));
+    });
+}
+
+int component_pairs(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        return failure("a component can't be traversed; its ports and parameters can: pairs(X.ports), pairs(X.config)");
+    });
+}
+
+int component_tostring(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        const auto at = find_component(ref);
+        if (!at) return Answer{fmt::format("{} (there is no such component now)", ref.component())};
+        return Answer{component_text(at->live->system(), *at->component)};
+    });
+}
+
+}  // namespace
+
+const ObjectFunctions& component_functions() {
+    static constexpr ObjectFunctions functions{component_index, component_newindex, component_pairs, component_tostring,
+                                               "component"};
+    return functions;
+}
+
+std::vector<std::string> Objects::members(const Component& component) {
+    std::vector<std::string> all(std::begin(words), std::end(words));
+    all.insert(all.end(), std::begin(more_words), std::end(more_words));
+    if (dynamic_cast<const Robot*>(&component) != nullptr) {
+        all.insert(all.end(), std::begin(robot_words), std::end(robot_words));
+        all.insert(all.end(), std::begin(more_robot_words), std::end(more_robot_words));
+    }
+    for (const auto& port : component.in_ports()) all.push_back(port->name());
+    for (const auto& port : component.out_ports()) all.push_back(port->name());
+    for (const CommandDeclaration& each : commands_of(component)) all.push_back(each.name);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+Expected<ComponentAt> find_component(const ObjectRef& ref) {
+    auto found = ref.live->system().component(ref.component());
+    if (!found) return Unexpected(found.error());
+    return ComponentAt{ref.live, *found};
+}
+
+Expected<ComponentAt> Objects::to_component(lua_State* L, int index) const {
+    if (const ObjectRef* ref = to_object(L, index, ObjectKind::component)) return find_component(*ref);
+    if (lua_type(L, index) != LUA_TSTRING) {
+        return failure(fmt::format("expected a component or its name, got {}",
+                                   lua_isnoneornil(L, index) ? "nothing" : luaL_typename(L, index)));
+    }
+    LiveSystem& live = core_->current();
+    auto found = live.system().component(text_at(L, index));
+    if (!found) return Unexpected(found.error());
+    return ComponentAt{&live, *found};
+}
+
+}  // namespace nezumi

@@ -1,0 +1,203 @@
+// Tries each table in one line, and takes several where that is too long.
+#include "bindings/lua/live/inspect.hpp"
+
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/ordered.hpp"
+#include "bindings/lua/sandbox/text.hpp"
+#include "engine/parameter.hpp"
+#include "engine/system_spec.hpp"
+
+namespace nezumi {
+namespace {
+
+// The functions below run under `protect` and may raise Lua errors: what has a destructor lies outside, in here.
+class Inspector {
+public:
+    Inspector(lua_State* lua, const InspectOptions& options) : L(lua), options_(options) {}
+
+    void value(int index, int depth, std::size_t indent, bool quote);
+    std::string take() { return std::move(out_); }
+
+private:
+    void text(int index, bool quote);
+    void table(int index, int depth, std::size_t indent);
+    bool entries(int index, int depth, std::size_t indent, bool flat);
+    void key(bool& in_sequence, lua_Integer& next);
+    bool is_open(const void* table) const;
+
+    lua_State* L;
+    const InspectOptions& options_;
+    std::string out_;
+    std::string scratch_;
+    std::vector<const void*> open_;  // the tables around the one that is shown
+    std::size_t limit_ = 0;          // of `out_` while a table is tried in one line; 0: none
+};
+
+void quote_into(std::string& out, std::string_view text) noexcept { out += to_text(ParameterValue(std::string(text))); }
+
+void Inspector::text(int index, bool quote) {
+    std::size_t length = 0;
+    const char* data = lua_tolstring(L, index, &length);
+    const bool cut = length > options_.text;
+    const std::string_view given(data, cut ? options_.text : length);
+    if (quote) {
+        quote_into(out_, given);
+    } else {
+        out_ += given;
+    }
+    if (cut) out_ += "...";
+}
+
+bool Inspector::is_open(const void* table) const {
+    for (const void* each : open_) {
+        if (each == table) return true;
+    }
+    return false;
+}
+
+void Inspector::value(int index, int depth, std::size_t indent, bool quote) {
+    luaL_checkstack(L, 12, nullptr);
+    index = lua_absindex(L, index);
+    const int type = lua_type(L, index);
+    if (type == LUA_TSTRING) return text(index, quote);
+    const bool has_text = luaL_getmetafield(L, index, "__tostring") != LUA_TNIL;
+    if (has_text) lua_pop(L, 1);
+    if (type == LUA_TTABLE && !has_text) return table(index, depth, indent);
+    std::size_t length = 0;
+    const char* shown = push_text(L, index, &length);
+    // What an object says may take several lines; within a table its first is enough.
+    std::string_view given(shown, length);
+    if (depth > 0) given = given.substr(0, given.find('\n'));
+    out_ += given;
+    lua_pop(L, 1);
+}
+
+// Says what is before the value of a pair. Stack: key, value.
+void Inspector::key(bool& in_sequence, lua_Integer& next) {
+    if (in_sequence && lua_isinteger(L, -2) != 0 && lua_tointeger(L, -2) == next) {
+        ++next;
+        return;
+    }
+    in_sequence = false;
+    if (lua_type(L, -2) == LUA_TSTRING) {
+        std::size_t length = 0;
+        const char* data = lua_tolstring(L, -2, &length);
+        if (is_identifier({data, length})) {
+            out_.append(data, length);
+        } else {
+            out_ += '[';
+            text(-2, true);
+            out_ += ']';
+        }
+    } else {
+        out_ += '[';
+        std::size_t length = 0;
+        const char* data = push_text(L, -2, &length);
+        out_.append(data, length);
+        lua_pop(L, 1);
+        out_ += ']';
+    }
+    out_ += " = ";
+}
+
+// Returns false as soon as it is clear that one line is not enough.
+bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
+    const int top = lua_gettop(L);
+    lua_pushcfunction(L, ordered_pairs);
+    lua_pushvalue(L, index);
+    lua_call(L, 1, 3);  // iterator, what it goes over, first key
+    bool in_sequence = true;
+    lua_Integer next = 1;
+    std::size_t count = 0;
+    out_ += '{';
+    for (;;) {
+        lua_pushvalue(L, top + 1);
+        lua_pushvalue(L, top + 2);
+        lua_pushvalue(L, top + 3);
+        lua_call(L, 2, 2);
+        if (lua_isnil(L, -2)) break;
+        if (++count > options_.items) {
+            out_ += flat ? ", ..." : ",";
+            if (!flat) out_.append("\n").append(indent + 2, ' ').append("...");
+            break;
+        }
+        if (count > 1) out_ += ',';
+        if (flat) {
+            out_ += ' ';
+        } else {
+            out_.append("\n").append(indent + 2, ' ');
+        }
+        key(in_sequence, next);
+        value(-1, depth + 1, indent + 2, true);
+        if (limit_ != 0 && out_.size() > limit_) {
+            lua_settop(L, top);
+            return false;
+        }
+        lua_copy(L, -2, top + 3);
+        lua_pop(L, 2);
+    }
+    lua_settop(L, top);
+    if (count > 0) {
+        if (flat) {
+            out_ += ' ';
+        } else {
+            out_.append("\n").append(indent, ' ');
+        }
+    }
+    out_ += '}';
+    return limit_ == 0 || out_.size() <= limit_;
+}
+
+void Inspector::table(int index, int depth, std::size_t indent) {
+    const void* self = lua_topointer(L, index);
+    if (is_open(self)) {
+        out_ += "<cycle>";
+        return;
+    }
+    if (depth >= options_.depth) {
+        out_ += "{...}";
+        return;
+    }
+    open_.push_back(self);
+    const std::size_t begin = out_.size();
+    if (limit_ != 0) {
+        entries(index, depth, indent, true);
+    } else {
+        // Where the line began: what stands before the table counts as well.
+        const std::size_t line = out_.rfind('\n') == std::string::npos ? 0 : out_.rfind('\n') + 1;
+        limit_ = line + options_.width;
+        const bool fits = entries(index, depth, indent, true);
+        limit_ = 0;
+        if (!fits) {
+            out_.resize(begin);
+            entries(index, depth, indent, false);
+        }
+    }
+    open_.pop_back();
+}
+
+}  // namespace
+
+std::string inspect(lua_State* L, int index, const InspectOptions& options) {
+    if (lua_checkstack(L, 20) == 0) return "<no room on the stack to show it>";
+    const int top = lua_gettop(L);
+    index = lua_absindex(L, index);
+    Inspector inspector(L, options);
+    lua_pushvalue(L, index);
+    lua_pushcfunction(L, [](lua_State* inside) -> int {
+        static_cast<Inspector*>(lua_touserdata(inside, 2))->value(1, 0, 0, lua_toboolean(inside, 3) != 0);
+        return 0;
+    });
+    lua_insert(L, -2);
+    lua_pushlightuserdata(L, &inspector);
+    lua_pushboolean(L, options.quote ? 1 : 0);
+    const CallResult shown = protected_call(L, 3, 0, Budget{0.1});
+    lua_settop(L, top);
+    if (shown) return inspector.take();
+    return "<can't be shown: " + describe(shown.error()) + ">";
+}
+
+}  // namespace nezumi

@@ -1,0 +1,166 @@
+// One line for a port, a few for a component.
+#include "bindings/lua/live/live_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bindings/lua/script/script_component.hpp"
+#include "engine/payload.hpp"
+
+namespace nezumi {
+namespace {
+
+std::string quoted(std::string_view text) { return to_text(ParameterValue(std::string(text))); }
+
+template <class T>
+void append(std::string& out, const T& value, std::size_t most) {
+    if (out.size() >= most) return;
+    if constexpr (std::is_same_v<T, Octets>) {
+        out += fmt::format("<{} bytes>", value.size());
+    } else if constexpr (Described<T>) {
+        out += "{";
+        bool first = true;
+        for_each_field(value, [&](const auto& field, const auto& member) {
+            if (out.size() >= most) return;
+            out += fmt::format("{}{} = ", first ? " " : ", ", field.name);
+            first = false;
+            append(out, member, most);
+        });
+        out += out.size() >= most ? " ..." : " }";
+    } else if constexpr (Sequence<T>) {
+        out += "{";
+        for (std::size_t i = 0; i < value.size() && out.size() < most; ++i) {
+            out += i > 0 ? ", " : " ";
+            append(out, static_cast<typename T::value_type>(value[i]), most);
+        }
+        out += out.size() >= most ? " ..." : value.empty() ? "}" : " }";
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        out += value.size() > most ? quoted(value.substr(0, most)) + "..." : quoted(value);
+    } else if constexpr (std::is_floating_point_v<T>) {
+        out += fmt::format("{:.6g}", value == 0 ? T{0} : value);
+    } else {
+        out += fmt::format("{}", value);
+    }
+}
+
+// "-> controller.in, plotter.in" or "not connected".
+std::string peers_text(const System& system, const Port& port) {
+    constexpr std::size_t most = 4;
+    const std::vector<std::string> peers = system.peers(port);
+    if (peers.empty()) return "not connected";
+    const std::size_t count = std::min(most, peers.size());
+    std::string text = fmt::format("{} {}", port.direction() == Direction::in ? "<-" : "->",
+                                   fmt::join(peers.begin(), peers.begin() + static_cast<std::ptrdiff_t>(count), ", "));
+    if (peers.size() > count) text += fmt::format(" and {} more", peers.size() - count);
+    return text;
+}
+
+std::string override_text(const Port& port) {
+    return port.override() == Override::none ? "" : fmt::format("  {}", to_text(port.override()));
+}
+
+std::string age_text(double age) { return std::isinf(age) ? "nothing yet" : fmt::format("{:.6g} s old", age); }
+
+std::string bounds_text(const ParameterSpec& spec) {
+    if (!spec.choices.empty()) {
+        std::string text = "one of";
+        for (const ParameterValue& choice : spec.choices) text += " " + to_text(choice);
+        return text;
+    }
+    if (spec.min && spec.max) return fmt::format("{:.6g} to {:.6g}", *spec.min, *spec.max);
+    if (spec.min) return fmt::format("at least {:.6g}", *spec.min);
+    if (spec.max) return fmt::format("at most {:.6g}", *spec.max);
+    return "";
+}
+
+// A message of several lines would tear a list.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+double port_age(const System& system, const Port& port) {
+    return port.count() == 0 ? std::numeric_limits<double>::infinity() : system.now().seconds - port.tm();
+}
+
+bool is_stale(const System& system, const Port& port) {
+    const auto age = port.direction() == Direction::in
+                         ? system.now().tick - static_cast<const InPortBase&>(port).arrival_tick()
+                         : system.now().tick - static_cast<const OutPortBase&>(port).latched_tick();
+    const bool ever = age <= system.now().tick;
+    const bool connected = port.direction() == Direction::out || static_cast<const InPortBase&>(port).connected();
+    return !connected || !ever || static_cast<double>(age) / system.settings().rate > InPortBase::stale_after;
+}
+
+std::string_view to_text(Override override) {
+    constexpr std::string_view names[] = {"", "held", "dropped", "frozen"};
+    return names[static_cast<int>(override)];
+}
+
+std::string payload_text(const AnyPayload& value, std::size_t width) {
+    std::string text;
+    std::visit([&](const auto& v) { append(text, v, width); }, value);
+    return text;
+}
+
+std::string port_text(const System& system, const Component& component, const Port& port) {
+    std::string text = fmt::format("{}.{}  {}  {}  {}  {}{}", component.name(), port.name(), port.type_name(),
+                                   payload_text(port.value()), age_text(port_age(system, port)),
+                                   peers_text(system, port), override_text(port));
+    if (!port.note().empty()) text += fmt::format("  ({})", first_line(port.note()));
+    return text;
+}
+
+std::string component_title(const Component& component) {
+    std::string text = fmt::format("{}, {}", component.type(), to_text(component.state()));
+    if (dynamic_cast<const ScriptComponent*>(&component) != nullptr)
+        text += fmt::format(", version {}", component.version());
+    if (component.rate > 0) text += fmt::format(", {:.6g} Hz", component.rate);
+    if (!component.set_in_use().empty()) text += fmt::format(", set {}", component.set_in_use());
+    return text;
+}
+
+std::string component_text(const System& system, const Component& component) {
+    std::string text = fmt::format("{}  {}", component.name(), component_title(component));
+    if (component.state() == LifeState::error) text += "\n  " + first_line(describe(component.last_error()));
+    std::size_t name_width = 0;
+    std::size_t type_width = 0;
+    const auto measure = [&](const Port& port) {
+        name_width = std::max(name_width, port.name().size());
+        type_width = std::max(type_width, port.type_name().size());
+    };
+    for (const auto& port : component.in_ports()) measure(*port);
+    for (const auto& port : component.out_ports()) measure(*port);
+    const auto line = [&](const Port& port) {
+        text +=
+            fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port.direction() == Direction::in ? "in" : "out", port.name(),
+                        name_width, port.type_name(), type_width, peers_text(system, port), override_text(port));
+        if (port.override() == Override::held || port.override() == Override::frozen)
+            text += " at " + payload_text(port.value(), 60);
+    };
+    for (const auto& port : component.in_ports()) line(*port);
+    for (const auto& port : component.out_ports()) line(*port);
+    for (const auto& parameter : component.parameters().all())
+        text += fmt::format("\n  config.{} = {}", parameter.spec.name, to_text(parameter.value));
+    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
+        for (const CommandDeclaration& command : script->commands())
+            text += fmt::format("\n  :{}(...)  {}", command.name, first_line(command.doc));
+    }
+    return text;
+}
+
+std::string config_text(const Component& component) {
+    std::string text;
+    for (const auto& [spec, value, set] : component.parameters().all()) {
+        if (!text.empty()) text += "\n";
+        text += fmt::format("{} = {}", spec.name, to_text(value));
+        const std::string bounds = bounds_text(spec);
+        if (!spec.unit.empty() || !bounds.empty())
+            text += fmt::format("  {}{}{}", spec.unit, spec.unit.empty() || bounds.empty() ? "" : ", ", bounds);
+        if (!spec.doc.empty()) text += "  " + first_line(spec.doc);
+    }
+    return text.empty() ? component.name() + " has no parameters" : text;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,137 @@
+// What the objects' files share: the userdata behind an object, and the way from an answer in C++ to a value in Lua.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <lua.hpp>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bindings/lua/live/objects.hpp"
+#include "bindings/lua/values/plain_data.hpp"
+
+namespace nezumi {
+
+enum class ObjectKind : unsigned char { system, component, ports, port, config, truth };
+inline constexpr std::size_t object_kinds = 6;
+
+/// The start of an object's userdata: it refers by name, so that it outlives reloads and restarts. The names follow it
+/// in the same block.
+struct ObjectRef {
+    Objects* objects;
+    LiveSystem* live;
+    std::uint32_t component_length;
+    std::uint32_t port_length;
+    ObjectKind kind;
+
+    std::string_view component() const { return {reinterpret_cast<const char*>(this + 1), component_length}; }
+    std::string_view port() const { return {reinterpret_cast<const char*>(this + 1) + component_length, port_length}; }
+};
+
+/// An object that is to be pushed.
+struct ObjectName {
+    ObjectKind kind;
+    LiveSystem* live;
+    std::string component;
+    std::string port;
+};
+
+/// A method of an object, or a command of a component.
+struct MethodName {
+    lua_CFunction function;
+    std::string name;
+};
+
+/// A table that can be read and not changed; `name` is what messages call it.
+struct LockedValue {
+    std::string name;
+    std::variant<ParameterValue, PlainData, std::map<std::string, double>> value;
+};
+
+/// All that a member of an object can be.
+using Answer = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::string>,
+                            AnyPayload, ParameterValue, PlainData, ObjectName, MethodName, LockedValue>;
+
+/// What lives in C++ between the moment an answer is found and the moment it is pushed: a Lua error may jump over that
+/// without harm.
+struct Objects::Core {
+    LuaState* state = nullptr;
+    std::function<LiveSystem&()> current;
+    Answer answer;
+    std::string raised;
+};
+
+/// The door to what is private in `Objects`.
+struct ObjectAccess {
+    static Objects::Core& core(Objects& objects) { return *objects.core_; }
+    static bool hardware(const Objects& objects) { return objects.hardware_; }
+};
+
+/// The objects that a metamethod or method belongs to.
+inline Objects& objects_of(lua_State* L) { return *static_cast<Objects*>(lua_touserdata(L, lua_upvalueindex(1))); }
+
+/// The object at `index`, or null when it is none of ours. Raises nothing.
+ObjectRef* to_object(lua_State* L, int index);
+ObjectRef* to_object(lua_State* L, int index, ObjectKind kind);
+
+/// Pushes an object. May raise a Lua error.
+void push_object(lua_State* L, Objects& objects, ObjectKind kind, LiveSystem& live, std::string_view component,
+                 std::string_view port);
+
+/// Pushes a closure whose first upvalue are the objects and whose second is a name. May raise a Lua error.
+void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::string_view name);
+
+/// Pushes the answer that is kept in the core, and returns how many values that are. May raise a Lua error.
+int push_answer(lua_State* L, Objects& objects);
+/// Raises the text that is kept in the core, with the caller's line before it.
+int raise_answer(lua_State* L, Objects& objects);
+
+/// Runs `body()`, which reads from Lua without raising and returns an `Expected<Answer>`; then pushes the answer or
+/// raises the error, when nothing is left that needs a destructor.
+template <class Body>
+int answer(lua_State* L, Objects& objects, Body&& body) {
+    bool failed = false;
+    {
+        Expected<Answer> got = body();
+        Objects::Core& core = ObjectAccess::core(objects);
+        if (got) {
+            core.answer = std::move(*got);
+        } else {
+            core.raised = describe(got.error());
+            failed = true;
+        }
+    }
+    return failed ? raise_answer(L, objects) : push_answer(L, objects);
+}
+
+/// The text at `index`, which must be a string. Raises nothing.
+inline std::string_view text_at(lua_State* L, int index) {
+    std::size_t length = 0;
+    const char* text = lua_tolstring(L, index, &length);
+    return {text, length};
+}
+
+/// The component or port that an object means, now.
+Expected<ComponentAt> find_component(const ObjectRef& ref);
+Expected<PortAt> find_port(const ObjectRef& ref);
+
+/// The functions of each kind of object.
+struct ObjectFunctions {
+    lua_CFunction index;
+    lua_CFunction newindex;
+    lua_CFunction pairs;  ///< null: the object has none
+    lua_CFunction tostring;
+    const char* name;
+};
+const ObjectFunctions& component_functions();
+const ObjectFunctions& port_functions();
+const ObjectFunctions& config_functions();
+const ObjectFunctions& truth_functions();
+const ObjectFunctions& ports_functions();
+const ObjectFunctions& system_functions();
+
+}  // namespace nezumi

@@ -1,0 +1,104 @@
+// A component as seen from outside: the one object model of console and scenarios, opened in a Lua state.
+//
+// `X` is a component by its name: it stays valid over reloads and restarts, and says so when the component is gone.
+//   X.ports.NAME, X.NAME   a port; X.NAME gives way to the words below, X.ports.NAME never
+//   X.config               parameters, read and written within their bounds
+//   X.state                what the script keeps in `state`: a copy that can't be changed
+//   X.status               "INACTIVE", "ACTIVE" or "ERROR"
+//   X.version X.type X.name X.rate X.set X.sets X.error X.commands
+//   X:activate() X:deactivate() X:reset()  return the status that follows; X:use "set" the set's name
+//   X:command(...)         runs in the component's own state; arguments and results are copies of plain data
+//   robots: X.truth.pose .velocity .height .tilt, X.collided, X.touching, X.leds, X.buzzer, X.limits,
+//           X:teleport(pose), X:press(button, pressed), X:disturb { vx =, va = }
+// A port has .value .tm .age .connected .stale .type .peers .name .path .direction .doc .note .count .override, and
+//   port:write(value)      an out-port: published as if its component had written it, whatever the component's state;
+//                          an in-port: the same as inject
+//   port:inject(value) port:hold(value) port:release() port:drop() port:freeze()
+// Whatever fails raises an error with its message, in the console as in scenarios.
+#pragma once
+
+#include <functional>
+#include <lua.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/sandbox/state.hpp"
+#include "engine/error.hpp"
+
+namespace nezumi {
+
+/// A component, and the system it is in.
+struct ComponentAt {
+    LiveSystem* live;
+    Component* component;
+};
+
+/// A port, whose it is, and the system it is in.
+struct PortAt {
+    LiveSystem* live;
+    Component* component;
+    Port* port;
+
+    std::string path() const { return component->name() + "." + port->name(); }
+};
+
+class Objects {
+public:
+    /// Opens the objects in a state that has the sandbox's library. `current` is the system in which texts as
+    /// "name.port" are looked up. The objects must outlive the state's use, and every system given to them must outlive
+    /// the state.
+    static Expected<std::unique_ptr<Objects>> open(LuaState& state, std::function<LiveSystem&()> current);
+    ~Objects();
+    Objects(const Objects&) = delete;
+    Objects& operator=(const Objects&) = delete;
+
+    /// Real robots: they can't be teleported, pressed or pushed from here.
+    void set_hardware(bool hardware) { hardware_ = hardware; }
+
+    // These push one object, and may raise a Lua error (memory): with nothing alive that needs its destructor, or
+    // within a protected call. The names are not looked up yet.
+
+    /// All of a system by name: `world.controller`.
+    void push_system(lua_State* L, LiveSystem& live);
+    void push_component(lua_State* L, LiveSystem& live, std::string_view name);
+    void push_port(lua_State* L, LiveSystem& live, std::string_view component, std::string_view port);
+
+    // These read a value of Lua and raise nothing.
+
+    /// A port object, or the text "name.port" in the current system. The error names the nearest.
+    Expected<PortAt> to_port(lua_State* L, int index) const;
+    /// A component object, or its name as a text.
+    Expected<ComponentAt> to_component(lua_State* L, int index) const;
+    /// A system object; null for anything else.
+    static LiveSystem* to_system(lua_State* L, int index);
+    /// The value at `index` as a message of this port: "input 'in' (TimedShortSeq): element 2 expected an integer ...".
+    static Expected<AnyPayload> to_payload(lua_State* L, int index, const Port& port);
+
+    /// Adds `inject(port, value)`, `hold(port, value)` and `release(port)` to the table on top of the stack, as
+    /// functions or as methods (`s:inject(port, value)`). May raise a Lua error.
+    void add_port_words(lua_State* L, bool methods);
+
+    /// Every member that `X.` has: ports, words, commands. Sorted.
+    static std::vector<std::string> members(const Component& component);
+    /// Every word that a port has. Sorted.
+    static std::vector<std::string> port_members();
+    /// Every word that `X.truth` has. Sorted.
+    static std::vector<std::string> truth_members();
+
+    struct Core;
+
+private:
+    Objects();
+
+    bool hardware_ = false;
+    std::unique_ptr<Core> core_;
+    friend struct ObjectAccess;
+};
+
+/// What a port's `write` and the word `inject` do. The payload must be of the port's type.
+void write_to(Port& port, const AnyPayload& value);
+
+}  // namespace nezumi

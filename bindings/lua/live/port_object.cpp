@@ -1,0 +1,202 @@
+// A port as seen from outside: a look at it, and a hand on it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/values/codec.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::array<std::string_view, 15> properties{"age",  "connected", "count",  "direction", "doc",
+                                                      "name", "note",      "path",   "peers",     "stale",
+                                                      "tm",   "type",      "unread", "value",     "override"};
+constexpr std::array<std::string_view, 6> methods{"drop", "freeze", "hold", "inject", "release", "write"};
+
+bool contains(const auto& all, std::string_view word) { return std::find(all.begin(), all.end(), word) != all.end(); }
+
+std::string title(const Port& port) {
+    return fmt::format("{} '{}'", port.direction() == Direction::in ? "input" : "output", port.name());
+}
+
+Answer property(const PortAt& at, std::string_view name) {
+    const System& system = at.live->system();
+    const Port& port = *at.port;
+    if (name == "value") return port.value();
+    if (name == "tm") return port.tm();
+    if (name == "age") return port_age(system, port);
+    if (name == "stale") return is_stale(system, port);
+    if (name == "type") return std::string(port.type_name());
+    if (name == "peers") return system.peers(port);
+    if (name == "connected") return !system.peers(port).empty();
+    if (name == "name") return port.name();
+    if (name == "path") return at.path();
+    if (name == "direction") return std::string(port.direction() == Direction::in ? "in" : "out");
+    if (name == "doc") return port.doc();
+    if (name == "note") return port.note();
+    if (name == "count") return static_cast<std::int64_t>(port.count());
+    if (name == "unread") return port.direction() == Direction::in && static_cast<const InPortBase&>(port).is_new();
+    return std::string(to_text(port.override()));
+}
+
+// The value that a word puts into a port. `value` is its index.
+Expected<AnyPayload> value_for(lua_State* L, int value, const PortAt& at, std::string_view word) {
+    if (lua_type(L, value) == LUA_TNONE) return failure(fmt::format("{}: expected a value for {}", word, at.path()));
+    return Objects::to_payload(L, value, *at.port);
+}
+
+// Every way of putting a hand on a port: `value` is the index of the value, where there is one.
+Expected<Answer> act(lua_State* L, const PortAt& at, std::string_view word, int value) {
+    Port& port = *at.port;
+    if (word == "release") return port.release(), Answer{};
+    if (word == "drop") return port.drop(), Answer{};
+    if (word == "freeze") return port.freeze(), Answer{};
+    auto payload = value_for(L, value, at, word);
+    if (!payload) return Unexpected(payload.error());
+    if (word == "hold") return port.hold(std::move(*payload)), Answer{};
+    write_to(port, *payload);
+    return Answer{};
+}
+
+int method(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const std::string_view name = text_at(L, lua_upvalueindex(2));
+        const ObjectRef* self = to_object(L, 1, ObjectKind::port);
+        if (self == nullptr)
+            return failure(fmt::format("{}: write `port:{}(...)` with a colon, not `port.{}(...)`", name, name, name));
+        const auto at = find_port(*self);
+        if (!at) return Unexpected(at.error());
+        return act(L, *at, name, 2);
+    });
+}
+
+// The words `inject`, `hold` and `release`. Upvalues: the objects, the word, the index of its first argument.
+int word(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const std::string_view name = text_at(L, lua_upvalueindex(2));
+        const int first = static_cast<int>(lua_tointeger(L, lua_upvalueindex(3)));
+        const auto at = objects.to_port(L, first);
+        if (!at) return failure(fmt::format("{}: {}", name, at.error().message));
+        return act(L, *at, name, first + 1);
+    });
+}
+
+std::string explain_key(lua_State* L, const PortAt& at) {
+    if (lua_type(L, 2) != LUA_TSTRING)
+        return fmt::format("{} is the port, not its value: its value is {}.value", at.path(), at.path());
+    const std::string_view key = text_at(L, 2);
+    if (key == "read") {
+        return fmt::format("{}: only its own component reads it; a look at it is {}.value", at.path(), at.path());
+    }
+    std::vector<std::string_view> names(properties.begin(), properties.end());
+    names.insert(names.end(), methods.begin(), methods.end());
+    std::string near = did_you_mean(key, names);
+    if (near.empty()) near = fmt::format("; the value's own fields are {}.value.NAME", at.path());
+    return fmt::format("{} has no '{}'{}", at.path(), shown(key), near);
+}
+
+int port_index(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const auto at = find_port(*to_object(L, 1));
+        if (!at) return Unexpected(at.error());
+        if (lua_type(L, 2) == LUA_TSTRING) {
+            const std::string_view key = text_at(L, 2);
+            if (contains(properties, key)) return property(*at, key);
+            if (contains(methods, key)) return Answer{MethodName{method, std::string(key)}};
+        }
+        return failure(explain_key(L, *at));
+    });
+}
+
+int port_newindex(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        return failure(fmt::format("{}.{}: nothing of it can be set; write a value with :write(value)", ref.component(),
+                                   ref.port()));
+    });
+}
+
+int port_tostring(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        const auto at = find_port(ref);
+        if (!at) return Answer{fmt::format("{}.{} (there is no such port now)", ref.component(), ref.port())};
+        return Answer{port_text(at->live->system(), *at->component, *at->port)};
+    });
+}
+
+}  // namespace
+
+const ObjectFunctions& port_functions() {
+    static constexpr ObjectFunctions functions{port_index, port_newindex, nullptr, port_tostring, "port"};
+    return functions;
+}
+
+std::vector<std::string> Objects::port_members() {
+    std::vector<std::string> all(properties.begin(), properties.end());
+    all.insert(all.end(), methods.begin(), methods.end());
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+void write_to(Port& port, const AnyPayload& value) {
+    if (port.direction() == Direction::in) {
+        static_cast<InPortBase&>(port).inject(value);
+    } else {
+        static_cast<OutPortBase&>(port).write_any(value);
+    }
+}
+
+Expected<PortAt> find_port(const ObjectRef& ref) {
+    const auto at = find_component(ref);
+    if (!at) return Unexpected(at.error());
+    auto port = ref.live->system().port(fmt::format("{}.{}", ref.component(), ref.port()));
+    if (!port) return Unexpected(port.error());
+    return PortAt{ref.live, at->component, *port};
+}
+
+Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
+    if (const ObjectRef* ref = to_object(L, index, ObjectKind::port)) return nezumi::find_port(*ref);
+    if (const ObjectRef* ref = to_object(L, index, ObjectKind::component)) {
+        return failure(
+            fmt::format("expected a port, got the component {}: write {}.PORT", ref->component(), ref->component()));
+    }
+    if (lua_type(L, index) != LUA_TSTRING) {
+        return failure(fmt::format("expected a port or \"name.port\", got {}",
+                                   lua_isnoneornil(L, index) ? "nothing" : luaL_typename(L, index)));
+    }
+    LiveSystem& live = core_->current();
+    const std::string_view path = text_at(L, index);
+    auto port = live.system().port(path);
+    if (!port) return Unexpected(port.error());
+    return PortAt{&live, live.system().find(path.substr(0, path.find('.'))), *port};
+}
+
+Expected<AnyPayload> Objects::to_payload(lua_State* L, int index, const Port& port) {
+    if (lua_checkstack(L, 30) == 0) return failure("stack overflow");
+    auto value = read_payload(L, lua_absindex(L, index), port.type());
+    if (!value) return failure(fmt::format("{} ({}): {}", title(port), port.type_name(), value.error().message));
+    return value;
+}
+
+void Objects::add_port_words(lua_State* L, bool as_methods) {
+    luaL_checkstack(L, 5, nullptr);
+    for (const char* name : {"inject", "hold", "release"}) {
+        lua_pushlightuserdata(L, this);
+        lua_pushstring(L, name);
+        lua_pushinteger(L, as_methods ? 2 : 1);
+        lua_pushcclosure(L, word, 3);
+        lua_setfield(L, -2, name);
+    }
+}
+
+}  // namespace nezumi

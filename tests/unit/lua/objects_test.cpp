@@ -1,0 +1,260 @@
+// The object model of console and scenarios: what a component shows and does, seen from outside.
+#include "bindings/lua/live/objects.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bindings/lua/live/inspect.hpp"
+#include "tests/unit/live_rig.hpp"
+#include "tests/unit/lua/sandbox_support.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+struct Objective : LiveRig {
+    Objective() : Objective(counter_system) {}
+    explicit Objective(const std::string& system) : LiveRig(system) {
+        objects = std::move(Objects::open(*box.state, [this]() -> LiveSystem& { return *live; }).value());
+        const auto opened = protect(box.lua(), Budget{1.0}, [this](lua_State* L) {
+            lua_pushglobaltable(L);
+            objects->add_port_words(L, false);
+            objects->push_system(L, *live);
+            lua_setfield(L, -2, "world");
+            for (const char* name : {"mouse", "controller"}) {
+                objects->push_component(L, *live, name);
+                lua_setfield(L, -2, name);
+            }
+            return 0;
+        });
+        REQUIRE(opened.has_value());
+    }
+
+    std::string run(const std::string& text) { return box.run(text); }
+
+    Box box;
+    std::unique_ptr<Objects> objects;
+};
+
+}  // namespace
+
+TEST_CASE("a component shows its name, type, status and version", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("return controller.name, controller.type, controller.status, controller.version") ==
+          "controller Counter ACTIVE 1");
+    CHECK(it.run("return mouse.status, mouse.version, mouse.name") == "ACTIVE 1 mouse");
+    CHECK(it.run("return controller.rate, controller.set, controller.error") == "100.0 nil nil");
+    CHECK(it.run("return table.concat(controller.commands, ' '), table.concat(controller.sets, ' ')") ==
+          "add fail both fast slow");
+}
+
+TEST_CASE("a port shows its value, stamp, age, type and peers, and nothing is consumed", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("return controller.out.value.vx, controller.out.tm, controller.out.age, controller.out.stale") ==
+          "0.0 0.0 inf true");
+    it.tick(3);
+    CHECK(it.run("return controller.out.value.vx, controller.out.tm, controller.out.type, controller.out.stale") ==
+          "0.25 0.02 TimedVelocity2D false");
+    CHECK(it.run("return controller.out.age") == "0.01");
+    CHECK(it.run("return controller.out.peers[1], #controller.out.peers, controller.out.connected") ==
+          "mouse.target_velocity_in 1 true");
+    CHECK(it.run("return mouse.switch3bit_out.connected, mouse.ports.switch3bit_out.direction") == "false out");
+    CHECK(it.run("return #controller.ports['in'].value, controller.ports['in'].path") == "4 controller.in");
+    auto& in = *it.component("controller").find_in_port("in");
+    in.inject(std::vector<std::int16_t>{1, 2});
+    in.latch(it.live->system().now());
+    CHECK(in.is_new());
+    CHECK(it.run("return controller['in'].value[2], controller['in'].unread") == "2 true");
+    CHECK(in.is_new());
+}
+
+TEST_CASE("a name that is not there names the nearest", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("return controller.statsu") == "box.lua:1: controller has no 'statsu' (did you mean 'status'?)");
+    CHECK(it.run("return controller.ports.ot") == "box.lua:1: controller has no port 'ot' (did you mean 'out'?)");
+    CHECK(it.run("return world.contoller") ==
+          "box.lua:1: there is no component 'contoller' (did you mean 'controller'?)");
+    CHECK(it.run("return controller.config.sped_x") ==
+          "box.lua:1: controller: unknown parameter 'sped_x' (did you mean 'speed_x'?)");
+    CHECK(it.run("return controller.speed_x") ==
+          "box.lua:1: controller has no 'speed_x': its parameter is controller.config.speed_x");
+    CHECK(it.run("return controller.out.valu") == "box.lua:1: controller.out has no 'valu' (did you mean 'value'?)");
+    CHECK(it.run("return controller.out[1]") ==
+          "box.lua:1: controller.out is the port, not its value: its value is controller.out.value");
+    CHECK(it.run("return mouse.truth.position") == "box.lua:1: mouse.truth has no 'position'");
+    CHECK(it.run("return controller.collided") == "box.lua:1: controller has no 'collided'");
+    CHECK(it.run("return controller[1]") == "box.lua:1: controller is a component: its members have names");
+}
+
+TEST_CASE("parameters are read and written within their bounds", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("controller.config.speed_x = 0.5 return controller.config.speed_x") == "0.5");
+    it.tick();
+    CHECK(it.run("return controller.out.value.vx") == "0.5");
+    CHECK(it.run("controller.config.speed_x = 9") ==
+          "box.lua:1: parameter 'speed_x' (number): 9.0 is above its maximum 1.5");
+    CHECK(it.run("controller.config.stop_d = 'x'").find("box.lua:1: parameter 'stop_d' (integer)") == 0);
+    CHECK(it.run("controller.config.sped_x = 1") ==
+          "box.lua:1: controller: unknown parameter 'sped_x' (did you mean 'speed_x'?)");
+    CHECK(it.run("local t = {} for name, value in pairs(controller.config) do t[#t + 1] = name end "
+                 "return table.concat(t, ' ')") == "gains speed_x stop_d");
+    CHECK(it.run("controller.config.gains = { 2, 3 } return controller.config.gains[2]") == "3.0");
+    CHECK(it.run("controller.config.gains[1] = 7") ==
+          "box.lua:1: can't set 'controller.config.gains.1': 'controller.config.gains' is read-only");
+    CHECK(it.run("controller.speed_x = 1") ==
+          "box.lua:1: controller.speed_x can't be set: its parameter is controller.config.speed_x");
+    CHECK(it.run("controller.out = 1") ==
+          "box.lua:1: controller.out is a port: write a value with controller.out:write(value)");
+}
+
+TEST_CASE("state is a copy that can't be changed", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("return controller.state.count, controller.state.list[2].deep") == "0 true");
+    CHECK(it.run("controller.state.count = 3") ==
+          "box.lua:1: can't set 'controller.state.count': 'controller.state' is read-only");
+    CHECK(it.run("controller.state.list[2].deep = false").find("is read-only") != std::string::npos);
+    CHECK(it.run("return mouse.state.any") == "nil");
+}
+
+TEST_CASE("a component is activated, deactivated, reset and switched from outside", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("return controller:deactivate(), controller.status") == "INACTIVE INACTIVE");
+    CHECK(it.run("return controller:activate(), controller.status") == "ACTIVE ACTIVE");
+    CHECK(it.run("controller:reset()") == "box.lua:1: controller is ACTIVE: only a component in ERROR can be reset");
+    CHECK(it.run("controller:use 'fast' return controller.config.speed_x, controller.set") == "0.5 fast");
+    CHECK(it.run("controller:use 'fsat'") ==
+          "box.lua:1: controller has no parameter set 'fsat' (did you mean 'fast'?)");
+    CHECK(it.run("controller.activate()") ==
+          "box.lua:1: activate: write `X:activate(...)` with a colon, not `X.activate(...)`");
+}
+
+TEST_CASE("commands run in the component's own state, between ticks", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("return controller:add(2, 'b')") == "2 b");
+    CHECK(it.run("return controller:add(3), controller.state.count") == "5 5");
+    CHECK(it.run("controller:fail()").find("counter.lua:10: no luck") != std::string::npos);
+    CHECK(
+        it.run("controller:both()").find("output 'out' (TimedVelocity2D): field 'va' expected a number, got string") !=
+        std::string::npos);
+    CHECK(it.run("return controller.status") == "ACTIVE");
+    CHECK(it.run("controller:add(print)") ==
+          "box.lua:1: command 'add': argument 1 is a function, and only plain data can be given");
+    CHECK(it.run("controller.add(1)") == "box.lua:1: add: write `X:add(...)` with a colon, not `X.add(...)`");
+}
+
+TEST_CASE("a value is written, injected, held and released from outside", "[lua][objects]") {
+    Objective it;
+    it.tick(2);
+    CHECK(it.run("inject('controller.in', { 31 })").empty());
+    it.tick();
+    CHECK(it.run("return controller.out.value.vx") == "0.25");  // the sensors' message came after
+    CHECK(it.run("hold(controller['in'], { 31, 0 }) return controller['in'].override") == "held");
+    it.tick();
+    CHECK(it.run("return controller.out.value.vx, controller['in'].value[1]") == "0.0 31");
+    CHECK(it.run("release 'controller.in' return controller['in'].override").empty());
+    it.tick();
+    CHECK(it.run("return controller.out.value.vx") == "0.25");
+    CHECK(it.run("controller:deactivate()").empty());
+    it.tick();
+    CHECK(it.run("controller.out:write { vx = 0.125 }").empty());
+    it.tick();
+    CHECK(it.run("return mouse.target_velocity_in.value.vx") == "0.125");
+    CHECK(it.run("mouse.buzzer_hz_in:write(440)").empty());
+    it.tick();
+    CHECK(it.run("return mouse.buzzer") == "440");
+}
+
+TEST_CASE("a wrong value gets the message that a script gets", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("controller.out:write { vx = 'x' }") ==
+          "box.lua:1: output 'out' (TimedVelocity2D): field 'vx' expected a number, got string");
+    CHECK(it.run("inject(controller['in'], { 1, 40000 })").find("box.lua:1: input 'in' (TimedShortSeq): element 2 ") ==
+          0);
+    CHECK(it.run("inject('controller.inn', {})") ==
+          "box.lua:1: inject: controller has no port 'inn' (did you mean 'in'?)");
+    CHECK(it.run("inject(controller, {})") ==
+          "box.lua:1: inject: expected a port, got the component controller: write controller.PORT");
+    CHECK(it.run("inject()") == "box.lua:1: inject: expected a port or \"name.port\", got nothing");
+    CHECK(it.run("hold('controller.in')") == "box.lua:1: hold: expected a value for controller.in");
+    CHECK(it.run("inject('controller', {})") ==
+          "box.lua:1: inject: 'controller' names no port: expected \"name.port\"");
+}
+
+TEST_CASE("a robot shows the truth, its lights and its limits, and can be carried", "[lua][objects]") {
+    Objective it;
+    it.tick(50);
+    CHECK(it.run("return mouse.truth.pose.position.x > 0.01, mouse.truth.velocity.vx > 0.1, mouse.collided") ==
+          "true true false");
+    CHECK(it.run("mouse:teleport { x = -0.5, heading = 1 } return mouse.truth.pose.position.x, "
+                 "mouse.truth.pose.heading") == "-0.5 1.0");
+    CHECK(it.run("return mouse.limits.speed, #mouse.leds, mouse.buzzer") == "0.5 4 0");
+    CHECK(it.run("mouse:press('switch1')").empty());
+    it.tick();
+    CHECK(it.run("return mouse.switch3bit_out.value[2]") == "true");
+    CHECK(it.run("mouse:press('switch9')").find("box.lua:1: mouse has no button 'switch9' (did you mean 'switch") == 0);
+    CHECK(it.run("mouse:teleport { x = 0, z = 1 }").find("box.lua:1: pose: unknown field 'z'") == 0);
+    it.objects->set_hardware(true);
+    CHECK(it.run("mouse:teleport { x = 0 }") == "box.lua:1: teleport: this is a real robot");
+}
+
+TEST_CASE("an object stays valid over a restart, and says so when its component is gone", "[lua][objects]") {
+    Objective it;
+    it.tick(5);
+    CHECK(it.run("kept = controller.out return kept.tm") == "0.04");
+    REQUIRE(it.live->restart().has_value());
+    CHECK(it.run("return kept.tm, kept.path, kept == controller.out, kept == controller['in']") ==
+          "0.0 controller.out true false");
+    REQUIRE(it.live->system().remove("controller").has_value());
+    CHECK(it.run("return controller.status") == "box.lua:1: there is no component 'controller'");
+    CHECK(it.run("return kept.value") == "box.lua:1: there is no component 'controller'");
+    CHECK(it.run("return tostring(kept)") == "controller.out (there is no such port now)");
+    CHECK(it.run("return tostring(controller)") == "controller (there is no such component now)");
+}
+
+TEST_CASE("objects have a text that a person can read", "[lua][objects]") {
+    Objective it;
+    it.tick(2);
+    CHECK(it.run("return tostring(controller.out)") ==
+          "controller.out  TimedVelocity2D  { vx = 0.25, vy = 0, va = 0 }  0.01 s old  -> mouse.target_velocity_in");
+    it.run("hold(controller.out, {})");
+    CHECK(it.run("return tostring(controller)") ==
+          "controller  Counter, ACTIVE, version 1\n"
+          "  in  in   TimedShortSeq    <- mouse.ir_sensor_out\n"
+          "  out out  TimedVelocity2D  -> mouse.target_velocity_in  held at { vx = 0.25, vy = 0, va = 0 }\n"
+          "  config.speed_x = 0.25\n"
+          "  config.stop_d = 30\n"
+          "  config.gains = { 1.0, 0.5 }\n"
+          "  :add(...)  counts up\n"
+          "  :fail(...)  \n"
+          "  :both(...)  ");
+    CHECK(it.run("return tostring(controller.config)") ==
+          "speed_x = 0.25  m/s, -1.5 to 1.5  straight-ahead speed\nstop_d = 30\ngains = { 1.0, 0.5 }");
+    CHECK(it.run("local n = 0 for name, port in pairs(controller.ports) do n = n + #port.path end return n") == "27");
+}
+
+TEST_CASE("values are shown as Lua writes them, in several lines where one is too long", "[lua][inspect]") {
+    Box box;
+    const auto shown = [&](const std::string& text, const InspectOptions& options = {}) {
+        box.run("return 1");
+        const auto chunk = compile("return " + text, "box.lua");
+        REQUIRE(load_chunk(box.lua(), *chunk).has_value());
+        REQUIRE(protected_call(box.lua(), 0, 1, Budget{1.0}).has_value());
+        std::string result = inspect(box.lua(), -1, options);
+        lua_settop(box.lua(), 0);
+        return result;
+    };
+    CHECK(shown("nil") == "nil");
+    CHECK(shown("'a\"b'") == "\"a\\\"b\"");
+    CHECK(shown("'a'", {.quote = false}) == "a");
+    CHECK(shown("{}") == "{}");
+    CHECK(shown("{ 1, 2.5, 'x', b = true, a = { c = {} }, [7] = 1, ['in'] = 2 }") ==
+          "{ 1, 2.5, \"x\", [7] = 1, a = { c = {} }, b = true, [\"in\"] = 2 }");
+    CHECK(shown("{ aaaa = { 1, 2, 3 }, bbbb = { 4, 5 } }", {.width = 30}) ==
+          "{\n  aaaa = { 1, 2, 3 },\n  bbbb = { 4, 5 }\n}");
+    CHECK(shown("(function() local t = { 1 } t[2] = t return t end)()") == "{ 1, <cycle> }");
+    CHECK(shown("{ { { 1 } } }", {.depth = 2}) == "{ { {...} } }");
+    CHECK(shown("{ 1, 2, 3 }", {.items = 2}) == "{ 1, 2, ... }");
+    CHECK(shown("setmetatable({}, { __tostring = function() return 'me' end })") == "me");
+    CHECK(shown("setmetatable({}, { __tostring = function() error('x', 0) end })") == "<can't be shown: box.lua:1: x>");
+    CHECK(shown("{ [{}] = 1 }").find("<can't be shown: a table with a table or function as a key") == 0);
+    CHECK(shown("math").find("{") == 0);
+}
