@@ -16,5 +16,6 @@ enum Status : int {
 void add_run_command(CLI::App& app, int& status);
 void add_types_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
+void add_new_command(CLI::App& app, int& status);
 
 }  // namespace nezumi::cli

@@ -1,0 +1,183 @@
+// Fills the template of a behaviour, and loads the result before anyone else does.
+#include "bindings/cli/new_behavior.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/script/check_script.hpp"
+#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/stubs/message_shape.hpp"
+#include "engine/system_spec.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+struct NewPort {
+    std::string name;
+    MessageShape message;
+    std::string local;  // the variable that holds it
+};
+
+bool is_keyword(const std::string& name) { return !is_identifier(name) && is_identifier(name + "_"); }
+
+Expected<void> check_name(std::string_view option, const std::string& name, std::vector<std::string>& taken) {
+    if (!is_identifier(name) && !is_keyword(name)) {
+        return failure(fmt::format("{} '{}': a name consists of letters, digits and _, and does not begin with a digit",
+                                   option, shown(name)));
+    }
+    if (std::find(taken.begin(), taken.end(), name) != taken.end())
+        return failure(fmt::format("{} '{}': the name is given twice", option, shown(name)));
+    taken.push_back(name);
+    return {};
+}
+
+// Words of the file that a local variable must not hide.
+bool is_taken_word(const std::string& name) {
+    const auto has = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+    return is_keyword(name) || has(script_words()) || has(sandbox_names());
+}
+
+Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::vector<std::string>& given,
+                                          std::vector<std::string>& taken) {
+    const std::vector<MessageShape> messages = message_shapes();
+    std::vector<NewPort> ports;
+    for (const std::string& text : given) {
+        const std::size_t colon = text.find(':');
+        if (colon == std::string::npos) {
+            return failure(fmt::format("{0} '{1}': expected name:Type, for example {0} distance:TimedShortSeq", option,
+                                       shown(text)));
+        }
+        NewPort port{text.substr(0, colon), {}, text.substr(0, colon)};
+        const std::string type = text.substr(colon + 1);
+        if (auto ok = check_name(option, port.name, taken); !ok) return Unexpected(ok.error());
+        const auto found = std::find_if(messages.begin(), messages.end(),
+                                        [&](const MessageShape& message) { return message.name == type; });
+        if (found == messages.end()) {
+            return failure(fmt::format("{} '{}': unknown type '{}'{}; `nezumi types` lists them all", option, port.name,
+                                       shown(type),
+                                       did_you_mean(type, {message_type_names.begin(), message_type_names.end()})));
+        }
+        port.message = *found;
+        if (is_taken_word(port.name)) port.local += "_port";
+        ports.push_back(std::move(port));
+    }
+    return ports;
+}
+
+// A value of the type as Lua writes it: what a new behaviour writes, and what its scenario sends it.
+std::string sample(const Shape& shape) {
+    std::string text;
+    switch (shape.kind) {
+        case Shape::Kind::boolean: text = "false"; break;
+        case Shape::Kind::integer: text = "0"; break;
+        case Shape::Kind::number: text = shape.sequence ? "0.0" : "0"; break;
+        case Shape::Kind::text:
+        case Shape::Kind::octets: text = "\"\""; break;
+        case Shape::Kind::structure: {
+            for (const FieldShape& field : shape.fields) {
+                text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", field.name, sample(field.shape));
+            }
+            text = text.size() > 80 ? "{}" : "{ " + text + " }";  // what is left out is zero
+            break;
+        }
+    }
+    return shape.sequence ? "{ " + text + ", " + text + " }" : text;
+}
+
+// `world.ports["in"]` where `world.in` is no Lua.
+std::string member(const std::string& name) {
+    return is_keyword(name) ? fmt::format(".ports[\"{}\"]", name) : "." + name;
+}
+
+void add_declarations(std::string& text, std::string_view word, const std::vector<NewPort>& ports, std::size_t width) {
+    for (const NewPort& port : ports) {
+        text += fmt::format("local {:{}} = {}(\"{}\", \"{}\", \"{}\")\n", port.local, width, word, port.name,
+                            port.message.name, port.message.doc);
+    }
+}
+
+std::string behavior_text(const std::string& name, const std::vector<NewPort>& inputs,
+                          const std::vector<NewPort>& outputs,
+                          const std::vector<std::pair<std::string, std::string>>& parameters) {
+    std::string text = fmt::format("--- {}: say in a sentence what it does.\n\n", type_of_file(name + ".lua"));
+    std::size_t width = 0;
+    for (const auto* ports : {&inputs, &outputs}) {
+        for (const NewPort& port : *ports) width = std::max(width, port.local.size());
+    }
+    add_declarations(text, "input", inputs, width);
+    add_declarations(text, "output", outputs, width);
+    if (!inputs.empty() || !outputs.empty()) text += "\n";
+    for (const auto& [parameter, initial] : parameters) {
+        text += fmt::format("param(\"{0}\", {1}, {{ doc = \"read as config.{0}\" }})\n", parameter, initial);
+    }
+    if (!parameters.empty()) text += "\n";
+    text += "function on_execute()\n";
+    for (const NewPort& port : inputs) {
+        text += fmt::format("  local {}_now = {}:read()\n", port.name, port.local);
+    }
+    if (outputs.empty() && inputs.empty()) text += "  -- What it does, 100 times a second.\n";
+    for (const NewPort& port : outputs) {
+        const std::string value = sample(port.message.shape);
+        text += value.starts_with('{') ? fmt::format("  {}:write {}\n", port.local, value)
+                                       : fmt::format("  {}:write({})\n", port.local, value);
+    }
+    return text + "end\n";
+}
+
+std::string scenario_text(const std::string& name, const std::vector<NewPort>& inputs,
+                          const std::vector<NewPort>& outputs) {
+    // The words of the console can't be a component's name, nor may its variable hide one of the scenario's.
+    const std::string component = is_reserved_name(name) ? name + "_1" : name;
+    const bool hides = is_taken_word(name) || name == "s" || name == "scenario" || name == "range";
+    const std::string variable = hides ? "it" : component;
+    std::string text = fmt::format(
+        "scenario(\"{0} runs\", {{ timeout = 10 }}, function(s)\n"
+        "  local {1} = s:behavior \"{2}\" {{ script = \"{0}\" }}\n"
+        "  s:always(\"is well\", function() return {1}.status == \"ACTIVE\" end)\n\n",
+        name, variable, component);
+    for (const NewPort& port : inputs) {
+        text += fmt::format("  s:inject(\"{}.{}\", {})\n", component, port.name, sample(port.message.shape));
+    }
+    text += "  s:run(1)\n";
+    for (const NewPort& port : outputs) {
+        text += fmt::format("  s:check({}{}.tm > 0, \"{} was written\")\n", variable, member(port.name), port.name);
+    }
+    return text + "end)\n";
+}
+
+}  // namespace
+
+Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
+    auto name = behavior_file_name(wanted.name);
+    if (!name) return Unexpected(name.error());
+    std::vector<std::string> taken;
+    auto inputs = read_ports("--in", wanted.inputs, taken);
+    if (!inputs) return Unexpected(inputs.error());
+    auto outputs = read_ports("--out", wanted.outputs, taken);
+    if (!outputs) return Unexpected(outputs.error());
+    std::vector<std::pair<std::string, std::string>> parameters;
+    std::vector<std::string> taken_parameters;
+    for (const std::string& text : wanted.parameters) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos) {
+            return failure(
+                fmt::format("--param '{}': expected name=default, for example --param speed=0.1", shown(text)));
+        }
+        const std::string parameter = text.substr(0, equals);
+        if (auto ok = check_name("--param", parameter, taken_parameters); !ok) return Unexpected(ok.error());
+        auto initial = default_text(text.substr(equals + 1));
+        if (!initial) return failure(fmt::format("--param '{}': {}", parameter, initial.error().message));
+        parameters.emplace_back(parameter, std::move(*initial));
+    }
+    BehaviorTexts texts{*name, behavior_text(*name, *inputs, *outputs, parameters),
+                        scenario_text(*name, *inputs, *outputs)};
+    // What remains to be refused are words that mean something else; the script's own loading knows them.
+    const auto errors = check_behavior({*name + ".lua", *name + ".lua", texts.behavior}, {.component = *name});
+    if (!errors.empty()) return failure(errors.front().message);
+    return texts;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,192 @@
+// What `nezumi new` writes, and what it refuses to.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "bindings/cli/check_files.hpp"
+#include "bindings/cli/environment.hpp"
+#include "bindings/cli/new_behavior.hpp"
+#include "bindings/cli/new_files.hpp"
+#include "bindings/cli/new_project.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::cli;
+
+namespace {
+
+std::string refusal(const NewBehavior& wanted) {
+    const auto texts = write_behavior(wanted);
+    return texts ? "nothing" : texts.error().message;
+}
+
+std::string read(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("a new behaviour has the ports and parameters of the command line", "[cli][new]") {
+    const auto texts = write_behavior({.name = "AvoidWall",
+                                       .inputs = {"distance:TimedShortSeq"},
+                                       .outputs = {"out:TimedVelocity2D"},
+                                       .parameters = {"speed=0.1", "greeting=good day"}});
+    REQUIRE(texts.has_value());
+    CHECK(texts->name == "avoid_wall");
+    CHECK(texts->behavior == R"(--- AvoidWall: say in a sentence what it does.
+
+local distance = input("distance", "TimedShortSeq", "a sequence of 16-bit integers")
+local out      = output("out", "TimedVelocity2D", "a velocity in the robot's own frame")
+
+param("speed", 0.1, { doc = "read as config.speed" })
+param("greeting", "good day", { doc = "read as config.greeting" })
+
+function on_execute()
+  local distance_now = distance:read()
+  out:write { vx = 0, vy = 0, va = 0 }
+end
+)");
+    CHECK(texts->scenario == R"(scenario("avoid_wall runs", { timeout = 10 }, function(s)
+  local avoid_wall = s:behavior "avoid_wall" { script = "avoid_wall" }
+  s:always("is well", function() return avoid_wall.status == "ACTIVE" end)
+
+  s:inject("avoid_wall.distance", { 0, 0 })
+  s:run(1)
+  s:check(avoid_wall.out.tm > 0, "out was written")
+end)
+)");
+}
+
+TEST_CASE("a new behaviour and its scenario pass nezumi check whatever the types and names", "[cli][new]") {
+    NewBehavior all{.name = "all_types", .inputs = {}, .outputs = {}, .parameters = {"in=1"}};
+    all.parameters.clear();
+    for (const std::string_view type : message_type_names) {
+        all.inputs.push_back("in_" + std::to_string(all.inputs.size()) + ":" + std::string(type));
+        all.outputs.push_back("out_" + std::to_string(all.outputs.size()) + ":" + std::string(type));
+    }
+    const std::vector<NewBehavior> some{
+        all,
+        {.name = "bare", .inputs = {}, .outputs = {}, .parameters = {}},
+        {.name = "Keywords", .inputs = {"in:TimedShort", "end:TimedShort"}, .outputs = {"while:TimedShort"}},
+        {.name = "table", .inputs = {"text:TimedString"}, .outputs = {"out:TimedString"}},
+        {.name = "watch", .inputs = {}, .outputs = {"s:TimedString"}},
+        {.name = "s", .inputs = {}, .outputs = {"x:TimedString"}},
+    };
+    for (const NewBehavior& wanted : some) {
+        const auto texts = write_behavior(wanted);
+        INFO((texts ? wanted.name : texts.error().message));
+        REQUIRE(texts.has_value());
+        const Scratch files;
+        for (const auto& file : {files.write("behaviors/" + texts->name + ".lua", texts->behavior),
+                                 files.write("tests/" + texts->name + "_test.lua", texts->scenario)}) {
+            const auto errors = check_file(file, simulated_systems());
+            INFO((errors.empty() ? "" : describe(errors.front())));
+            CHECK(errors.empty());
+        }
+    }
+}
+
+TEST_CASE("names of behaviours are words, in either spelling", "[cli][new]") {
+    CHECK(behavior_file_name("LineFollower") == "line_follower");
+    CHECK(behavior_file_name("line_follower") == "line_follower");
+    CHECK(behavior_file_name("EV3Follower") == "ev3_follower");
+    CHECK(behavior_file_name("Follow2Lines") == "follow2_lines");
+    const auto refused = [](const std::string& name) { return behavior_file_name(name).error().message; };
+    CHECK(refused("my-robot") ==
+          "'my-robot' can't be a behaviour's name: letters, digits and _, not beginning with a digit (did you mean "
+          "'my_robot'?)");
+    CHECK(refused("behaviors/a.lua") ==
+          "'behaviors/a.lua' can't be a behaviour's name: letters, digits and _, not beginning with a digit (did you "
+          "mean 'a'?)");
+    CHECK(refused("2fast") == "'2fast' can't be a behaviour's name: letters, digits and _, not beginning with a digit");
+    CHECK(refused("end") == "'end' can't be a behaviour's name: it is a word of Lua");
+    CHECK(refused("wall_test") == "'wall_test' can't be a behaviour's name: files called *_test.lua are scenarios");
+    CHECK(refused("") == "a behaviour needs a name, for example line_follower");
+}
+
+TEST_CASE("a default's text says its type", "[cli][new]") {
+    CHECK(default_text("30") == "30");
+    CHECK(default_text("-0.5") == "-0.5");
+    CHECK(default_text("+1e3") == "1e3");
+    CHECK(default_text("true") == "true");
+    CHECK(default_text("hello world") == "\"hello world\"");
+    CHECK(default_text("\"30\"") == "\"30\"");
+    CHECK(default_text("") == "\"\"");
+    CHECK(default_text("say \"hi\"\n") == "\"say \\\"hi\\\"\\010\"");
+    CHECK(default_text("{1.0,0.5}") == "{ 1.0, 0.5 }");
+    CHECK(default_text("{ a, b }") == "{ \"a\", \"b\" }");
+    const auto refused = [](const std::string& text) { return default_text(text).error().message; };
+    CHECK(refused("0,5") == "'0,5' is no number: write 30, 0.5 or -1e-3, or a text in quotes");
+    CHECK(refused("1.2.3") == "'1.2.3' is no number: write 30, 0.5 or -1e-3, or a text in quotes");
+    CHECK(refused("1e999") == "'1e999' is no number: write 30, 0.5 or -1e-3, or a text in quotes");
+    CHECK(refused("nan") == "'nan' is no number: write 30, 0.5 or -1e-3, or a text in quotes");
+    CHECK(refused("ture") == "'ture' (did you mean 'true'?); a text like this needs quotes");
+    CHECK(refused("{}") == "an empty array has no type: write at least one element");
+    CHECK(refused("{1, 2") == "'{1, 2' has no } at its end");
+    CHECK(refused("{{1}}") == "arrays of arrays are no parameters");
+}
+
+TEST_CASE("a wrong word on the command line is one plain line with the nearest name", "[cli][new]") {
+    CHECK(refusal({.name = "a", .inputs = {"x:TimedShrt"}}) ==
+          "--in 'x': unknown type 'TimedShrt' (did you mean 'TimedShort'?); `nezumi types` lists them all");
+    CHECK(refusal({.name = "a", .outputs = {"x"}}) ==
+          "--out 'x': expected name:Type, for example --out distance:TimedShortSeq");
+    CHECK(refusal({.name = "a", .inputs = {"x-y:TimedShort"}}) ==
+          "--in 'x-y': a name consists of letters, digits and _, and does not begin with a digit");
+    CHECK(refusal({.name = "a", .inputs = {"x:TimedShort"}, .outputs = {"x:TimedShort"}}) ==
+          "--out 'x': the name is given twice");
+    CHECK(refusal({.name = "a", .inputs = {"config:TimedShort"}}) ==
+          "input 'config': the name is one of a component's own words");
+    CHECK(refusal({.name = "a", .parameters = {"speed"}}) ==
+          "--param 'speed': expected name=default, for example --param speed=0.1");
+    CHECK(refusal({.name = "a", .parameters = {"speed=0,1"}}) ==
+          "--param 'speed': '0,1' is no number: write 30, 0.5 or -1e-3, or a text in quotes");
+    CHECK(refusal({.name = "a", .parameters = {"x=1", "x=2"}}) == "--param 'x': the name is given twice");
+}
+
+TEST_CASE("new files are written all or none, and nothing is overwritten", "[cli][new]") {
+    const Scratch files;
+    files.write("b.lua", "mine");
+    const auto refused = write_new_files({{files.path("new/a.lua"), "a"}, {files.path("b.lua"), "b"}});
+    REQUIRE_FALSE(refused.has_value());
+    CHECK(refused.error().place.file == files.path("b.lua"));
+    CHECK(refused.error().message == "exists already, and nothing is overwritten: choose another name or move it away");
+    CHECK(read(files.path("b.lua")) == "mine");
+    CHECK_FALSE(std::filesystem::exists(files.path("new")));
+
+    // A file where a folder is needed shows itself only when the first one is written already.
+    const auto half = write_new_files({{files.path("new/a.lua"), "a"}, {files.path("b.lua/c.lua"), "c"}});
+    CHECK_FALSE(half.has_value());
+    CHECK_FALSE(std::filesystem::exists(files.path("new")));
+
+    CHECK(write_new_files({{files.path("new/deep/a.lua"), "a"}}).has_value());
+    CHECK(read(files.path("new/deep/a.lua")) == "a");
+}
+
+TEST_CASE("a new project passes nezumi check and its robot explores without touching anything", "[cli][new]") {
+    const Scratch folder;
+    for (const NewFile& file : project_files("mine")) folder.write(file.path.string(), file.text);
+    const auto files = lua_files({folder.path("").string()});
+    REQUIRE(files.has_value());
+    CHECK(files->size() == 3);
+    for (const auto& file : *files) CHECK(check_file(file, simulated_systems()).empty());
+    CHECK(read(folder.path("README.md")).find("# mine\n") == 0);
+
+    auto live = LiveSystem::load(folder.path("behaviors/systems/room.lua"), simulated_systems());
+    REQUIRE(live.has_value());
+    (*live)->activate();
+    System& system = (*live)->system();
+    double path = 0;
+    for (int tick = 0; tick < 6000; ++tick) {
+        (*live)->tick();
+        path += std::abs(system.world()->truth(system.find_robot("mouse")->id()).velocity.vx) * 0.01;
+        REQUIRE_FALSE(system.world()->collided(0));
+    }
+    CHECK(path > 3);
+}
