@@ -104,7 +104,9 @@ connect("mouse.ir_sensor_out", "mouse.target_velocity_in")
           Lines{"behaviors/systems/a.lua:2: c: config: unknown parameter 'speed_y' (did you mean 'speed_x'?)",
                 "behaviors/broken.lua:1:23: unknown global 'oops'",
                 "behaviors/systems/a.lua:5: mouse has no out-port 'ir_sensor_outt' (did you mean 'ir_sensor_out'?)",
-                "behaviors/systems/a.lua:6: 'e.out' is an out-port: connect goes from an out-port to an in-port",
+                "behaviors/systems/a.lua:6: connect goes from an out-port to an in-port: mouse.ir_sensor_out "
+                "(TimedShortSeq) "
+                "is an out-port, e.out (TimedVelocity2D) is an out-port (did you mean 'e.in'?)",
                 "behaviors/systems/a.lua:9: types differ: mouse.ir_sensor_out is TimedShortSeq, "
                 "mouse.target_velocity_in is TimedVelocity2D (did you mean 'mouse.current_velocity_out'?)"});
 }
