@@ -5,32 +5,54 @@ namespace nezumi::detail {
 
 const char* const scenario_annotations = R"lua(---A port as seen from outside: looking at it consumes nothing.
 ---@class Port
----@field value any
----@field tm number [s]
+---@field value any the latest; the type's zero value before anything came
+---@field tm number [s] its stamp, 0 before anything came
 ---@field age number [s]
 ---@field connected boolean
+---@field stale boolean
+---@field unread boolean of an in-port: something waits that its owner has not read
 ---@field type MessageType
 ---@field peers string[]
----@field write fun(self: Port, value: any)
-
----@class Pose
----@field position { x: number, y: number } [m]
----@field heading number [rad]
+---@field name string
+---@field path string "name.port"
+---@field direction "in"|"out"
+---@field doc string
+---@field note string
+---@field count integer messages since the start
+---@field override string
+---@field write fun(self: Port, value: any) as if its component had written it; into an in-port: inject
+---@field inject fun(self: Port, value: any) one message as from a connection
+---@field hold fun(self: Port, value: any) this value and nothing else, until release
+---@field drop fun(self: Port) nothing gets through, until release
+---@field freeze fun(self: Port) the present value again and again, until release
+---@field release fun(self: Port)
 
 ---@class Component
 ---@field name string
 ---@field type string
 ---@field status "INACTIVE"|"ACTIVE"|"ERROR"
+---@field error string? why it is in ERROR
 ---@field version integer
+---@field rate number [Hz]
 ---@field ports table<string, Port>
 ---@field config table<string, ParameterValue>
 ---@field state table
----@field truth { pose: Pose, velocity: Velocity2D } of a robot
+---@field set string?
+---@field sets table
+---@field commands table
+---@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of a robot
 ---@field collided boolean of a robot: it touches something
----@field activate fun(self: Component)
----@field deactivate fun(self: Component)
----@field reset fun(self: Component)
----@field use fun(self: Component, set: string)
+---@field touching any of a robot: what it touches
+---@field leds boolean[] of a robot
+---@field buzzer integer of a robot [Hz]
+---@field limits table<string, number> of a robot
+---@field activate fun(self: Component): string
+---@field deactivate fun(self: Component): string
+---@field reset fun(self: Component): string
+---@field use fun(self: Component, set: string): string
+---@field teleport fun(self: Component, pose: { x?: number, y?: number, heading?: number })
+---@field press fun(self: Component, button: string, pressed?: boolean)
+---@field disturb fun(self: Component, push: { vx?: number, va?: number })
 ---@field [string] any its ports and commands
 
 ---@alias World table<string, Component>
@@ -46,8 +68,9 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 
 ---@param from number
 ---@param to number
+---@param step? number without it any number between
 ---@return Range
-function range(from, to) end
+function range(from, to, step) end
 
 ---@param name string
 ---@param options ScenarioOptions

@@ -30,24 +30,24 @@ public:
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
         pointers.push_back(nullptr);
-        int out[2];
-        int error[2];
-        if (pipe(out) != 0 || pipe(error) != 0) return;
+        int out_pipe[2];
+        int error_pipe[2];
+        if (pipe(out_pipe) != 0 || pipe(error_pipe) != 0) return;
         child_ = fork();
         if (child_ == 0) {
             // From here to exec only what may follow a fork.
             if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
             close(STDIN_FILENO);
-            dup2(out[1], STDOUT_FILENO);
-            dup2(error[1], STDERR_FILENO);
-            for (const int fd : {out[0], out[1], error[0], error[1]}) close(fd);
+            dup2(out_pipe[1], STDOUT_FILENO);
+            dup2(error_pipe[1], STDERR_FILENO);
+            for (const int fd : {out_pipe[0], out_pipe[1], error_pipe[0], error_pipe[1]}) close(fd);
             execv(pointers[0], pointers.data());
             _exit(127);
         }
-        close(out[1]);
-        close(error[1]);
-        files_[0] = out[0];
-        files_[1] = error[0];
+        close(out_pipe[1]);
+        close(error_pipe[1]);
+        files_[0] = out_pipe[0];
+        files_[1] = error_pipe[0];
     }
     ~Program() {
         if (child_ > 0) {

@@ -1,0 +1,114 @@
+// The executable, as a person calls it to write and check behaviours: what it says where, and its exit status.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+TEST_CASE("nezumi types shows all types, some, or says what is near", "[cli][types]") {
+    CHECK(run_nezumi({"types"}).out.find("\nTimedShort: one 16-bit integer\n") != std::string::npos);
+    const Outcome one = run_nezumi({"types", "TimedVelocity2D"});
+    CHECK(one.status == 0);
+    CHECK(one.out.find("TimedVelocity2D: a velocity in the robot's own frame\n  vx ") == 0);
+    CHECK(run_nezumi({"types", "--lua"}).out.find("---@meta\n") == 0);
+
+    const Outcome slip = run_nezumi({"types", "TimedVelocity2d"});
+    CHECK(slip.status == 2);
+    CHECK(slip.out.empty());
+    CHECK(slip.error ==
+          "nezumi: types: there is no message type 'TimedVelocity2d' (did you mean 'TimedVelocity2D'?); `nezumi types` "
+          "shows all\n");
+    CHECK(run_nezumi({"types", "--lua", "TimedShort"}).status == 2);
+}
+
+TEST_CASE("nezumi check ends with 0, 1 or 2", "[cli][check]") {
+    const Scratch files;
+    files.write("behaviors/good.lua", "function on_execute() end\n");
+    files.write("behaviors/bad.lua", "function on_execute()\n  oops()\nend\n");
+    const std::string folder = files.path("").string();
+
+    const Outcome good = run_nezumi({"check", "behaviors/good.lua"}, folder);
+    CHECK(good.status == 0);
+    CHECK(good.out == "1 file: nothing wrong\n");
+    const Outcome good_json = run_nezumi({"check", "--json", "behaviors/good.lua"}, folder);
+    CHECK(good_json.status == 0);
+    CHECK(good_json.out == "[]\n");
+
+    const Outcome bad = run_nezumi({"check", "."}, folder);
+    CHECK(bad.status == 1);
+    CHECK(bad.out == "behaviors/bad.lua:2:3: unknown global 'oops'\n");
+    CHECK(bad.error.empty());
+    CHECK(run_nezumi({"check", ".", "--json"}, folder).out ==
+          "[{\"file\":\"behaviors/bad.lua\",\"line\":2,\"column\":3,\"message\":\"unknown global 'oops'\"}]\n");
+
+    const Outcome missing = run_nezumi({"check", "behaviors/goood.lua"}, folder);
+    CHECK(missing.status == 2);
+    CHECK(missing.out.empty());
+    CHECK(missing.error == "behaviors/goood.lua: there is no such file (did you mean 'good.lua'?)\n");
+    CHECK(run_nezumi({"check"}, folder).status == 2);
+}
+
+TEST_CASE("nezumi new writes a behaviour that passes nezumi check, and never twice", "[cli][new]") {
+    const Scratch files;
+    const std::string folder = files.path("").string();
+    const std::vector<std::string> words{
+        "new",     "behavior",  "--in", "in:TimedShortSeq", "LineFollower", "--out", "out:TimedVelocity2D",
+        "--param", "speed=-0.1"};
+    const Outcome first = run_nezumi(words, folder);
+    CHECK(first.status == 0);
+    CHECK(first.out ==
+          "wrote behaviors/line_follower.lua\n"
+          "wrote tests/line_follower_test.lua\n"
+          "now try: nezumi test tests/line_follower_test.lua\n");
+    CHECK(run_nezumi({"check", "."}, folder).out == "2 files: nothing wrong\n");
+
+    const Outcome second = run_nezumi(words, folder);
+    CHECK(second.status == 2);
+    CHECK(second.error ==
+          "behaviors/line_follower.lua: exists already, and nothing is overwritten: choose another name or move it "
+          "away\n");
+}
+
+TEST_CASE("nezumi new behavior finds its project from below, and its folder of scenarios", "[cli][new]") {
+    const Scratch files;
+    files.write("behaviors/systems/room.lua", "");
+    files.write("tests/scenarios/any_test.lua", "");
+    const Outcome made = run_nezumi({"new", "behaviour", "blink"}, files.path("behaviors/systems").string());
+    CHECK(made.status == 0);
+    CHECK(std::filesystem::exists(files.path("behaviors/blink.lua")));
+    CHECK(std::filesystem::exists(files.path("tests/scenarios/blink_test.lua")));
+}
+
+TEST_CASE("nezumi new project writes into a folder that is new or empty", "[cli][new]") {
+    const Scratch files;
+    const std::string folder = files.path("").string();
+    files.write("full/note.txt", "");
+    std::filesystem::create_directories(files.path("cloned/.git"));
+
+    CHECK(run_nezumi({"new", "project", "robots"}, folder).status == 0);
+    CHECK(run_nezumi({"new", "project", "cloned"}, folder).status == 0);
+    CHECK(run_nezumi({"check", "robots", "cloned"}, folder).out == "6 files: nothing wrong\n");
+    CHECK(std::filesystem::exists(files.path("robots/.luarc.json")));
+
+    const Outcome full = run_nezumi({"new", "project", "full"}, folder);
+    CHECK(full.status == 2);
+    CHECK(full.error == "full: is not empty (it has 'note.txt'), and nothing is overwritten: choose another folder\n");
+    CHECK(run_nezumi({"new", "project", "full/note.txt"}, folder).error ==
+          "full/note.txt: is a file, expected a folder that is new or empty\n");
+}
+
+TEST_CASE("nezumi new says in one line what there is to write", "[cli][new]") {
+    CHECK(run_nezumi({"new", "behavoir", "x"}).error ==
+          "nezumi: new: there is no 'behavoir' (did you mean 'behavior'?). Write `nezumi new behavior NAME` or `nezumi "
+          "new project DIR`\n");
+    CHECK(run_nezumi({"new"}).status == 2);
+    CHECK(run_nezumi({"new", "behavior", "x", "--inn", "a:TimedShort"}).status == 2);
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"new", "--help"},
+                                                  {"new", "behavior", "--help"},
+                                                  {"check", "--help"},
+                                                  {"types", "--help"}}) {
+        CHECK(run_nezumi(words).status == 0);
+    }
+}
