@@ -1,0 +1,151 @@
+// The pages of the documentation do what they say: their commands are run, in order, and their outputs compared.
+//
+// In a page, "```console" has commands after `$ ` and what they say; "..." stands for any text within a line, and alone
+// in a line for any lines. "```lua FILE" writes a file; "```lua" is a part of a file that is there by then.
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+struct Block {
+    std::string kind, file;
+    std::vector<std::string> lines;
+    int line = 0;  // of the page
+};
+
+std::vector<Block> blocks_of(const std::string& page) {
+    std::vector<Block> blocks;
+    bool inside = false;
+    int number = 0;
+    for (const std::string& line : lines_of(page)) {
+        ++number;
+        if (line.starts_with("```")) {
+            inside = !inside;
+            if (!inside) continue;
+            std::istringstream info(line.substr(3));
+            Block block;
+            info >> block.kind >> block.file;
+            block.line = number;
+            blocks.push_back(block);
+        } else if (inside) {
+            blocks.back().lines.push_back(line);
+        }
+    }
+    return blocks;
+}
+
+// Whether a line is as expected, where "..." stands for anything.
+bool matches(const std::string& line, const std::string& expected) {
+    const std::size_t dots = expected.find("...");
+    if (dots == std::string::npos) return line == expected;
+    if (line.compare(0, dots, expected, 0, dots) != 0) return false;
+    const std::string rest = expected.substr(dots + 3);
+    for (std::size_t at = dots; at <= line.size(); ++at) {
+        if (matches(line.substr(at), rest)) return true;
+    }
+    return false;
+}
+
+bool matches(const std::vector<std::string>& lines, std::size_t at, const std::vector<std::string>& expected,
+             std::size_t wanted) {
+    if (wanted == expected.size()) return at == lines.size();
+    if (expected[wanted] == "...") {
+        for (std::size_t next = at; next <= lines.size(); ++next) {
+            if (matches(lines, next, expected, wanted + 1)) return true;
+        }
+        return false;
+    }
+    return at < lines.size() && matches(lines[at], expected[wanted]) && matches(lines, at + 1, expected, wanted + 1);
+}
+
+// A terminal in a folder of its own, with this build's nezumi on its path.
+class Terminal {
+public:
+    std::string run(const std::string& command) {
+        const std::string bin = nezumi_program().substr(0, nezumi_program().rfind('/'));
+        scratch_.write("command", "PATH='" + bin + "':$PATH; cd '" + folder_ + "'\n" + command + "\npwd > '" +
+                                      scratch_.path("folder").string() + "'\n");
+        const std::string shell = "sh '" + scratch_.path("command").string() + "' 2>&1 </dev/null";
+        std::FILE* pipe = popen(shell.c_str(), "r");
+        REQUIRE(pipe != nullptr);
+        std::string said;
+        char buffer[4096];
+        for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) said.append(buffer, n);
+        pclose(pipe);
+        const auto now = lines_of(read(scratch_.path("folder")));
+        if (!now.empty()) folder_ = now.front();
+        return said;
+    }
+    fs::path file(const std::string& name) const { return fs::path(folder_) / name; }
+    bool has_somewhere(const std::string& text) const {
+        for (const auto& entry : fs::recursive_directory_iterator(scratch_.path("home"))) {
+            if (entry.path().extension() == ".lua" && read(entry.path()).find(text) != std::string::npos) return true;
+        }
+        return false;
+    }
+
+private:
+    Scratch scratch_;
+    std::string folder_ = scratch_.write("home/.keep", "").parent_path().string();
+};
+
+void run_console(Terminal& terminal, const Block& block) {
+    for (std::size_t i = 0; i < block.lines.size();) {
+        REQUIRE(block.lines[i].starts_with("$ "));
+        const std::string command = block.lines[i].substr(2);
+        std::vector<std::string> expected;
+        for (++i; i < block.lines.size() && !block.lines[i].starts_with("$ "); ++i) expected.push_back(block.lines[i]);
+        const std::string said = terminal.run(command);
+        CAPTURE(block.line, command, said);
+        CHECK(matches(lines_of(said), 0, expected, 0));
+    }
+}
+
+void follow(const std::string& name) {
+    const std::string page = read(fs::path(NEZUMI_SOURCE_ROOT) / "docs" / name);
+    REQUIRE_FALSE(page.empty());
+    Terminal terminal;
+    for (const Block& block : blocks_of(page)) {
+        std::string text;
+        for (const std::string& line : block.lines) text += line + "\n";
+        CAPTURE(name, block.line);
+        if (block.kind == "console") {
+            run_console(terminal, block);
+        } else if (block.kind == "lua" && !block.file.empty()) {
+            fs::create_directories(terminal.file(block.file).parent_path());
+            std::ofstream(terminal.file(block.file)) << text;
+        } else if (block.kind == "lua") {
+            CHECK(terminal.has_somewhere(text));
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("editors.md"); }
