@@ -37,6 +37,12 @@ public:
         if (pending_ == pending_slots_.size()) pending_slots_.emplace_back();
         return pending_slots_[pending_++].data;
     }
+    /// What `next_pending` gives first in a tick begins as a copy of this. Before anything is published.
+    void prepare(const T& value) {
+        assert(sequence_ == 0 && pending_ == 0);
+        pending_slots_.assign(1, {value});
+        latched_slots_.assign(1, {value});
+    }
     /// The value published last; T{} before.
     const T& read() const { return latched_ > 0 ? latched_slots_[latched_ - 1].data : zero(); }
     /// The messages of the last publication, oldest first.

@@ -113,11 +113,7 @@ Expected<void> Robot::add_output(const PortSpec& port) {
                             .maxRange = first.range,
                             .rangeRes = 0,
                             .frequency = 0};
-            // Both slots that writing alternates between begin with what never changes.
-            made.write(range);
-            made.latch({});
-            made.write(range);
-            made.discard();
+            made.prepare(range);
         }
         sensor_ports_.push_back({&made, write, sensors, distance, port.rate});
         return {};

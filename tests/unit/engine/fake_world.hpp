@@ -1,0 +1,184 @@
+// A world without physics, whose robots do what they are told at once: what the tests of engine/ see the edge by.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/system.hpp"
+
+namespace nezumi {
+
+/// What a fake robot feels and was told, kept after the robot is gone.
+struct FakeHull {
+    std::string name;
+    Wheels angles;
+    std::vector<double> distances;  ///< what the range sensors see; nothing in sight where it is too short
+    std::map<std::size_t, bool> pressed;
+    double yaw_rate = 0;
+
+    Wheels speeds;
+    std::vector<Wheels> all_speeds;
+    bool coasting = false;
+    std::vector<bool> leds;
+    int led_calls = 0;
+    int hertz = 0;
+    std::map<std::size_t, double> servos;
+};
+
+class FakeBody final : public RobotBody {
+public:
+    explicit FakeBody(FakeHull& hull) : hull_(hull) {}
+    Wheels wheel_angles() const override { return hull_.angles; }
+    void read_ranges(std::span<double> distances) const override {
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+            distances[i] = i < hull_.distances.size() ? hull_.distances[i] : std::numeric_limits<double>::infinity();
+        }
+    }
+    bool is_pressed(std::size_t index) const override {
+        const auto found = hull_.pressed.find(index);
+        return found != hull_.pressed.end() && found->second;
+    }
+    double yaw_rate() const override { return hull_.yaw_rate; }
+    void set_wheel_speeds(Wheels speeds) override {
+        hull_.speeds = speeds;
+        hull_.all_speeds.push_back(speeds);
+        hull_.coasting = false;
+    }
+    void coast() override { hull_.coasting = true; }
+    void set_servo(std::size_t index, double angle) override { hull_.servos[index] = angle; }
+    void set_leds(const std::vector<bool>& on) override {
+        hull_.leds = on;
+        ++hull_.led_calls;
+    }
+    void set_buzzer(int hertz) override { hull_.hertz = hertz; }
+
+private:
+    FakeHull& hull_;
+};
+
+class FakeWorld final : public World {
+public:
+    Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec&, Pose2D pose) override {
+        if (pose.position.x > 100) return failure("robot '" + name + "' overlaps box 1: move one of them");
+        hulls.push_back(std::make_unique<FakeHull>());
+        hulls.back()->name = name;
+        return std::make_unique<FakeBody>(*hulls.back());
+    }
+    void step(int count) override { steps += count; }
+    Truth truth(RobotId) const override { return {}; }
+    bool collided(RobotId) const override { return false; }
+    std::string collided_with(RobotId) const override { return ""; }
+    Expected<void> teleport(RobotId, Pose2D) override { return {}; }
+    void disturb(RobotId, const Push&) override {}
+    void press(RobotId robot, std::size_t sensor, bool pressed) override { hulls[robot]->pressed[sensor] = pressed; }
+    std::vector<ThingPose> things() const override { return {}; }
+    std::vector<Ray> rays(RobotId) const override { return {}; }
+
+    int steps = 0;
+    std::vector<std::unique_ptr<FakeHull>> hulls;
+};
+
+/// A small mouse: two range sensors, one of them with a response, a gyro, a button, lights, a buzzer, a servo.
+inline RobotSpec fake_mouse() {
+    RobotSpec spec;
+    spec.model = "mouse";
+    spec.drive.radius = 0.02;
+    spec.drive.track = 0.1;
+    spec.drive.limits = {.speed = 0.5, .yaw_rate = 6, .acceleration = 2, .yaw_acceleration = 12};
+    SensorSpec metre;
+    metre.name = "metre";
+    metre.range = 0.6;
+    metre.minimum = 0.03;
+    SensorSpec light = metre;
+    light.name = "light";
+    light.has_response = true;
+    light.response = *ResponseTable::from_points({{0.1, 1000}, {0.3, 100}}, 0.6, 0, 0, 4095);
+    SensorSpec gyro;
+    gyro.name = "gyro";
+    gyro.kind = SensorSpec::Kind::gyro;
+    gyro.max_rate = 2;
+    SensorSpec button;
+    button.name = "button";
+    button.kind = SensorSpec::Kind::button;
+    spec.sensors = {metre, light, gyro, button};
+    ActuatorSpec leds{.name = "leds", .kind = ActuatorSpec::Kind::leds, .count = 4};
+    ActuatorSpec buzzer{.name = "buzzer", .kind = ActuatorSpec::Kind::buzzer};
+    ActuatorSpec servo{.name = "neck", .kind = ActuatorSpec::Kind::servo, .minimum = -1, .maximum = 1};
+    spec.actuators = {leds, buzzer, servo};
+    const auto in = [&](const char* name, const char* type, const char* item, bool off_when_silent = false) {
+        PortSpec port;
+        port.name = name;
+        port.is_input = true;
+        port.type = type;
+        port.items = {item};
+        port.off_when_silent = off_when_silent;
+        spec.ports.push_back(port);
+    };
+    const auto out = [&](const char* name, const char* type, std::vector<std::string> items,
+                         PortSpec::Quantity quantity = PortSpec::Quantity::value) {
+        PortSpec port;
+        port.name = name;
+        port.type = type;
+        port.items = std::move(items);
+        port.quantity = quantity;
+        spec.ports.push_back(port);
+    };
+    in("velocity_in", "TimedVelocity2D", "drive");
+    in("pose_in", "TimedPose2D", "odometry");
+    in("leds_in", "TimedBooleanSeq", "leds");
+    in("buzzer_in", "TimedShort", "buzzer", true);
+    in("neck_in", "TimedDouble", "neck");
+    out("velocity", "TimedVelocity2D", {"velocity"});
+    out("pose", "TimedPose2D", {"odometry"});
+    out("ir", "TimedShortSeq", {"light", "light"});
+    out("ir_metre", "TimedDoubleSeq", {"metre", "light"}, PortSpec::Quantity::distance);
+    out("yaw", "TimedDouble", {"gyro"});
+    out("buttons", "TimedBooleanSeq", {"button"});
+    out("ranger", "RangeData", {"metre"});
+    return spec;
+}
+
+/// A system with one fake mouse in it, ACTIVE.
+struct FakeRun {
+    explicit FakeRun(RobotSpec made = fake_mouse(), double rate = 100, std::uint64_t seed = 1)
+        : spec(std::move(made)), system({.rate = rate, .seed = seed}, [this](const LogLine& line) {
+              log.push_back(line.component + ": " + line.text);
+          }) {
+        auto world_made = std::make_unique<FakeWorld>();
+        world = world_made.get();
+        system.take_world(std::move(world_made));
+        auto robot_made = Robot::make("mouse", spec, spec.drive.limits, 0, seed);
+        if (!robot_made) throw std::runtime_error(robot_made.error().message);
+        robot = robot_made->get();
+        static_cast<void>(system.add(std::move(*robot_made)));
+        robot->take_body(std::move(*world->add_robot("mouse", spec, {})));
+        static_cast<void>(robot->activate(system.now()));
+    }
+
+    FakeHull& hull() { return *world->hulls[0]; }
+    void ticks(int count) {
+        for (int i = 0; i < count; ++i) system.tick();
+    }
+    /// Sends a value to an in-port of the mouse, then one tick.
+    void send(std::string_view port, const AnyPayload& value) {
+        robot->find_in_port(port)->inject(value);
+        system.tick();
+    }
+    template <class T>
+    T value(std::string_view port) {
+        return std::get<T>(robot->find_out_port(port)->value());
+    }
+
+    RobotSpec spec;
+    std::vector<std::string> log;
+    System system;
+    FakeWorld* world = nullptr;
+    Robot* robot = nullptr;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,260 @@
+// A robot's safety: what may reach its wheels, and what silence means.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/engine/fake_world.hpp"
+#include "tests/unit/engine/try_component.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+double speed_of(FakeRun& run) { return (run.hull().speeds.left + run.hull().speeds.right) / 2; }
+double turn_of(FakeRun& run) { return (run.hull().speeds.right - run.hull().speeds.left) / run.spec.drive.track; }
+
+// Drives straight at 0.1 m/s, at speed.
+FakeRun& at_speed(FakeRun& run) {
+    for (int i = 0; i < 10; ++i) run.send("velocity_in", Velocity2D{.vx = 0.1});
+    return run;
+}
+
+}  // namespace
+
+TEST_CASE("a command reaches the wheels within the robot's acceleration", "[engine][robot][safety]") {
+    FakeRun run;
+    run.send("velocity_in", Velocity2D{.vx = 0.1, .va = 1});
+    CHECK(speed_of(run) == Approx(0.02));  // 2 m/s2 for 0.01 s
+    CHECK(turn_of(run) == Approx(0.12));
+    run.ticks(3);
+    CHECK(speed_of(run) == Approx(0.08));
+    run.ticks(10);
+    CHECK(speed_of(run) == Approx(0.1));
+    CHECK(turn_of(run) == Approx(1.0));
+    run.send("velocity_in", Velocity2D{});
+    CHECK(speed_of(run) == Approx(0.08));  // braking too
+}
+
+TEST_CASE("a command above the limits is clamped, logged once and shown on the port", "[engine][robot][safety]") {
+    FakeRun run;
+    CHECK(run.robot->find_in_port("velocity_in")->note().empty());
+    for (int i = 0; i < 100; ++i) run.send("velocity_in", Velocity2D{.vx = -1.5, .va = 9});
+    CHECK(speed_of(run) == Approx(-0.5));
+    CHECK(turn_of(run) == Approx(6));
+    CHECK(run.log == Names{"mouse: input 'velocity_in': a command of -1.5 m/s and 9 rad/s was limited to 0.5 m/s and 6 "
+                           "rad/s (said once)"});
+    CHECK(run.robot->find_in_port("velocity_in")->note() == "limited to 0.5 m/s and 6 rad/s");
+}
+
+TEST_CASE("a command that is not finite stops the robot and is logged once", "[engine][robot][safety]") {
+    for (const Velocity2D& bad : {Velocity2D{.vx = std::nan("")}, Velocity2D{.vy = std::nan("")},
+                                  Velocity2D{.va = std::numeric_limits<double>::infinity()}}) {
+        FakeRun run;
+        at_speed(run);
+        for (int i = 0; i < 20; ++i) run.send("velocity_in", bad);
+        CHECK(run.hull().speeds == Wheels{});
+        CHECK(run.log == Names{"mouse: input 'velocity_in': a command that is not finite stops the robot (said once)"});
+        for (const Wheels& speeds : run.hull().all_speeds) {
+            CHECK(std::isfinite(speeds.left));
+            CHECK(std::isfinite(speeds.right));
+        }
+    }
+}
+
+TEST_CASE("two wheels don't drive sideways, which is said once", "[engine][robot][safety]") {
+    FakeRun run;
+    for (int i = 0; i < 10; ++i) run.send("velocity_in", Velocity2D{.vx = 0.1, .vy = 0.2});
+    CHECK(speed_of(run) == Approx(0.1));
+    CHECK(run.log.size() == 1);
+}
+
+TEST_CASE("a robot stops when its velocity in-port got nothing for 0.5 s", "[engine][robot][safety][fault]") {
+    for (const double rate : {20.0, 100.0, 200.0}) {
+        FakeRun run(fake_mouse(), rate);
+        for (int i = 0; i < static_cast<int>(rate); ++i) run.send("velocity_in", Velocity2D{.vx = 0.1});
+        const double last = run.system.now().seconds - 1 / rate;  // when the last command arrived
+        while (run.system.now().seconds < last + 0.5 - 1e-9) {
+            run.system.tick();
+            REQUIRE(speed_of(run) == Approx(0.1));
+        }
+        run.system.tick();
+        CHECK(speed_of(run) < 0.1);
+        run.ticks(static_cast<int>(rate));
+        CHECK(run.hull().speeds == Wheels{});
+        run.send("velocity_in", Velocity2D{.vx = 0.1});
+        CHECK(speed_of(run) > 0);
+    }
+}
+
+TEST_CASE("a robot stops when whoever drives it is disconnected or goes", "[engine][robot][safety]") {
+    for (const bool removed : {false, true}) {
+        FakeRun run;
+        auto made = std::make_unique<TryComponent>("driver");
+        made->executed = [](TryComponent& self) -> Expected<void> {
+            self.speed.write({.vx = 0.1});
+            return {};
+        };
+        REQUIRE((*run.system.add(std::move(made)))->activate(run.system.now()));
+        REQUIRE(run.system.connect("driver.speed", "mouse.velocity_in"));
+        run.ticks(20);
+        CHECK(speed_of(run) == Approx(0.1));
+        if (removed) {
+            REQUIRE(run.system.remove("driver"));
+        } else {
+            REQUIRE(run.system.disconnect("driver.speed", "mouse.velocity_in"));
+        }
+        run.system.tick();
+        CHECK(speed_of(run) == Approx(0.08));
+        run.ticks(10);
+        CHECK(run.hull().speeds == Wheels{});
+    }
+}
+
+TEST_CASE("a robot that is rewired stops for whoever was disconnected", "[engine][robot][safety]") {
+    FakeRun run;
+    auto driver = std::make_unique<TryComponent>("driver");
+    driver->executed = [](TryComponent& self) -> Expected<void> {
+        self.speed.write({.vx = 0.1});
+        return {};
+    };
+    REQUIRE((*run.system.add(std::move(driver)))->activate(run.system.now()));
+    REQUIRE(run.system.add(std::make_unique<TryComponent>("silent")));
+    REQUIRE(run.system.connect("driver.speed", "mouse.velocity_in"));
+    run.ticks(20);
+    REQUIRE(run.system.disconnect("driver.speed", "mouse.velocity_in"));
+    REQUIRE(run.system.connect("silent.speed", "mouse.velocity_in"));
+    run.ticks(20);
+    CHECK(run.hull().speeds == Wheels{});
+}
+
+TEST_CASE("a robot that is not ACTIVE stops, and is silent to its commands", "[engine][robot][safety]") {
+    FakeRun run;
+    at_speed(run);
+    run.send("buzzer_in", std::int16_t{440});
+    REQUIRE(run.robot->deactivate(run.system.now()));
+    for (int i = 0; i < 10; ++i) run.send("velocity_in", Velocity2D{.vx = 0.1});
+    CHECK(run.hull().speeds == Wheels{});
+    CHECK(run.hull().hertz == 0);
+    const double before = run.robot->find_out_port("velocity")->tm();
+    run.ticks(3);
+    CHECK(run.robot->find_out_port("velocity")->tm() == before);
+}
+
+TEST_CASE("a robot that is activated while it rolls keeps to its acceleration", "[engine][robot][safety]") {
+    FakeRun run;
+    at_speed(run);
+    REQUIRE(run.robot->deactivate(run.system.now()));
+    REQUIRE(run.robot->activate(run.system.now()));
+    run.system.tick();
+    CHECK(speed_of(run) == Approx(0.08));
+}
+
+TEST_CASE("the body of a robot that is removed stops", "[engine][robot][safety]") {
+    FakeRun run;
+    at_speed(run);
+    REQUIRE(run.system.remove("mouse"));
+    CHECK(run.hull().speeds == Wheels{});
+}
+
+TEST_CASE("wheels that coast roll freely until the first command after activation", "[engine][robot]") {
+    RobotSpec spec = fake_mouse();
+    spec.drive.coasts_until_commanded = true;
+    FakeRun run(spec);
+    run.ticks(100);
+    CHECK(run.hull().coasting);
+    CHECK(run.hull().all_speeds.empty());
+    run.send("velocity_in", Velocity2D{});
+    CHECK_FALSE(run.hull().coasting);
+    run.ticks(100);
+    CHECK_FALSE(run.hull().coasting);  // silence holds the wheels, it does not free them
+    REQUIRE(run.robot->deactivate(run.system.now()));
+    REQUIRE(run.robot->activate(run.system.now()));
+    run.system.tick();
+    CHECK(run.hull().coasting);
+}
+
+TEST_CASE("silence turns off what the robot's description says, and nothing else", "[engine][robot][safety]") {
+    FakeRun run;
+    run.robot->find_in_port("leds_in")->inject(std::vector<bool>{true, false, true, true});
+    run.robot->find_in_port("neck_in")->inject(0.5);
+    run.send("buzzer_in", std::int16_t{440});
+    CHECK(run.hull().hertz == 440);
+    run.ticks(49);
+    CHECK(run.hull().hertz == 440);
+    run.system.tick();
+    CHECK(run.hull().hertz == 0);
+    run.ticks(100);
+    CHECK(run.hull().leds == std::vector<bool>{true, false, true, true});
+    CHECK(run.hull().servos[2] == 0.5);
+
+    RobotSpec other = fake_mouse();
+    for (PortSpec& port : other.ports) {
+        if (port.name == "buzzer_in") port.off_when_silent = false;
+        if (port.name == "leds_in") port.off_when_silent = true;
+    }
+    FakeRun second(other);
+    second.robot->find_in_port("leds_in")->inject(std::vector<bool>{true});
+    second.send("buzzer_in", std::int16_t{440});
+    second.ticks(100);
+    CHECK(second.hull().hertz == 440);
+    CHECK(second.hull().leds == std::vector<bool>(4, false));
+}
+
+TEST_CASE("actuators keep to what they can do", "[engine][robot]") {
+    FakeRun run;
+    run.send("buzzer_in", std::int16_t{-5});
+    CHECK(run.hull().hertz == 0);
+    run.send("neck_in", 3.0);
+    CHECK(run.hull().servos[2] == 1.0);
+    run.send("neck_in", std::nan(""));
+    CHECK(run.hull().servos[2] == 1.0);
+    // A sequence of another length sets as many lights as it has.
+    run.send("leds_in", std::vector<bool>{true, true, true, true, true});
+    run.send("leds_in", std::vector<bool>{false});
+    run.send("leds_in", std::vector<bool>{});
+    CHECK(run.robot->leds() == std::vector<bool>{false, true, true, true});
+    CHECK(run.hull().led_calls == 2);
+}
+
+TEST_CASE("a description whose ports can't be is refused with the port's name", "[engine][robot]") {
+    const auto refusal = [](const auto& spoil) {
+        RobotSpec spec = fake_mouse();
+        PortSpec port;
+        port.name = "extra";
+        port.is_input = true;
+        spoil(port);
+        spec.ports.push_back(port);
+        spec.place = {"robot.lua"};
+        const auto made = Robot::make("mouse", spec, spec.drive.limits, 0, 1);
+        return made ? "" : describe(made.error());
+    };
+    CHECK(refusal([](PortSpec& p) { p.items = {}; }) == "robot.lua: port 'extra': says nothing of what it carries");
+    CHECK(refusal([](PortSpec& p) { p.items = {"drive"}, p.type = "TimedDouble"; }) ==
+          "robot.lua: port 'extra': 'drive' takes a TimedVelocity2D, not a TimedDouble");
+    CHECK(refusal([](PortSpec& p) { p.items = {"drive"}, p.type = "TimedVelocity2D"; }) ==
+          "robot.lua: port 'extra': a robot has one in-port for its drive");
+    CHECK(refusal([](PortSpec& p) { p.items = {"neck"}, p.type = "TimedDouble"; }) ==
+          "robot.lua: port 'extra': actuator 'neck' has the in-port 'neck_in' already");
+    CHECK(refusal([](PortSpec& p) { p.items = {"bozzer"}, p.type = "TimedShort"; }) ==
+          "robot.lua: port 'extra': there is no actuator 'bozzer' (did you mean 'buzzer'?)");
+    const auto out = [](const char* type, const std::vector<std::string>& items) {
+        return [=](PortSpec& p) { p.is_input = false, p.type = type, p.items = items; };
+    };
+    CHECK(refusal(out("TimedDoubel", {"gyro"})).find("(did you mean 'TimedDouble'?)") != std::string::npos);
+    CHECK(refusal(out("TimedDouble", {"gyros"})) ==
+          "robot.lua: port 'extra': there is no sensor 'gyros' (did you mean 'gyro'?)");
+    CHECK(refusal(out("TimedDouble", {"gyro", "metre"})) ==
+          "robot.lua: port 'extra': a TimedDouble carries one sensor, not 2");
+    CHECK(refusal(out("TimedPose3D", {"gyro"})) ==
+          "robot.lua: port 'extra': a TimedPose3D can't carry sensors' values");
+    CHECK(refusal(out("TimedPose2D", {"velocity"})) ==
+          "robot.lua: port 'extra': 'velocity' is a TimedVelocity2D, not a TimedPose2D");
+    CHECK(refusal([](PortSpec& p) { p.name = "yaw", p.items = {"drive"}; }) ==
+          "robot.lua: port 'yaw': is declared twice");
+    RobotSpec still = fake_mouse();
+    for (PortSpec& port : still.ports) port.off_when_silent = port.name == "neck_in";
+    CHECK(Robot::make("mouse", still, {}, 0, 1).error().message ==
+          "port 'neck_in': silence = \"off\" means nothing to the servo 'neck': it holds its angle");
+}
