@@ -1,0 +1,109 @@
+// The same run gives the same trace: with any number of threads, and beside other systems.
+#include <catch2/catch.hpp>
+
+#include "engine/trace_hash.hpp"
+#include "engine/worker_pool.hpp"
+#include "tests/unit/engine/try_component.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// A ring of components: each mixes what it reads into what it says, some fail on the way.
+struct Ring {
+    explicit Ring(int threads, int size = 150)
+        : system({.threads = threads}, [this](const LogLine& line) { log.push_back(line.component + line.text); }) {
+        for (int i = 0; i < size; ++i) {
+            auto made = std::make_unique<TryComponent>("n" + std::to_string(i));
+            made->executed = [i](TryComponent& self) -> Expected<void> {
+                const auto heard = static_cast<std::uint32_t>(self.in.read());
+                self.out.write(static_cast<std::int32_t>(heard * 31 + static_cast<std::uint32_t>(i)));
+                if (i % 50 == 7 && self.executions() == 20) return failure("tired");
+                return {};
+            };
+            if (i % 3 == 1) made->rate = 33;
+            auto* it = *system.add(std::move(made));
+            static_cast<void>(it->activate(system.now()));
+        }
+        for (int i = 0; i < size; ++i) {
+            const auto from = "n" + std::to_string(i) + ".out", to = "n" + std::to_string((i + 1) % size) + ".in";
+            static_cast<void>(system.connect(from, to));
+        }
+        system.observe(trace);
+    }
+    void ticks(int count) {
+        for (int i = 0; i < count; ++i) system.tick();
+    }
+
+    std::vector<std::string> log;
+    System system;
+    TraceHash trace;
+};
+
+}  // namespace
+
+TEST_CASE("one, two and four threads give the same trace and the same log", "[engine][determinism]") {
+    Ring one(1), two(2), four(4);
+    for (Ring* ring : {&one, &two, &four}) ring->ticks(100);
+    CHECK(one.trace.value() == two.trace.value());
+    CHECK(one.trace.value() == four.trace.value());
+    CHECK(one.log.size() == 3);
+    CHECK(one.log == two.log);
+    CHECK(one.log == four.log);
+}
+
+TEST_CASE("systems in one process know nothing of each other", "[engine][determinism]") {
+    Ring alone(1), first(1), second(1, 77);
+    alone.ticks(50);
+    for (int i = 0; i < 50; ++i) {
+        first.ticks(1);
+        second.ticks(2);
+    }
+    CHECK(first.trace.value() == alone.trace.value());
+    CHECK(first.log == alone.log);
+    CHECK(second.system.now().tick == 100);
+}
+
+TEST_CASE("a trace hash tells runs apart by port, by tick and by value", "[engine][determinism]") {
+    // The hash of one publication.
+    const auto hash = [](const char* component, std::int64_t tick, std::int32_t value) {
+        System system({}, nullptr);
+        TraceHash trace;
+        system.observe(trace);
+        auto made = std::make_unique<TryComponent>(component);
+        made->executed = [=](TryComponent& self) -> Expected<void> {
+            if (self.now().tick == tick) self.out.write(value);
+            return {};
+        };
+        REQUIRE((*system.add(std::move(made)))->activate(system.now()));
+        for (int i = 0; i < 5; ++i) system.tick();
+        return trace.value();
+    };
+    CHECK(hash("a", 1, 5) == hash("a", 1, 5));
+    CHECK(hash("a", 1, 5) != hash("b", 1, 5));
+    CHECK(hash("a", 1, 5) != hash("a", 2, 5));
+    CHECK(hash("a", 1, 5) != hash("a", 1, 6));
+}
+
+TEST_CASE("an observer that left is told nothing", "[engine][determinism]") {
+    Ring ring(1, 3);
+    ring.ticks(3);
+    const std::uint64_t before = ring.trace.value();
+    ring.system.stop_observing(ring.trace);
+    ring.ticks(3);
+    CHECK(ring.trace.value() == before);
+}
+
+TEST_CASE("a pool does every number once, with more threads than numbers as well", "[engine][determinism]") {
+    for (const int threads : {1, 2, 5}) {
+        WorkerPool pool(threads);
+        CHECK(pool.size() == static_cast<std::size_t>(threads));
+        for (const std::size_t count : {0u, 1u, 3u, 1000u}) {
+            std::vector<int> done(count, 0);
+            pool.run(count, [&](std::size_t begin, std::size_t end, std::size_t) {
+                for (std::size_t i = begin; i < end; ++i) ++done[i];
+            });
+            CHECK(done == std::vector<int>(count, 1));
+        }
+    }
+}
