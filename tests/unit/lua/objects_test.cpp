@@ -146,7 +146,9 @@ TEST_CASE("a value is written, injected, held and released from outside", "[lua]
     it.tick(2);
     CHECK(it.run("inject('controller.in', { 31 })").empty());
     it.tick();
-    CHECK(it.run("return controller.out.value.vx") == "0.25");  // the sensors' message came after
+    CHECK(it.run("return controller.out.value.vx") == "0.0");  // it came after the sensors' message
+    it.tick();
+    CHECK(it.run("return controller.out.value.vx") == "0.25");
     CHECK(it.run("hold(controller['in'], { 31, 0 }) return controller['in'].override") == "held");
     it.tick();
     CHECK(it.run("return controller.out.value.vx, controller['in'].value[1]") == "0.0 31");
