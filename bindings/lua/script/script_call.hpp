@@ -36,4 +36,22 @@ int finish(lua_State* L, Script& script, Body&& body) {
 /// The line of the script that calls the C function that runs; no place when there is none.
 Place caller(lua_State* L);
 
+/// Keeps `script.raised` as a slip, where all slips of a file are wanted. False where it is to be raised.
+bool keep_slip(lua_State* L, Script& script);
+
+/// As `finish`, for a declaration: true when it was made, false when what is wrong with it was kept as a slip.
+template <class Body>
+bool finish_declaration(lua_State* L, Script& script, Body&& body) {
+    bool failed = false;
+    {
+        Expected<void> ok = body();
+        if (!ok) {
+            script.raised = std::move(ok.error().message);
+            failed = true;
+        }
+    }
+    if (failed && !keep_slip(L, script)) script.raise(L);
+    return !failed;
+}
+
 }  // namespace nezumi

@@ -121,7 +121,11 @@ int word_port(lua_State* L, Direction direction) {
             script.raised = std::move(declared.error().message);
         }
     }
-    if (slot == nullptr) return script.raise(L);
+    if (slot == nullptr) {
+        if (!keep_slip(L, script)) return script.raise(L);
+        lua_newtable(L);  // stands in for the port
+        return 1;
+    }
     push_port_object(L, *slot);
     return 1;
 }
@@ -200,8 +204,8 @@ Expected<void> declare_parameter(lua_State* L, Script& script) {
 int word_param(lua_State* L) {
     Script& script = script_of(L);
     lua_settop(L, 3);
-    finish(L, script, [&] { return declare_parameter(L, script); });
-    show_parameter(L, script, script.parameters().all().back());
+    if (finish_declaration(L, script, [&] { return declare_parameter(L, script); }))
+        show_parameter(L, script, script.parameters().all().back());
     return 0;
 }
 
@@ -214,7 +218,7 @@ int word_command(lua_State* L) {
         lua_pushvalue(L, 2);
         function = luaL_ref(L, LUA_REGISTRYINDEX);
     }
-    return finish(L, script, [&]() -> Expected<void> {
+    finish_declaration(L, script, [&]() -> Expected<void> {
         CommandDeclaration command{.name = {}, .doc = {}, .function = function, .place = caller(L)};
         if (lua_type(L, 1) != LUA_TSTRING)
             return failure(fmt::format("command: its name expected a string, got {}", luaL_typename(L, 1)));
@@ -227,13 +231,14 @@ int word_command(lua_State* L) {
         command.doc = std::move(*doc);
         return script.declare_command(std::move(command));
     });
+    return 0;
 }
 
 // about { version =, vendor =, category = }
 int word_about(lua_State* L) {
     Script& script = script_of(L);
     lua_settop(L, 1);
-    return finish(L, script, [&]() -> Expected<void> {
+    finish_declaration(L, script, [&]() -> Expected<void> {
         ScriptAbout about{.version = {}, .vendor = {}, .category = {}, .given = true};
         if (lua_type(L, 1) != LUA_TTABLE)
             return failure(fmt::format("about expected a table, got {}", luaL_typename(L, 1)));
@@ -247,6 +252,7 @@ int word_about(lua_State* L) {
             return failure("about: " + ok.error().message);
         return script.declare_about(std::move(about));
     });
+    return 0;
 }
 
 }  // namespace

@@ -75,6 +75,19 @@ TEST_CASE("every slip of a behaviour is found, and nothing of it is run", "[cli]
     CHECK(wrong("behaviors/a.lua", "local p = input('in', 'TimedShrot')\n") ==
           Lines{"behaviors/a.lua:1: input 'in': unknown type 'TimedShrot' (did you mean 'TimedShort'?); `nezumi types` "
                 "lists them all"});
+    CHECK(wrong("behaviors/a.lua",
+                "local p = input('in', 'TimedShrot')\n"
+                "local q = output('in', 'TimedShort', { saef = 1 })\n"
+                "param('x', 3, { min = 4 })\n"
+                "param('x', 1 / 0)\n"
+                "command('go', 1)\n"
+                "log.info(config.x)\n") ==
+          Lines{"behaviors/a.lua:1: input 'in': unknown type 'TimedShrot' (did you mean 'TimedShort'?); `nezumi types` "
+                "lists them all",
+                "behaviors/a.lua:2: output 'in': unknown option 'saef' (did you mean 'safe'?)",
+                "behaviors/a.lua:3: parameter 'x' (integer): 3 is below its minimum 4, in its default",
+                "behaviors/a.lua:4: parameter 'x' (number): inf is not a finite number, in its default",
+                "behaviors/a.lua:5: command 'go': expected a function, got number"});
     CHECK(wrong("behaviors/a.lua", "") ==
           Lines{"behaviors/a.lua: the file declares nothing: no port, parameter, command or callback"});
     CHECK(wrong("behaviors/a.lua", "function on_execute() error('never called') end") == Lines{});
