@@ -135,8 +135,9 @@ std::string scenario_text(const std::string& name, const std::vector<NewPort>& i
     const std::string variable = hides ? "it" : component;
     std::string text = fmt::format(
         "scenario(\"{0} runs\", {{ timeout = 10 }}, function(s)\n"
-        "  local {1} = s:behavior \"{2}\" {{ script = \"{0}\" }}\n"
-        "  s:always(\"is well\", function() return {1}.status == \"ACTIVE\" end)\n\n",
+        "  s:behavior \"{2}\" {{ script = \"{0}\" }}\n"
+        "  local {1} = s.world.{2}\n\n"
+        "  s:always(\"is well\", function() return {1}.status == \"ACTIVE\" end)\n",
         name, variable, component);
     for (const NewPort& port : inputs) {
         text += fmt::format("  s:inject(\"{}.{}\", {})\n", component, port.name, sample(port.message.shape));

@@ -645,6 +645,8 @@ function range(from, to, step) end
 function scenario(name, options, fn) end
 
 ---@class Scenario
+---@field world World the components of the system, once there is one
+---@field [string] Component the same
 local s = {}
 
 ---Loads a system file and activates what it names.
@@ -654,28 +656,62 @@ function s:load(file) end
 
 ---@param name string
 ---@param fields RobotFields
----@overload fun(self: Scenario, name: string): fun(fields: RobotFields): Component
----@return Component
+---@overload fun(self: Scenario, name: string): fun(fields: RobotFields)
 function s:robot(name, fields) end
 
 ---@param name string
 ---@param fields BehaviorFields
----@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields): Component
----@return Component
+---@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields)
 function s:behavior(name, fields) end
 
 ---@param name string
 ---@param fields ComponentFields
----@overload fun(self: Scenario, name: string): fun(fields: ComponentFields): Component
----@return Component
+---@overload fun(self: Scenario, name: string): fun(fields: ComponentFields)
 function s:component(name, fields) end
 
----@param from PortName
----@param to PortName
+---@param from string "name.port"
+---@param to string "name.port"
 function s:connect(from, to) end
 
 ---@param fields ArenaFields
 function s:arena(fields) end
+
+---@param fields { at: number[], size: number[], yaw?: number, pitch?: number, color?: string, mass?: number }
+---@return Thing
+function s:box(fields) end
+
+---@param fields { from: number[], to: number[], height?: number, thickness?: number, color?: string }
+---@return Thing
+function s:wall(fields) end
+
+---@param fields { at: number[], radius: number, height: number, mass?: number, color?: string }
+---@return Thing
+function s:cylinder(fields) end
+
+---@param fields { id: integer, name?: string, size?: number, at: number[], facing?: number }
+---@return Thing
+function s:marker(fields) end
+
+---@param fields { image: string, size: number[] }
+---@return Thing
+function s:floor(fields) end
+
+---@param file string
+---@return Thing
+function s:csv(file) end
+
+---@param n integer
+function s:seed(n) end
+
+---@param hz number
+function s:rate(hz) end
+
+---@param fields { step?: number } [s]
+function s:physics(fields) end
+
+---[s] Simulated time since the scenario began.
+---@return number
+function s:now() end
 
 ---Holds from here to the end, after every tick.
 ---@param name string
@@ -715,7 +751,8 @@ function s:check(value, message) end
 ---@param actual number
 ---@param expected number
 ---@param tolerance number
-function s:near(actual, expected, tolerance) end
+---@param message? string
+function s:near(actual, expected, tolerance, message) end
 
 ---One message as from a connection.
 ---@param port PortName

@@ -53,9 +53,10 @@ function on_execute()
 end
 )");
     CHECK(texts->scenario == R"(scenario("avoid_wall runs", { timeout = 10 }, function(s)
-  local avoid_wall = s:behavior "avoid_wall" { script = "avoid_wall" }
-  s:always("is well", function() return avoid_wall.status == "ACTIVE" end)
+  s:behavior "avoid_wall" { script = "avoid_wall" }
+  local avoid_wall = s.world.avoid_wall
 
+  s:always("is well", function() return avoid_wall.status == "ACTIVE" end)
   s:inject("avoid_wall.distance", { 0, 0 })
   s:run(1)
   s:check(avoid_wall.out.tm > 0, "out was written")

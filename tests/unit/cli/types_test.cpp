@@ -98,6 +98,11 @@ TEST_CASE("the annotations are Lua, and have every word and a class for every ty
     for (const std::string word : system_word_names()) {
         CAPTURE(word);
         CHECK(has("function " + word + "("));
+        CHECK(has("function s:" + word + "("));
+    }
+    for (const std::string_view name : component_words()) {
+        CAPTURE(name);
+        CHECK(has("---@field " + std::string(name) + " "));
     }
 }
 
