@@ -35,6 +35,8 @@ struct SessionOptions {
     SessionOutput output;
     /// [s] of simulated time between two lines of one `watch`, at normal speed; 0: every change is shown.
     double watch_period = 0.1;
+    /// Time moves only by `step` and `run(seconds)`: a `run()` without end is refused.
+    bool batch = false;
 };
 
 /// Candidates for what stands before the cursor.
@@ -74,9 +76,12 @@ public:
     /// What could stand before the cursor, from the live system.
     Completion complete(std::string_view text, std::size_t cursor) const;
 
-private:
     struct Parts;
+
+private:
     explicit Session(std::unique_ptr<Parts> parts);
+    bool begin_next();
+    void finish(bool well);
     std::unique_ptr<Parts> parts_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 // The functions below run under `protect` and may raise Lua errors: what has a destructor lies outside, in here.
 class Inspector {
 public:
-    Inspector(lua_State* lua, const InspectOptions& options) : L(lua), options_(options) {}
+    Inspector(lua_State* lua, const InspectOptions& options) : lua_(lua), options_(options) {}
 
     void value(int index, int depth, std::size_t indent, bool quote);
     std::string take() { return std::move(out_); }
@@ -28,7 +28,7 @@ private:
     void key(bool& in_sequence, lua_Integer& next);
     bool is_open(const void* table) const;
 
-    lua_State* L;
+    lua_State* lua_;
     const InspectOptions& options_;
     std::string out_;
     std::string scratch_;
@@ -40,7 +40,7 @@ void quote_into(std::string& out, std::string_view text) noexcept { out += to_te
 
 void Inspector::text(int index, bool quote) {
     std::size_t length = 0;
-    const char* data = lua_tolstring(L, index, &length);
+    const char* data = lua_tolstring(lua_, index, &length);
     const bool cut = length > options_.text;
     const std::string_view given(data, cut ? options_.text : length);
     if (quote) {
@@ -59,32 +59,32 @@ bool Inspector::is_open(const void* table) const {
 }
 
 void Inspector::value(int index, int depth, std::size_t indent, bool quote) {
-    luaL_checkstack(L, 12, nullptr);
-    index = lua_absindex(L, index);
-    const int type = lua_type(L, index);
+    luaL_checkstack(lua_, 12, nullptr);
+    index = lua_absindex(lua_, index);
+    const int type = lua_type(lua_, index);
     if (type == LUA_TSTRING) return text(index, quote);
-    const bool has_text = luaL_getmetafield(L, index, "__tostring") != LUA_TNIL;
-    if (has_text) lua_pop(L, 1);
+    const bool has_text = luaL_getmetafield(lua_, index, "__tostring") != LUA_TNIL;
+    if (has_text) lua_pop(lua_, 1);
     if (type == LUA_TTABLE && !has_text) return table(index, depth, indent);
     std::size_t length = 0;
-    const char* shown = push_text(L, index, &length);
+    const char* shown = push_text(lua_, index, &length);
     // What an object says may take several lines; within a table its first is enough.
     std::string_view given(shown, length);
     if (depth > 0) given = given.substr(0, given.find('\n'));
     out_ += given;
-    lua_pop(L, 1);
+    lua_pop(lua_, 1);
 }
 
 // Says what is before the value of a pair. Stack: key, value.
 void Inspector::key(bool& in_sequence, lua_Integer& next) {
-    if (in_sequence && lua_isinteger(L, -2) != 0 && lua_tointeger(L, -2) == next) {
+    if (in_sequence && lua_isinteger(lua_, -2) != 0 && lua_tointeger(lua_, -2) == next) {
         ++next;
         return;
     }
     in_sequence = false;
-    if (lua_type(L, -2) == LUA_TSTRING) {
+    if (lua_type(lua_, -2) == LUA_TSTRING) {
         std::size_t length = 0;
-        const char* data = lua_tolstring(L, -2, &length);
+        const char* data = lua_tolstring(lua_, -2, &length);
         if (is_identifier({data, length})) {
             out_.append(data, length);
         } else {
@@ -95,9 +95,9 @@ void Inspector::key(bool& in_sequence, lua_Integer& next) {
     } else {
         out_ += '[';
         std::size_t length = 0;
-        const char* data = push_text(L, -2, &length);
+        const char* data = push_text(lua_, -2, &length);
         out_.append(data, length);
-        lua_pop(L, 1);
+        lua_pop(lua_, 1);
         out_ += ']';
     }
     out_ += " = ";
@@ -105,20 +105,20 @@ void Inspector::key(bool& in_sequence, lua_Integer& next) {
 
 // Returns false as soon as it is clear that one line is not enough.
 bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
-    const int top = lua_gettop(L);
-    lua_pushcfunction(L, ordered_pairs);
-    lua_pushvalue(L, index);
-    lua_call(L, 1, 3);  // iterator, what it goes over, first key
+    const int top = lua_gettop(lua_);
+    lua_pushcfunction(lua_, ordered_pairs);
+    lua_pushvalue(lua_, index);
+    lua_call(lua_, 1, 3);  // iterator, what it goes over, first key
     bool in_sequence = true;
     lua_Integer next = 1;
     std::size_t count = 0;
     out_ += '{';
     for (;;) {
-        lua_pushvalue(L, top + 1);
-        lua_pushvalue(L, top + 2);
-        lua_pushvalue(L, top + 3);
-        lua_call(L, 2, 2);
-        if (lua_isnil(L, -2)) break;
+        lua_pushvalue(lua_, top + 1);
+        lua_pushvalue(lua_, top + 2);
+        lua_pushvalue(lua_, top + 3);
+        lua_call(lua_, 2, 2);
+        if (lua_isnil(lua_, -2)) break;
         if (++count > options_.items) {
             out_ += flat ? ", ..." : ",";
             if (!flat) out_.append("\n").append(indent + 2, ' ').append("...");
@@ -133,13 +133,13 @@ bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
         key(in_sequence, next);
         value(-1, depth + 1, indent + 2, true);
         if (limit_ != 0 && out_.size() > limit_) {
-            lua_settop(L, top);
+            lua_settop(lua_, top);
             return false;
         }
-        lua_copy(L, -2, top + 3);
-        lua_pop(L, 2);
+        lua_copy(lua_, -2, top + 3);
+        lua_pop(lua_, 2);
     }
-    lua_settop(L, top);
+    lua_settop(lua_, top);
     if (count > 0) {
         if (flat) {
             out_ += ' ';
@@ -152,7 +152,7 @@ bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
 }
 
 void Inspector::table(int index, int depth, std::size_t indent) {
-    const void* self = lua_topointer(L, index);
+    const void* self = lua_topointer(lua_, index);
     if (is_open(self)) {
         out_ += "<cycle>";
         return;

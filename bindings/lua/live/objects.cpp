@@ -199,31 +199,31 @@ void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::st
 
 int push_answer(lua_State* L, Objects& objects) {
     struct Pusher {
-        lua_State* L;
+        lua_State* lua;
         Objects& objects;
 
         int operator()(std::monostate) const { return 0; }
-        int operator()(bool value) const { return lua_pushboolean(L, value ? 1 : 0), 1; }
-        int operator()(std::int64_t value) const { return lua_pushinteger(L, value), 1; }
-        int operator()(double value) const { return lua_pushnumber(L, value), 1; }
-        int operator()(const std::string& text) const { return lua_pushlstring(L, text.data(), text.size()), 1; }
-        int operator()(const std::vector<std::string>& names) const { return push_names(L, names), 1; }
-        int operator()(const AnyPayload& value) const { return push_payload(L, value), 1; }
-        int operator()(const ParameterValue& value) const { return push_parameter(L, value), 1; }
+        int operator()(bool value) const { return lua_pushboolean(lua, value ? 1 : 0), 1; }
+        int operator()(std::int64_t value) const { return lua_pushinteger(lua, value), 1; }
+        int operator()(double value) const { return lua_pushnumber(lua, value), 1; }
+        int operator()(const std::string& text) const { return lua_pushlstring(lua, text.data(), text.size()), 1; }
+        int operator()(const std::vector<std::string>& names) const { return push_names(lua, names), 1; }
+        int operator()(const AnyPayload& value) const { return push_payload(lua, value), 1; }
+        int operator()(const ParameterValue& value) const { return push_parameter(lua, value), 1; }
         int operator()(const PlainData& data) const {
-            luaL_checkstack(L, static_cast<int>(data.values.size()) + 10, nullptr);
-            push_plain(L, data);
+            luaL_checkstack(lua, static_cast<int>(data.values.size()) + 10, nullptr);
+            push_plain(lua, data);
             return static_cast<int>(data.values.size());
         }
         int operator()(const ObjectName& name) const {
-            push_object(L, objects, name.kind, *name.live, name.component, name.port);
+            push_object(lua, objects, name.kind, *name.live, name.component, name.port);
             return 1;
         }
         int operator()(const MethodName& method) const {
-            push_method(L, objects, method.function, method.name);
+            push_method(lua, objects, method.function, method.name);
             return 1;
         }
-        int operator()(const LockedValue& locked) const { return push_locked(L, locked); }
+        int operator()(const LockedValue& locked) const { return push_locked(lua, locked); }
     };
     luaL_checkstack(L, 30, nullptr);
     return std::visit(Pusher{L, objects}, ObjectAccess::core(objects).answer);

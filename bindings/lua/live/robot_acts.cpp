@@ -13,16 +13,16 @@
 namespace nezumi {
 namespace {
 
-// Pushes the value behind a locked table, or the value itself.
+// The table at an index, or while this lives the one behind it when that one is locked.
 struct Table {
-    Table(lua_State* lua, int at) : L(lua), top(lua_gettop(lua)), index(lua_absindex(lua, at)) {
-        if (lua_checkstack(L, 8) != 0 && push_behind_lock(L, index)) index = lua_gettop(L);
+    Table(lua_State* state, int at) : lua(state), top(lua_gettop(state)), index(lua_absindex(state, at)) {
+        if (lua_checkstack(lua, 8) != 0 && push_behind_lock(lua, index)) index = lua_gettop(lua);
     }
-    ~Table() { lua_settop(L, top); }
+    ~Table() { lua_settop(lua, top); }
     Table(const Table&) = delete;
     Table& operator=(const Table&) = delete;
 
-    lua_State* L;
+    lua_State* lua;
     int top;
     int index;
 };

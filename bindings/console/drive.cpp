@@ -1,0 +1,109 @@
+// The stick's place, held on a port.
+#include "bindings/console/drive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace nezumi {
+namespace {
+
+// What a port of this type is sent for the stick's place; nothing when the type is none to drive with.
+std::optional<AnyPayload> payload(std::size_t type, double x, double y) {
+    if (type == type_index<std::vector<float>>())
+        return AnyPayload{std::vector<float>{static_cast<float>(x), static_cast<float>(y)}};
+    if (type == type_index<std::vector<double>>()) return AnyPayload{std::vector<double>{x, y}};
+    if (type == type_index<Velocity2D>())
+        return AnyPayload{Velocity2D{.vx = y * Drive::speed_of_px, .va = 0.0 + x * Drive::turn_of_px}};
+    return std::nullopt;
+}
+
+// The port of a component that a stick stands for.
+std::string port_to_drive(const Component& component) {
+    if (const Port* pos = component.find_out_port("pos")) return component.name() + "." + pos->name();
+    const auto fits = [](const auto& port) { return port->type() == type_index<Velocity2D>(); };
+    if (dynamic_cast<const Robot*>(&component) != nullptr) {
+        const auto& ports = component.in_ports();
+        if (const auto in = std::find_if(ports.begin(), ports.end(), fits); in != ports.end())
+            return component.name() + "." + (*in)->name();
+    }
+    const auto& ports = component.out_ports();
+    if (const auto out = std::find_if(ports.begin(), ports.end(), fits); out != ports.end())
+        return component.name() + "." + (*out)->name();
+    return "";
+}
+
+double press(double place, double by) {
+    if (place * by < 0) return 0;  // the other way: first to the middle
+    return std::clamp(place + by, -Drive::edge, Drive::edge);
+}
+
+}  // namespace
+
+Expected<void> Drive::begin(LiveSystem& live, const std::string& what) {
+    std::string path = what;
+    if (what.find('.') == std::string::npos) {
+        const auto component = live.system().component(what);
+        if (!component) return Unexpected(component.error());
+        path = port_to_drive(**component);
+        if (path.empty()) return failure(fmt::format("{} has no port to drive with: name one, as \"name.port\"", what));
+    }
+    const auto port = live.system().port(path);
+    if (!port) return Unexpected(port.error());
+    if (!payload((*port)->type(), 0, 0)) {
+        return failure(fmt::format("{} is {}: a stick drives TimedFloatSeq, TimedDoubleSeq and TimedVelocity2D", path,
+                                   (*port)->type_name()));
+    }
+    path_ = path;
+    x_ = y_ = 0;
+    ending_ = false;
+    send(live);
+    return {};
+}
+
+bool Drive::send(LiveSystem& live) const {
+    const auto port = live.system().port(path_);
+    if (!port) return false;
+    auto value = payload((*port)->type(), x_, y_);
+    if (!value) return false;
+    (*port)->hold(std::move(*value));
+    return true;
+}
+
+void Drive::key(Key key, LiveSystem& live) {
+    if (!is_on()) return;
+    pressed_at_ = live.system().now().seconds;
+    switch (key) {
+        case Key::up: y_ = press(y_, notch); break;
+        case Key::down: y_ = press(y_, -notch); break;
+        case Key::right: x_ = press(x_, notch); break;
+        case Key::left: x_ = press(x_, -notch); break;
+        case Key::space: x_ = y_ = 0; break;
+        case Key::escape: return end(live);
+    }
+    send(live);
+}
+
+void Drive::end(LiveSystem& live) {
+    if (path_.empty()) return;
+    x_ = y_ = 0;
+    ending_ = true;
+    send(live);
+}
+
+bool Drive::after_tick(LiveSystem& live) {
+    if (path_.empty()) return true;
+    if (ending_) {
+        if (const auto port = live.system().port(path_)) (*port)->release();
+        path_.clear();
+        return true;
+    }
+    const double now = live.system().now().seconds;
+    if (now - pressed_at_ > springs_back || now < pressed_at_) x_ = y_ = 0;
+    if (send(live)) return true;
+    path_.clear();
+    return false;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,43 @@
+// Drives with the arrow keys: a stick whose place on its pad is sent every tick.
+#pragma once
+
+#include <string>
+
+#include "bindings/console/session.hpp"
+#include "engine/error.hpp"
+
+namespace nezumi {
+
+/// The pad of robots.md: 300 x 300 px, y up, (0, 0) in the middle. Terminals tell no release of a key: the stick goes
+/// back to the middle when no key came for `springs_back`.
+class Drive {
+public:
+    static constexpr double edge = 150;           ///< [px] from the middle
+    static constexpr double notch = 50;           ///< [px] that one press moves it
+    static constexpr double springs_back = 0.7;   ///< [s] of simulated time; a keyboard's repeat begins sooner
+    static constexpr double speed_of_px = 0.002;  ///< [m/s / px] into a velocity port
+    static constexpr double turn_of_px = -0.02;   ///< [rad/s / px]
+
+    /// From now on holds "name.port", or of a component its out-port `pos`, or of a robot its velocity in-port. The
+    /// port carries a sequence of numbers or a velocity.
+    Expected<void> begin(LiveSystem& live, const std::string& what);
+    bool is_on() const { return !path_.empty() && !ending_; }
+    /// "name.port" that it holds.
+    const std::string& path() const { return path_; }
+    void key(Key key, LiveSystem& live);
+    /// The stick goes to the middle, and the port is let go after the next tick.
+    void end(LiveSystem& live);
+    /// After every tick. Returns false when it has ended because its port is gone.
+    bool after_tick(LiveSystem& live);
+
+private:
+    bool send(LiveSystem& live) const;
+
+    std::string path_;
+    double x_ = 0;
+    double y_ = 0;
+    double pressed_at_ = 0;
+    bool ending_ = false;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,18 @@
+// The system that runs, as a system file.
+#pragma once
+
+#include <string>
+
+#include "bindings/lua/live/live_system.hpp"
+
+namespace nezumi {
+
+/// The present wiring and configuration as data: entries as the file gave them with the parameters' values of now,
+/// components that are gone left out, connections as they are.
+SystemSpec present_spec(const LiveSystem& live);
+
+/// Writes it as a system file and says in a sentence what was done. What was there is kept beside it, as `FILE~`.
+/// Nothing is written when the file could not be read back: the error says why.
+Expected<std::string> save_system(const LiveSystem& live, const std::string& file);
+
+}  // namespace nezumi

@@ -1,0 +1,157 @@
+// The globals of a session: what is defined at the prompt, over the console's words, over the system's names.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bindings/console/session_parts.hpp"
+#include "bindings/console/words.hpp"
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
+
+namespace nezumi {
+namespace {
+
+Session::Parts& parts_of(lua_State* L) { return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1))); }
+
+std::string_view key_text(lua_State* L) {
+    std::size_t length = 0;
+    const char* text = lua_type(L, 2) == LUA_TSTRING ? lua_tolstring(L, 2, &length) : "";
+    return {text, length};
+}
+
+bool is_component(const Session::Parts& parts, std::string_view name) {
+    return parts.live.system().find(name) != nullptr;
+}
+
+int raise(lua_State* L, const Session::Parts& parts) {
+    luaL_where(L, 1);
+    lua_pushlstring(L, parts.raised.data(), parts.raised.size());
+    lua_concat(L, 2);
+    return lua_error(L);
+}
+
+void explain_unknown(Session::Parts& parts, std::string_view name) {
+    std::string near;
+    for (const auto& component : parts.live.system().components()) {
+        if (component->find_port(name) == nullptr && component->parameters().find(name) == nullptr) continue;
+        near = fmt::format(" (did you mean '{}.{}{}'?)", component->name(),
+                           component->find_port(name) != nullptr ? "" : "config.", name);
+        break;
+    }
+    const std::vector<std::string> known = names_in_scope(parts);
+    if (near.empty()) near = did_you_mean(name, {known.begin(), known.end()});
+    parts.raised = fmt::format("unknown name '{}'{}", shown(name), near);
+}
+
+// Upvalues: the parts, the table of words.
+int read_global(lua_State* L) {
+    Session::Parts& parts = parts_of(L);
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL) return 1;
+    const std::string_view name = key_text(L);
+    if (is_component(parts, name)) {
+        parts.objects->push_component(L, parts.live, name);
+        return 1;
+    }
+    explain_unknown(parts, name);
+    return raise(L, parts);
+}
+
+int assign_global(lua_State* L) {
+    Session::Parts& parts = parts_of(L);
+    const std::string_view name = key_text(L);
+    lua_pushvalue(L, 2);
+    const bool is_word = lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL;
+    lua_pop(L, 1);
+    if (is_word) {
+        parts.raised = fmt::format("'{}' is a word of the console: choose another name", name);
+    } else if (is_component(parts, name)) {
+        parts.raised = fmt::format("'{}' is a component: choose another name", name);
+    } else {
+        lua_rawset(L, 1);
+        return 0;
+    }
+    return raise(L, parts);
+}
+
+// Moves all globals into a table, which is left on the stack.
+void take_globals(lua_State* L) {
+    lua_newtable(L);
+    const int words = lua_gettop(L);
+    lua_pushglobaltable(L);
+    const int globals = lua_gettop(L);
+    for (lua_pushnil(L); lua_next(L, globals) != 0;) {
+        lua_pushvalue(L, -2);
+        lua_insert(L, -2);
+        lua_rawset(L, words);
+    }
+    for (lua_pushnil(L); lua_next(L, words) != 0; lua_pop(L, 1)) {
+        lua_pushvalue(L, -2);
+        lua_pushnil(L);
+        lua_rawset(L, globals);
+    }
+    lua_settop(L, words);
+}
+
+void collect_names(lua_State* L, int table, std::vector<std::string>& names) {
+    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING) continue;
+        std::size_t length = 0;
+        const char* text = lua_tolstring(L, -2, &length);
+        names.emplace_back(text, length);
+    }
+}
+
+constexpr char words_key = 0;  // its address is a key of the registry
+
+}  // namespace
+
+Expected<void> open_scope(Session::Parts& parts) {
+    const auto opened = protect(parts.state->lua(), Budget{10.0}, [&parts](lua_State* L) {
+        take_globals(L);
+        add_words(L, parts);
+        parts.objects->add_port_words(L, false);
+        parts.objects->push_system(L, parts.live);
+        lua_pushvalue(L, -1);
+        lua_setfield(L, -3, "world");
+        lua_setfield(L, -2, "system");
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &words_key);
+        const int words = lua_gettop(L);
+        lua_pushglobaltable(L);
+        lua_createtable(L, 0, 3);
+        lua_pushlightuserdata(L, &parts);
+        lua_pushvalue(L, words);
+        lua_pushcclosure(L, read_global, 2);
+        lua_setfield(L, -2, "__index");
+        lua_pushlightuserdata(L, &parts);
+        lua_pushvalue(L, words);
+        lua_pushcclosure(L, assign_global, 2);
+        lua_setfield(L, -2, "__newindex");
+        lua_pushboolean(L, 0);
+        lua_setfield(L, -2, "__metatable");
+        lua_setmetatable(L, -2);
+        return 0;
+    });
+    if (!opened) return Unexpected(opened.error());
+    return {};
+}
+
+std::vector<std::string> names_in_scope(const Session::Parts& parts) {
+    std::vector<std::string> names;
+    lua_State* L = parts.state->lua();
+    const int top = lua_gettop(L);
+    if (lua_checkstack(L, 6) != 0) {
+        lua_rawgetp(L, LUA_REGISTRYINDEX, &words_key);
+        collect_names(L, lua_gettop(L), names);
+        lua_pushglobaltable(L);
+        collect_names(L, lua_gettop(L), names);
+    }
+    lua_settop(L, top);
+    for (const auto& component : parts.live.system().components()) names.push_back(component->name());
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+}  // namespace nezumi

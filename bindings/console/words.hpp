@@ -1,0 +1,56 @@
+// The words of the console: what each is called, how it is used, what it does.
+#pragma once
+
+#include <lua.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/console/session_parts.hpp"
+#include "engine/error.hpp"
+
+namespace nezumi {
+
+/// The arguments of a word, at 1 to `count` of a Lua stack. Reading them raises nothing.
+struct WordArguments {
+    lua_State* lua;
+    int count;
+
+    bool has(int index) const { return index <= count && !lua_isnil(lua, index); }
+    /// A string; "expected WHAT, got ..." otherwise.
+    Expected<std::string> text(int index, std::string_view what) const;
+    Expected<double> number(int index, std::string_view what) const;
+};
+
+/// What a word wants done after it.
+enum class WordEnd : unsigned char {
+    done,
+    number,  ///< it returns `Parts::number`
+    wait,    ///< `Parts::ticks` are to pass before the input goes on
+};
+
+struct Word {
+    const char* name;
+    const char* usage;  ///< "step(n)"
+    const char* help;   ///< one sentence
+    int most;           ///< arguments at most
+    Expected<WordEnd> (*run)(Session::Parts& parts, const WordArguments& arguments);
+};
+
+/// All of them, in the order in which `help()` lists them. `inject`, `hold` and `release` are run by the object model.
+const std::vector<Word>& console_words();
+
+/// Adds the words' functions to the table on top of the stack. May raise a Lua error.
+void add_words(lua_State* L, Session::Parts& parts);
+/// The word whose function is at `index`; null for any other value.
+const Word* word_at(lua_State* L, int index);
+
+// Each group in its own file.
+using WordFunction = Expected<WordEnd>(Session::Parts&, const WordArguments&);
+WordFunction word_connect, word_disconnect;                                         // wiring
+WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;      // looking
+WordFunction word_watch, word_unwatch, word_plot, word_drive;                       // following
+WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
+WordFunction word_reload, word_rollback, word_save;                                 // versions
+
+}  // namespace nezumi

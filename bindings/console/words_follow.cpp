@@ -1,0 +1,87 @@
+// Words that follow a port in time: watches, plots, the stick.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bindings/console/plot_text.hpp"
+#include "bindings/console/words.hpp"
+
+namespace nezumi {
+namespace {
+
+Expected<std::string> path(const Session::Parts& parts, const WordArguments& arguments) {
+    if (arguments.count < 1) return failure("expected a port or \"name.port\", got nothing");
+    const auto port = parts.objects->to_port(arguments.lua, 1);
+    if (!port) return Unexpected(port.error());
+    return port->path();
+}
+
+}  // namespace
+
+Expected<WordEnd> word_watch(Session::Parts& parts, const WordArguments& arguments) {
+    const auto port = path(parts, arguments);
+    if (!port) return Unexpected(port.error());
+    const auto same = [&](const Watch& watch) { return watch.path == *port; };
+    if (std::none_of(parts.watches.begin(), parts.watches.end(), same)) parts.watches.push_back({*port, {}});
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_unwatch(Session::Parts& parts, const WordArguments& arguments) {
+    if (!arguments.has(1)) {
+        parts.watches.clear();
+        return WordEnd::done;
+    }
+    // A port that is gone can be named by its text.
+    auto port = path(parts, arguments);
+    if (!port) port = arguments.text(1, "a port");
+    if (!port) return Unexpected(port.error());
+    if (std::erase_if(parts.watches, [&](const Watch& watch) { return watch.path == *port; }) == 0)
+        return failure(fmt::format("{} is not watched", *port));
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_plot(Session::Parts& parts, const WordArguments& arguments) {
+    const auto port = path(parts, arguments);
+    if (!port) return Unexpected(port.error());
+    double seconds = 10;
+    if (arguments.has(2)) {
+        const auto given = arguments.number(2, "seconds");
+        if (!given) return Unexpected(given.error());
+        if (!(*given > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *given));
+        seconds = *given;
+    }
+    parts.history.follow(*port);
+    const double now = parts.live.system().now().seconds;
+    const Series* series = parts.history.find(*port);
+    std::string text;
+    if (series != nullptr && !series->samples.empty() && series->samples.front().seconds <= now) {
+        const double from = std::max(series->samples.front().seconds, now - seconds);
+        text = plot_text(*series, from, now);
+    }
+    parts.show(text.empty() ? fmt::format("{} has carried no numbers in this time", *port)
+                            : fmt::format("{}\n{}", *port, text));
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_drive(Session::Parts& parts, const WordArguments& arguments) {
+    if (!parts.options.output.take_keys) return failure("this needs a terminal: there are no keys here");
+    Expected<std::string> what = path(parts, arguments);
+    if (!what) {
+        const auto component = arguments.count < 1 ? Expected<ComponentAt>(failure("drive \"stick\""))
+                                                   : parts.objects->to_component(arguments.lua, 1);
+        if (component) {
+            what = component->component->name();
+        } else if (arguments.count < 1) {
+            return failure("expected what to drive, as in drive \"stick\", got nothing");
+        } else {
+            return Unexpected(what.error().message.find("names no port") != std::string::npos ? component.error()
+                                                                                              : what.error());
+        }
+    }
+    if (auto ok = parts.drive.begin(parts.live, *what); !ok) return Unexpected(ok.error());
+    parts.options.output.take_keys(true);
+    parts.show(fmt::format("driving {}: arrow keys, space stops, Esc ends", parts.drive.path()));
+    return WordEnd::done;
+}
+
+}  // namespace nezumi

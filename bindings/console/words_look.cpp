@@ -1,0 +1,145 @@
+// Words that show what there is.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "bindings/console/words.hpp"
+#include "bindings/lua/live/inspect.hpp"
+#include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/script/script_component.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::size_t most_listed = 40;  // components in a list
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+// Lines that mention a text, of all that has a name.
+class Finder {
+public:
+    explicit Finder(std::string_view text) : text_(lower(text)) {}
+
+    void offer(const std::string& name, const std::string& doc, const std::string& line) {
+        if (lower(name).find(text_) == std::string::npos && lower(doc).find(text_) == std::string::npos) return;
+        result_ += (result_.empty() ? "" : "\n") + line;
+        if (!doc.empty()) result_ += "  " + doc.substr(0, doc.find('\n'));
+    }
+    const std::string& result() const { return result_; }
+
+private:
+    std::string text_;
+    std::string result_;
+};
+
+void find_in(Finder& finder, const Component& component) {
+    const std::string& name = component.name();
+    finder.offer(name + " " + component.type(), "", fmt::format("{}  {}", name, component_title(component)));
+    const auto offer_port = [&](const Port& port) {
+        finder.offer(name + "." + port.name() + " " + std::string(port.type_name()), port.doc(),
+                     fmt::format("{}.{}  {} {}", name, port.name(), port.direction() == Direction::in ? "in" : "out",
+                                 port.type_name()));
+    };
+    for (const auto& port : component.in_ports()) offer_port(*port);
+    for (const auto& port : component.out_ports()) offer_port(*port);
+    for (const auto& parameter : component.parameters().all()) {
+        finder.offer(parameter.spec.name, parameter.spec.doc,
+                     fmt::format("{}.config.{} = {}", name, parameter.spec.name, to_text(parameter.value)));
+    }
+    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
+        for (const CommandDeclaration& command : script->commands())
+            finder.offer(command.name, command.doc, fmt::format("{}:{}(...)", name, command.name));
+    }
+}
+
+std::string word_line(const Word& word) { return fmt::format("  {:40} {}", word.usage, word.help); }
+
+}  // namespace
+
+Expected<WordEnd> word_ls(Session::Parts& parts, const WordArguments& arguments) {
+    const System& system = parts.live.system();
+    if (arguments.has(1)) {
+        const auto at = parts.objects->to_component(arguments.lua, 1);
+        if (!at) return Unexpected(at.error());
+        parts.show(component_text(system, *at->component));
+        return WordEnd::done;
+    }
+    std::string text;
+    std::size_t listed = 0;
+    for (const auto& component : system.components()) {
+        if (listed++ == most_listed) {
+            text += fmt::format("\nand {} more: ls \"name\" shows one", system.components().size() - most_listed);
+            break;
+        }
+        text += (text.empty() ? "" : "\n") + component_text(system, *component);
+    }
+    parts.show(text.empty() ? "the system is empty" : text);
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_find(Session::Parts& parts, const WordArguments& arguments) {
+    const auto text = arguments.text(1, "a part of a name, as in find \"vel\"");
+    if (!text) return Unexpected(text.error());
+    Finder finder(*text);
+    for (const auto& component : parts.live.system().components()) find_in(finder, *component);
+    for (const Word& word : console_words()) finder.offer(word.name, "", word_line(word));
+    parts.show(finder.result().empty() ? fmt::format("nothing has '{}' in its name", shown(*text)) : finder.result());
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_errors(Session::Parts& parts, const WordArguments&) {
+    std::string text;
+    const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+    for (const LogLine& line : parts.clock.problems()) {
+        add(fmt::format("[{:.3f}] {}{}{}: {}", line.seconds, to_text(line.level), line.component.empty() ? "" : " ",
+                        line.component, line.text));
+    }
+    for (const auto& component : parts.live.system().components()) {
+        if (component->state() == LifeState::error)
+            add(fmt::format("{} is in ERROR: {}", component->name(), describe(component->last_error())));
+    }
+    parts.show(text.empty() ? "no errors" : text);
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_help(Session::Parts& parts, const WordArguments& arguments) {
+    if (arguments.has(1)) {
+        const Word* asked = word_at(arguments.lua, 1);
+        if (asked == nullptr) {
+            const auto name = arguments.text(1, "a word, as in help \"step\"");
+            if (!name) return Unexpected(name.error());
+            std::vector<std::string_view> names;
+            for (const Word& word : console_words()) {
+                names.emplace_back(word.name);
+                if (word.name == *name) asked = &word;
+            }
+            if (asked == nullptr)
+                return failure(fmt::format("there is no word '{}'{}", shown(*name), did_you_mean(*name, names)));
+        }
+        parts.show(fmt::format("{}: {}", asked->usage, asked->help));
+        return WordEnd::done;
+    }
+    std::string text =
+        "Lua, with the system's components by name: mouse, mouse.ir_sensor_out, controller.config.NAME = "
+        "value,\ncontroller:activate(). A port is shown with its value, type, age and peers.";
+    for (const Word& word : console_words()) text += "\n" + word_line(word);
+    parts.show(text);
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_print(Session::Parts& parts, const WordArguments& arguments) {
+    std::string line;
+    for (int i = 1; i <= arguments.count; ++i) {
+        if (i > 1) line += '\t';
+        line += inspect(arguments.lua, i, {.quote = false});
+    }
+    parts.show(line);
+    return WordEnd::done;
+}
+
+}  // namespace nezumi

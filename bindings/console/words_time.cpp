@@ -1,0 +1,95 @@
+// Words that drive the clock.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bindings/console/words.hpp"
+
+namespace nezumi {
+namespace {
+
+Expected<void> refuse_hardware(const Session::Parts& parts) {
+    if (parts.clock.is_hardware()) return failure("real robots know only real time: this works in simulation");
+    return {};
+}
+
+constexpr double most_ticks = 1e12;
+
+WordEnd advance(Session::Parts& parts, double ticks) {
+    parts.ticks = static_cast<std::int64_t>(ticks);
+    return WordEnd::wait;
+}
+
+}  // namespace
+
+Expected<WordEnd> word_pause(Session::Parts& parts, const WordArguments&) {
+    parts.clock.pause();
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_step(Session::Parts& parts, const WordArguments& arguments) {
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    double ticks = 1;
+    if (arguments.has(1)) {
+        const auto given = arguments.number(1, "a number of ticks");
+        if (!given) return Unexpected(given.error());
+        ticks = *given;
+    }
+    if (!(ticks >= 1 && ticks <= most_ticks) || ticks != std::floor(ticks))
+        return failure(fmt::format("expected a number of ticks, 1 or more, got {}", ticks));
+    return advance(parts, ticks);
+}
+
+Expected<WordEnd> word_run(Session::Parts& parts, const WordArguments& arguments) {
+    if (!arguments.has(1)) {
+        if (parts.options.batch) return failure("how long? Time moves only by step(n) and run(seconds) here");
+        parts.clock.resume();
+        return WordEnd::done;
+    }
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    const auto seconds = arguments.number(1, "seconds");
+    if (!seconds) return Unexpected(seconds.error());
+    const double ticks = std::ceil(*seconds * parts.live.system().settings().rate - 1e-6);
+    if (!(*seconds > 0 && ticks <= most_ticks))
+        return failure(fmt::format("expected seconds, more than 0, got {}", *seconds));
+    return advance(parts, std::max(1.0, ticks));
+}
+
+Expected<WordEnd> word_speed(Session::Parts& parts, const WordArguments& arguments) {
+    if (!arguments.has(1)) {
+        parts.number = parts.clock.speed();
+        return WordEnd::number;
+    }
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    double factor = std::numeric_limits<double>::infinity();
+    if (const auto text = arguments.text(1, ""); !text || *text != "max") {
+        const auto given = arguments.number(1, "a number or \"max\"");
+        if (!given) return Unexpected(given.error());
+        factor = *given;
+    }
+    if (!(factor > 0)) return failure(fmt::format("expected a number above 0, got {}; pause() stops time", factor));
+    parts.clock.set_speed(factor);
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_restart(Session::Parts& parts, const WordArguments&) {
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    if (auto ok = parts.clock.restart(); !ok) return Unexpected(ok.error());
+    parts.show("started anew, time is 0");
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_quit(Session::Parts& parts, const WordArguments&) {
+    parts.inputs.clear();
+    parts.clock.quit();
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_now(Session::Parts& parts, const WordArguments&) {
+    parts.number = parts.live.system().now().seconds;
+    return WordEnd::number;
+}
+
+}  // namespace nezumi

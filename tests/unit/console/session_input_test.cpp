@@ -1,0 +1,112 @@
+// What is typed: expressions, statements, names, mistakes, loops without end.
+#include <catch2/catch.hpp>
+
+#include "bindings/console/input_text.hpp"
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("an expression shows its value, a statement nothing", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("1 + 2") == "3");
+    CHECK(it.type("'a', nil, 2.5") == "\"a\"\tnil\t2.5");
+    CHECK(it.type("{ 1, x = { 2 } }") == "{ 1, x = { 2 } }");
+    CHECK(it.type("x = 5").empty());
+    CHECK(it.type("x * 2") == "10");
+    CHECK(it.type("return x") == "5");
+    CHECK(it.type("local y = 1 print(y, 'text', { 1 })") == "1\ttext\t{ 1 }");
+    CHECK(it.type("").empty());
+    CHECK(it.type("-- nothing").empty());
+    CHECK(it.type("function twice(n) return 2 * n end").empty());
+    CHECK(it.type("twice(4)") == "8");
+    CHECK(it.finished == 11);
+}
+
+TEST_CASE("the system's components are in scope, also through a keyword's name", "[console][session]") {
+    SessionRig it;
+    it.turn(2);
+    CHECK(it.type("controller.status") == "\"ACTIVE\"");
+    CHECK(it.type("controller.out") ==
+          "controller.out  TimedVelocity2D  { vx = 0.25, vy = 0, va = 0 }  0.01 s old  -> mouse.target_velocity_in");
+    CHECK_THAT(it.type("controller.in"), StartsWith("controller.in  TimedShortSeq  { 0, 0, 0, 0 }"));
+    CHECK(it.type("#controller.in.value, #controller.ports.in.value") == "4\t4");
+    CHECK(it.type("c = controller").empty());
+    CHECK(it.type("c.in.type") == "\"TimedShortSeq\"");
+    CHECK(it.type("controller.config.speed_x = 0.2").empty());
+    CHECK(it.type("world.controller.config.speed_x") == "0.2");
+    CHECK(it.type("controller:add(2, 'x')") == "2\t\"x\"");
+    CHECK(it.type("controller:deactivate()") == "\"INACTIVE\"");
+    CHECK(it.type("controller.truth") == "! controller has no 'truth'");
+}
+
+TEST_CASE("a keyword after a dot becomes a name, in code alone", "[console][input]") {
+    CHECK(with_keyword_names("controller.in") == "controller[\"in\"]");
+    CHECK(with_keyword_names("a.ports.end.value[1]") == "a.ports[\"end\"].value[1]");
+    CHECK(with_keyword_names("'controller.in' .. \"b.in\" -- c.in\n--[[ d.in ]] [[e.in]]") ==
+          "'controller.in' .. \"b.in\" -- c.in\n--[[ d.in ]] [[e.in]]");
+    CHECK(with_keyword_names("for i = 1, n do x = 1. end") == "for i = 1, n do x = 1. end");
+    CHECK(with_keyword_names("a . \n in") == "a [\"in\"] \n ");
+    CHECK(with_keyword_names("x = a ..in") == "x = a ..in");
+}
+
+TEST_CASE("an input that lacks its end waits for more lines", "[console][input]") {
+    for (const char* text :
+         {"for i = 1, 3 do", "f(", "f(1", "x = {", "[[long", "if controller.in then", "function f()", "1 +"}) {
+        INFO(text);
+        CHECK_FALSE(Session::is_complete(text));
+    }
+    for (const char* text :
+         {"1", "x = 1", "for i = 1, 3 do print(i) end", "controller.in", "", "1 1", "'open", "end"}) {
+        INFO(text);
+        CHECK(Session::is_complete(text));
+    }
+}
+
+TEST_CASE("an error costs a line and no more", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("contoller.status") == "! unknown name 'contoller' (did you mean 'controller'?)");
+    CHECK(it.type("speed_x") == "! unknown name 'speed_x' (did you mean 'controller.config.speed_x'?)");
+    CHECK(it.type("pasue()") == "! unknown name 'pasue' (did you mean 'pause'?)");
+    CHECK(it.type("controller.config.speed_x = 9") == "! parameter 'speed_x' (number): 9.0 is above its maximum 1.5");
+    CHECK(it.type("x = = 1") == "! unexpected symbol near '='");
+    CHECK(it.type("x = 1\nerror('no')\n") == "! line 2: no");
+    CHECK(it.type("error(nil)") == "! an error of value nil");
+    CHECK(it.type("mouse = 1") == "! 'mouse' is a component: choose another name");
+    CHECK(it.type("ls = 1") == "! 'ls' is a word of the console: choose another name");
+    CHECK(it.type("math.sin = 1") == "! can't set 'math.sin': 'math' is read-only");
+    CHECK_FALSE(it.all_well);
+    CHECK(it.type("1") == "1");
+    CHECK(it.all_well);
+    CHECK_THAT(it.type("controller:fail()"), Contains("counter.lua:10: no luck"));
+    CHECK_THAT(it.type(std::string(70'000, ' ')), Contains("the input is too long"));
+}
+
+TEST_CASE("an endless loop ends with a message, and makes no tick late", "[console][session][wallclock]") {
+    SessionRig it;
+    it.session->submit("while true do end");
+    double longest = 0;
+    while (it.session->is_busy()) {
+        const auto began = std::chrono::steady_clock::now();
+        it.session->advance();
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+        longest = std::max(longest, took.count());
+    }
+    CHECK(it.shown == "! ran for more than 5 s: is there an endless loop?");
+    CHECK(longest < 0.05);
+    CHECK(it.type("1") == "1");
+}
+
+TEST_CASE("an input can be interrupted", "[console][session]") {
+    SessionRig it;
+    it.session->submit("while true do end");
+    it.session->submit("1");
+    it.session->advance();
+    CHECK(it.session->is_busy());
+    it.session->interrupt();
+    CHECK_FALSE(it.session->is_busy());
+    CHECK(it.shown == "! interrupted");
+    CHECK(it.finished == 2);
+    CHECK(it.type("2") == "2");
+}

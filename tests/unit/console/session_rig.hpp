@@ -1,0 +1,83 @@
+// A session on a live system, a clock that a test turns by hand, and all that the session said.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings/console/session.hpp"
+#include "tests/unit/live_rig.hpp"
+
+namespace nezumi {
+
+struct SessionRig : LiveRig, ClockControl {
+    explicit SessionRig(const std::string& system = counter_system,
+                        const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}},
+                        SessionOptions options = {})
+        : LiveRig(system, behaviors) {
+        options.output.show = [this](std::string_view text) { add(text); };
+        options.output.show_error = [this](std::string_view text) { add("! " + std::string(text)); };
+        options.output.done = [this](bool well) { all_well = all_well && well, ++finished; };
+        options.output.take_keys = [this](bool on) { keys = on; };
+        session = std::move(Session::create(*live, *this, std::move(options)).value());
+    }
+
+    /// What an input shows, its lines joined.
+    std::string type(std::string text) {
+        shown.clear();
+        all_well = true;
+        session->submit(std::move(text));
+        for (int rounds = 0; session->is_busy(); ++rounds) {
+            if (rounds > 100'000) return "it never ends";
+            session->advance();
+            if (is_advancing()) turn();
+        }
+        return shown;
+    }
+
+    /// Ticks, as the loop does them.
+    void turn(int ticks = 1) {
+        for (; ticks > 0; --ticks) {
+            live->tick();
+            if (left > 0 && --left == 0) paused = true;
+            session->after_tick();
+        }
+    }
+
+    void add(std::string_view text) { shown += (shown.empty() ? "" : "\n") + std::string(text); }
+
+    bool is_hardware() const override { return hardware; }
+    void pause() override { paused = true, left = 0; }
+    void resume() override { paused = false, left = 0; }
+    bool is_paused() const override { return paused; }
+    void advance(std::int64_t ticks) override { paused = false, left = ticks; }
+    bool is_advancing() const override { return left > 0; }
+    void set_speed(double factor) override { factor_ = factor; }
+    double speed() const override { return factor_; }
+    Expected<void> restart() override { return live->restart(); }
+    void quit() override { quitting = true; }
+    std::vector<LogLine> problems() const override {
+        std::vector<LogLine> lines;
+        for (const LogLine& line : log) {
+            if (line.level >= LogLevel::warn) lines.push_back(line);
+        }
+        return lines;
+    }
+
+    bool hardware = false;
+    bool paused = true;
+    bool quitting = false;
+    bool keys = false;
+    std::int64_t left = 0;
+    double factor_ = 1;
+    int finished = 0;
+    bool all_well = true;
+    std::string shown;
+    std::unique_ptr<Session> session;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,209 @@
+// The words of the console, one after the other.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "bindings/lua/files/system_file.hpp"
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+std::string content(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("step and run return when time has moved", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("step(3) return now()") == "0.03");
+    CHECK(it.paused);
+    CHECK(it.type("run(0.5) return now()") == "0.53");
+    CHECK(it.type("step() return now()") == "0.54");
+    CHECK(it.type("for i = 1, 3 do step(2) end return now()") == "0.6");
+    CHECK(it.type("coroutine.wrap(function() run(0.1) end)() return now()") == "0.7");
+    CHECK(it.type("pcall(run, 0.1) return now()") == "0.8");
+    CHECK(it.type("step(0)") == "! step: expected a number of ticks, 1 or more, got 0");
+    CHECK(it.type("step(1.5)") == "! step: expected a number of ticks, 1 or more, got 1.5");
+    CHECK(it.type("run(-1)") == "! run: expected seconds, more than 0, got -1");
+    CHECK(it.type("run('x')") == "! run: expected seconds, got string");
+    CHECK(it.type("step(1, 2)") == "! step: expected at most 1 argument: step(n)");
+}
+
+TEST_CASE("where an input can't wait, it says so and no time passes", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("table.sort({ 1, 2 }, function() run(1) end)") ==
+          "! can't wait for time to pass here: call it from the input itself");
+    CHECK(it.type("now()") == "0.0");
+}
+
+TEST_CASE("a run can be interrupted, which pauses", "[console][session]") {
+    SessionRig it;
+    it.session->submit("run(100)");
+    it.session->advance();
+    it.turn(5);
+    CHECK(it.session->is_waiting());
+    it.session->interrupt();
+    CHECK(it.paused);
+    CHECK_FALSE(it.session->is_busy());
+    CHECK(it.type("now()") == "0.05");
+}
+
+TEST_CASE("pause, run without end and speed go to the clock", "[console][session]") {
+    SessionRig it;
+    it.type("run()");
+    CHECK_FALSE(it.paused);
+    it.type("pause()");
+    CHECK(it.paused);
+    it.type("speed(2.5)");
+    CHECK(it.type("speed()") == "2.5");
+    it.type("speed 'max'");
+    CHECK(std::isinf(it.factor_));
+    CHECK(it.type("speed(0)") == "! speed: expected a number above 0, got 0; pause() stops time");
+    CHECK(it.type("speed('fast')") == "! speed: expected a number or \"max\", got string");
+    it.type("quit()");
+    CHECK(it.quitting);
+    SessionOptions batch;
+    batch.batch = true;
+    SessionRig other(counter_system, {{"counter", counter_behavior}}, batch);
+    CHECK(other.type("run()") == "! run: how long? Time moves only by step(n) and run(seconds) here");
+}
+
+TEST_CASE("on hardware only real time is offered", "[console][session]") {
+    SessionRig it;
+    it.hardware = true;
+    for (const char* text : {"step(1)", "run(1)", "speed(2)", "restart()"}) {
+        CHECK_THAT(it.type(text), Contains("real robots know only real time: this works in simulation"));
+    }
+    it.type("run()");
+    CHECK_FALSE(it.paused);
+    it.type("pause()");
+    CHECK(it.paused);
+}
+
+TEST_CASE("a restart begins anew, and names stay valid", "[console][session]") {
+    SessionRig it;
+    it.type("kept = controller controller.config.speed_x = 0.5 step(5)");
+    CHECK(it.type("restart()") == "started anew, time is 0");
+    CHECK(it.type("kept.config.speed_x, now()") == "0.25\t0.0");
+}
+
+TEST_CASE("ports are connected, disconnected and held from the prompt", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("disconnect(controller.out, 'mouse.target_velocity_in')").empty());
+    CHECK(it.type("#controller.out.peers") == "0");
+    CHECK(it.type("disconnect(controller.out)") == "! disconnect: controller.out is not connected");
+    CHECK(it.type("connect('controller.out', mouse.target_velocity_in)").empty());
+    CHECK(it.type("controller.out.peers") == "{ \"mouse.target_velocity_in\" }");
+    CHECK_THAT(it.type("connect(controller.out, controller.in)"), StartsWith("! connect: types differ"));
+    CHECK_THAT(it.type("connect('controller.ot', mouse.target_velocity_in)"),
+               Contains("controller has no port 'ot' (did you mean 'out'?)"));
+    CHECK(it.type("disconnect(mouse.target_velocity_in)").empty());
+    CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 }) step(2) return controller.out.value.vx") == "0.0");
+    CHECK_THAT(it.type("ls()"), Contains("in  in   TimedShortSeq    <- mouse.ir_sensor_out  held at { 31, 0, 0, 0 }"));
+    CHECK(it.type("release 'controller.in' step(2) return controller.out.value.vx") == "0.25");
+    CHECK(it.type("inject(controller.in, 5)") == "! input 'in' (TimedShortSeq): expected an array, got number");
+}
+
+TEST_CASE("ls, find, help and errors show what there is", "[console][session]") {
+    SessionRig it;
+    CHECK_THAT(it.type("ls()"), Contains("controller  Counter, ACTIVE, version 1") && Contains("ACTIVE\n"));
+    CHECK_THAT(it.type("ls(controller)"),
+               StartsWith("controller  Counter, ACTIVE, version 1\n  in  in   TimedShortSeq"));
+    CHECK_THAT(it.type("find 'vel'"), Contains("mouse.target_velocity_in  in TimedVelocity2D") &&
+                                          Contains("controller.out  out TimedVelocity2D"));
+    CHECK_THAT(it.type("find 'straight'"), Contains("controller.config.speed_x = 0.25  straight-ahead speed"));
+    CHECK(it.type("find 'xyzzy'") == "nothing has 'xyzzy' in its name");
+    CHECK_THAT(it.type("help()"), Contains("step(n)") && Contains("save \"system.lua\""));
+    CHECK(it.type("help 'step'") == "step(n): lets n ticks pass, then pauses");
+    CHECK(it.type("step") == "step(n): lets n ticks pass, then pauses");
+    CHECK(it.type("help 'stepp'") == "! help: there is no word 'stepp' (did you mean 'step'?)");
+    CHECK(it.type("errors()") == "no errors");
+    it.component("controller").abort(Error{"it broke", {}});
+    CHECK_THAT(it.type("errors()"), Contains("controller: it broke") && Contains("controller is in ERROR: it broke"));
+}
+
+TEST_CASE("a watch shows changes as they come", "[console][session]") {
+    SessionOptions every;
+    every.watch_period = 0;
+    SessionRig it(counter_system, {{"counter", counter_behavior}}, every);
+    CHECK(it.type("watch(controller.out) step(3)") == "[0.000] controller.out = { vx = 0.25, vy = 0, va = 0 }");
+    CHECK(it.type("controller.config.speed_x = 0.5 step(2)") ==
+          "[0.030] controller.out = { vx = 0.5, vy = 0, va = 0 }");
+    CHECK(it.type("unwatch(controller.out) controller.config.speed_x = 0.25 step(2)").empty());
+    CHECK(it.type("unwatch(controller.out)") == "! unwatch: controller.out is not watched");
+    CHECK(it.type("watch(controller)") ==
+          "! watch: expected a port, got the component controller: write controller.PORT");
+}
+
+TEST_CASE("a plot draws what a port carried", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("plot(controller.out, 5)") == "controller.out has carried no numbers in this time");
+    it.type("step(10) controller.config.speed_x = 0.5 step(10)");
+    const std::string plot = it.type("plot(controller.out, 5)");
+    CHECK_THAT(plot, StartsWith("controller.out\nvx\n 0.5 │"));
+    CHECK_THAT(plot, Contains("\n0.25 │⣀") && Contains("vy = 0 all the time") && Contains("0 s") && Contains("0.2 s"));
+    CHECK(it.type("plot(controller.out, 0)") == "! plot: expected seconds, more than 0, got 0");
+}
+
+TEST_CASE("the arrow keys drive until Esc", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("drive 'mouse'") == "driving mouse.target_velocity_in: arrow keys, space stops, Esc ends");
+    CHECK(it.keys);
+    it.session->key(Key::up);
+    it.session->key(Key::up);
+    it.session->key(Key::left);
+    it.turn(2);
+    const auto velocity = [&] { return it.type("mouse.target_velocity_in.value"); };
+    CHECK(velocity() == "{ va = 1.0, vx = 0.2, vy = 0.0 }");
+    it.session->key(Key::down);
+    it.turn(2);
+    CHECK(velocity() == "{ va = 1.0, vx = 0.0, vy = 0.0 }");
+    it.turn(80);
+    CHECK(velocity() == "{ va = 0.0, vx = 0.0, vy = 0.0 }");
+    it.session->key(Key::escape);
+    CHECK_FALSE(it.keys);
+    it.turn(3);
+    CHECK(velocity() == "{ va = 0.0, vx = 0.25, vy = 0.0 }");  // the controller's again
+    CHECK(it.type("drive 'muose'") == "! drive: there is no component 'muose' (did you mean 'mouse'?)");
+    CHECK_THAT(it.type("drive(controller.in)"), Contains("controller.in is TimedShortSeq: a stick drives"));
+}
+
+TEST_CASE("scripts are reloaded and rolled back from the prompt", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("reload()") == "no script has changed");
+    std::string changed = counter_behavior;
+    changed.replace(changed.find("0.25"), 4, "0.75");
+    it.folder.write("behaviors/counter.lua", changed);
+    CHECK(it.type("reload()") == "controller: version 2 runs");
+    CHECK(it.type("controller.config.speed_x") == "0.75");
+    CHECK_THAT(it.type("rollback()"), StartsWith("controller: version 1 runs"));
+    CHECK(it.type("rollback(mouse)") == "! rollback: mouse is no script");
+    it.folder.write("behaviors/counter.lua", "function (");
+    CHECK_THAT(it.type("reload()"), Contains("counter.lua:1: ") && Contains("still running version 1"));
+}
+
+TEST_CASE("the present wiring and configuration is saved as a system file", "[console][session]") {
+    SessionRig it;
+    const std::string file = it.folder.path("saved.lua").string();
+    it.type("controller.config.stop_d = 99 disconnect(mouse.ir_sensor_out)");
+    CHECK(it.type("save '" + file + "'") == "saved " + file + ": 2 components, 1 connection");
+    const auto spec = read_system_file(file, Project::of(file, {NEZUMI_SOURCE_ROOT}));
+    REQUIRE(spec.has_value());
+    CHECK(spec->connections.size() == 1);
+    const auto& controller = std::get<BehaviorEntry>(spec->entries[1]);
+    CHECK(controller.config == ParameterValues{{"stop_d", std::int64_t{99}}});
+    it.type("restart() controller:use 'fast'");
+    CHECK_THAT(it.type("save '" + file + "'"), Contains("what was there is now " + file + "~"));
+    CHECK_THAT(content(file), Contains("set = \"fast\""));
+    CHECK_THAT(content(file + "~"), Contains("stop_d = 99"));
+    CHECK(it.type("save(3)") == "! save: expected the name of a file, as in save \"system.lua\", got number");
+    CHECK_THAT(it.type("save '/nowhere/at/all.lua'"), StartsWith("! save: "));
+}
