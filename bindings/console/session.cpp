@@ -59,8 +59,8 @@ bool look(const Session::Parts& parts, Watch& watch) {
 
 }  // namespace
 
-Session::Parts::Parts(LiveSystem& live_, ClockControl& clock_, SessionOptions options_)
-    : live(live_), clock(clock_), options(std::move(options_)) {}
+Session::Parts::Parts(LiveSystem& system, ClockControl& control, SessionOptions settings)
+    : live(system), clock(control), options(std::move(settings)) {}
 
 Expected<void> Session::Parts::open() {
     call.reset();

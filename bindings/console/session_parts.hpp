@@ -25,7 +25,7 @@ struct Watch {
 };
 
 struct Session::Parts {
-    Parts(LiveSystem& live_, ClockControl& clock_, SessionOptions options_);
+    Parts(LiveSystem& system, ClockControl& control, SessionOptions settings);
 
     /// Opens a fresh state with all names in scope.
     Expected<void> open();
