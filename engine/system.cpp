@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 
@@ -12,8 +13,8 @@
 namespace nezumi {
 namespace {
 
-// Fewer components than this are quicker on one thread.
-constexpr std::size_t worth_threads = 64;
+// Fewer components than this are quicker on one thread: waking the others costs as much as some hundred executions.
+constexpr std::size_t worth_threads = 256;
 
 // The worker that runs this thread's share; 0 on the thread that ticks.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a thread's own number, not shared state
@@ -261,6 +262,7 @@ template <class Action>
 void System::for_each_in_parallel(std::size_t count, const Action& action) {
     if (workers_ == nullptr || count < worth_threads) {
         for (std::size_t i = 0; i < count; ++i) action(i);
+        if (workers_ == nullptr) return;  // whose lines went to the sink at once
     } else {
         workers_->run(count, [&](std::size_t begin, std::size_t end, std::size_t worker) {
             current_worker = worker;
@@ -304,13 +306,16 @@ void System::tick() {
         devices_[i]->latch_outputs(now_);
     });
 
-    for_each_in_parallel(behaviors_.size(), [this](std::size_t i) { behaviors_[i]->latch_inputs(now_); });
-    due_.clear();
-    for (Component* behavior : behaviors_) {
-        if (is_due(*behavior)) due_.push_back(behavior);
-    }
-    for_each_in_parallel(due_.size(), [this](std::size_t i) { due_[i]->execute(now_); });
-    if (settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
+    // No execution sees what another one writes, as outputs latch when all have ended: each may follow its own inputs
+    // at once, while they are near.
+    std::atomic<bool> out_of_time = false;
+    for_each_in_parallel(behaviors_.size(), [this, &out_of_time](std::size_t i) {
+        Component& behavior = *behaviors_[i];
+        behavior.latch_inputs(now_);
+        if (is_due(behavior)) behavior.execute(now_);
+        if (behavior.last_error().kind == Error::Kind::out_of_time) out_of_time = true;
+    });
+    if (out_of_time && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
 
     for_each_in_parallel(behaviors_.size(), [this](std::size_t i) { behaviors_[i]->latch_outputs(now_); });
     for_each_in_parallel(devices_.size(), [this](std::size_t i) {

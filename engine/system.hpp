@@ -117,7 +117,6 @@ private:
     std::vector<Component*> behaviors_;  // the others, likewise
     std::vector<Robot*> robots_;
     std::size_t removed_robots_ = 0;  // whose bodies the world still counts
-    std::vector<Component*> due_;
     std::vector<Connection> connections_;
     std::vector<PortObserver*> observers_;
     std::unique_ptr<WorkerPool> workers_;
