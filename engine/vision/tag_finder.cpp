@@ -31,6 +31,9 @@ constexpr int forgiven_bits = 1;
 constexpr float decimation = 2;
 // AprilTag counts from the corner of the first pixel, our lens from its centre.
 constexpr double pixel_offset = 0.5;
+// Steps between grey values that count as edges. With its own 5, the noise of a dim picture makes thousands of edges
+// and finding tags takes ten times as long.
+constexpr int least_contrast = 25;
 // [px] Its tiles and its halved picture need some room.
 constexpr int least_side = 16;
 
@@ -72,6 +75,7 @@ struct TagFinder::Detector {
         apriltag_detector_add_family_bits(detector, family, forgiven_bits);
         detector->quad_decimate = decimation;
         detector->nthreads = 1;
+        detector->qtp.min_white_black_diff = least_contrast;
     }
     ~Detector() {
         apriltag_detector_destroy(detector);
