@@ -1,13 +1,264 @@
-// What could stand before the cursor.
+// What could stand before the cursor, from the system that runs.
 #include <algorithm>
 
+#include "bindings/console/cursor_text.hpp"
 #include "bindings/console/session_parts.hpp"
+#include "bindings/console/words.hpp"
+#include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
 
 namespace nezumi {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr std::string_view keywords[] = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
+                                         "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
+                                         "repeat",   "return", "then", "true", "until",  "while"};
+
+// What a chain of names leads to.
+struct Place {
+    enum class Kind { nothing, system, component, ports, port, config, truth, value, table } kind = Kind::nothing;
+    Component* component = nullptr;
+    Port* port = nullptr;  // also of `value`
+};
+
+Names component_names(const System& system) {
+    Names names;
+    for (const auto& component : system.components()) names.push_back(component->name());
+    return names;
+}
+
+Names port_names(const Component& component) {
+    Names names;
+    for (const auto& port : component.in_ports()) names.push_back(port->name());
+    for (const auto& port : component.out_ports()) names.push_back(port->name());
+    return names;
+}
+
+Names without(Names all, const Names& some) {
+    std::erase_if(all,
+                  [&](const std::string& name) { return std::find(some.begin(), some.end(), name) != some.end(); });
+    return all;
+}
+
+Names value_fields(const Port& port) {
+    return with_payload_type(port.type(), []<class T>() -> Names {
+        Names names;
+        if constexpr (Described<T>) {
+            std::apply([&](const auto&... field) { (names.emplace_back(field.name), ...); }, Describe<T>::fields);
+        }
+        return names;
+    });
+}
+
+Names table_keys(lua_State* L, int table) {
+    Names names;
+    if (push_behind_lock(L, table)) table = lua_gettop(L);
+    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) != LUA_TSTRING) continue;
+        const std::string_view key = text_at(L, -2);
+        if (is_identifier(key)) names.emplace_back(key);
+    }
+    return names;
+}
+
+// Follows names through what was defined at the prompt and the system, and runs nothing of Lua. The value that it has
+// come to is on top of the stack, where that is a table.
+class Walk {
+public:
+    explicit Walk(const Session::Parts& parts) : parts_(parts), lua_(parts.state->lua()), top_(lua_gettop(lua_)) {}
+    ~Walk() { lua_settop(lua_, top_); }
+    Walk(const Walk&) = delete;
+    Walk& operator=(const Walk&) = delete;
+
+    Place follow(const Names& chain) {
+        if (chain.empty() || lua_checkstack(lua_, 20) == 0) return {};
+        Place place = begin(chain.front());
+        for (std::size_t i = 1; i < chain.size(); ++i) place = member(place, chain[i]);
+        return place;
+    }
+
+    Names names(const Place& place, char separator) {
+        using Kind = Place::Kind;
+        const bool called = separator == ':';
+        if (place.kind == Kind::component) {
+            Names methods = Objects::methods(*place.component);
+            return called ? methods : without(Objects::members(*place.component), methods);
+        }
+        if (place.kind == Kind::port) {
+            return called ? Objects::port_methods() : without(Objects::port_members(), Objects::port_methods());
+        }
+        if (place.kind == Kind::table) return table_keys(lua_, lua_gettop(lua_));
+        if (called) return {};
+        switch (place.kind) {
+            case Kind::system: return component_names(parts_.live.system());
+            case Kind::ports: return port_names(*place.component);
+            case Kind::config: return parameter_names(*place.component);
+            case Kind::truth: return Objects::truth_members();
+            case Kind::value: return value_fields(*place.port);
+            default: return {};
+        }
+    }
+
+private:
+    static Names parameter_names(const Component& component) {
+        Names names;
+        for (const auto& parameter : component.parameters().all()) names.push_back(parameter.spec.name);
+        return names;
+    }
+
+    Place component(std::string_view name) const {
+        Component* found = parts_.live.system().find(name);
+        return found == nullptr ? Place{} : Place{Place::Kind::component, found};
+    }
+
+    // What the value on top of the stack is.
+    Place value() const {
+        if (lua_type(lua_, -1) == LUA_TTABLE) return {Place::Kind::table};
+        const ObjectRef* ref = to_object(lua_, -1);
+        if (ref == nullptr) return {};
+        if (ref->kind == ObjectKind::system) return {Place::Kind::system};
+        const Place owner = component(ref->component());
+        if (owner.component == nullptr) return {};
+        switch (ref->kind) {
+            case ObjectKind::ports: return {Place::Kind::ports, owner.component};
+            case ObjectKind::config: return {Place::Kind::config, owner.component};
+            case ObjectKind::truth: return {Place::Kind::truth, owner.component};
+            case ObjectKind::port: return port(owner.component, ref->port());
+            default: return owner;
+        }
+    }
+
+    static Place port(Component* component, std::string_view name) {
+        Port* found = component->find_port(name);
+        return found == nullptr ? Place{} : Place{Place::Kind::port, component, found};
+    }
+
+    Place begin(const std::string& name) const {
+        lua_pushglobaltable(lua_);
+        if (!push_raw(name)) {
+            push_words_table(lua_);
+            if (!push_raw(name)) return component(name);
+        }
+        return value();
+    }
+
+    // Replaces the table on top of the stack by its field, if it has one; else takes it off.
+    bool push_raw(const std::string& name) const {
+        if (push_behind_lock(lua_, -1)) lua_remove(lua_, -2);
+        lua_pushnil(lua_);
+        while (lua_next(lua_, -2) != 0) {
+            if (lua_type(lua_, -2) == LUA_TSTRING && text_at(lua_, -2) == name) {
+                lua_replace(lua_, -3);
+                lua_pop(lua_, 1);
+                return true;
+            }
+            lua_pop(lua_, 1);
+        }
+        lua_pop(lua_, 1);
+        return false;
+    }
+
+    Place member(const Place& place, const std::string& name) const {
+        using Kind = Place::Kind;
+        switch (place.kind) {
+            case Kind::system: return component(name);
+            case Kind::component:
+                if (name == "ports") return {Kind::ports, place.component};
+                if (name == "config") return {Kind::config, place.component};
+                if (name == "truth") return {Kind::truth, place.component};
+                return port(place.component, name);
+            case Kind::ports: return port(place.component, name);
+            case Kind::port: return name == "value" ? Place{Kind::value, place.component, place.port} : Place{};
+            case Kind::table: return push_raw(name) ? value() : Place{};
+            default: return {};
+        }
+    }
+
+    const Session::Parts& parts_;
+    lua_State* lua_;
+    int top_;
+};
+
+Names port_paths(const System& system, bool in, bool out, const Port* like = nullptr) {
+    Names paths;
+    const auto add = [&](const Component& component, const Port& port) {
+        if (like == nullptr || like->type() == port.type()) paths.push_back(component.name() + "." + port.name());
+    };
+    for (const auto& component : system.components()) {
+        for (const auto& port : component->in_ports()) {
+            if (in) add(*component, *port);
+        }
+        for (const auto& port : component->out_ports()) {
+            if (out) add(*component, *port);
+        }
+    }
+    return paths;
+}
+
+// What can be in a quoted text.
+Names texts(const Session::Parts& parts, const TextAtCursor& text) {
+    const System& system = parts.live.system();
+    const std::string& word = text.word;
+    if (word == "use" && text.callee.separator == ':') {
+        Walk walk(parts);
+        const Place place = walk.follow(text.callee.chain);
+        Names sets;
+        if (place.kind == Place::Kind::component) {
+            for (const auto& [name, values] : place.component->sets) sets.push_back(name);
+        }
+        return sets;
+    }
+    if (text.callee.separator != 0) return {};
+    if (word == "connect" || word == "disconnect") {
+        if (text.argument == 1) return port_paths(system, word == "disconnect", true);
+        const auto first = system.port(text.first);
+        return port_paths(system, true, false, first ? *first : nullptr);
+    }
+    if (text.argument > 1) return {};
+    for (const char* each : {"inject", "hold", "release", "watch", "unwatch", "plot"}) {
+        if (word == each) return port_paths(system, true, true);
+    }
+    for (const char* each : {"ls", "rollback", "drive"}) {
+        if (word == each) return component_names(system);
+    }
+    if (word == "speed") return {"max"};
+    Names words;
+    if (word == "help") {
+        for (const Word& each : console_words()) words.emplace_back(each.name);
+    }
+    return words;
+}
+
+}  // namespace
 
 Completion Session::complete(std::string_view text, std::size_t cursor) const {
     text = text.substr(0, cursor);
     Completion completion{text.size(), {}};
+    if (parts_->state->is_lost()) return completion;
+    const TextAtCursor quoted = text_at_cursor(text);
+    if (quoted.comment) return completion;
+    if (quoted.open) {
+        completion.from = quoted.from;
+        completion.candidates = texts(*parts_, quoted);
+    } else {
+        const NameAtCursor name = name_at_cursor(text);
+        completion.from = name.from;
+        if (name.separator == 0) {
+            completion.candidates = names_in_scope(*parts_);
+            if (name.from < text.size())
+                completion.candidates.insert(completion.candidates.end(), std::begin(keywords), std::end(keywords));
+        } else if (!name.broken) {
+            Walk walk(*parts_);
+            completion.candidates = walk.names(walk.follow(name.chain), name.separator);
+        }
+    }
+    Names& all = completion.candidates;
+    const std::string_view part = text.substr(completion.from);
+    std::erase_if(all, [&](const std::string& name) { return !name.starts_with(part); });
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
     return completion;
 }
 

@@ -137,12 +137,14 @@ Expected<void> open_scope(Session::Parts& parts) {
     return {};
 }
 
+void push_words_table(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &words_key); }
+
 std::vector<std::string> names_in_scope(const Session::Parts& parts) {
     std::vector<std::string> names;
     lua_State* L = parts.state->lua();
     const int top = lua_gettop(L);
     if (lua_checkstack(L, 6) != 0) {
-        lua_rawgetp(L, LUA_REGISTRYINDEX, &words_key);
+        push_words_table(L);
         collect_names(L, lua_gettop(L), names);
         lua_pushglobaltable(L);
         collect_names(L, lua_gettop(L), names);

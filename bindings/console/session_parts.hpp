@@ -57,6 +57,9 @@ struct Session::Parts {
 /// the system whenever they are used.
 Expected<void> open_scope(Session::Parts& parts);
 
+/// Pushes the table of all that `open_scope` has put there. Needs one place on the stack.
+void push_words_table(lua_State* L);
+
 /// Every name that an input can begin with: words, library, components, what was defined at the prompt. Sorted.
 std::vector<std::string> names_in_scope(const Session::Parts& parts);
 

@@ -22,6 +22,9 @@ constexpr std::string_view more_words[] = {"commands", "error", "rate", "set"};
 constexpr std::string_view more_robot_words[] = {"buzzer", "disturb",  "leds",    "limits",
                                                  "press",  "teleport", "touching"};
 
+constexpr std::string_view called_words[] = {"activate", "deactivate", "reset", "use"};
+constexpr std::string_view called_robot_words[] = {"disturb", "press", "teleport"};
+
 template <class Words>
 bool contains(const Words& all, std::string_view word) {
     return std::find(std::begin(all), std::end(all), word) != std::end(all);
@@ -182,8 +185,7 @@ Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
                                                                 {"acceleration", limits.acceleration},
                                                                 {"yaw_acceleration", limits.yaw_acceleration}}}};
     }
-    if (word == "teleport" || word == "press" || word == "disturb")
-        return Answer{MethodName{method, std::string(word)}};
+    if (contains(called_robot_words, word)) return Answer{MethodName{method, std::string(word)}};
     const auto simulated = simulated_robot(at.live->system(), *at.component);
     if (!simulated) return Unexpected(simulated.error());
     const World& world = *at.live->system().world();
@@ -284,6 +286,15 @@ std::vector<std::string> Objects::members(const Component& component) {
     for (const CommandDeclaration& each : commands_of(component)) all.push_back(each.name);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+std::vector<std::string> Objects::methods(const Component& component) {
+    std::vector<std::string> all(std::begin(called_words), std::end(called_words));
+    if (dynamic_cast<const Robot*>(&component) != nullptr)
+        all.insert(all.end(), std::begin(called_robot_words), std::end(called_robot_words));
+    for (const CommandDeclaration& each : commands_of(component)) all.push_back(each.name);
+    std::sort(all.begin(), all.end());
     return all;
 }
 

@@ -83,8 +83,11 @@ public:
 
     /// Every member that `X.` has: ports, words, commands. Sorted.
     static std::vector<std::string> members(const Component& component);
-    /// Every word that a port has. Sorted.
+    /// Those of them that are called, with a colon: `X:activate()`, commands. Sorted.
+    static std::vector<std::string> methods(const Component& component);
+    /// Every word that a port has, and those of them that are called. Sorted.
     static std::vector<std::string> port_members();
+    static std::vector<std::string> port_methods();
     /// Every word that `X.truth` has. Sorted.
     static std::vector<std::string> truth_members();
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 15> properties{"age",  "connected", "count",  "direction", "doc",
                                                       "name", "note",      "path",   "peers",     "stale",
                                                       "tm",   "type",      "unread", "value",     "override"};
-constexpr std::array<std::string_view, 6> methods{"drop", "freeze", "hold", "inject", "release", "write"};
+constexpr std::array<std::string_view, 6> called{"drop", "freeze", "hold", "inject", "release", "write"};
 
 bool contains(const auto& all, std::string_view word) { return std::find(all.begin(), all.end(), word) != all.end(); }
 
@@ -95,7 +95,7 @@ std::string explain_key(lua_State* L, const PortAt& at) {
         return fmt::format("{}: only its own component reads it; a look at it is {}.value", at.path(), at.path());
     }
     std::vector<std::string_view> names(properties.begin(), properties.end());
-    names.insert(names.end(), methods.begin(), methods.end());
+    names.insert(names.end(), called.begin(), called.end());
     std::string near = did_you_mean(key, names);
     if (near.empty()) near = fmt::format("; the value's own fields are {}.value.NAME", at.path());
     return fmt::format("{} has no '{}'{}", at.path(), shown(key), near);
@@ -109,7 +109,7 @@ int port_index(lua_State* L) {
         if (lua_type(L, 2) == LUA_TSTRING) {
             const std::string_view key = text_at(L, 2);
             if (contains(properties, key)) return property(*at, key);
-            if (contains(methods, key)) return Answer{MethodName{method, std::string(key)}};
+            if (contains(called, key)) return Answer{MethodName{method, std::string(key)}};
         }
         return failure(explain_key(L, *at));
     });
@@ -143,10 +143,12 @@ const ObjectFunctions& port_functions() {
 
 std::vector<std::string> Objects::port_members() {
     std::vector<std::string> all(properties.begin(), properties.end());
-    all.insert(all.end(), methods.begin(), methods.end());
+    all.insert(all.end(), called.begin(), called.end());
     std::sort(all.begin(), all.end());
     return all;
 }
+
+std::vector<std::string> Objects::port_methods() { return {called.begin(), called.end()}; }
 
 void write_to(Port& port, const AnyPayload& value) {
     if (port.direction() == Direction::in) {

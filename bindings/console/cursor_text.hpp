@@ -1,0 +1,34 @@
+// What stands before the cursor of an input, as far as completing needs to understand it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nezumi {
+
+/// `controller.config.sp` is the chain "controller", "config" and the part "sp".
+struct NameAtCursor {
+    std::vector<std::string> chain;  ///< names before the part; `x["in"]` counts as a name
+    char separator = 0;              ///< '.' or ':' before the part; 0: the part begins the chain
+    std::size_t from = 0;            ///< [bytes] where the part begins
+    bool broken = false;             ///< what stands before the part is more than names: nothing is known of it
+};
+
+/// `connect("controller.out", "mo` is the word "connect", its second argument, and the text "mo".
+struct TextAtCursor {
+    bool open = false;     ///< the cursor is in a quoted text
+    std::size_t from = 0;  ///< [bytes] where the text begins, behind its quote
+    NameAtCursor callee;   ///< what is called with it; its part is `word`
+    std::string word;      ///< "" for none
+    int argument = 1;      ///< which one it is, from 1
+    std::string first;     ///< the first argument, where that is a quoted text too
+    bool comment = false;  ///< the cursor is in a comment
+};
+
+/// `text` ends at the cursor.
+TextAtCursor text_at_cursor(std::string_view text);
+NameAtCursor name_at_cursor(std::string_view text);
+
+}  // namespace nezumi

@@ -1,0 +1,68 @@
+// What Tab offers: names, ports, fields, parameters and commands of the system that runs.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// The candidates joined by blanks, and where they begin.
+std::string offer(const SessionRig& it, const std::string& text, std::size_t from) {
+    const Completion completion = it.session->complete(text, text.size());
+    CHECK(completion.from == from);
+    std::string joined;
+    for (const std::string& each : completion.candidates) joined += (joined.empty() ? "" : " ") + each;
+    return joined;
+}
+
+}  // namespace
+
+TEST_CASE("names are completed from the words, the library and the system", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "cont", 0) == "controller");
+    CHECK(offer(it, "print(mou", 6) == "mouse");
+    CHECK(offer(it, "re", 0) == "release reload repeat restart return");
+    CHECK(offer(it, "xyz", 0).empty());
+    it.type("my_table = { alpha = 1, beta = { gamma = 2 } }");
+    CHECK(offer(it, "my_", 0) == "my_table");
+    CHECK(offer(it, "my_table.", 9) == "alpha beta");
+    CHECK(offer(it, "my_table.beta.g", 14) == "gamma");
+    CHECK(offer(it, "math.fl", 5) == "floor");
+    CHECK(offer(it, "1 + world.", 10) == "controller mouse");
+}
+
+TEST_CASE("members are completed from the live system", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "controller.sta", 11) == "state status");
+    CHECK(offer(it, "controller.i", 11) == "in");
+    CHECK(offer(it, "controller.config.", 18) == "gains speed_x stop_d");
+    CHECK(offer(it, "x = controller.config.sp", 22) == "speed_x");
+    CHECK(offer(it, "controller.ports.", 17) == "in out");
+    CHECK(offer(it, "controller:", 11) == "activate add both deactivate fail reset use");
+    CHECK(offer(it, "mouse:t", 6) == "teleport");
+    CHECK(offer(it, "controller.out.va", 15) == "value");
+    CHECK(offer(it, "controller.out.value.", 21) == "va vx vy");
+    CHECK(offer(it, "controller.in.va", 14) == "value");
+    CHECK(offer(it, "controller['in'].pe", 17) == "peers");
+    CHECK(offer(it, "controller.out:", 15) == "drop freeze hold inject release write");
+    CHECK(offer(it, "mouse.truth.", 12) == "height pose tilt velocity");
+    it.type("c = controller");
+    CHECK(offer(it, "c.config.st", 9) == "stop_d");
+    CHECK(offer(it, "f().co", 4).empty());
+    CHECK(offer(it, "3.", 2).empty());
+    CHECK(offer(it, "-- controller.", 14).empty());
+    REQUIRE(it.live->system().remove("controller").has_value());
+    CHECK(offer(it, "c.config.", 9).empty());
+}
+
+TEST_CASE("ports are completed within the quotes of a word", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "connect(\"contr", 9) == "controller.out");
+    CHECK(offer(it, "connect('controller.out', 'm", 27) == "mouse.target_velocity_in");
+    CHECK(offer(it, "watch \"controller.", 7) == "controller.in controller.out");
+    CHECK(offer(it, "drive 'm", 7) == "mouse");
+    CHECK(offer(it, "controller:use '", 16) == "fast slow");
+    CHECK(offer(it, "help 'pa", 6) == "pause");
+    CHECK(offer(it, "print('contr", 7).empty());
+}
