@@ -108,7 +108,8 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
     if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
     if (name.find('\0') != std::string_view::npos)
         return failure(fmt::format("the name of a {} has a zero byte in it", word(kind)));
-    std::vector<fs::path> folders{(working_ / named_in).parent_path()};
+    const fs::path naming = (working_ / named_in).lexically_normal();
+    std::vector<fs::path> folders{naming.parent_path()};
     if (!root_.empty()) folders.push_back(root_ / "behaviors");
     for (const fs::path& installed : installed_) {
         if (kind == FileKind::model || kind == FileKind::data) folders.push_back(installed / "engine/robots");
@@ -118,6 +119,8 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
     std::vector<std::string> places;
     for (const fs::path& folder : folders) {
         const fs::path candidate = (folder / file).lexically_normal();
+        // Nobody means the file itself: a system may be called like the behaviour that it is for.
+        if (candidate == naming) continue;
         if (is_file(candidate)) return candidate;
         const std::string place = shown(candidate);
         if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);

@@ -32,7 +32,8 @@ public:
     const std::vector<std::filesystem::path>& installed() const { return installed_; }
 
     /// Where the file called `name` is: beside the file `named_in`, then in `behaviors/`, then among the installed
-    /// ones. The error says the nearest name and every place that was looked at; it has no place of its own.
+    /// ones; never that file itself. The error says the nearest name and every place that was looked at; it has no
+    /// place of its own.
     Expected<std::filesystem::path> find(FileKind kind, std::string_view name,
                                          const std::filesystem::path& named_in) const;
 

@@ -46,6 +46,15 @@ TEST_CASE("a name is looked up beside the file, then in behaviors/, then among t
     CHECK(found(project, scratch, FileKind::script, "c", in) == "behaviors/systems/c.lua");
 }
 
+TEST_CASE("a system may be called like the behaviour that it names", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/systems/c.lua", "");
+    scratch.write("behaviors/c.lua", "");
+    const Project project = Project::of(scratch.path("behaviors/systems/c.lua"));
+    CHECK(found(project, scratch, FileKind::script, "c", "behaviors/systems/c.lua") == "behaviors/c.lua");
+    CHECK(found(project, scratch, FileKind::script, "c", "behaviors/systems/other.lua") == "behaviors/systems/c.lua");
+}
+
 TEST_CASE("the ending .lua may be left out, folders are part of a name", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/systems/x.lua", "");
