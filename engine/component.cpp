@@ -49,13 +49,13 @@ Expected<void> Component::use(std::string_view set) {
     }
     ParameterValues values = found->second;
     values.insert(configured.begin(), configured.end());
-    for (const auto& [name, other] : sets) {
-        for (const auto& [parameter, value] : other) {
-            if (const auto* known = parameters_.find(parameter)) values.emplace(parameter, known->spec.initial);
-        }
-    }
     if (auto ok = parameters_.set_all(values); !ok)
         return failure(fmt::format("set '{}': {}", set, ok.error().message));
+    for (const auto& [name, other] : sets) {
+        for (const auto& [parameter, value] : other) {
+            if (!values.contains(parameter)) parameters_.follow_default(parameter);
+        }
+    }
     set_in_use_ = found->first;
     return {};
 }

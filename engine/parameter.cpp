@@ -254,6 +254,14 @@ Expected<void> Parameters::set_all(const ParameterValues& values) {
     return {};
 }
 
+void Parameters::follow_default(std::string_view name) {
+    const auto index = index_of(name);
+    if (!index) return;
+    all_[*index].value = all_[*index].spec.initial;
+    all_[*index].set = false;
+    ++version_;
+}
+
 Expected<void> Parameters::stage(std::string_view name, const ParameterValue& value) {
     const auto index = index_of(name);
     if (!index) return Unexpected(index.error());

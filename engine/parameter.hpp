@@ -70,6 +70,8 @@ public:
     Expected<void> set(std::string_view name, const ParameterValue& value);
     /// Sets all of these or, when one of them is refused, none.
     Expected<void> set_all(const ParameterValues& values);
+    /// Gives one back its default, as if nobody had ever set it. An unknown name is none.
+    void follow_default(std::string_view name);
     /// Sets one value that holds from the next `take_staged`. Checked now.
     Expected<void> stage(std::string_view name, const ParameterValue& value);
     /// Lets the staged values take effect. Returns whether there were any.

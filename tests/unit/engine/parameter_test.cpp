@@ -240,6 +240,8 @@ TEST_CASE("a named set takes effect whole, and what it leaves out keeps the conf
     CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.1, 1.0});
     REQUIRE(it.use("fast"));
     CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.4, 0.0});  // neither set nor config: the default
+    CHECK_FALSE(it.parameters().find("speed_r")->set);  // so that a reload follows its new default
+    CHECK(it.parameters().find("speed_x")->set);
 }
 
 TEST_CASE("a set that breaks a bound, or that is not there, changes nothing", "[engine][parameter][set]") {
