@@ -1,0 +1,43 @@
+// The client's end of the console's protocol: what the prompt, attach and batch talk through.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bindings/console/file_handle.hpp"
+#include "bindings/console/protocol.hpp"
+
+namespace nezumi {
+
+class ConsoleClient {
+public:
+    explicit ConsoleClient(FileHandle socket) : socket_(std::move(socket)) {}
+
+    /// Readable when an event may have come.
+    int file() const { return socket_.get(); }
+    bool is_open() const { return bool(socket_); }
+    /// Leaves.
+    void close() { socket_.reset(); }
+
+    /// Sends a request, under an id of its own that is returned. When the system is gone, the client is closed.
+    std::int64_t send(Request request);
+    /// The next event; waits for it for at most `timeout` [ms], -1: as long as it takes. Nothing when none came in that
+    /// time, or when the system is gone (`is_open`).
+    std::optional<Event> next(int timeout);
+
+private:
+    std::optional<Event> read_line();
+
+    // Results may be long; a system is trusted not to send lines without end.
+    static constexpr std::size_t longest_event = std::size_t{1} << 28;
+
+    FileHandle socket_;
+    LineReader reader_{longest_event};
+    bool fed_ = false;  // the reader may have another line
+    std::int64_t last_id_ = 0;
+};
+
+/// Text as a terminal may show it: control characters other than the end of line and the tab are written out.
+std::string without_controls(std::string_view text);
+
+}  // namespace nezumi

@@ -1,0 +1,36 @@
+// A file descriptor that closes itself.
+#pragma once
+
+#include <unistd.h>
+
+#include <utility>
+
+namespace nezumi {
+
+class FileHandle {
+public:
+    FileHandle() = default;
+    /// Takes it over; -1 is none.
+    explicit FileHandle(int file) : file_(file) {}
+    ~FileHandle() { reset(); }
+    FileHandle(FileHandle&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+    FileHandle& operator=(FileHandle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            file_ = std::exchange(other.file_, -1);
+        }
+        return *this;
+    }
+
+    int get() const { return file_; }
+    explicit operator bool() const { return file_ >= 0; }
+    void reset() {
+        if (file_ >= 0) ::close(file_);
+        file_ = -1;
+    }
+
+private:
+    int file_ = -1;
+};
+
+}  // namespace nezumi

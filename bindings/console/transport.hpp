@@ -1,0 +1,108 @@
+// Carries requests and events between clients' sockets and the thread that ticks, which never waits for a client.
+#pragma once
+
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bindings/console/file_handle.hpp"
+#include "bindings/console/protocol.hpp"
+#include "bindings/console/rendezvous.hpp"
+
+namespace nezumi {
+
+using ClientId = std::uint64_t;
+
+class Transport {
+public:
+    /// What came from a client.
+    struct Incoming {
+        enum class What { opened, request, closed };
+        ClientId client = 0;
+        What what = What::request;
+        Request request;
+    };
+
+    /// How a client's events are kept while it does not take them.
+    enum class Flow {
+        lossy,    ///< what only shows something is left out, and counted, past `max_backlog`
+        lossless  ///< `send` waits past `max_backlog`: for runs without a clock
+    };
+
+    /// [bytes] that wait for a client.
+    static constexpr std::size_t max_backlog = std::size_t{1} << 20;
+    /// Requests of a client that are not finished yet; no more are read from it until some are.
+    static constexpr std::size_t max_requests = 64;
+    static constexpr std::size_t max_clients = 32;
+
+    /// Starts the thread that waits for the sockets.
+    Transport();
+    /// Says `bye` to all clients, and gives them a moment to take it.
+    ~Transport();
+    Transport(const Transport&) = delete;
+    Transport& operator=(const Transport&) = delete;
+
+    /// Takes clients from `listener` that belong to `user`. Once.
+    void listen(Listener listener, uid_t user);
+    /// Takes a client that is connected already.
+    ClientId add(FileHandle socket, Flow flow);
+
+    /// Readable while something waits for `take`.
+    int file() const { return news_.get(); }
+    /// What has come since the last call; never waits.
+    std::vector<Incoming> take();
+    /// A request has been dealt with: its client may send another.
+    void finish_request(ClientId client);
+    /// Never waits for a lossy client. Events to clients that are gone are dropped.
+    void send(ClientId client, Event event);
+
+private:
+    struct Client {
+        FileHandle socket;
+        Flow flow = Flow::lossy;
+        std::deque<Event> events;  // that wait
+        std::size_t backlog = 0;   // [bytes] of them, about
+        std::size_t lost = 0;
+        std::size_t requests = 0;  // not finished
+        // Of the thread alone:
+        LineReader reader{};
+        std::string writing{};    // lines that the socket has not taken whole
+        std::size_t written = 0;  // of them
+        bool finished = false;    // it sends nothing any more
+        bool gone = false;
+    };
+
+    void work();
+    bool accept_all(int listener);
+    void serve(ClientId id, Client& client, short found);
+    void read_from(ClientId id, Client& client);
+    void write_to(Client& client);
+    void put(Client& client, Event event);
+    void remove(ClientId id);
+
+    FileHandle news_;  // eventfd: something for `take`
+    FileHandle wake_;  // eventfd: something for the thread
+
+    std::mutex mutex_;  // of all below, and of the first part of each client
+    std::condition_variable drained_;
+    std::optional<Listener> listener_;
+    uid_t user_ = geteuid();
+    std::map<ClientId, std::unique_ptr<Client>> clients_;  // removed by the thread alone
+    std::vector<Incoming> incoming_;
+    ClientId last_id_ = 0;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
+}  // namespace nezumi

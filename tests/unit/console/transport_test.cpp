@@ -1,0 +1,241 @@
+// Clients that are slow, silent, gone or out of their mind never keep the thread that ticks waiting.
+#include "bindings/console/transport.hpp"
+
+#include <catch2/catch.hpp>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bindings/console/client.hpp"
+
+using namespace nezumi;
+using Incoming = Transport::Incoming;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Pair {
+    FileHandle system, client;
+};
+
+Pair make_pair() {
+    int ends[2] = {-1, -1};
+    REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
+    return {FileHandle(ends[0]), FileHandle(ends[1])};
+}
+
+void write_text(const FileHandle& socket, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t sent = ::send(socket.get(), text.data(), text.size(), MSG_NOSIGNAL);
+        REQUIRE(sent > 0);
+        text.remove_prefix(static_cast<std::size_t>(sent));
+    }
+}
+
+// What comes until there is something of this kind, which is the last.
+std::vector<Incoming> take_until(Transport& transport, Incoming::What what) {
+    std::vector<Incoming> all;
+    const auto end = Clock::now() + std::chrono::seconds(10);
+    while (Clock::now() < end) {
+        pollfd file{.fd = transport.file(), .events = POLLIN, .revents = 0};
+        poll(&file, 1, 1000);
+        for (Incoming& incoming : transport.take()) {
+            all.push_back(std::move(incoming));
+            if (all.back().what == what) return all;
+        }
+    }
+    FAIL("nothing of the kind came");
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a request is carried to the system and its answer back", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
+    ConsoleClient client(std::move(pair.client));
+    const std::int64_t asked = client.send({.kind = Request::Kind::eval, .text = "ls()"});
+    const auto all = take_until(transport, Incoming::What::request);
+    REQUIRE(all.size() == 2);
+    CHECK(all[0].what == Incoming::What::opened);
+    CHECK(all[1].client == id);
+    CHECK(all[1].request.text == "ls()");
+    transport.send(id, {.kind = Event::Kind::answer, .id = all[1].request.id, .text = {}});
+    const auto answer = client.next(10000);
+    REQUIRE(answer);
+    CHECK(answer->id == asked);
+}
+
+TEST_CASE("garbage is answered by an error, and the next request is understood", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    transport.add(std::move(pair.system), Transport::Flow::lossy);
+    write_text(pair.client, std::string("\0\xFF\n", 3) + "{\"do\":\"dance\"}\n");
+    write_text(pair.client, std::string(3 * max_line, 'x'));
+    write_text(pair.client, "\n{\"do\":\"eval\",\"te");
+    write_text(pair.client, "xt\":\"1\"}\n");
+    const auto all = take_until(transport, Incoming::What::request);
+    CHECK(all.back().request.text == "1");
+    ConsoleClient client(std::move(pair.client));
+    for (const std::string message :
+         {"not understood: expected one JSON object on a line, got \\x00\xEF\xBF\xBD",
+          "not understood: 'do' must be one of hello eval complete is_complete interrupt key",
+          "not understood: a line of more than 1048576 bytes was left out"}) {
+        const auto event = client.next(10000);
+        REQUIRE(event);
+        CHECK(event->kind == Event::Kind::error);
+        CHECK(event->text == message);
+    }
+}
+
+TEST_CASE("a client that leaves in the middle of a line is gone, and nothing else happens", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
+    write_text(pair.client, "{\"do\":\"ev");
+    pair.client.reset();
+    const auto all = take_until(transport, Incoming::What::closed);
+    REQUIRE(all.size() == 2);
+    CHECK(all.back().client == id);
+    transport.send(id, {.text = "to nobody"});
+}
+
+TEST_CASE("a client that only says what it wants still gets its answer", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
+    write_text(pair.client, "{\"do\":\"eval\",\"id\":3,\"text\":\"1\"}\n");
+    shutdown(pair.client.get(), SHUT_WR);
+    take_until(transport, Incoming::What::request);
+    transport.send(id, {.kind = Event::Kind::answer, .id = 3, .text = {}});
+    transport.finish_request(id);
+    ConsoleClient client(std::move(pair.client));
+    const auto answer = client.next(10000);
+    REQUIRE(answer);
+    CHECK(answer->id == 3);
+    take_until(transport, Incoming::What::closed);
+}
+
+TEST_CASE("a client that does not read loses output, is told how much, and delays nobody", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
+    const std::string text(1000, 'x');
+    constexpr std::size_t sent = 20000;
+    for (std::size_t count = 0; count < sent; ++count) transport.send(id, {.text = text});
+    transport.send(id, {.kind = Event::Kind::answer, .id = 1, .text = {}});
+
+    ConsoleClient client(std::move(pair.client));
+    std::size_t shown = 0;
+    std::size_t lost = 0;
+    bool answered = false;
+    while (shown + lost < sent || !answered) {
+        const auto event = client.next(10000);
+        REQUIRE(event);
+        if (event->kind == Event::Kind::output) ++shown;
+        if (event->kind == Event::Kind::lost) lost += event->count;
+        answered = answered || event->kind == Event::Kind::answer;
+        // The count comes with the first event that there is room for.
+        if (answered && shown + lost < sent) transport.send(id, {.kind = Event::Kind::keys, .text = {}});
+    }
+    CHECK(shown + lost == sent);
+    CHECK(lost > 10000);
+    CHECK(shown * text.size() < 3 * Transport::max_backlog);
+}
+
+TEST_CASE("a lossless client gets everything, as fast as it reads", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossless);
+    ConsoleClient client(std::move(pair.client));
+    constexpr std::size_t sent = 5000;
+    std::size_t shown = 0;
+    std::thread reader([&] {
+        while (shown < sent && client.next(10000)) ++shown;
+    });
+    for (std::size_t count = 0; count < sent; ++count) transport.send(id, {.text = std::string(1000, 'x')});
+    reader.join();
+    CHECK(shown == sent);
+}
+
+TEST_CASE("no more requests are read than are dealt with", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
+    const std::string request = "{\"do\":\"eval\",\"text\":\"" + std::string(60000, 'x') + "\"}\n";
+    constexpr std::size_t sent = 500;
+    std::thread writer([&] {
+        for (std::size_t count = 0; count < sent; ++count) write_text(pair.client, request);
+    });
+    std::size_t taken = 0;
+    std::size_t most = 0;
+    const auto end = Clock::now() + std::chrono::seconds(20);
+    while (taken < sent && Clock::now() < end) {
+        if (taken == 0) std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        std::size_t more = 0;
+        for (const Incoming& incoming : transport.take()) more += incoming.what == Incoming::What::request ? 1 : 0;
+        taken += more;
+        most = std::max(most, more);
+        for (std::size_t count = 0; count < more; ++count) transport.finish_request(id);
+    }
+    writer.join();
+    CHECK(taken == sent);
+    CHECK(most <= Transport::max_requests + 2);
+}
+
+TEST_CASE("whoever is not the user is told so and gets no further", "[console][attach]") {
+    char name[] = "/tmp/nezumi-other-XXXXXX";
+    const std::filesystem::path folder = mkdtemp(name);
+    {
+        Transport transport;
+        auto listener = Listener::open("mine", folder);
+        REQUIRE(listener);
+        transport.listen(std::move(*listener), geteuid() + 1);
+        auto socket = connect_to_system("mine", folder);
+        REQUIRE(socket);
+        ConsoleClient client(std::move(*socket));
+        client.send({.kind = Request::Kind::eval, .text = "quit()"});
+        const auto event = client.next(10000);
+        REQUIRE(event);
+        CHECK(event->kind == Event::Kind::bye);
+        CHECK(event->text == "the system belongs to another user");
+        CHECK_FALSE(client.next(10000));
+        CHECK_FALSE(client.is_open());
+        CHECK(transport.take().empty());
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("clients are told when the system ends, and do not keep it from ending", "[console][transport]") {
+    Pair reads = make_pair();
+    Pair sleeps = make_pair();
+    const auto begin = Clock::now();
+    {
+        Transport transport;
+        transport.add(std::move(reads.system), Transport::Flow::lossy);
+        const ClientId id = transport.add(std::move(sleeps.system), Transport::Flow::lossy);
+        for (int count = 0; count < 5000; ++count) transport.send(id, {.text = std::string(1000, 'x')});
+    }
+    CHECK(Clock::now() - begin < std::chrono::seconds(5));
+    ConsoleClient client(std::move(reads.client));
+    const auto event = client.next(10000);
+    REQUIRE(event);
+    CHECK(event->kind == Event::Kind::bye);
+    CHECK(event->text == "the system has ended");
+}
+
+TEST_CASE("control characters are written out for a terminal", "[console][client]") {
+    CHECK(without_controls("a\tb\nc") == "a\tb\nc");
+    CHECK(without_controls("\x1b[31mred\x07\x7f\r") == "\\x1b[31mred\\x07\\x7f\\x0d");
+    CHECK(without_controls("\xC2\x9B"
+                           "31m \xC3\xBC") == "\\x9b31m \xC3\xBC");
+}
