@@ -7,8 +7,6 @@
 #include <system_error>
 
 #include "bindings/cli/commands.hpp"
-#include "engine/camera.hpp"
-#include "engine/vision/marker_detector.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::cli {
@@ -24,11 +22,7 @@ std::vector<std::filesystem::path> installed_folders() {
     return folders;
 }
 
-LiveOptions simulated_systems() {
-    return {.installed = installed_folders(),
-            .world = sim::make_world,
-            .components = {{"Camera", make_simulated_camera}, {"MarkerDetector", make_marker_detector}}};
-}
+LiveOptions simulated_systems() { return {.installed = installed_folders(), .world = sim::make_world}; }
 
 int refuse(std::string_view why) {
     fmt::print(stderr, "nezumi: {}\n", why);

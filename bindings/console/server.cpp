@@ -1,0 +1,193 @@
+// Requests of one client are dealt with one after the other; only an interrupt and keys overtake what runs.
+#include "bindings/console/server.hpp"
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace nezumi {
+namespace {
+
+// The longest that one session works before the others have their turn.
+constexpr std::chrono::microseconds slice{1000};
+
+// In the order of their enumerators.
+constexpr std::array<std::string_view, 6> key_names{"up", "down", "left", "right", "space", "escape"};
+
+}  // namespace
+
+Expected<void> ConsoleServer::listen(std::string_view name, const std::filesystem::path& folder) {
+    auto listener = Listener::open(name, folder);
+    if (!listener) return Unexpected(listener.error());
+    transport_.listen(std::move(*listener), geteuid());
+    return {};
+}
+
+Expected<FileHandle> ConsoleServer::connect(Transport::Flow flow) {
+    std::array<int, 2> ends{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        return failure(std::string("can't open a console: ") + std::strerror(errno));
+    transport_.add(FileHandle(ends[0]), flow);
+    return FileHandle(ends[1]);
+}
+
+bool ConsoleServer::serve(Clock::time_point until) {
+    for (const Transport::Incoming& incoming : transport_.take()) take(incoming);
+    // Begins behind the one that was served last, so that nobody has all the time for himself.
+    auto turn = consoles_.upper_bound(last_served_);
+    for (std::size_t count = consoles_.size(); count > 0; --count, ++turn) {
+        if (turn == consoles_.end()) turn = consoles_.begin();
+        auto& [id, console] = *turn;
+        while (has_more(console)) {
+            const auto left = std::chrono::duration_cast<std::chrono::microseconds>(until - Clock::now());
+            if (left.count() <= 0) return true;
+            last_served_ = id;
+            deal_with(id, console);
+            if (console.session && console.session->is_busy() && !console.session->is_waiting()) {
+                if (!console.session->advance(std::min(left, slice)) && console.running) break;
+            }
+        }
+    }
+    return false;
+}
+
+void ConsoleServer::after_tick() {
+    for (auto& [id, console] : consoles_) {
+        if (console.session) console.session->after_tick();
+    }
+}
+
+void ConsoleServer::log(const LogLine& line) {
+    std::vector<ClientId> listeners;
+    {
+        const std::lock_guard lock(mutex_);
+        listeners = listeners_;
+    }
+    for (const ClientId id : listeners) {
+        transport_.send(
+            id, {.kind = Event::Kind::log, .text = console_line(line), .level = std::string(to_text(line.level))});
+    }
+}
+
+void ConsoleServer::show_status(const std::string& text, bool running) {
+    const std::lock_guard lock(mutex_);
+    for (const ClientId id : listeners_)
+        transport_.send(id, {.kind = Event::Kind::status, .ok = running, .text = text});
+}
+
+void ConsoleServer::take(const Transport::Incoming& incoming) {
+    const ClientId id = incoming.client;
+    if (incoming.what == Transport::Incoming::What::opened) {
+        consoles_[id];
+        return;
+    }
+    if (incoming.what == Transport::Incoming::What::closed) {
+        consoles_.erase(id);
+        const std::lock_guard lock(mutex_);
+        std::erase(listeners_, id);
+        return;
+    }
+    Console& console = consoles_[id];
+    const Request& request = incoming.request;
+    switch (request.kind) {
+        case Request::Kind::interrupt:
+            interrupt(id, console);
+            transport_.finish_request(id);
+            return;
+        case Request::Kind::key: {
+            const auto* const name = std::find(key_names.begin(), key_names.end(), request.text);
+            if (name != key_names.end() && console.session)
+                console.session->key(static_cast<Key>(name - key_names.begin()));
+            transport_.finish_request(id);
+            return;
+        }
+        case Request::Kind::hello: {
+            console.keys = request.keys;
+            const std::lock_guard lock(mutex_);
+            std::erase(listeners_, id);
+            if (request.log) listeners_.push_back(id);
+            transport_.finish_request(id);
+            return;
+        }
+        case Request::Kind::eval:
+        case Request::Kind::complete:
+        case Request::Kind::is_complete: console.waiting.push_back(request); return;
+    }
+}
+
+void ConsoleServer::interrupt(ClientId id, Console& console) {
+    for (const Request& request : std::exchange(console.waiting, {}))
+        answer(id, {.kind = Event::Kind::answer, .id = request.id, .ok = false, .text = {}});
+    if (console.session) console.session->interrupt();
+}
+
+bool ConsoleServer::has_more(const Console& console) const {
+    if (console.session && console.session->is_busy() && !console.session->is_waiting()) return true;
+    return !console.running && !console.waiting.empty();
+}
+
+void ConsoleServer::deal_with(ClientId id, Console& console) {
+    if (console.running || console.waiting.empty()) return;
+    const Request request = std::move(console.waiting.front());
+    console.waiting.pop_front();
+    if (request.kind == Request::Kind::is_complete) {
+        const bool complete = Session::is_complete(request.text);
+        return answer(id, {.kind = Event::Kind::answer, .id = request.id, .ok = complete, .text = {}});
+    }
+    const auto session = session_of(id, console);
+    if (!session) {
+        transport_.send(id, {.kind = Event::Kind::error, .text = session.error().message});
+        return answer(id, {.kind = Event::Kind::answer, .id = request.id, .ok = false, .text = {}});
+    }
+    if (request.kind == Request::Kind::complete) {
+        Completion found = (*session)->complete(request.text, request.cursor);
+        return answer(id, {.kind = Event::Kind::completions,
+                           .id = request.id,
+                           .text = {},
+                           .from = found.from,
+                           .items = std::move(found.candidates)});
+    }
+    console.running = request.id;
+    (*session)->submit(request.text);
+}
+
+Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
+    if (console.session) return console.session.get();
+    SessionOptions options;
+    options.output.show = [this, id](std::string_view text) {
+        transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});
+    };
+    options.output.show_error = [this, id](std::string_view text) {
+        transport_.send(id, {.kind = Event::Kind::error, .text = std::string(text)});
+    };
+    options.output.done = [this, id, &console](bool well) {
+        const auto request = std::exchange(console.running, std::nullopt);
+        if (request) answer(id, {.kind = Event::Kind::answer, .id = *request, .ok = well, .text = {}});
+    };
+    if (console.keys) {
+        options.output.take_keys = [this, id](bool on) {
+            transport_.send(id, {.kind = Event::Kind::keys, .ok = on, .text = {}});
+        };
+    }
+    auto session = Session::create(live_, clock_, std::move(options));
+    if (!session) return Unexpected(session.error());
+    console.session = std::move(*session);
+    return console.session.get();
+}
+
+void ConsoleServer::answer(ClientId id, Event event) {
+    transport_.send(id, std::move(event));
+    transport_.finish_request(id);
+}
+
+std::string console_line(const LogLine& line) {
+    const std::string who = line.component.empty() ? "" : line.component + ": ";
+    return fmt::format("[{:9.3f}] {:5} {}{}", line.seconds, to_text(line.level), who, line.text);
+}
+
+}  // namespace nezumi

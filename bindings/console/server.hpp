@@ -1,0 +1,77 @@
+// The consoles of a running system: a session for each client, served between ticks.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/console/clock_control.hpp"
+#include "bindings/console/session.hpp"
+#include "bindings/console/transport.hpp"
+#include "bindings/lua/live/live_system.hpp"
+#include "engine/log.hpp"
+
+namespace nezumi {
+
+/// All of it is to be called from the thread that ticks.
+class ConsoleServer {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    /// Both must outlive it.
+    ConsoleServer(LiveSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
+
+    /// Lets `nezumi attach` in, by a socket named after the system. On an error nobody can attach; nothing else
+    /// changes.
+    Expected<void> listen(std::string_view name, const std::filesystem::path& folder = console_folder());
+    /// Returns the other end of a connection, for a client in this process.
+    Expected<FileHandle> connect(Transport::Flow flow);
+
+    /// Deals with what clients sent and runs their sessions until about `until`. Returns whether more waits.
+    bool serve(Clock::time_point until);
+    /// After every tick.
+    void after_tick();
+    /// Readable when something has come that `serve` should deal with.
+    int file() const { return transport_.file(); }
+
+    /// Tells the clients that want to know. From any thread.
+    void log(const LogLine& line);
+    /// The same for the state in one line.
+    void show_status(const std::string& text, bool running);
+
+private:
+    struct Console {
+        std::unique_ptr<Session> session;     // made when it is first needed
+        std::deque<Request> waiting;          // in the order in which they came
+        std::optional<std::int64_t> running;  // the request whose input the session works at
+        bool keys = false;
+    };
+
+    void take(const Transport::Incoming& incoming);
+    void interrupt(ClientId id, Console& console);
+    void deal_with(ClientId id, Console& console);
+    Expected<Session*> session_of(ClientId id, Console& console);
+    void answer(ClientId id, Event event);
+    bool has_more(const Console& console) const;
+
+    LiveSystem& live_;
+    ClockControl& clock_;
+    std::map<ClientId, Console> consoles_;
+    ClientId last_served_ = 0;
+    std::mutex mutex_;                 // of listeners_
+    std::vector<ClientId> listeners_;  // who wants the log
+    Transport transport_;
+};
+
+/// A log line as consoles show it.
+std::string console_line(const LogLine& line);
+
+}  // namespace nezumi
