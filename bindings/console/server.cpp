@@ -28,11 +28,13 @@ Expected<void> ConsoleServer::listen(std::string_view name, const std::filesyste
     return {};
 }
 
-Expected<FileHandle> ConsoleServer::connect(Transport::Flow flow) {
+Expected<FileHandle> ConsoleServer::connect(Use use) {
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return failure(std::string("can't open a console: ") + std::strerror(errno));
-    transport_.add(FileHandle(ends[0]), flow);
+    const bool batch = use == Use::batch;
+    const ClientId id = transport_.add(FileHandle(ends[0]), batch ? Transport::Flow::lossless : Transport::Flow::lossy);
+    consoles_[id].batch = batch;
     return FileHandle(ends[1]);
 }
 
@@ -159,6 +161,7 @@ void ConsoleServer::deal_with(ClientId id, Console& console) {
 Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     if (console.session) return console.session.get();
     SessionOptions options;
+    options.batch = console.batch;
     options.output.show = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});
     };

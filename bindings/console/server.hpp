@@ -32,8 +32,13 @@ public:
     /// Lets `nezumi attach` in, by a socket named after the system. On an error nobody can attach; nothing else
     /// changes.
     Expected<void> listen(std::string_view name, const std::filesystem::path& folder = console_folder());
+    /// What a client in this process is for.
+    enum class Use {
+        prompt,  ///< somebody types, while time passes
+        batch,   ///< commands come from a file: nothing that is said is left out, and time moves only by their order
+    };
     /// Returns the other end of a connection, for a client in this process.
-    Expected<FileHandle> connect(Transport::Flow flow);
+    Expected<FileHandle> connect(Use use);
 
     /// Deals with what clients sent and runs their sessions until about `until`. Returns whether more waits.
     bool serve(Clock::time_point until);
@@ -53,6 +58,7 @@ private:
         std::deque<Request> waiting;          // in the order in which they came
         std::optional<std::int64_t> running;  // the request whose input the session works at
         bool keys = false;
+        bool batch = false;
     };
 
     void take(const Transport::Incoming& incoming);

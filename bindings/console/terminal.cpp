@@ -180,16 +180,11 @@ void Prompt::take_keys(bool alone) {
 
 Prompt::Came Prompt::wait(int timeout) {
     if (ended()) return Came::end;
-    std::array<pollfd, 3> files{{{.fd = options_.input, .events = POLLIN, .revents = 0},
-                                 {.fd = client_.file(), .events = POLLIN, .revents = 0},
-                                 {.fd = options_.wake, .events = POLLIN, .revents = 0}}};
+    std::array<pollfd, 2> files{{{.fd = options_.input, .events = POLLIN, .revents = 0},
+                                 {.fd = client_.file(), .events = POLLIN, .revents = 0}}};
     const int found = poll(files.data(), files.size(), timeout);
     if (found == 0) return Came::nothing;
     if (found < 0) return errno == EINTR ? Came::event : Came::end;
-    if (files[2].revents != 0) {
-        ended_ = true;
-        return Came::end;
-    }
     if (files[1].revents != 0) {
         show_events();
         if (ended()) return Came::end;
@@ -237,7 +232,7 @@ void Prompt::show(const Event& event, std::string& text) {
 }
 
 std::string Prompt::coloured(const Event& event) const {
-    const std::string plain = without_controls(event.text);
+    std::string plain = without_controls(event.text);
     const char* none = std::getenv("NO_COLOR");
     if (editor_->is_plain() || (none != nullptr && none[0] != '\0')) return plain;
     const bool wrong = event.kind == Event::Kind::error || event.level == "error";

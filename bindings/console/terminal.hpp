@@ -16,13 +16,12 @@ struct TerminalOptions {
     std::string greeting;           ///< the first line; "" for none
     std::filesystem::path history;  ///< where inputs are kept; empty: nowhere
     bool may_stop = false;          ///< Ctrl-Z stops the process: for one that runs nothing
-    int wake = -1;                  ///< as soon as this can be read, the prompt goes away; -1: none
 };
 
 /// Why the prompt went away.
 enum class PromptEnd {
     left,   ///< Ctrl-D, or the terminal is gone
-    ended,  ///< the system has ended, or was asked to
+    ended,  ///< the system has ended
 };
 
 /// Reads inputs, runs them and shows what comes, until somebody leaves. The terminal is as before afterwards. An error

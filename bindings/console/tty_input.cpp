@@ -84,7 +84,7 @@ std::optional<wchar_t> take_character(std::string& typed) {
 std::string to_utf8(std::wstring_view text) {
     std::string bytes;
     for (const wchar_t wide : text) {
-        const auto value = static_cast<unsigned>(wide);
+        const auto value = static_cast<char32_t>(wide);
         const auto tail = [&](unsigned shift) { return static_cast<char>(0x80U | (value >> shift & 0x3FU)); };
         if (value < 0x80) {
             bytes += static_cast<char>(value);

@@ -1,0 +1,165 @@
+// Consoles share a system's time between ticks, and each has what it asked for.
+#include "bindings/console/server.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "bindings/console/client.hpp"
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+using Clock = ConsoleServer::Clock;
+
+// This thread's own time [s]: what others do on the machine is not ours.
+double worked() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+struct ServerRig : SessionRig {
+    ConsoleClient open(ConsoleServer::Use use = ConsoleServer::Use::prompt) {
+        auto socket = server.connect(use);
+        REQUIRE(socket);
+        return ConsoleClient(std::move(*socket));
+    }
+    void serve(double seconds = 0.001) {
+        const double begin = worked();
+        const auto slice = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+        server.serve(Clock::now() + slice);
+        longest = std::max(longest, worked() - begin);
+        if (is_advancing()) {
+            turn();
+            server.after_tick();
+        }
+    }
+    // What a client is told until the answer, "!" before errors, and at the end how it went.
+    std::vector<std::string> ask(ConsoleClient& client, Request request) {
+        const std::int64_t id = client.send(std::move(request));
+        return until_answer(client, id);
+    }
+    std::vector<std::string> eval(ConsoleClient& client, const std::string& text) {
+        return ask(client, {.kind = Request::Kind::eval, .text = text});
+    }
+    std::vector<std::string> until_answer(ConsoleClient& client, std::int64_t id) {
+        std::vector<std::string> said;
+        const auto end = Clock::now() + std::chrono::seconds(20);
+        while (Clock::now() < end) {
+            serve();
+            while (const auto event = client.next(1)) {
+                if (event->kind == Event::Kind::completions && event->id == id) return event->items;
+                if (event->kind == Event::Kind::keys) said.emplace_back(event->ok ? "keys" : "no keys");
+                if (event->kind == Event::Kind::log) said.push_back(event->level + " " + event->text);
+                if (event->kind == Event::Kind::output) said.push_back(event->text);
+                if (event->kind == Event::Kind::error) said.push_back("!" + event->text);
+                if (event->kind != Event::Kind::answer || event->id != id) continue;
+                said.emplace_back(event->ok ? "well" : "failed");
+                return said;
+            }
+        }
+        said.emplace_back("no answer");
+        return said;
+    }
+
+    ConsoleServer server{*live, *this};
+    double longest = 0;  // [s] of a `serve`
+};
+
+using Said = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a console answers each request, and tells how it went", "[console][server]") {
+    ServerRig it;
+    ConsoleClient client = it.open();
+    CHECK(it.eval(client, "1 + 2") == Said{"3", "well"});
+    CHECK(it.eval(client, "x = = 1") == Said{"!unexpected symbol near '='", "failed"});
+    CHECK(it.ask(client, {.kind = Request::Kind::is_complete, .text = "for i = 1, 3 do"}) == Said{"failed"});
+    CHECK(it.ask(client, {.kind = Request::Kind::is_complete, .text = "1"}) == Said{"well"});
+    CHECK(it.ask(client, {.kind = Request::Kind::complete, .text = "controller.sta", .cursor = 14}) ==
+          Said{"state", "status"});
+}
+
+TEST_CASE("each console has variables of its own and sees the same system", "[console][server]") {
+    ServerRig it;
+    ConsoleClient one = it.open();
+    ConsoleClient other = it.open();
+    CHECK(it.eval(one, "x = 1; controller.config.speed_x = 0.2") == Said{"well"});
+    CHECK(it.eval(other, "x") == Said{"!unknown name 'x'", "failed"});
+    CHECK(it.eval(other, "controller.config.speed_x") == Said{"0.2", "well"});
+}
+
+TEST_CASE("a loop without end leaves the others their turn, and ends with a message", "[console][server]") {
+    ServerRig it;
+    ConsoleClient endless = it.open();
+    ConsoleClient other = it.open();
+    const std::int64_t id = endless.send({.kind = Request::Kind::eval, .text = "while true do end"});
+    it.serve();
+    for (int count = 0; count < 5; ++count) CHECK(it.eval(other, "1 + 1") == Said{"2", "well"});
+    endless.send({.kind = Request::Kind::interrupt, .text = {}});
+    CHECK(it.until_answer(endless, id) == Said{"!interrupted", "failed"});
+    CHECK(it.eval(endless, "2") == Said{"2", "well"});
+}
+
+TEST_CASE("no turn lasts much longer than it may", "[console][server][wallclock]") {
+    ServerRig it;
+    ConsoleClient endless = it.open();
+    endless.send({.kind = Request::Kind::eval, .text = "while true do local s = ('x'):rep(1000) .. 'y' end"});
+    it.eval(endless, "1");  // the session is made and has begun
+    it.longest = 0;
+    std::vector<double> turns;
+    for (int count = 0; count < 300; ++count) {
+        it.longest = 0;
+        it.serve(0.001);
+        turns.push_back(it.longest);
+    }
+    std::sort(turns.begin(), turns.end());
+    CHECK(turns[turns.size() * 9 / 10] < 0.0015);
+}
+
+TEST_CASE("a client that goes away takes its work with it", "[console][server]") {
+    ServerRig it;
+    ConsoleClient client = it.open();
+    ConsoleClient other = it.open();
+    client.send({.kind = Request::Kind::eval, .text = "while true do end"});
+    it.serve();
+    it.eval(other, "1");
+    client.close();
+    for (int count = 0; count < 100; ++count) it.serve();
+    CHECK_FALSE(it.server.serve(Clock::now() + std::chrono::milliseconds(1)));
+    CHECK(it.eval(other, "1") == Said{"1", "well"});
+}
+
+TEST_CASE("log lines go to those who asked for them", "[console][server]") {
+    ServerRig it;
+    ConsoleClient silent = it.open();
+    ConsoleClient curious = it.open();
+    curious.send({.kind = Request::Kind::hello, .text = {}, .log = true});
+    it.eval(curious, "1");
+    it.server.log({.level = LogLevel::warn, .seconds = 1.5, .component = "mouse", .text = "slow"});
+    CHECK(it.eval(curious, "2") == Said{"warn [    1.500] warn  mouse: slow", "2", "well"});
+    CHECK(it.eval(silent, "2") == Said{"2", "well"});
+}
+
+TEST_CASE("keys reach who drives, and driving without keys is refused", "[console][server]") {
+    ServerRig it;
+    ConsoleClient without = it.open();
+    CHECK(it.eval(without, "drive 'stick'").back() == "failed");
+}
+
+TEST_CASE("step waits for its ticks, and what follows comes after them", "[console][server]") {
+    ServerRig it;
+    ConsoleClient client = it.open(ConsoleServer::Use::batch);
+    const double before = it.live->system().now().seconds;
+    CHECK(it.eval(client, "step(5)").back() == "well");
+    CHECK(it.live->system().now().seconds - before == Approx(0.05));
+    CHECK(it.eval(client, "run()").back() == "failed");
+}
