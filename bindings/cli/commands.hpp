@@ -14,6 +14,7 @@ enum Status : int {
 
 /// Each adds its sub-command, which sets `status` when it is run.
 void add_run_command(CLI::App& app, int& status);
+void add_attach_command(CLI::App& app, int& status);
 void add_types_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_new_command(CLI::App& app, int& status);

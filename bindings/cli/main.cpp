@@ -36,6 +36,7 @@ int run(int count, char** words) {
     app.require_subcommand(1);
     int status = cli::kDone;
     cli::add_run_command(app, status);
+    cli::add_attach_command(app, status);
     cli::add_types_command(app, status);
     cli::add_check_command(app, status);
     cli::add_new_command(app, status);

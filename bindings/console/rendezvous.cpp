@@ -71,15 +71,6 @@ std::optional<RunningSystem> parse_name(std::string_view file) {
     return system;
 }
 
-std::string listed(const std::vector<RunningSystem>& systems) {
-    std::string text;
-    for (const RunningSystem& system : systems) {
-        if (!text.empty()) text += ", ";
-        text += system.name + " (process " + std::to_string(system.process) + ")";
-    }
-    return text;
-}
-
 }  // namespace
 
 std::filesystem::path console_folder() {
@@ -147,7 +138,7 @@ Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path
     return systems;
 }
 
-Expected<FileHandle> connect_to_system(std::string_view which, const std::filesystem::path& path) {
+Expected<ReachedSystem> connect_to_system(std::string_view which, const std::filesystem::path& path) {
     const auto systems = running_systems(path);
     if (!systems) return Unexpected(systems.error());
     if (systems->empty()) return failure("nothing is running: start a system with `nezumi run FILE`");
@@ -160,17 +151,26 @@ Expected<FileHandle> connect_to_system(std::string_view which, const std::filesy
         std::vector<std::string_view> names;
         for (const RunningSystem& system : *systems) names.emplace_back(system.name);
         return failure("no system '" + shown(which) + "' is running" + did_you_mean(which, names) +
-                       "; running: " + listed(*systems));
+                       "; running: " + list_of(*systems));
     }
     if (fitting.size() > 1)
-        return failure("several systems are running, say which by its name or its process: " + listed(fitting));
+        return failure("several systems are running, say which by its name or its process: " + list_of(fitting));
 
     const auto folder = open_folder(path);
     if (!folder) return Unexpected(folder.error());
     FileHandle socket = connect_in(*folder, fitting.front().path.filename().string());
-    if (!socket) return failure("can't reach " + listed(fitting) + ": " + why());
-    if (!is_peer(socket.get(), geteuid())) return failure(listed(fitting) + " belongs to another user");
-    return socket;
+    if (!socket) return failure("can't reach " + list_of(fitting) + ": " + why());
+    if (!is_peer(socket.get(), geteuid())) return failure(list_of(fitting) + " belongs to another user");
+    return ReachedSystem{std::move(fitting.front()), std::move(socket)};
+}
+
+std::string list_of(const std::vector<RunningSystem>& systems) {
+    std::string text;
+    for (const RunningSystem& system : systems) {
+        if (!text.empty()) text += ", ";
+        text += system.name + " (process " + std::to_string(system.process) + ")";
+    }
+    return text;
 }
 
 bool is_peer(int socket, uid_t user) {

@@ -48,8 +48,18 @@ struct RunningSystem {
 /// The systems that listen, sorted by name and process. Sockets that nobody listens at any more are removed.
 Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path& folder = console_folder());
 
+/// A running system that is connected to.
+struct ReachedSystem {
+    RunningSystem system;
+    FileHandle socket;
+};
+
 /// Connects to the one that `which` names (a name or a process number; "": the only one). The error says what runs.
-Expected<FileHandle> connect_to_system(std::string_view which, const std::filesystem::path& folder = console_folder());
+Expected<ReachedSystem> connect_to_system(std::string_view which,
+                                          const std::filesystem::path& folder = console_folder());
+
+/// "stop_at_wall (process 4711), swarm (process 4712)".
+std::string list_of(const std::vector<RunningSystem>& systems);
 
 /// Whether the process at the other end of a Unix socket belongs to `user`.
 bool is_peer(int socket, uid_t user);

@@ -200,9 +200,9 @@ TEST_CASE("whoever is not the user is told so and gets no further", "[console][a
         auto listener = Listener::open("mine", folder);
         REQUIRE(listener);
         transport.listen(std::move(*listener), geteuid() + 1);
-        auto socket = connect_to_system("mine", folder);
-        REQUIRE(socket);
-        ConsoleClient client(std::move(*socket));
+        auto reached = connect_to_system("mine", folder);
+        REQUIRE(reached);
+        ConsoleClient client(std::move(reached->socket));
         client.send({.kind = Request::Kind::eval, .text = "quit()"});
         const auto event = client.next(10000);
         REQUIRE(event);

@@ -1,0 +1,70 @@
+// `nezumi attach`: the console of a system that runs already.
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bindings/cli/commands.hpp"
+#include "bindings/cli/environment.hpp"
+#include "bindings/console/batch.hpp"
+#include "bindings/console/client.hpp"
+#include "bindings/console/input_history.hpp"
+#include "bindings/console/rendezvous.hpp"
+#include "bindings/console/terminal.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+struct AttachOptions {
+    std::string which;
+    std::string text;
+    bool eval = false;
+    bool list = false;
+};
+
+int list_systems() {
+    const auto systems = running_systems();
+    if (!systems) return refuse(systems.error());
+    for (const RunningSystem& system : *systems) fmt::print("{:<8} {}\n", system.process, system.name);
+    return systems->empty() ? refuse("nothing is running: start a system with `nezumi run FILE`") : kDone;
+}
+
+int attach(const AttachOptions& options) {
+    if (options.list) return list_systems();
+    auto reached = connect_to_system(options.which);
+    if (!reached) return refuse(reached.error());
+    ConsoleClient client(std::move(reached->socket));
+    if (options.eval) return run_text(client, options.text, {}) ? kDone : kFailed;
+    if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}) ? kDone : kFailed;
+
+    const auto end = run_prompt(
+        client, {.greeting = "attached to " + list_of({reached->system}) + "; help() tells more, Ctrl-D leaves",
+                 .history = history_path(),
+                 .may_stop = true});
+    return end ? static_cast<int>(kDone) : refuse(end.error());
+}
+
+}  // namespace
+
+void add_attach_command(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand("attach", "Open the console of a running system");
+    auto options = std::make_shared<AttachOptions>();
+    command->add_option("SYSTEM", options->which,
+                        "its name (of its file) or its process; may be left out when only one runs");
+    CLI::Option* eval = command->add_option("--eval", options->text,
+                                            "run this, print what it gives, and leave: exit status 1 if it fails");
+    command->add_flag("--list", options->list, "only list what runs, with processes");
+    command->footer(
+        "Without a terminal, commands are read from standard input. Exit status: 0 well, 1 a command failed, 2 nothing "
+        "to attach to.");
+    command->callback([options, eval, &status] {
+        options->eval = eval->count() > 0;
+        status = attach(*options);
+    });
+}
+
+}  // namespace nezumi::cli
