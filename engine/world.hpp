@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/arena_spec.hpp"
@@ -16,6 +17,10 @@
 #include "engine/robot_spec.hpp"
 
 namespace nezumi {
+
+class CameraSource;
+struct CameraMount;
+struct CameraSettings;
 
 /// One value for the left wheel and one for the right.
 struct Wheels {
@@ -72,6 +77,15 @@ struct ThingPose {
     std::string color;
 };
 
+/// A marker where it is now. Its yaw is that of the outward normal, as `MarkerSpec::facing`; a pitch turns the normal
+/// down, a roll turns the marker about it.
+struct MarkerPose {
+    std::string name;
+    int id = 0;
+    double size = 0;  ///< [m] edge of the black border
+    Pose3D pose;      ///< of its centre
+};
+
 /// What a range sensor's ray goes through: for pictures.
 struct Ray {
     Point3D from{};  ///< [m] in the world
@@ -114,6 +128,15 @@ public:
 
     /// Walls, boxes and cylinders where they are now.
     virtual std::vector<ThingPose> things() const = 0;
+    /// The arena's markers where they are now, in the order of the arena.
+    virtual std::vector<MarkerPose> markers() const { return {}; }
+    /// Carries a marker elsewhere, wherever that is: a marker touches nothing. An error when there is none of this
+    /// name, which names the nearest, or when the pose is not finite.
+    virtual Expected<void> move_marker(std::string_view name, const Pose3D& pose);
+    /// A camera that looks at this world; must not outlive it. An error when there is nothing that can be looked at, or
+    /// no such robot.
+    virtual Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,
+                                                                const CameraSettings& settings);
     /// The rays of the robot's range sensors as they are now.
     virtual std::vector<Ray> rays(RobotId robot) const = 0;
 };

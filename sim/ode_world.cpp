@@ -57,6 +57,12 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
     for (const BoxSpec& box : arena.boxes) add_box(box, fmt::format("box {}", ++number));
     number = 0;
     for (const CylinderSpec& cylinder : arena.cylinders) add_cylinder(cylinder, fmt::format("cylinder {}", ++number));
+    for (const MarkerSpec& marker : arena.markers) {
+        markers_.push_back({.name = marker.name,
+                            .id = marker.id,
+                            .size = marker.size,
+                            .pose = {.position = marker.at, .orientation = {.y = marker.facing}}});
+    }
     scene_.refresh();
 }
 
@@ -302,7 +308,24 @@ Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const Physic
         return failure(
             fmt::format("the arena needs a positive size, got {{ {:g}, {:g} }}", arena.size->x, arena.size->y));
     }
-    return std::make_unique<OdeWorld>(arena, physics, std::move(warn));
+    for (const MarkerSpec& marker : arena.markers) {
+        if (marker.id < 0 || marker.id >= tag_count) {
+            return failure(fmt::format("marker '{}': there is no tag {}, they go from 0 to {}", marker.name, marker.id,
+                                       tag_count - 1),
+                           marker.place);
+        }
+        if (!positive({marker.size}) || !finite(marker.at) || !std::isfinite(marker.facing)) {
+            return failure(fmt::format("marker '{}' needs a positive size and finite numbers", marker.name),
+                           marker.place);
+        }
+    }
+    auto world = std::make_unique<OdeWorld>(arena, physics, std::move(warn));
+    if (arena.floor) {
+        auto picture = read_picture(arena.floor->image);
+        if (!picture) return failure("floor: " + picture.error().message, arena.floor->place);
+        world->take_floor(std::move(*picture), arena.floor->size);
+    }
+    return world;
 }
 
 }  // namespace nezumi::sim

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/camera.hpp"
 #include "sim/narrow_phase.hpp"
 #include "sim/ode_library.hpp"
 #include "sim/robot_model.hpp"
@@ -110,6 +111,20 @@ public:
     void press(RobotId robot, std::size_t sensor, bool pressed) override;
     std::vector<ThingPose> things() const override;
     std::vector<Ray> rays(RobotId robot) const override;
+    std::vector<MarkerPose> markers() const override;
+    Expected<void> move_marker(std::string_view name, const Pose3D& pose) override;
+    Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,
+                                                        const CameraSettings& settings) override;
+
+    // What a camera asks.
+    View frame_of(RobotId robot) const;
+    void list_solids(std::optional<RobotId> except, Rgb robots, std::vector<Solid>& solids) const;
+    const Picture* floor_picture() const { return floor_ ? &*floor_ : nullptr; }
+    Point2D floor_size() const { return floor_size_; }
+    void take_floor(Picture picture, Point2D size) {
+        floor_ = std::move(picture);
+        floor_size_ = size;
+    }
 
     // What a `RobotBody` asks.
     SimRobot& robot(RobotId id) { return robots_[id]; }
@@ -187,6 +202,9 @@ private:
         std::string color;
     };
     std::vector<Look> fixed_looks_, thing_looks_;
+    std::vector<MarkerPose> markers_;
+    std::optional<Picture> floor_;
+    Point2D floor_size_{};
 
     double may_travel_ = -1;  // [m] that nobody may exceed before neighbours are listed anew
     std::vector<std::pair<Scene::Index, Scene::Index>> links_;  // movers that touch each other in this step

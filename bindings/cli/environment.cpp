@@ -7,6 +7,8 @@
 #include <system_error>
 
 #include "bindings/cli/commands.hpp"
+#include "engine/camera.hpp"
+#include "engine/vision/marker_detector.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::cli {
@@ -22,7 +24,11 @@ std::vector<std::filesystem::path> installed_folders() {
     return folders;
 }
 
-LiveOptions simulated_systems() { return {.installed = installed_folders(), .world = sim::make_world}; }
+LiveOptions simulated_systems() {
+    return {.installed = installed_folders(),
+            .world = sim::make_world,
+            .components = {{"Camera", make_simulated_camera}, {"MarkerDetector", make_marker_detector}}};
+}
 
 int refuse(std::string_view why) {
     fmt::print(stderr, "nezumi: {}\n", why);

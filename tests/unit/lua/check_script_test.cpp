@@ -32,6 +32,18 @@ TEST_CASE("what only loading finds is told when nothing else is wrong", "[lua][c
     CHECK(check("input('in', 'TimedShort')").empty());
 }
 
+TEST_CASE("a parameter that is read and not declared is told before its line runs", "[lua][check]") {
+    CHECK(check("param('speed', 1)\n"
+                "function on_execute()\n"
+                "  if config.speed > 1 then return config.sped end\n"
+                "  config . turn = 2\n"
+                "  local t = { config = { any = 1 } }\n"
+                "  local config = t.config\n"
+                "  return config.any, t.config.any, config['other']\n"
+                "end") == Lines{"a.lua:3:42: config: unknown parameter 'sped' (did you mean 'speed'?)",
+                                "a.lua:4:12: config: unknown parameter 'turn'"});
+}
+
 TEST_CASE("a module is checked by reading it", "[lua][check]") {
     CHECK(check_module({"m.lua", "m.lua", "return { f = function() return 1 end }"}).empty());
     const auto errors = check_module({"m.lua", "m.lua", "function helper() end"});

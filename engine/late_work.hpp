@@ -1,0 +1,52 @@
+// Work beside the tick: given at t, its result is there at t + latency.
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <optional>
+#include <utility>
+
+#include "engine/port.hpp"
+
+namespace nezumi {
+
+/// One piece of work at a time, on a thread of its own. Simulated time decides when the result comes, so that a run is
+/// the same however fast the machine is: who asks too early on the clock waits.
+template <class Result>
+class LateWork {
+public:
+    /// Between `start` and the `take` or `finish` that gave the result.
+    bool busy() const { return future_.valid(); }
+
+    /// Starts `work`, a function without arguments, whose result is due `latency` [s] from now. It must not be busy.
+    template <class Work>
+    void start(const Time& now, double latency, Work&& work) {
+        assert(!busy());
+        due_ = now.seconds + latency;
+        // Where no thread can be had, `take` does the work itself.
+        future_ = std::async(std::launch::async | std::launch::deferred, std::forward<Work>(work));
+    }
+
+    /// The result, once it is due: waits for it when `wait` is set (simulation); else (hardware) it comes as soon as it
+    /// is ready, whatever the latency.
+    std::optional<Result> take(const Time& now, bool wait) {
+        if (!busy()) return std::nullopt;
+        if (wait ? now.seconds < due_ - half_a_step : !is_ready()) return std::nullopt;
+        return future_.get();
+    }
+
+    /// Waits for what is under way, if anything, and forgets it.
+    void finish() {
+        if (busy()) static_cast<void>(future_.get());
+    }
+
+private:
+    static constexpr double half_a_step = 1e-6;  // [s] ticks are no exact numbers
+
+    bool is_ready() const { return future_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
+
+    std::future<Result> future_;
+    double due_ = 0;
+};
+
+}  // namespace nezumi

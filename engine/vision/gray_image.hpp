@@ -1,0 +1,23 @@
+// A camera's picture in shades of grey, checked.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/error.hpp"
+#include "engine/messages.hpp"
+
+namespace nezumi {
+
+struct GrayImage {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> pixels;  ///< row by row from the top left
+};
+
+/// The grey values (ITU-R BT.601) of a picture in the format "gray8", "mono8", "rgb8" or "bgr8"; without a format 8
+/// bits a pixel are grey and 24 red, green, blue. An error says what does not fit: no pixels, an unknown format, bits
+/// that are not the format's, or a number of bytes that is not width * height * bpp / 8.
+Expected<GrayImage> to_gray(const CameraImage& image);
+
+}  // namespace nezumi

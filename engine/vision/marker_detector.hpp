@@ -1,0 +1,58 @@
+// The component that says where a marker is: a picture in, a pose out.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/camera.hpp"
+#include "engine/component.hpp"
+#include "engine/late_work.hpp"
+#include "engine/system_spec.hpp"
+#include "engine/vision/tag_finder.hpp"
+
+namespace nezumi {
+
+/// What a picture told.
+struct MarkerSight {
+    std::optional<FoundTag> tag;  ///< none in sight
+    std::string complaint;        ///< why it is no picture; "" when it is one
+};
+
+class MarkerDetector final : public Component {
+public:
+    /// The lens of the camera that the pictures come from, when that is known.
+    using FindLens = std::function<std::optional<Lens>()>;
+
+    /// `wait`: what was seen in the picture of t is published at t + latency exactly (simulation), else as soon as it
+    /// is known (hardware).
+    MarkerDetector(std::string name, FindLens find_lens, bool wait);
+
+    InPortBase& image_port() { return image_; }
+
+private:
+    Expected<void> on_activated() override;
+    Expected<void> on_execute() override;
+    Expected<void> on_deactivated() override;
+    Lens lens_for(const CameraImage& image) const;
+    void start();
+    void publish(const MarkerSight& sight);
+
+    FindLens find_lens_;
+    bool wait_;
+    InPort<CameraImage>& image_;
+    OutPort<Pose3D>& pos_;
+    OutPort<bool>& visible_;
+    OutPort<std::int32_t>& id_;
+    std::optional<TagFinder> finder_;
+    std::string family_;
+    bool complained_ = false;
+    LateWork<MarkerSight> sight_;  // after finder_: it works with it
+};
+
+/// Makes the component `entry` for `system`, where it asks the Camera that is connected to it for its lens: what
+/// `Makers::components` wants for "MarkerDetector" in a simulation. An error when it has an `on`.
+Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& system);
+
+}  // namespace nezumi

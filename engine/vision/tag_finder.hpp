@@ -1,0 +1,45 @@
+// Finds AprilTags in a grey picture, and where they are.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/camera.hpp"
+#include "engine/messages.hpp"
+#include "engine/vision/gray_image.hpp"
+
+namespace nezumi {
+
+struct FoundTag {
+    int id = 0;
+    /// Position: x forward, y left, z up from the camera [m]. Orientation: all 0 when the tag is upright and faces the
+    /// camera straight; as roll, pitch and yaw about the same axes, so a tag that is turned to the left (as seen from
+    /// above) has a positive yaw.
+    Pose3D pose;
+    double edge = 0;  ///< [px] mean edge of its black border in the picture
+};
+
+/// Not safe to use from two threads at once.
+class TagFinder {
+public:
+    /// The names of the families: "36h11", "25h9", "16h5".
+    static std::vector<std::string_view> families();
+
+    /// `family` is one of `families()`.
+    explicit TagFinder(std::string_view family);
+    ~TagFinder();
+    TagFinder(TagFinder&&) noexcept;
+    TagFinder& operator=(TagFinder&&) noexcept;
+
+    /// The tags of the family in sight, the nearest first (of two as near, the one with the smaller number). `size` [m]
+    /// is the edge of their black border: a wrong one scales every position by wrong / right.
+    std::vector<FoundTag> find(GrayImage& image, const Lens& lens, double size);
+
+private:
+    struct Detector;
+    std::unique_ptr<Detector> detector_;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,112 @@
+// An exposure copies what stands where; developing it paints, blurs and adds noise.
+#include "sim/camera.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/payload.hpp"
+#include "sim/flaws.hpp"
+#include "sim/ode_world.hpp"
+
+namespace nezumi::sim {
+namespace {
+
+constexpr Rgb robot_color = 0x4c5a6b;
+
+Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
+
+// First roll about x, then pitch about y, then yaw about z.
+Rotation rotation_of(const Orientation3D& o) {
+    const Rotation turned = Rotation::yaw_pitch(o.y, o.p);
+    const double c = std::cos(o.r), s = std::sin(o.r);
+    return {turned.x, turned.y * c + turned.z * s, turned.z * c - turned.y * s};
+}
+
+}  // namespace
+
+SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
+                     const CameraSettings& settings)
+    : world_(world),
+      carrier_(carrier),
+      on_carrier_{to_vec(mount.at), Rotation::yaw_pitch(mount.yaw, mount.pitch)},
+      settings_(settings),
+      lens_(Lens::of(settings.width, settings.height, settings.field_of_view)) {}
+
+void SimCamera::expose(const Time& now) {
+    tick_ = now.tick;
+    view_ = on_carrier_;
+    if (carrier_) {
+        const View robot = world_.frame_of(*carrier_);
+        const Rotation& on = on_carrier_.rotation;
+        view_ = {robot.at + robot.rotation * on_carrier_.at,
+                 {robot.rotation * on.x, robot.rotation * on.y, robot.rotation * on.z}};
+    }
+    scenery_ = {};
+    world_.list_solids(carrier_, robot_color, scenery_.solids);
+    scenery_.floor = world_.floor_picture();
+    scenery_.floor_size = world_.floor_size();
+    for (const MarkerPose& marker : world_.markers()) {
+        const auto known = tags_.find(marker.id);
+        const Picture& tag =
+            known != tags_.end() ? known->second : tags_.emplace(marker.id, paint_tag(marker.id)).first->second;
+        scenery_.signs.push_back({&tag, marker.size * tag_cells / tag_border_cells, to_vec(marker.pose.position),
+                                  rotation_of(marker.pose.orientation)});
+    }
+}
+
+void SimCamera::develop(CameraImage& image) {
+    image.width = static_cast<std::uint16_t>(settings_.width);
+    image.height = static_cast<std::uint16_t>(settings_.height);
+    image.bpp = settings_.color ? 24 : 8;
+    image.format = settings_.color ? "rgb8" : "gray8";
+    image.fDiv = 1;
+    paint(faces_of(scenery_, view_), sky, lens_, settings_.width, settings_.height, settings_.color, image.pixels);
+    blur_picture(image.pixels, settings_.width, settings_.height, settings_.color ? 3 : 1, settings_.blur);
+    add_noise(image.pixels, settings_.noise, mix(settings_.seed, static_cast<std::uint64_t>(tick_)));
+}
+
+std::vector<MarkerPose> OdeWorld::markers() const { return markers_; }
+
+Expected<void> OdeWorld::move_marker(std::string_view name, const Pose3D& pose) {
+    if (!nezumi::is_finite(pose))
+        return failure(fmt::format("marker '{}': its pose must be of finite numbers", shown(name)));
+    std::vector<std::string_view> names;
+    for (MarkerPose& marker : markers_) {
+        if (marker.name == name) {
+            marker.pose = pose;
+            return {};
+        }
+        names.push_back(marker.name);
+    }
+    return failure(fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, names)));
+}
+
+Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount& mount,
+                                                              const CameraSettings& settings) {
+    std::optional<RobotId> carrier;
+    for (RobotId i = 0; i < robots_.size(); ++i) {
+        if (robots_[i].name == mount.robot) carrier = i;
+    }
+    if (!mount.robot.empty() && !carrier)
+        return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
+    return std::make_unique<SimCamera>(*this, carrier, mount, settings);
+}
+
+View OdeWorld::frame_of(RobotId id) const {
+    const SimRobot& robot = robots_[id];
+    const Rotation rotation = robot.body.rotation();
+    return {robot.body.centre() + rotation * robot.model->origin, rotation};
+}
+
+void OdeWorld::list_solids(std::optional<RobotId> except, Rgb robots, std::vector<Solid>& solids) const {
+    for (std::size_t i = 0; i < fixed_looks_.size(); ++i)
+        solids.push_back({scene_.fixed()[i], parse_color(fixed_looks_[i].color)});
+    for (std::size_t i = 0; i < things_.size(); ++i)
+        solids.push_back({scene_.movers()[i], parse_color(thing_looks_[i].color)});
+    for (RobotId i = 0; i < robots_.size(); ++i) {
+        if (i != except) solids.push_back({scene_.movers()[robots_[i].mover], robots});
+    }
+}
+
+}  // namespace nezumi::sim

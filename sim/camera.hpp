@@ -1,0 +1,40 @@
+// A camera in the simulated world.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "engine/camera.hpp"
+#include "engine/world.hpp"
+#include "sim/scenery.hpp"
+
+namespace nezumi::sim {
+
+class OdeWorld;
+
+/// Paints walls, boxes, cylinders, markers, the floor and the other robots, these as their hulls; who carries it does
+/// not see itself.
+class SimCamera final : public CameraSource {
+public:
+    /// `world` must outlive it.
+    SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
+              const CameraSettings& settings);
+
+    void expose(const Time& now) override;
+    void develop(CameraImage& image) override;
+
+private:
+    const OdeWorld& world_;
+    std::optional<RobotId> carrier_;
+    View on_carrier_;
+    CameraSettings settings_;
+    Lens lens_;
+    std::map<int, Picture> tags_;  // by id, as far as they have been seen
+
+    // The exposure:
+    Scenery scenery_;
+    View view_;
+    std::int64_t tick_ = 0;
+};
+
+}  // namespace nezumi::sim

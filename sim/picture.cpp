@@ -1,0 +1,72 @@
+// PNG by libpng's short interface, tags by AprilTag's own tables.
+#include "sim/picture.hpp"
+
+#include <apriltag/apriltag.h>
+#include <apriltag/tag36h11.h>
+#include <fmt/format.h>
+#include <png.h>
+
+#include <cassert>
+#include <charconv>
+#include <memory>
+
+namespace nezumi::sim {
+namespace {
+
+constexpr std::int64_t most_pixels = 64'000'000;  // 8000 x 8000
+constexpr Rgb grey = 0x8a8f98;
+
+}  // namespace
+
+Expected<Picture> read_picture(const std::string& file) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
+    const auto refuse = [&] { return failure(fmt::format("'{}' can't be read as a PNG: {}", file, image.message)); };
+    if (png_image_begin_read_from_file(&image, file.c_str()) == 0) return refuse();
+    if (std::int64_t{image.width} * image.height > most_pixels) {
+        return failure(fmt::format("'{}' has {} x {} pixels: expected at most {} million", file, image.width,
+                                   image.height, most_pixels / 1'000'000));
+    }
+    image.format = PNG_FORMAT_RGB;
+    std::vector<png_byte> bytes(PNG_IMAGE_SIZE(image));
+    const png_color white{255, 255, 255};
+    if (png_image_finish_read(&image, &white, bytes.data(), 0, nullptr) == 0) return refuse();
+    Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+    picture.pixels.reserve(bytes.size() / 3);
+    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
+        picture.pixels.push_back(Rgb{bytes[i]} << 16 | Rgb{bytes[i + 1]} << 8 | bytes[i + 2]);
+    }
+    return picture;
+}
+
+Rgb parse_color(const std::string& text) {
+    Rgb color = 0;
+    if (text.size() != 7 || text[0] != '#') return grey;
+    const char* end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data() + 1, end, color, 16);
+    return error == std::errc() && stopped == end ? color : grey;
+}
+
+Picture paint_tag(int id) {
+    assert(id >= 0 && id < tag_count);
+    const std::unique_ptr<apriltag_family_t, decltype(&tag36h11_destroy)> family(tag36h11_create(), tag36h11_destroy);
+    assert(family->total_width == tag_cells && family->width_at_border == tag_border_cells);
+    constexpr Rgb black = 0x141414, white = 0xebebeb;  // ink and paper
+    constexpr int margin = (tag_cells - tag_border_cells) / 2;
+    Picture picture{tag_cells, tag_cells, std::vector<Rgb>(tag_cells * tag_cells, white)};
+    const auto cell = [&](std::uint32_t column, std::uint32_t row) -> Rgb& {
+        return picture.pixels[(row + margin) * tag_cells + column + margin];
+    };
+    for (std::uint32_t row = 0; row < tag_border_cells; ++row) {
+        for (std::uint32_t column = 0; column < tag_border_cells; ++column) cell(column, row) = black;
+    }
+    const std::uint64_t code = family->codes[id];
+    for (std::uint32_t bit = 0; bit < family->nbits; ++bit) {
+        // The first bit is the most significant.
+        if ((code >> (family->nbits - 1 - bit) & 1) != 0) cell(family->bit_x[bit], family->bit_y[bit]) = white;
+    }
+    return picture;
+}
+
+}  // namespace nezumi::sim

@@ -1,0 +1,178 @@
+// The detector as a component: when it publishes what.
+#include "tests/unit/vision/seen.hpp"
+
+#include <string>
+
+#include "engine/system.hpp"
+#include "engine/trace_hash.hpp"
+#include "engine/vision/marker_detector.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// A camera that stands in the arena, and a detector that looks at its pictures.
+struct Watch {
+    explicit Watch(const ArenaSpec& arena, const ParameterValues& detector_values = {},
+                   const ParameterValues& camera_values = {}, bool connected = true)
+        : system({.rate = 100}, [this](const LogLine& line) { said.push_back(line.text); }) {
+        system.take_world(world_with(arena));
+        system.observe(hash);
+        ComponentEntry eye{.name = "eye", .type = "Camera", .at = {0, 0, 0.1}};
+        add(make_simulated_camera(eye, system), camera_values);
+        add(make_marker_detector({.name = "detector", .type = "MarkerDetector"}, system), detector_values);
+        if (connected) REQUIRE(system.connect("eye.out", "detector.image"));
+        for (const auto& component : system.components()) REQUIRE(component->activate(system.now()));
+    }
+
+    void add(Expected<std::unique_ptr<Component>> component, const ParameterValues& values) {
+        REQUIRE(component);
+        REQUIRE((*component)->parameters().set_all(values));
+        REQUIRE(system.add(std::move(*component)));
+    }
+    void run(int ticks) {
+        for (int i = 0; i < ticks; ++i) system.tick();
+    }
+    void show(const CameraImage& image) { detector().find_in_port("image")->inject(image); }
+    Component& detector() { return *system.find("detector"); }
+    const Port& port(const char* name) { return *detector().find_out_port(name); }
+    bool visible() { return std::get<bool>(port("visible").value()); }
+    Pose3D pos() { return std::get<Pose3D>(port("pos").value()); }
+
+    std::vector<std::string> said;
+    TraceHash hash;
+    System system;
+};
+
+}  // namespace
+
+TEST_CASE("what a picture shows is published after the camera's and the detector's latency", "[vision][detector]") {
+    Watch watch(one_marker(), {{"latency", 0.03}}, {{"latency", 0.05}});
+    watch.run(8);  // ticks 0 to 7: exposed in tick 0, published in tick 5, looked at from then on
+    CHECK(watch.port("pos").count() == 0);
+    CHECK(watch.port("visible").count() == 0);
+    watch.run(1);
+    CHECK(watch.port("pos").count() == 1);
+    CHECK(watch.port("pos").tm() == Approx(0.08));
+    CHECK(watch.visible());
+    CHECK(std::get<std::int32_t>(watch.port("id").value()) == 7);
+    CHECK(watch.pos().position.x == Approx(1).margin(0.005));
+}
+
+TEST_CASE("without latency everything comes in the tick of the picture", "[vision][detector]") {
+    Watch watch(one_marker(), {{"latency", 0.0}}, {{"latency", 0.0}});
+    watch.run(1);
+    CHECK(watch.port("pos").count() == 1);
+}
+
+TEST_CASE("thirty pictures a second make thirty positions a second", "[vision][detector]") {
+    Watch watch(one_marker());
+    watch.run(205);
+    CHECK(std::abs(static_cast<int>(watch.port("pos").count()) - 60) <= 1);
+}
+
+TEST_CASE("a detector that is slower than the camera passes pictures over", "[vision][detector]") {
+    Watch watch(one_marker(), {{"latency", 0.1}});
+    watch.run(205);
+    CHECK(watch.port("visible").count() >= 18);
+    CHECK(watch.port("visible").count() <= 20);
+}
+
+TEST_CASE("when the marker disappears, positions stop and visible says so", "[vision][detector]") {
+    Watch watch(one_marker());
+    watch.run(50);
+    CHECK(watch.visible());
+    REQUIRE(watch.system.world()->move_marker("target", {{0, 0, -10}, {}}));
+    watch.run(8);
+    const auto count = watch.port("pos").count();
+    const auto looks = watch.port("visible").count();
+    watch.run(50);
+    CHECK_FALSE(watch.visible());
+    CHECK(watch.port("pos").count() == count);
+    CHECK(watch.port("visible").count() > looks);
+}
+
+TEST_CASE("the connected camera tells its lens; otherwise the detector's own counts", "[vision][detector]") {
+    Watch wide(one_marker({0.6, 0, 0.1}), {}, {{"field_of_view", 1.6}, {"width", std::int64_t{800}}});
+    wide.run(20);
+    CHECK(wide.pos().position.x == Approx(0.6).margin(0.01));
+
+    Watch given(one_marker({0.6, 0, 0.1}), {{"fx", 2 * Lens::of(640, 480, field_of_view).fx}});
+    given.run(20);
+    CHECK(given.pos().position.x == Approx(1.2).margin(0.02));
+
+    const auto world = world_with(one_marker({0.6, 0, 0.1}));
+    Watch apart(one_marker({0.6, 0, 0.1}), {{"field_of_view", 1.6}}, {}, false);
+    apart.show(picture_of(*world, {.field_of_view = 1.6}));
+    apart.run(5);
+    CHECK(apart.pos().position.x == Approx(0.6).margin(0.01));
+}
+
+TEST_CASE("a small marker has no orientation", "[vision][detector]") {
+    Watch far_off(one_marker({2.5, 0, 0.1}, M_PI + 0.5));
+    far_off.run(20);
+    REQUIRE(far_off.visible());
+    CHECK(far_off.pos().orientation == Orientation3D{});
+    Watch near_by(one_marker({0.6, 0, 0.1}, M_PI + 0.5));
+    near_by.run(20);
+    CHECK(near_by.pos().orientation.y == Approx(0.5).margin(0.03));
+}
+
+TEST_CASE("a marker that is not the one looked for is not seen", "[vision][detector]") {
+    Watch watch(one_marker(), {{"id", std::int64_t{8}}});
+    watch.run(20);
+    CHECK_FALSE(watch.visible());
+    CHECK(watch.port("visible").count() > 0);
+    CHECK(watch.port("pos").count() == 0);
+}
+
+TEST_CASE("a broken picture is said once, and nothing is seen in it", "[vision][detector]") {
+    Watch watch(one_marker(), {}, {}, false);
+    const CameraImage good = picture_of(*watch.system.world());
+    CameraImage torn = good;
+    torn.pixels.resize(1000);
+    for (const CameraImage& bad : {torn, CameraImage{}, torn}) {
+        watch.show(bad);
+        watch.run(5);
+        CHECK_FALSE(watch.visible());
+    }
+    CHECK(watch.port("pos").count() == 0);
+    CHECK(watch.said == std::vector<std::string>{
+                            "image: 640 x 480 pixels of rgb8 need 921600 bytes, got 1000: nothing can be seen in it"});
+    watch.show(good);
+    watch.run(5);
+    CHECK(watch.visible());
+    watch.show(CameraImage{});
+    watch.run(5);
+    CHECK(watch.said.size() == 2);
+    CHECK(watch.detector().state() == LifeState::active);
+}
+
+TEST_CASE("the same run has the same trace, also with noise", "[vision][detector]") {
+    const auto trace = [](double noise) {
+        Watch watch(one_marker(), {}, {{"noise", noise}});
+        watch.run(60);
+        return watch.hash.value();
+    };
+    CHECK(trace(3) == trace(3));
+    CHECK(trace(3) != trace(4));
+}
+
+TEST_CASE("a detector that is stopped forgets the picture it was looking at", "[vision][detector]") {
+    Watch watch(one_marker());
+    watch.run(3);  // the first picture has just arrived
+    REQUIRE(watch.detector().deactivate(watch.system.now()));
+    watch.run(20);
+    CHECK(watch.port("visible").count() == 0);
+    REQUIRE(watch.detector().activate(watch.system.now()));
+    watch.run(20);
+    CHECK(watch.visible());
+}
+
+TEST_CASE("a detector is not mounted on a robot", "[vision][detector]") {
+    System system({.rate = 100}, {});
+    const auto made = make_marker_detector({.name = "detector", .type = "MarkerDetector", .on = "mouse"}, system);
+    REQUIRE_FALSE(made);
+    CHECK(made.error().message ==
+          "component 'detector': a MarkerDetector is not mounted on a robot: 'on' is for its Camera");
+}
