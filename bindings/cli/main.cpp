@@ -8,6 +8,7 @@
 
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/usage_error.hpp"
 
 using namespace nezumi;
 
@@ -47,7 +48,7 @@ int run(int count, char** words) {
     } catch (const CLI::Success& asked) {  // --help, --version
         return app.exit(asked);
     } catch (const CLI::ParseError& error) {
-        return cli::refuse(std::string(error.what()) + "; see --help");
+        return cli::refuse(cli::usage_error(app, error));
     }
     return status;
 }
