@@ -1,0 +1,124 @@
+// Files are made in memory first, so that an error leaves no half of one.
+#include "bindings/cli/canvas.hpp"
+
+#include <cairo-svg.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace nezumi::cli {
+namespace {
+
+cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
+    static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+}  // namespace
+
+Colour Colour::shaded(double amount) const {
+    const auto shade = [amount](double value) {
+        return amount < 0 ? value * (1 + amount) : value + (1 - value) * amount;
+    };
+    return {shade(red), shade(green), shade(blue), alpha};
+}
+
+Colour colour_of(std::string_view text) {
+    unsigned value = 0x8a8f98;
+    if (text.size() == 7 && text.front() == '#') {
+        unsigned read = 0;
+        const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, read, 16);
+        if (error == std::errc{} && end == text.data() + 7) value = read;
+    }
+    const auto part = [value](int shift) { return ((value >> shift) & 255) / 255.0; };
+    return {part(16), part(8), part(0)};
+}
+
+Colour series_colour(std::size_t index) {
+    // Okabe and Ito (2008), without black, and with the yellow last: it is faint on white.
+    static constexpr std::array<std::string_view, 7> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                             "#56b4e9", "#e69f00", "#b8a800"};
+    return colour_of(colours[index % colours.size()]);
+}
+
+Canvas::Canvas(std::string file, double width, double height)
+    : file_(std::move(file)), svg_(file_.ends_with(".svg")), width_(std::ceil(width)), height_(std::ceil(height)) {
+    surface_.reset(
+        svg_ ? cairo_svg_surface_create_for_stream(append, &bytes_, width_, height_)
+             : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_), static_cast<int>(height_)));
+    context_.reset(cairo_create(surface_.get()));
+    set(ink::paper);
+    cairo_paint(context());
+    cairo_set_line_join(context(), CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_cap(context(), CAIRO_LINE_CAP_ROUND);
+}
+
+void Canvas::choose_font(double size, bool bold) {
+    cairo_select_font_face(context(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context(), size);
+}
+
+double Canvas::text_width(const std::string& words, double size, bool bold) {
+    choose_font(size, bold);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context(), words.c_str(), &extents);
+    return extents.x_advance;
+}
+
+void Canvas::text(double x, double y, const std::string& words, double size, const Colour& colour, double anchor,
+                  bool bold) {
+    set(colour);
+    cairo_move_to(context(), x - anchor * text_width(words, size, bold), y);
+    cairo_show_text(context(), words.c_str());
+}
+
+Expected<void> Canvas::write() {
+    cairo_status_t status = cairo_status(context());
+    if (!svg_ && status == CAIRO_STATUS_SUCCESS)
+        status = cairo_surface_write_to_png_stream(surface_.get(), append, &bytes_);
+    cairo_surface_finish(surface_.get());
+    if (svg_ && status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface_.get());
+    if (status != CAIRO_STATUS_SUCCESS)
+        return failure(fmt::format("can't be drawn: {}", cairo_status_to_string(status)), {file_});
+
+    const int fd = open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {file_});
+    std::string_view left = bytes_;
+    int wrong = 0;
+    while (!left.empty() && wrong == 0) {
+        const ssize_t written = ::write(fd, left.data(), left.size());
+        if (written < 0 && errno != EINTR) wrong = errno;
+        if (written > 0) left.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (close(fd) != 0 && wrong == 0) wrong = errno;
+    if (wrong == 0) return {};
+    std::error_code none;
+    if (std::filesystem::is_regular_file(file_, none)) std::filesystem::remove(file_, none);
+    return failure(fmt::format("can't be written: {}", std::strerror(wrong)), {file_});
+}
+
+bool is_picture_name(std::string_view name) {
+    return name.size() > 4 && (name.ends_with(".png") || name.ends_with(".svg"));
+}
+
+Expected<void> check_can_write(const std::string& file) {
+    // Opening is the only test that all file systems answer truly; what it made goes again.
+    const bool was_there = access(file.c_str(), F_OK) == 0;
+    const int fd = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (fd < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {file});
+    close(fd);
+    if (!was_there) unlink(file.c_str());
+    return {};
+}
+
+}  // namespace nezumi::cli

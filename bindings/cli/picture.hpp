@@ -1,0 +1,38 @@
+// A world from above, drawn to a file: arena, robots, the paths they drove, the rays of their sensors.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/cli/paths.hpp"
+#include "engine/error.hpp"
+#include "engine/robot_spec.hpp"
+#include "engine/world.hpp"
+
+namespace nezumi::cli {
+
+/// What a picture shows: taken from a system at one moment, drawn whenever.
+struct PictureOf {
+    struct Robot {
+        std::string name;
+        BodySpec body;
+        DriveSpec drive;
+        Pose2D pose;
+        std::vector<Ray> rays;
+        std::vector<Point2D> path;  ///< [m] oldest first
+    };
+
+    std::string title;
+    double seconds = 0;  ///< simulated time
+    std::vector<ThingPose> things;
+    std::vector<Robot> robots;
+};
+
+/// Takes what there is to be seen now.
+PictureOf look_at(const System& system, const Paths& paths, std::string title);
+
+/// Draws it to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
+Expected<void> draw_picture(const PictureOf& picture, const std::string& file);
+
+}  // namespace nezumi::cli
