@@ -1,0 +1,107 @@
+// The status line is taken away before a log line is written and comes back after it, all in one write.
+#include "bindings/cli/screen.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+namespace nezumi::cli {
+namespace {
+
+constexpr std::string_view clear_line = "\r\x1b[K";
+
+void write_whole(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return;  // nobody is there to be told
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+std::string_view colour_of(LogLevel level) {
+    switch (level) {
+        case LogLevel::debug: return "\x1b[2m";
+        case LogLevel::info: return "";
+        case LogLevel::warn: return "\x1b[33m";
+        case LogLevel::error: return "\x1b[31m";
+    }
+    return "";
+}
+
+}  // namespace
+
+Screen::Screen(bool live) : live_(live) {
+    if (live_) writer_ = std::thread([this] { write_all(); });
+}
+
+Screen::~Screen() {
+    if (!live_) return;
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    news_.notify_one();
+    writer_.join();
+}
+
+int Screen::width() {
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+void Screen::log(const LogLine& line) {
+    const std::string who = line.component.empty() ? "" : line.component + ": ";
+    const std::string_view colour = live_ ? colour_of(line.level) : "";
+    put(fmt::format("{}[{:9.3f}] {:5} {}{}{}\n", colour, line.seconds, to_text(line.level), who, line.text,
+                    colour.empty() ? "" : "\x1b[0m"));
+}
+
+void Screen::say(const std::string& text) { put(text + "\n"); }
+
+void Screen::put(std::string line) {
+    if (!live_) return write_whole(line);
+    {
+        const std::lock_guard lock(mutex_);
+        if (waiting_.size() < kMostWaiting) {
+            waiting_.push_back(std::move(line));
+        } else {
+            ++lost_;
+        }
+    }
+    news_.notify_one();
+}
+
+void Screen::show_status(std::string line) {
+    if (!live_) return;
+    {
+        const std::lock_guard lock(mutex_);
+        status_ = std::move(line);
+        status_is_new_ = true;
+    }
+    news_.notify_one();
+}
+
+void Screen::write_all() {
+    std::unique_lock lock(mutex_);
+    for (bool ends = false; !ends;) {
+        news_.wait(lock, [this] { return ends_ || status_is_new_ || !waiting_.empty(); });
+        ends = ends_;
+        status_is_new_ = false;
+        std::string text(clear_line);
+        for (const std::string& line : std::exchange(waiting_, {})) text += line;
+        if (const std::size_t lost = std::exchange(lost_, 0); lost > 0)
+            text += fmt::format("({} more lines came faster than this terminal shows them)\n", lost);
+        if (!ends) text += status_;
+        lock.unlock();
+        write_whole(text);
+        lock.lock();
+    }
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,52 @@
+// What a run says on standard error: log lines, and on a terminal a status line below them, which no line tears.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/log.hpp"
+
+namespace nezumi::cli {
+
+class Screen {
+public:
+    /// `live`: standard error is a terminal with a status line. Then a thread of its own writes, so that a terminal
+    /// that is slow or stopped (Ctrl-S) delays no tick; otherwise lines are written where they are said.
+    explicit Screen(bool live);
+    /// Waits until all is written, and takes the status line away.
+    ~Screen();
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    void log(const LogLine& line);
+    /// One line of our own.
+    void say(const std::string& text);
+    /// The status line from now on; it must fit into `width()` - 1 columns.
+    void show_status(std::string line);
+
+    bool is_live() const { return live_; }
+    /// Columns of the terminal.
+    static int width();
+
+private:
+    void put(std::string line);
+    void write_all();
+
+    // Somebody who logs faster than the terminal scrolls loses lines, and is told how many.
+    static constexpr std::size_t kMostWaiting = 10000;
+
+    bool live_;
+    std::mutex mutex_;  // of all below
+    std::condition_variable news_;
+    std::vector<std::string> waiting_;
+    std::size_t lost_ = 0;
+    std::string status_;
+    bool status_is_new_ = false;
+    bool ends_ = false;
+    std::thread writer_;
+};
+
+}  // namespace nezumi::cli

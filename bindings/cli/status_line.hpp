@@ -1,0 +1,35 @@
+// The line below the log on a terminal: simulated time, speed, lateness, states of components, ten times a second.
+#pragma once
+
+#include <deque>
+#include <string>
+
+#include "bindings/cli/run_loop.hpp"
+#include "bindings/cli/screen.hpp"
+
+namespace nezumi::cli {
+
+class StatusLine final : public Attendant {
+public:
+    /// Both must outlive it.
+    StatusLine(const RunLoop& loop, Screen& screen) : loop_(loop), screen_(screen) {}
+
+    bool serve(Pacer::Clock::time_point until) override;
+    /// The line as it is now, at most `columns` wide without its colours. Exposed for tests.
+    std::string text(int columns) const;
+
+private:
+    // A look at both clocks.
+    struct Sample {
+        Pacer::Clock::time_point wall;
+        double simulated;  // [s]
+    };
+
+    double reached_speed() const;
+
+    const RunLoop& loop_;
+    Screen& screen_;
+    std::deque<Sample> samples_;  // of about the last second
+};
+
+}  // namespace nezumi::cli
