@@ -1,44 +1,197 @@
-// `nezumi run`: a system file, simulated.
-#include <CLI/CLI.hpp>
+// `nezumi run`: a system file, simulated until its end or Ctrl-C.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
-#include <cmath>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/paths.hpp"
+#include "bindings/cli/picture.hpp"
+#include "bindings/cli/problems.hpp"
+#include "bindings/cli/recorder.hpp"
+#include "bindings/cli/run_loop.hpp"
+#include "bindings/cli/run_options.hpp"
+#include "bindings/cli/screen.hpp"
+#include "bindings/cli/status_line.hpp"
+#include "bindings/cli/stop_signals.hpp"
 
 namespace nezumi::cli {
 namespace {
 
-struct RunOptions {
-    std::string file;
-    double duration = 10;
-};
+// Robots that brake longer than this [s] of simulated time are pushed: nobody waits for them.
+constexpr double longest_braking = 1;
 
-int run(const RunOptions& options) {
-    LiveOptions live_options = simulated_systems();
-    live_options.build.log = [](const LogLine& line) {
-        fmt::print(stderr, "[{:8.3f}] {} {}: {}\n", line.seconds, to_text(line.level), line.component, line.text);
-    };
-    auto live = LiveSystem::load(options.file, std::move(live_options));
-    if (!live) return refuse(live.error());
-    (*live)->activate();
-    const auto ticks = std::llround(options.duration * (*live)->system().settings().rate);
-    for (long long tick = 0; tick < ticks; ++tick) (*live)->tick();
-    return kDone;
+bool all_stand(const System& system) {
+    for (const Robot* robot : system.robots()) {
+        if (robot->guard().current() != Velocity2D{}) return false;
+    }
+    return true;
 }
+
+// Deactivates everything and lets the robots brake.
+void stop(RunLoop& loop) {
+    System& system = loop.live().system();
+    system.stop(0);
+    if (!loop.is_hardware()) loop.set_speed(as_fast_as_possible);
+    const double end = system.now().seconds + longest_braking;
+    do {
+        loop.tick();
+    } while (!all_stand(system) && system.now().seconds < end);
+}
+
+std::string summary(const RunLoop& loop, std::chrono::duration<double> wall) {
+    const double simulated = loop.advanced();
+    std::string text = fmt::format("{:.2f} s simulated in {:.2f} s", simulated, wall.count());
+    if (wall.count() > 0) text += fmt::format(", {:.2f} times real time", simulated / wall.count());
+    const RunLoop::Lateness lateness = loop.lateness();
+    if (lateness.late > 0)
+        text += fmt::format("; late ticks: {}, the worst by {:.1f} ms", lateness.late, lateness.worst * 1e3);
+    if (lateness.skipped > 0) text += fmt::format("; ticks left out: {}", lateness.skipped);
+    return text;
+}
+
+// One run of `nezumi run`, from the options to the exit status, or to what kept it from running.
+class Run {
+public:
+    explicit Run(RunOptions options)
+        : options_(std::move(options)), screen_(!options_.headless && isatty(STDERR_FILENO) != 0) {}
+
+    Expected<int> operator()() {
+        auto live = LiveSystem::load(options_.file, live_options());
+        if (!live) return Unexpected(live.error());
+        live_ = std::move(*live);
+        const StopSignals stop_signals;
+        if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
+
+        live_->activate();
+        RunLoop loop(*live_, {.speed = options_.speed, .hardware = false, .problems = &problems_});
+        loop.end_when(stop_signals.received());
+        loop.end_at(options_.duration);
+        StatusLine status_line(loop, screen_);
+        if (screen_.is_live()) loop.add(status_line);
+        if (recorder_ || !options_.picture.empty()) loop.after_tick([this, &loop] { keep_trace(loop); });
+
+        const auto begin = Pacer::Clock::now();
+        loop.run();
+        const std::string how = summary(loop, Pacer::Clock::now() - begin);
+        if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
+
+        // A run of a given length shows the world as it is then; one that was ended shows it when the robots stand.
+        const bool to_the_end = live_->system().now().seconds >= options_.duration - 1e-9;
+        if (to_the_end) take_results();
+        stop(loop);
+        if (!to_the_end) take_results();
+        return finish(how);
+    }
+
+private:
+    LiveOptions live_options() {
+        LiveOptions live = simulated_systems();
+        live.build = {.seed = options_.seed.value_or(0),
+                      .seed_wins = options_.seed.has_value(),
+                      .threads = options_.threads,
+                      .out_of_time_is_fatal = options_.headless,
+                      .log = [this](const LogLine& line) {
+                          problems_.take(line);
+                          screen_.log(line);
+                      }};
+        live.budget = options_.headless ? headless_budget : paced_budget;
+        live.watch = !options_.headless;
+        live.print = [this](std::string_view line) { screen_.say(std::string(line)); };
+        return live;
+    }
+
+    Expected<void> prepare_files() {
+        if (!options_.picture.empty()) {
+            if (auto ok = check_can_write(options_.picture); !ok) return ok;
+        }
+        if (options_.record.empty()) return {};
+        auto recorder = Recorder::open(options_.record, live_->system(), options_.ports);
+        if (!recorder) return Unexpected(recorder.error());
+        recorder_.emplace(std::move(*recorder));
+        return {};
+    }
+
+    void keep_trace(RunLoop& loop) {
+        if (recorder_) {
+            recorder_->add_row(live_->system());
+            if (recorder_->error()) loop.quit();
+        }
+        if (options_.picture.empty()) return;
+        if (starts_ != live_->starts()) paths_.clear();
+        starts_ = live_->starts();
+        paths_.look(live_->system());
+    }
+
+    void take_results() {
+        if (recorder_) recorder_->seal();
+        hash_ = live_->trace_hash();
+        if (!options_.picture.empty())
+            picture_ = look_at(live_->system(), paths_, std::filesystem::path(options_.file).stem().string());
+    }
+
+    // The run is none: no file is left that could be taken for its result.
+    Expected<int> give_up(const Error& error) {
+        if (recorder_) recorder_->discard();
+        return Unexpected(error);
+    }
+
+    Expected<int> finish(const std::string& how) {
+        if (recorder_) {
+            if (auto ok = recorder_->finish(); !ok) return Unexpected(ok.error());
+        }
+        if (picture_) {
+            if (auto ok = draw_picture(*picture_, options_.picture); !ok) return Unexpected(ok.error());
+        }
+        screen_.say(how);
+        int status = kDone;
+        for (const auto& component : live_->system().components()) {
+            if (component->state() != LifeState::error) continue;
+            screen_.say(
+                fmt::format("nezumi: {} ended in ERROR: {}", component->name(), describe(component->last_error())));
+            status = kFailed;
+        }
+        if (options_.trace_hash) {
+            fmt::print("trace hash: {:016x}\n", hash_);
+            if (std::fflush(stdout) != 0) return failure("the trace hash can't be written to standard output");
+        }
+        return status;
+    }
+
+    RunOptions options_;
+    Screen screen_;  // before all that speaks through it
+    Problems problems_;
+    std::unique_ptr<LiveSystem> live_;
+    std::optional<Recorder> recorder_;
+    Paths paths_;
+    int starts_ = 0;
+    std::optional<PictureOf> picture_;
+    std::uint64_t hash_ = 0;
+};
 
 }  // namespace
 
 void add_run_command(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("run", "Run a system file");
-    auto options = std::make_shared<RunOptions>();
-    command->add_option("FILE", options->file, "the system file")->required();
-    command->add_option("--duration", options->duration, "end after so many simulated seconds");
-    command->callback([options, &status] { status = run(*options); });
+    CLI::App* command =
+        app.add_subcommand("run", "Run a system file: simulate it, and reload scripts when they are saved");
+    auto words = std::make_shared<RunWords>();
+    declare_run_options(*command, *words);
+    command->callback([words, &status] {
+        const auto ended =
+            read_run_options(*words).and_then([](RunOptions options) { return Run(std::move(options))(); });
+        status = ended ? *ended : refuse(ended.error());  // when the screen is free again
+    });
 }
 
 }  // namespace nezumi::cli

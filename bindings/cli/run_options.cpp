@@ -1,0 +1,122 @@
+// Options are read as words first, so that every mistake gets one plain sentence.
+#include "bindings/cli/run_options.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "bindings/cli/canvas.hpp"
+#include "bindings/cli/run_loop.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+constexpr double slowest = 0.001;
+constexpr double fastest = 1e6;
+constexpr double longest = 1e9;  // [s], some thirty years
+constexpr int most_threads = 256;
+
+template <class T>
+std::optional<T> number(std::string_view word) {
+    T value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+Unexpected wrong(std::string_view option, std::string_view expected, std::string_view got) {
+    return failure(fmt::format("{}: expected {}, got '{}'", option, expected, shown(got)));
+}
+
+Expected<std::vector<std::string>> split_ports(const std::string& given) {
+    std::vector<std::string> ports;
+    std::string_view words = given;
+    while (true) {
+        const auto comma = words.find(',');
+        std::string_view port = words.substr(0, comma);
+        while (!port.empty() && port.front() == ' ') port.remove_prefix(1);
+        while (!port.empty() && port.back() == ' ') port.remove_suffix(1);
+        if (port.empty()) return wrong("--ports", "names of ports as in mouse.ir_sensor_out,controller.out", given);
+        ports.emplace_back(port);
+        if (comma == std::string_view::npos) return ports;
+        words.remove_prefix(comma + 1);
+    }
+}
+
+}  // namespace
+
+void declare_run_options(CLI::App& command, RunWords& words) {
+    command.add_option("FILE", words.file, "the system file")->type_name("")->required();
+    command.add_flag("--headless", words.headless,
+                     "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; "
+                     "reaching that ends the run");
+    command.add_option("--speed", words.speed, "times real time (default 1), or max: without waiting")
+        ->type_name("N|max");
+    command.add_option("--duration", words.duration, "end at this simulated time [s] (default: at Ctrl-C)")
+        ->type_name("S");
+    command.add_option("--seed", words.seed, "decides all that is random; wins over the file's seed(n)")
+        ->type_name("N");
+    command.add_option("--threads", words.threads, "that run behaviours (default 1); the result is the same")
+        ->type_name("N");
+    command.add_flag("--trace-hash", words.trace_hash,
+                     "print a hash over all that ports published: equal runs, equal hashes");
+    command.add_option("--picture", words.picture, "draw the arena, the robots and their paths when the run ends")
+        ->type_name("FILE.png|svg");
+    command.add_option("--record", words.record, "write what ports publish as CSV, a row for every tick")
+        ->type_name("FILE.csv");
+    command
+        .add_option("--ports", words.ports, "with --record: only these ports, in this order (default: all out-ports)")
+        ->type_name("NAME.PORT,...");
+    command.footer(
+        "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a second one at "
+        "once.\nExit status: 0 the run came to its end, 1 it did and a component was in ERROR then, 2 it could not be "
+        "run.");
+}
+
+Expected<RunOptions> read_run_options(const RunWords& words) {
+    RunOptions options{.file = words.file, .headless = words.headless, .trace_hash = words.trace_hash};
+    if (words.speed == "max") {
+        options.speed = as_fast_as_possible;
+    } else if (!words.speed.empty()) {
+        const auto speed = number<double>(words.speed);
+        if (!speed || !(*speed >= slowest && *speed <= fastest))
+            return wrong("--speed", fmt::format("a factor from {} to {:.0f}, or max", slowest, fastest), words.speed);
+        options.speed = *speed;
+    }
+    if (!words.duration.empty()) {
+        const auto duration = number<double>(words.duration);
+        if (!duration || !(*duration >= 0 && *duration <= longest))
+            return wrong("--duration", "seconds, 0 or more", words.duration);
+        options.duration = *duration;
+    }
+    if (!words.seed.empty()) {
+        options.seed = number<std::uint64_t>(words.seed);
+        if (!options.seed) return wrong("--seed", "a whole number from 0 to 2^64 - 1", words.seed);
+    }
+    if (!words.threads.empty()) {
+        const auto threads = number<int>(words.threads);
+        if (!threads || *threads < 1 || *threads > most_threads)
+            return wrong("--threads", fmt::format("a whole number from 1 to {}", most_threads), words.threads);
+        options.threads = *threads;
+    }
+    if (!words.picture.empty() && !is_picture_name(words.picture))
+        return wrong("--picture", "a file name that ends in .png or .svg", words.picture);
+    options.picture = words.picture;
+    options.record = words.record;
+    if (!words.ports.empty()) {
+        if (words.record.empty())
+            return failure("--ports chooses what --record writes: give --record FILE.csv as well");
+        auto ports = split_ports(words.ports);
+        if (!ports) return Unexpected(ports.error());
+        options.ports = std::move(*ports);
+    }
+    return options;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,45 @@
+// What `nezumi run` was asked for: options as words, checked and turned into numbers.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/error.hpp"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace nezumi::cli {
+
+/// The options as they were typed: "" for what was not given.
+struct RunWords {
+    std::string file;
+    std::string speed, duration, seed, threads, picture, record, ports;
+    bool headless = false;
+    bool trace_hash = false;
+};
+
+/// Declares them. `words` must outlive the parsing.
+void declare_run_options(CLI::App& command, RunWords& words);
+
+struct RunOptions {
+    std::string file;
+    bool headless = false;
+    double speed = 1;  ///< a factor of real time; `as_fast_as_possible` for "max"
+    double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
+    std::optional<std::uint64_t> seed;
+    int threads = 1;
+    bool trace_hash = false;
+    std::string picture;             ///< "" for none; ends in .png or .svg
+    std::string record;              ///< "" for none
+    std::vector<std::string> ports;  ///< "name.port"; empty: every out-port
+};
+
+/// The same as values, or what is wrong with the first word that is.
+Expected<RunOptions> read_run_options(const RunWords& words);
+
+}  // namespace nezumi::cli

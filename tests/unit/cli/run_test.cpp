@@ -1,0 +1,235 @@
+// `nezumi run` as a script uses it: what it prints, what it writes, how it ends.
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+const std::string stop_at_wall = "behaviors/systems/stop_at_wall.lua";
+
+std::string contents(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+/// A project of one behaviour, in a system of its own.
+class Project {
+public:
+    explicit Project(const std::string& behavior, const std::string& system = "behavior \"it\" { script = \"it\" }\n") {
+        scratch.write("behaviors/it.lua", behavior);
+        file = scratch.write("system.lua", system).string();
+    }
+    Outcome run(std::vector<std::string> options) const {
+        options.insert(options.begin(), {"run", file, "--headless", "--speed", "max"});
+        return run_nezumi(options);
+    }
+    Scratch scratch;
+    std::string file;
+};
+
+}  // namespace
+
+TEST_CASE("equal seeds give equal trace hashes, whatever the speed and the threads", "[cli][run]") {
+    std::set<std::string> hashes;
+    const std::vector<std::vector<std::string>> ways{{"--headless", "--speed", "max"},
+                                                     {"--headless", "--speed", "max", "--threads", "3"},
+                                                     {"--headless", "--speed", "20"},
+                                                     {"--speed", "20"},
+                                                     {"--speed", "max"}};
+    for (auto way : ways) {
+        way.insert(way.begin(), {"run", stop_at_wall, "--duration", "4", "--seed", "1", "--trace-hash"});
+        const Outcome outcome = run_nezumi(way);
+        REQUIRE(outcome.status == 0);
+        hashes.insert(outcome.out);
+    }
+    CHECK(hashes.size() == 1);
+    const std::string line = *hashes.begin();
+    REQUIRE(line.size() == 29);
+    CHECK(line.substr(0, 12) == "trace hash: ");
+    CHECK(line.substr(12, 16).find_first_not_of("0123456789abcdef") == std::string::npos);
+    CHECK(line.back() == '\n');
+}
+
+TEST_CASE("--seed wins over the file's seed", "[cli][run]") {
+    const Project project(R"(local out = output("out", "TimedDouble", "a number")
+function on_execute() out:write(math.random()) end
+)",
+                          "seed(7)\nbehavior \"it\" { script = \"it\" }\n");
+    const auto hash = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {"--duration", "0.1", "--trace-hash"});
+        return project.run(options).out;
+    };
+    CHECK(hash({}) == hash({"--seed", "7"}));
+    CHECK(hash({}) != hash({"--seed", "8"}));
+    CHECK(hash({"--seed", "8"}) == hash({"--seed", "8"}));
+}
+
+TEST_CASE("--record writes a row for every tick of the duration, and a column for every element", "[cli][run]") {
+    const Scratch scratch;
+    const std::string file = scratch.path("trace.csv").string();
+    REQUIRE(run_nezumi({"run", stop_at_wall, "--headless", "--speed", "max", "--duration", "2", "--record", file,
+                        "--ports", "mouse.ir_sensor_out,controller.out,controller.in"})
+                .status == 0);
+    const auto lines = lines_of(contents(file));
+    REQUIRE(lines.size() == 201);
+    CHECK(lines[0] ==
+          "time,mouse.ir_sensor_out[1],mouse.ir_sensor_out[2],mouse.ir_sensor_out[3],mouse.ir_sensor_out[4],"
+          "controller.out.vx,controller.out.vy,controller.out.va,"
+          "controller.in[1],controller.in[2],controller.in[3],controller.in[4]");
+    CHECK(lines[1] == "0,0,0,0,0,0.1,0,0,0,0,0,0");
+    CHECK(lines[200].substr(0, 5) == "1.99,");
+}
+
+TEST_CASE("a sequence that grows gets columns, and earlier rows empty cells", "[cli][run]") {
+    const Project project(R"(local words = output("words", "TimedStringSeq", "texts")
+local count = output("count", "TimedShort", "how many")
+function on_execute()
+  local tick = math.floor(now() * 100 + 0.5)
+  if tick == 0 then return end
+  local list = {}
+  for i = 1, tick do list[i] = 'say "' .. i .. '",\n' end
+  words:write(list)
+  count:write(tick)
+end
+)");
+    const std::string file = project.scratch.path("trace.csv").string();
+    REQUIRE(project.run({"--duration", "0.03", "--record", file}).status == 0);
+    CHECK(contents(file) ==
+          "time,it.words[1],it.words[2],it.count\n"
+          "0,,,\n"
+          "0.01,\"say \"\"1\"\",\n\",,1\n"
+          "0.02,\"say \"\"1\"\",\n\",\"say \"\"2\"\",\n\",2\n");
+    CHECK_FALSE(std::filesystem::exists(file + ".part"));
+}
+
+TEST_CASE("a disk that is full ends the run with one line", "[cli][run]") {
+    const Outcome outcome =
+        run_nezumi({"run", stop_at_wall, "--headless", "--speed", "max", "--duration", "100", "--record", "/dev/full"});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.error == "/dev/full: can't be written: No space left on device\n");
+}
+
+TEST_CASE("--picture draws PNG or SVG by the file's ending", "[cli][run]") {
+    const Scratch scratch;
+    const std::string png = scratch.path("a.png").string(), svg = scratch.path("a.svg").string();
+    for (const std::string& file : {png, svg}) {
+        REQUIRE(run_nezumi({"run", stop_at_wall, "--headless", "--speed", "max", "--duration", "5", "--picture", file})
+                    .status == 0);
+    }
+    CHECK(contents(png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    CHECK(contents(svg).find("<svg ") != std::string::npos);
+    CHECK(contents(svg).find("</svg>") != std::string::npos);
+}
+
+TEST_CASE("a signal ends a run in good order: robots stopped, files complete, status 0", "[cli][run]") {
+    const Scratch scratch;
+    const std::string csv = scratch.path("trace.csv").string(), png = scratch.path("end.png").string();
+    const int signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
+    Program program({"run", stop_at_wall, "--headless", "--trace-hash", "--record", csv, "--picture", png, "--ports",
+                     "controller.out"});
+    // The file is there before the first tick; some ticks later the mouse is on its way.
+    for (int i = 0; i < 300 && !std::filesystem::exists(csv); ++i) usleep(10000);
+    usleep(300000);
+    program.send(signal);
+    CHECK(program.wait() == 0);
+    CHECK(program.out.substr(0, 12) == "trace hash: ");
+    const auto lines = lines_of(contents(csv));
+    REQUIRE(lines.size() > 10);
+    CHECK(lines[5].substr(lines[5].find(',')) == ",0.1,0,0");
+    CHECK(lines.back().substr(lines.back().find(',')) == ",0,0,0");
+    CHECK(contents(png).size() > 1000);
+}
+
+TEST_CASE("a second signal ends a run at once", "[cli][run]") {
+    // Loading is over when this has been said, and the endless hook keeps the first signal waiting.
+    const Project project(R"(param("x", 1)
+function on_execute() log.info("begins") while true do end end
+)");
+    Program program({"run", project.file, "--headless"});
+    REQUIRE(program.wait_for_error("begins"));
+    program.send(SIGINT);
+    usleep(100000);
+    program.send(SIGINT);
+    CHECK(program.wait() == -SIGINT);
+}
+
+TEST_CASE("a script that reaches its budget ends a headless run, and leaves no files", "[cli][run]") {
+    const Project project(
+        "local out = output('out', 'TimedDouble', 'a number')\n"
+        "function on_execute()\n  out:write(1)\n  while now() > 0.05 do end\nend\n");
+    const std::string csv = project.scratch.path("trace.csv").string(), png = project.scratch.path("end.png").string();
+    const Outcome outcome = project.run({"--duration", "1", "--trace-hash", "--record", csv, "--picture", png});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.error.find("it.lua:4: ") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(csv));
+    CHECK_FALSE(std::filesystem::exists(png));
+}
+
+TEST_CASE("a component in ERROR at the end is said, and makes the status 1", "[cli][run]") {
+    const Project project("param('x', 1)\nfunction on_execute() error('no way') end\n");
+    const Outcome outcome = project.run({"--duration", "1", "--trace-hash"});
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out.substr(0, 12) == "trace hash: ");
+    CHECK(outcome.error.find("nezumi: it ended in ERROR: ") != std::string::npos);
+    CHECK(outcome.error.find("it.lua:2: no way") != std::string::npos);
+}
+
+TEST_CASE("a saved behaviour is taken while a run goes on, but not in a headless one", "[cli][run]") {
+    const Project project("param('x', 1)\nfunction on_activated() log.info('first') end\nfunction on_execute() end\n");
+    const std::string second =
+        "param('x', 1)\nfunction on_reload() log.info('second') end\nfunction on_execute() end\n";
+    SECTION("with a terminal or without") {
+        Program program({"run", project.file});
+        REQUIRE(program.wait_for_error("first"));
+        project.scratch.write("behaviors/it.lua", second);
+        CHECK(program.wait_for_error("second"));
+        program.send(SIGINT);
+        CHECK(program.wait() == 0);
+    }
+    SECTION("headless") {
+        Program program({"run", project.file, "--headless"});
+        REQUIRE(program.wait_for_error("first"));
+        project.scratch.write("behaviors/it.lua", second);
+        CHECK_FALSE(program.wait_for_error("second", 0.5));
+        program.send(SIGINT);
+        CHECK(program.wait() == 0);
+    }
+}
+
+TEST_CASE("1000 Hz asked is 1000 Hz given on average, within 0.1 %", "[cli][run][wallclock]") {
+    const Project project("param('x', 1)\nfunction on_execute() end\n",
+                          "rate(1000)\nphysics { step = 0.001 }\nbehavior \"it\" { script = \"it\" }\n");
+    // The difference of two durations leaves the start and the end out.
+    const auto seconds = [&](const std::string& duration) {
+        const auto begin = std::chrono::steady_clock::now();
+        REQUIRE(run_nezumi({"run", project.file, "--headless", "--duration", duration}).status == 0);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    double best = 1;
+    for (int attempt = 0; attempt < 3 && best > 0.001; ++attempt) {
+        const double shorter = seconds("1"), longer = seconds("11");
+        best = std::min(best, std::abs((longer - shorter) / 10 - 1));
+    }
+    CHECK(best <= 0.001);
+}
