@@ -109,6 +109,34 @@ Expected<void> teleport(System& system, Component& component, const Pose2D& pose
     return system.world()->teleport((*robot)->id(), pose);
 }
 
+Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index) {
+    if (system.world() == nullptr) return failure("there is no simulated world");
+    Pose3D pose;
+    std::vector<std::string_view> names;
+    const std::vector<MarkerPose> markers = system.world()->markers();
+    bool found = false;
+    for (const MarkerPose& known : markers) {
+        if (known.name == marker) pose = known.pose;
+        found = found || known.name == marker;
+        names.push_back(known.name);
+    }
+    if (!found) return failure(fmt::format("there is no marker '{}'{}", shown(marker), did_you_mean(marker, names)));
+    if (lua_type(L, index) != LUA_TTABLE)
+        return failure(fmt::format("pose: expected a table {{ x =, y =, z =, heading = }}, got {}",
+                                   lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
+    const Table table(L, index);
+    if (auto ok = check_keys(L, table.index, {"x", "y", "z", "heading"}, "pose"); !ok) return ok;
+    for (const auto& [name, target] : {std::pair<std::string_view, double*>{"x", &pose.position.x},
+                                       {"y", &pose.position.y},
+                                       {"z", &pose.position.z},
+                                       {"heading", &pose.orientation.y}}) {
+        const auto value = read_field(L, table.index, name, "pose");
+        if (!value) return Unexpected(value.error());
+        *target = value->value_or(*target);
+    }
+    return system.world()->move_marker(marker, pose);
+}
+
 Expected<void> disturb(System& system, Component& component, const Push& push) {
     const auto robot = simulated_robot(system, component);
     if (!robot) return Unexpected(robot.error());

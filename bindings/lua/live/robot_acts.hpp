@@ -22,6 +22,9 @@ Expected<Push> read_push(lua_State* L, int index);
 
 /// Puts the robot elsewhere, at rest.
 Expected<void> teleport(System& system, Component& robot, const Pose2D& pose);
+/// Carries a marker of the arena to `{ x =, y =, z =, heading = }` [m, rad]; what is left out stays as it is. The error
+/// names the nearest marker or field. Raises no Lua error.
+Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index);
 /// A hand forces these speeds until the next call; an empty push lets go.
 Expected<void> disturb(System& system, Component& robot, const Push& push);
 /// Presses or lets go of a button or touch sensor by its name; the error names the nearest.
