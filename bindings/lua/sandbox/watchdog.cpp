@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 
@@ -240,6 +241,36 @@ void raise_expiry(lua_State* lua) {
     if (call.expiry_place.line == 0) find_place(lua, call.expiry_place);
     lua_pushnil(lua);  // no text: that could need memory, and protected_call makes its own
     lua_error(lua);
+}
+
+CallPause::CallPause() : paused_(current_call), began_(thread_time()) {
+    current_call = nullptr;
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+}
+
+CallPause::~CallPause() {
+    const std::int64_t passed = thread_time() - began_;
+    for (CallRecord* call = paused_; call != nullptr; call = call->outer) {
+        if (call->seen != 0) call->seen = call->seen + passed;
+        if (call->polled_limit != 0) call->polled_limit += passed;
+    }
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    current_call = paused_;
+}
+
+void end_call(lua_State* lua) {
+    CallRecord& call = *current_call;
+    if (LuaState::of(call.running).is_lost()) {
+        CallRecord* outermost = &call;
+        while (outermost->outer != nullptr) outermost = outermost->outer;
+        outermost->can_escape = false;
+        _longjmp(outermost->escape, 1);
+    }
+    if (call.expired == 0) call.expired_at = thread_time();
+    call.expired = 1;
+    lua_sethook(call.running, watch_hook, LUA_MASKCOUNT, 1);
+    raise_expiry(lua);
+    std::abort();  // raise_expiry does not return
 }
 
 void find_place(lua_State* lua, CallRecord::ScriptPlace& place) {

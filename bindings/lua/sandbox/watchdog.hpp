@@ -89,6 +89,24 @@ inline void poll_budget(lua_State* lua) {
 /// were under way are replaced by empty ones.
 void finish_escape(CallRecord& outermost);
 
+/// While this lives, the calls that are under way on this thread wait: their time does not count, and what is called
+/// meanwhile is on its own. For functions that Lua calls and that let simulated time pass.
+class CallPause {
+public:
+    CallPause();
+    ~CallPause();
+    CallPause(const CallPause&) = delete;
+    CallPause& operator=(const CallPause&) = delete;
+
+private:
+    CallRecord* paused_;
+    std::int64_t began_;
+};
+
+/// Ends the innermost call as if its budget were used up, whatever the script tries to catch. Raises a Lua error;
+/// nothing around it may need a destructor. When the call's state was lost during a pause, leaves it by a jump.
+[[noreturn]] void end_call(lua_State* lua);
+
 /// The hook that stops or slices. Removes itself when there is nothing to do.
 void watch_hook(lua_State* lua, lua_Debug* activation);
 
