@@ -93,7 +93,11 @@ Expected<void> LiveSystem::restart() {
     Expected<SystemSpec> spec = running_->spec;
     if (!file_.empty()) spec = read_spec(file_, project_, options_);
     if (!spec) return Unexpected(spec.error());
-    auto next = build(std::move(*spec));
+    return restart_as(std::move(*spec));
+}
+
+Expected<void> LiveSystem::restart_as(SystemSpec spec) {
+    auto next = build(std::move(spec));
     if (!next) return Unexpected(next.error());
     take(std::move(*next));
     activate();

@@ -46,6 +46,8 @@ public:
     /// Reads the file again and starts anew from time 0, activated: everything is as in the file. On an error the
     /// system that runs has not been touched.
     Expected<void> restart();
+    /// The same, with another description in the place of the file.
+    Expected<void> restart_as(SystemSpec spec);
     /// Counts the starts: a pointer into the system is void when this has grown.
     int starts() const { return starts_; }
 

@@ -69,6 +69,9 @@ struct Objects::Core {
 struct ObjectAccess {
     static Objects::Core& core(Objects& objects) { return *objects.core_; }
     static bool hardware(const Objects& objects) { return objects.hardware_; }
+    static void note_look(const Objects& objects, const PortAt& port) {
+        if (objects.look_) objects.look_(port);
+    }
 };
 
 /// The objects that a metamethod or method belongs to.

@@ -57,6 +57,8 @@ public:
 
     /// Real robots: they can't be teleported, pressed or pushed from here.
     void set_hardware(bool hardware) { hardware_ = hardware; }
+    /// Is called with every port that a script looks at. Must not throw.
+    void on_look(std::function<void(const PortAt&)> look) { look_ = std::move(look); }
 
     // These push one object, and may raise a Lua error (memory): with nothing alive that needs its destructor, or
     // within a protected call. The names are not looked up yet.
@@ -97,6 +99,7 @@ private:
     Objects();
 
     bool hardware_ = false;
+    std::function<void(const PortAt&)> look_;
     std::unique_ptr<Core> core_;
     friend struct ObjectAccess;
 };

@@ -108,7 +108,10 @@ int port_index(lua_State* L) {
         if (!at) return Unexpected(at.error());
         if (lua_type(L, 2) == LUA_TSTRING) {
             const std::string_view key = text_at(L, 2);
-            if (contains(properties, key)) return property(*at, key);
+            if (contains(properties, key)) {
+                ObjectAccess::note_look(objects, *at);
+                return property(*at, key);
+            }
             if (contains(called, key)) return Answer{MethodName{method, std::string(key)}};
         }
         return failure(explain_key(L, *at));
