@@ -18,5 +18,6 @@ void add_attach_command(CLI::App& app, int& status);
 void add_types_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_new_command(CLI::App& app, int& status);
+void add_test_command(CLI::App& app, int& status);
 
 }  // namespace nezumi::cli

@@ -41,6 +41,7 @@ int run(int count, char** words) {
     cli::add_types_command(app, status);
     cli::add_check_command(app, status);
     cli::add_new_command(app, status);
+    cli::add_test_command(app, status);
 
     if (const std::string wrong = unknown_command(app, count, words); !wrong.empty()) return cli::refuse(wrong);
     try {

@@ -1,0 +1,120 @@
+// `nezumi test`: scenarios, each run in a process of its own.
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bindings/cli/commands.hpp"
+#include "bindings/cli/environment.hpp"
+#include "bindings/lua/scenario/reporter.hpp"
+#include "bindings/lua/scenario/test_session.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+struct TestCommand {
+    std::vector<std::string> paths;
+    std::string filter;
+    bool list = false;
+    std::uint64_t seed = 124;
+    std::size_t repeat = 1;
+    std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+    std::string junit;
+    bool tap = false;
+    std::string folder = "nezumi-test";
+};
+
+void write_out(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fflush(stdout);
+}
+
+int list(const TestPlan& plan) {
+    int status = kDone;
+    for (const PlannedFile& file : plan.files) {
+        for (const Error& error : file.errors) status = refuse(error);
+    }
+    for (const PlannedRun& run : plan.runs) {
+        const Place& place = plan.files[run.file].scenarios[run.scenario].place;
+        fmt::print("{}  {}:{}\n", run.name, place.file, place.line);
+    }
+    return status;
+}
+
+// Whether the file can be written is found out before hours of tests have run.
+Expected<std::ofstream> open_file(const std::string& path) {
+    std::ofstream file(path);
+    if (!file) return failure(std::string("can't be written: ") + std::strerror(errno), {path});
+    return file;
+}
+
+int test(const TestCommand& command) {
+    SessionOptions options;
+    options.seed = command.seed;
+    options.repeat = command.repeat;
+    options.jobs = command.jobs;
+    options.folder = command.folder;
+    options.installed = installed_folders();
+    options.systems = simulated_systems;
+    const auto plan = plan_tests({.paths = {command.paths.begin(), command.paths.end()},
+                                  .filter = command.filter,
+                                  .seed = command.seed,
+                                  .installed = options.installed});
+    if (!plan) return refuse(plan.error());
+    if (command.list) return list(*plan);
+
+    std::ofstream junit;
+    if (!command.junit.empty()) {
+        auto file = open_file(command.junit);
+        if (!file) return refuse(file.error());
+        junit = std::move(*file);
+    }
+    const bool colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+    const auto reporter = command.tap ? tap_reporter(write_out) : console_reporter(write_out, colour);
+    const SessionEnd end = run_tests(*plan, options, *reporter);
+    if (junit.is_open()) {
+        junit << junit_text(end.reports, end.summary);
+        junit.close();
+        if (!junit) return refuse(Error{"can't be written", {command.junit}});
+    }
+    if (end.interrupted) return refuse("interrupted: not all scenarios have run");
+    return end.status();
+}
+
+}  // namespace
+
+void add_test_command(CLI::App& app, int& status) {
+    CLI::App* command = app.add_subcommand("test", "Run scenarios: files *_test.lua");
+    command->footer(
+        "Without PATHS: the scenarios in tests/ and behaviors/ of the project. Exit status: 0 all passed, 1 a "
+        "scenario\n"
+        "failed, 2 something could not be run.");
+    auto options = std::make_shared<TestCommand>();
+    command->add_option("PATHS", options->paths, "scenario files, and folders that are searched for *_test.lua");
+    command->add_option("--filter", options->filter,
+                        "only runs whose name contains this; a whole name means only that");
+    command->add_flag("--list", options->list, "show the names of the runs and where they are, and run nothing");
+    command->add_option("--seed", options->seed, "decides everything that is drawn at random")->capture_default_str();
+    command->add_option("--repeat", options->repeat, "make each run so often; all must have the same trace hash")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->capture_default_str();
+    command->add_option("--jobs", options->jobs, "processes at a time; the results do not depend on it")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+        ->capture_default_str();
+    command->add_option("--junit", options->junit, "write the results to this file, as JUnit's XML");
+    command->add_flag("--tap", options->tap, "print the results as TAP");
+    command->add_option("-o,--output", options->folder, "the folder for traces and pictures of failures")
+        ->capture_default_str();
+    command->callback([options, &status] { status = test(*options); });
+}
+
+}  // namespace nezumi::cli
