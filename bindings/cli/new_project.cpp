@@ -138,7 +138,7 @@ std::vector<NewFile> project_files(const std::string& name) {
         {"behaviors/systems/room.lua", std::string(system)},
         {"tests/explorer_test.lua", std::string(scenario)},
         {"README.md", readme(name)},
-        {".gitignore", "# What a failed scenario leaves to look at.\n/nezumi-results/\n"},
+        {".gitignore", "# What a failed scenario leaves to look at.\n/nezumi-test/\n"},
         {".luarc.json", luarc()},
         {".nezumi/library/nezumi.lua", annotations()},
         {".nezumi/plugin.lua", annotations_plugin},

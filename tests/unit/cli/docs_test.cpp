@@ -149,3 +149,5 @@ void follow(const std::string& name) {
 }  // namespace
 
 TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("editors.md"); }
+
+TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("tutorial.md"); }
