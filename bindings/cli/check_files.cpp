@@ -14,6 +14,7 @@
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/scenario/scenario_file.hpp"
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
 
@@ -102,6 +103,13 @@ std::vector<Error> check_words(const std::string& text, const std::string& shown
     return chunk ? std::vector<Error>() : std::move(chunk.error());
 }
 
+// Declares the scenarios and runs none.
+std::vector<Error> check_scenarios(const fs::path& file, const LiveOptions& options) {
+    std::vector<Error> errors;
+    static_cast<void>(ScenarioFile::read(file, {.installed = options.installed}, &errors));
+    return errors;
+}
+
 // "(did you mean 'near.lua'?)" among the files of the folder where this one is not.
 std::string near_file(const fs::path& path) {
     std::vector<std::string> names;
@@ -150,7 +158,7 @@ std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) 
             return check_words(*text, shown, {system_word_names().begin(), system_word_names().end()});
         case LuaKind::system: return check_system(*text, shown, project, options);
         case LuaKind::robot: return check_robot_text(*text, shown, project);
-        case LuaKind::scenario: return check_words(*text, shown, {"scenario", "range"});
+        case LuaKind::scenario: return check_scenarios(file, options);
         case LuaKind::definitions: break;
     }
     const auto chunk = compile(*text, shown);

@@ -138,9 +138,10 @@ TEST_CASE("robot files, modules of systems and scenarios are checked", "[cli][ch
     CHECK(wrong("behaviors/r.lua", "return robot_model { mass = 1, drive = { radius = 0.02 } }").size() == 1);
     CHECK(wrong("behaviors/lib/m.lua", "return function() robot('m', {}); conect('a.b', 'c.d') end") ==
           Lines{"behaviors/lib/m.lua:1:35: unknown global 'conect' (did you mean 'connect'?)"});
-    const Lines scenario = wrong("tests/a_test.lua", "scenaro('x', function(s) end)");
-    REQUIRE(scenario.size() == 1);
-    CHECK(scenario[0].find("tests/a_test.lua:1:1: unknown global 'scenaro' (did you mean 'scenario'?)") == 0);
+    CHECK(wrong("tests/a_test.lua", "scenaro('x', function(s) end)") ==
+          Lines{"tests/a_test.lua:1:1: unknown global 'scenaro' (did you mean 'scenario'?)"});
+    CHECK(wrong("tests/a_test.lua", "scenario('x', function(s) error('never run') end)") == Lines{});
+    CHECK(wrong("tests/a_test.lua", "scenario('x', { timout = 3 }, function(s) end)").size() == 1);
 }
 
 TEST_CASE("what is shipped has nothing wrong with it", "[cli][check]") {

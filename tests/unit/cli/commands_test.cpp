@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "engine/messages.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -63,12 +64,35 @@ TEST_CASE("nezumi new writes a behaviour that passes nezumi check, and never twi
           "wrote tests/line_follower_test.lua\n"
           "now try: nezumi test tests/line_follower_test.lua\n");
     CHECK(run_nezumi({"check", "."}, folder).out == "2 files: nothing wrong\n");
+    CHECK(run_nezumi({"test"}, folder).status == 0);
 
     const Outcome second = run_nezumi(words, folder);
     CHECK(second.status == 2);
     CHECK(second.error ==
           "behaviors/line_follower.lua: exists already, and nothing is overwritten: choose another name or move it "
           "away\n");
+}
+
+TEST_CASE("what nezumi new writes passes its own scenario whatever the types and names", "[cli][new]") {
+    const Scratch files;
+    const std::string folder = files.path("").string();
+    std::vector<std::string> all{"new", "behavior", "all_types"};
+    for (const std::string_view type : message_type_names) {
+        const std::string port = "_" + std::to_string(all.size()) + ":" + std::string(type);
+        all.insert(all.end(), {"--in", "in" + port, "--out", "out" + port});
+    }
+    for (const std::vector<std::string>& words : {all,
+                                                  {"new", "behavior", "bare"},
+                                                  {"new", "behavior", "watch", "--out", "end:TimedShort"},
+                                                  {"new", "behavior", "table", "--in", "in:TimedString"},
+                                                  {"new", "behavior", "s", "--out", "world:TimedPose3D"}}) {
+        CHECK(run_nezumi(words, folder).status == 0);
+    }
+    CHECK(run_nezumi({"check", "."}, folder).status == 0);
+    const Outcome tested = run_nezumi({"test"}, folder);
+    INFO(tested.out << tested.error);
+    CHECK(tested.status == 0);
+    CHECK(tested.out.find("5 runs: 5 passed") != std::string::npos);
 }
 
 TEST_CASE("nezumi new behavior finds its project from below, and its folder of scenarios", "[cli][new]") {
@@ -91,6 +115,7 @@ TEST_CASE("nezumi new project writes into a folder that is new or empty", "[cli]
     CHECK(run_nezumi({"new", "project", "cloned"}, folder).status == 0);
     CHECK(run_nezumi({"check", "robots", "cloned"}, folder).out == "6 files: nothing wrong\n");
     CHECK(std::filesystem::exists(files.path("robots/.luarc.json")));
+    CHECK(run_nezumi({"test"}, files.path("robots").string()).status == 0);
 
     const Outcome full = run_nezumi({"new", "project", "full"}, folder);
     CHECK(full.status == 2);
