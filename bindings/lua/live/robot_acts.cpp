@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -109,11 +110,21 @@ Expected<void> teleport(System& system, Component& component, const Pose2D& pose
     return system.world()->teleport((*robot)->id(), pose);
 }
 
+bool is_like_a_marker(const System& system, std::string_view name) {
+    if (system.world() == nullptr) return false;
+    const std::vector<MarkerPose> markers = system.world()->markers();
+    std::vector<std::string_view> names;
+    names.reserve(markers.size());
+    for (const MarkerPose& marker : markers) names.push_back(marker.name);
+    return std::find(names.begin(), names.end(), name) != names.end() || !nearest(name, names).empty();
+}
+
 Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index) {
     if (system.world() == nullptr) return failure("there is no simulated world");
     Pose3D pose;
-    std::vector<std::string_view> names;
     const std::vector<MarkerPose> markers = system.world()->markers();
+    std::vector<std::string_view> names;
+    names.reserve(markers.size());
     bool found = false;
     for (const MarkerPose& known : markers) {
         if (known.name == marker) pose = known.pose;

@@ -22,6 +22,8 @@ Expected<Push> read_push(lua_State* L, int index);
 
 /// Puts the robot elsewhere, at rest.
 Expected<void> teleport(System& system, Component& robot, const Pose2D& pose);
+/// Whether the arena has a marker of this name, or of one so near that this is a slip.
+bool is_like_a_marker(const System& system, std::string_view name);
 /// Carries a marker of the arena to `{ x =, y =, z =, heading = }` [m, rad]; what is left out stays as it is. The error
 /// names the nearest marker or field. Raises no Lua error.
 Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index);

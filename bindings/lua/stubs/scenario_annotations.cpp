@@ -227,9 +227,10 @@ function s:disturb(robot, push) end
 ---@param seconds? number [s] without it until `restore`
 function s:press(robot, button, seconds) end
 
----@param robot Component|string
----@param pose { x?: number, y?: number, heading?: number }
-function s:teleport(robot, pose) end
+---A robot, at rest; or a marker of the arena by its name, where what is left out stays as it is.
+---@param thing Component|string
+---@param pose { x?: number, y?: number, z?: number, heading?: number } `z` is for markers
+function s:teleport(thing, pose) end
 
 ---Ends what `drop`, `freeze`, `disturb` and `press` began.
 ---@param thing PortName|Component
