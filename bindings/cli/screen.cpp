@@ -13,7 +13,11 @@
 namespace nezumi::cli {
 namespace {
 
-constexpr std::string_view clear_line = "\r\x1b[K";
+// Takes a line away that was so many columns wide: a terminal that has become narrower has made it several.
+std::string take_away(int columns) {
+    const int more_lines = columns > 0 ? (columns - 1) / Screen::width() : 0;
+    return more_lines > 0 ? fmt::format("\r\x1b[{}A\x1b[J", more_lines) : "\r\x1b[J";
+}
 
 void write_whole(std::string_view text) {
     while (!text.empty()) {
@@ -77,11 +81,12 @@ void Screen::put(std::string line) {
     news_.notify_one();
 }
 
-void Screen::show_status(std::string line) {
+void Screen::show_status(std::string line, int columns) {
     if (!live_) return;
     {
         const std::lock_guard lock(mutex_);
         status_ = std::move(line);
+        status_columns_ = columns;
         status_is_new_ = true;
     }
     news_.notify_one();
@@ -89,11 +94,12 @@ void Screen::show_status(std::string line) {
 
 void Screen::write_all() {
     std::unique_lock lock(mutex_);
+    int shown_columns = 0;
     for (bool ends = false; !ends;) {
         news_.wait(lock, [this] { return ends_ || status_is_new_ || !waiting_.empty(); });
         ends = ends_;
         status_is_new_ = false;
-        std::string text(clear_line);
+        std::string text = take_away(std::exchange(shown_columns, status_columns_));
         for (const std::string& line : std::exchange(waiting_, {})) text += line;
         if (const std::size_t lost = std::exchange(lost_, 0); lost > 0)
             text += fmt::format("({} more lines came faster than this terminal shows them)\n", lost);

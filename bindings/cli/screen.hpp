@@ -24,8 +24,8 @@ public:
     void log(const LogLine& line);
     /// One line of our own.
     void say(const std::string& text);
-    /// The status line from now on; it must fit into `width()` - 1 columns.
-    void show_status(std::string line);
+    /// The status line from now on, so many columns wide: at most `width()` - 1.
+    void show_status(std::string line, int columns);
 
     bool is_live() const { return live_; }
     /// Columns of the terminal.
@@ -44,6 +44,7 @@ private:
     std::vector<std::string> waiting_;
     std::size_t lost_ = 0;
     std::string status_;
+    int status_columns_ = 0;
     bool status_is_new_ = false;
     bool ends_ = false;
     std::thread writer_;

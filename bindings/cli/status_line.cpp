@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace nezumi::cli {
@@ -52,7 +53,7 @@ bool StatusLine::serve(Pacer::Clock::time_point /*until*/) {
     if (!samples_.empty() && now - samples_.back().wall < period) return false;
     samples_.push_back({now, loop_.advanced()});
     if (samples_.size() > most_samples) samples_.pop_front();
-    screen_.show_status(text(Screen::width() - 1));
+    show(static_cast<std::size_t>(Screen::width() - 1));
     return false;
 }
 
@@ -62,7 +63,7 @@ double StatusLine::reached_speed() const {
     return (samples_.back().simulated - samples_.front().simulated) / wall.count();
 }
 
-std::string StatusLine::text(int columns) const {
+void StatusLine::show(std::size_t columns) {
     const System& system = loop_.live().system();
     std::vector<Piece> pieces{{fmt::format("{:10.2f} s", system.now().seconds), "\x1b[1m"}};
     if (loop_.is_paused()) {
@@ -79,7 +80,7 @@ std::string StatusLine::text(int columns) const {
     add_states(system, pieces);
 
     std::string line;
-    auto room = static_cast<std::size_t>(std::max(columns, 0));
+    std::size_t room = columns;
     for (const Piece& piece : pieces) {
         const std::string_view seen = std::string_view(piece.text).substr(0, room);
         room -= seen.size();
@@ -87,7 +88,7 @@ std::string StatusLine::text(int columns) const {
         line += seen;
         if (!piece.colour.empty()) line += "\x1b[0m";
     }
-    return line;
+    screen_.show_status(std::move(line), static_cast<int>(columns - room));
 }
 
 }  // namespace nezumi::cli

@@ -15,8 +15,6 @@ public:
     StatusLine(const RunLoop& loop, Screen& screen) : loop_(loop), screen_(screen) {}
 
     bool serve(Pacer::Clock::time_point until) override;
-    /// The line as it is now, at most `columns` wide without its colours. Exposed for tests.
-    std::string text(int columns) const;
 
 private:
     // A look at both clocks.
@@ -26,6 +24,7 @@ private:
     };
 
     double reached_speed() const;
+    void show(std::size_t columns);
 
     const RunLoop& loop_;
     Screen& screen_;
