@@ -24,7 +24,6 @@ constexpr std::size_t most_labels = 12;  // more robots than that go without the
 struct Bounds {
     double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;  // [m]
     void include(double x, double y, double reach) {
-        if (!std::isfinite(x) || !std::isfinite(y)) return;
         left = std::min(left, x - reach);
         right = std::max(right, x + reach);
         bottom = std::min(bottom, y - reach);
@@ -65,6 +64,23 @@ std::vector<Point2D> outline(const ThingPose& thing) {
     return hull;
 }
 
+// Without what has left the world of numbers: one such coordinate would spoil the whole drawing.
+PictureOf only_finite(PictureOf picture) {
+    std::erase_if(picture.things, [](const ThingPose& thing) {
+        const auto& [position, orientation] = thing.pose;
+        return !std::isfinite(position.x + position.y + position.z + orientation.r + orientation.p + orientation.y);
+    });
+    std::erase_if(picture.robots, [](const PictureOf::Robot& robot) {
+        return !std::isfinite(robot.pose.position.x + robot.pose.position.y + robot.pose.heading);
+    });
+    for (PictureOf::Robot& robot : picture.robots) {
+        std::erase_if(robot.path, [](const Point2D& point) { return !std::isfinite(point.x + point.y); });
+        std::erase_if(robot.rays,
+                      [](const Ray& ray) { return !std::isfinite(ray.from.x + ray.from.y + ray.to.x + ray.to.y); });
+    }
+    return picture;
+}
+
 Bounds bounds_of(const PictureOf& picture) {
     Bounds bounds;
     for (const ThingPose& thing : picture.things) {
@@ -98,7 +114,8 @@ std::string metres(double length) {
 
 class Painter {
 public:
-    Painter(const PictureOf& picture, const std::string& file) : picture_(picture), canvas_(layout(file)) {}
+    Painter(PictureOf picture, const std::string& file)
+        : picture_(only_finite(std::move(picture))), canvas_(layout(file)) {}
 
     Expected<void> paint() {
         cairo_save(context());
@@ -330,7 +347,7 @@ private:
         canvas_.text(side + length * scale_ + 12, bottom + 5, metres(length), 14, ink::text);
     }
 
-    const PictureOf& picture_;
+    PictureOf picture_;
     double scale_ = 1;  // [px/m]
     double floor_width_ = 0, floor_height_ = 0;
     Point2D centre_;
@@ -351,8 +368,8 @@ PictureOf look_at(const System& system, const Paths& paths, std::string title) {
     return picture;
 }
 
-Expected<void> draw_picture(const PictureOf& picture, const std::string& file) {
-    return Painter(picture, file).paint();
+Expected<void> draw_picture(PictureOf picture, const std::string& file) {
+    return Painter(std::move(picture), file).paint();
 }
 
 }  // namespace nezumi::cli

@@ -32,7 +32,8 @@ struct PictureOf {
 /// Takes what there is to be seen now.
 PictureOf look_at(const System& system, const Paths& paths, std::string title);
 
-/// Draws it to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
-Expected<void> draw_picture(const PictureOf& picture, const std::string& file);
+/// Draws it to a file that ends in .png or .svg; what lies at no finite place is left out. An error says why it can't
+/// be written; then there is no file.
+Expected<void> draw_picture(PictureOf picture, const std::string& file);
 
 }  // namespace nezumi::cli

@@ -152,7 +152,7 @@ private:
             if (auto ok = recorder_->finish(); !ok) return Unexpected(ok.error());
         }
         if (picture_) {
-            if (auto ok = draw_picture(*picture_, options_.picture); !ok) return Unexpected(ok.error());
+            if (auto ok = draw_picture(std::move(*picture_), options_.picture); !ok) return Unexpected(ok.error());
         }
         screen_.say(how);
         int status = kDone;

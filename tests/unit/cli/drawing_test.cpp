@@ -1,0 +1,85 @@
+// Pictures and plots: odd contents draw as well as usual ones, and errors leave no file.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "bindings/cli/canvas.hpp"
+#include "bindings/cli/picture.hpp"
+#include "bindings/cli/plot.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::cli;
+
+namespace {
+
+std::string contents(const std::string& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+// Width and height as a PNG's header says them.
+std::pair<int, int> size_of_png(const std::string& bytes) {
+    const auto number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes.at(i));
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+}  // namespace
+
+TEST_CASE("a picture's scale follows what there is to be seen", "[cli][picture]") {
+    const Scratch scratch;
+    const std::string file = scratch.path("a.png").string();
+    PictureOf picture{.title = "nothing"};
+    REQUIRE(draw_picture(picture, file));
+    const auto [width, height] = size_of_png(contents(file));
+    CHECK(width >= 560);
+    CHECK(height >= 240);
+
+    // A wall of 100 km, and a robot that has left the world of numbers.
+    picture.things.push_back({.size = {1e5, 0.1, 0.1}, .color = "#ff0000"});
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    picture.robots.push_back({.name = "lost", .pose = {{nan, nan}, nan}, .path = {{nan, 0}}});
+    REQUIRE(draw_picture(picture, file));
+    CHECK(size_of_png(contents(file)).first < 2000);
+    CHECK(size_of_png(contents(file)).second < 2000);
+}
+
+TEST_CASE("a plot is drawn whatever its values", "[cli][plot]") {
+    const Scratch scratch;
+    const std::string file = scratch.path("a.svg").string();
+    Plot plot{.title = "values"};
+    REQUIRE(draw_plot(plot, file));
+    const double infinity = std::numeric_limits<double>::infinity();
+    plot.series = {
+        {"mouse.ir_sensor_out[1]", {{0, 1}, {1, infinity}, {2, 3}}}, {"constant", {{0, 5}, {2, 5}}}, {"", {}}};
+    plot.limits = {{"at most", 4}};
+    plot.moments = {{"failed", 1.5}};
+    REQUIRE(draw_plot(plot, file));
+    const std::string svg = contents(file);
+    CHECK(svg.find("</svg>") != std::string::npos);
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+}
+
+TEST_CASE("what can't be written is said and leaves no file", "[cli][picture]") {
+    const Scratch scratch;
+    const std::string file = scratch.path("none/a.png").string();
+    const auto drawn = draw_picture({.title = "x"}, file);
+    REQUIRE_FALSE(drawn);
+    CHECK(describe(drawn.error()) == file + ": can't be written: No such file or directory");
+    const std::string there = scratch.path("a.png").string();
+    CHECK(check_can_write(there));
+    CHECK_FALSE(std::filesystem::exists(there));
+    scratch.write("b.png", "mine");
+    CHECK(check_can_write(scratch.path("b.png").string()));
+    CHECK(contents(scratch.path("b.png").string()) == "mine");
+}
