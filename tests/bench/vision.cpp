@@ -37,10 +37,11 @@ ArenaSpec room(int markers) {
             {.at = {2.2 * std::cos(angle + 0.3), 2.2 * std::sin(angle + 0.3), 0.1}, .radius = 0.05, .height = 0.2});
     }
     for (int i = 0; i < markers; ++i) {
+        const int column = i % 3 - 1, row = i / 3;
         arena.markers.push_back({.name = "marker" + std::to_string(i),
                                  .id = i,
                                  .size = 0.1,
-                                 .at = {1, 0.2 * (i % 3 - 1), 0.15 + 0.2 * (i / 3)},
+                                 .at = {1, 0.2 * column, 0.15 + 0.2 * row},
                                  .facing = pi});
     }
     return arena;
