@@ -15,6 +15,7 @@
 
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/scenario_files.hpp"
 #include "bindings/lua/scenario/reporter.hpp"
 #include "bindings/lua/scenario/test_session.hpp"
 
@@ -65,6 +66,7 @@ int test(const TestCommand& command) {
     options.folder = command.folder;
     options.installed = installed_folders();
     options.systems = simulated_systems;
+    options.files = scenario_files;
     const auto plan = plan_tests({.paths = {command.paths.begin(), command.paths.end()},
                                   .filter = command.filter,
                                   .seed = command.seed,
