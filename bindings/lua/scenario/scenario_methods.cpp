@@ -142,8 +142,9 @@ int ScenarioRun::Methods::call(lua_State* lua) {
     if (answered == end_run || run.stopped_) end_call(lua);
     if (answered != raise_text) return answered;
     luaL_where(lua, 1);
-    lua_pushfstring(lua, "%s: %s", method.name, run.raised_.c_str());
-    lua_concat(lua, 2);
+    lua_pushfstring(lua, std::string_view(run.raised_).starts_with(method.name) ? "" : "%s: ", method.name);
+    lua_pushlstring(lua, run.raised_.data(), run.raised_.size());
+    lua_concat(lua, 3);
     return lua_error(lua);
 }
 
