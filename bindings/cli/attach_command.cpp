@@ -44,7 +44,7 @@ int attach(const AttachOptions& options) {
     const auto end = run_prompt(
         client, {.greeting = "attached to " + list_of({reached->system}) + "; help() tells more, Ctrl-D leaves",
                  .history = history_path(),
-                 .may_stop = true});
+                 .attached = true});
     return end ? static_cast<int>(kDone) : refuse(end.error());
 }
 

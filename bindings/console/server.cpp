@@ -64,22 +64,23 @@ void ConsoleServer::after_tick() {
     }
 }
 
-void ConsoleServer::log(const LogLine& line) {
+void ConsoleServer::tell(const Event& event) {
     std::vector<ClientId> listeners;
     {
         const std::lock_guard lock(mutex_);
         listeners = listeners_;
     }
-    for (const ClientId id : listeners) {
-        transport_.send(
-            id, {.kind = Event::Kind::log, .text = console_line(line), .level = std::string(to_text(line.level))});
-    }
+    for (const ClientId id : listeners) transport_.send(id, event);
 }
 
+void ConsoleServer::log(const LogLine& line) {
+    tell({.kind = Event::Kind::log, .text = console_line(line), .level = std::string(to_text(line.level))});
+}
+
+void ConsoleServer::say(const std::string& text) { tell({.kind = Event::Kind::output, .text = text}); }
+
 void ConsoleServer::show_status(const std::string& text, bool running) {
-    const std::lock_guard lock(mutex_);
-    for (const ClientId id : listeners_)
-        transport_.send(id, {.kind = Event::Kind::status, .ok = running, .text = text});
+    tell({.kind = Event::Kind::status, .ok = running, .text = text});
 }
 
 void ConsoleServer::take(const Transport::Incoming& incoming) {

@@ -49,6 +49,7 @@ public:
 
     /// Tells the clients that want to know. From any thread.
     void log(const LogLine& line);
+    void say(const std::string& text);
     /// The same for the state in one line.
     void show_status(const std::string& text, bool running);
 
@@ -61,6 +62,7 @@ private:
         bool batch = false;
     };
 
+    void tell(const Event& event);
     void take(const Transport::Incoming& incoming);
     void interrupt(ClientId id, Console& console);
     void deal_with(ClientId id, Console& console);

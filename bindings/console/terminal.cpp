@@ -68,7 +68,7 @@ private:
 
 Expected<PromptEnd> Prompt::run() {
     auto editor = LineEditor::create(
-        options_.input, options_.output, options_.may_stop,
+        options_.input, options_.output, options_.attached,
         {.wait =
              [this](std::string&) {
                  while (true) {
@@ -226,7 +226,7 @@ void Prompt::show(const Event& event, std::string& text) {
             return;
         case Event::Kind::bye:
             ended_ = true;
-            if (!event.text.empty()) text += event.text + "\n";
+            if (options_.attached && !event.text.empty()) text += without_controls(event.text) + "\n";
             return;
     }
 }

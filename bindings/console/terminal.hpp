@@ -15,7 +15,7 @@ struct TerminalOptions {
     int output = 1;                 ///< the same terminal
     std::string greeting;           ///< the first line; "" for none
     std::filesystem::path history;  ///< where inputs are kept; empty: nowhere
-    bool may_stop = false;          ///< Ctrl-Z stops the process: for one that runs nothing
+    bool attached = false;          ///< the system runs elsewhere: Ctrl-Z may stop this process
 };
 
 /// Why the prompt went away.
