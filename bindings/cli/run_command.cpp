@@ -20,6 +20,7 @@
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/problems.hpp"
 #include "bindings/cli/recorder.hpp"
+#include "bindings/cli/run_console.hpp"
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
 #include "bindings/cli/screen.hpp"
@@ -65,7 +66,9 @@ std::string summary(const RunLoop& loop, std::chrono::duration<double> wall) {
 class Run {
 public:
     explicit Run(RunOptions options)
-        : options_(std::move(options)), screen_(!options_.headless && isatty(STDERR_FILENO) != 0) {}
+        : options_(std::move(options)),
+          prompt_(!options_.headless && has_terminal()),
+          screen_(!options_.headless && !prompt_ && isatty(STDERR_FILENO) != 0) {}
 
     Expected<int> operator()() {
         auto live = LiveSystem::load(options_.file, live_options());
@@ -75,11 +78,13 @@ public:
         if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
 
         live_->activate();
-        RunLoop loop(*live_, {.speed = options_.speed, .hardware = false, .problems = &problems_});
+        loop_.emplace(*live_, RunLoop::Options{.speed = options_.speed, .hardware = false, .problems = &problems_});
+        RunLoop& loop = *loop_;
         loop.end_when(stop_signals.received());
         loop.end_at(options_.duration);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
+        if (auto open = open_console(); !open) return Unexpected(open.error());
         if (recorder_ || !options_.picture.empty()) loop.after_tick([this, &loop] { keep_trace(loop); });
 
         const auto begin = Pacer::Clock::now();
@@ -92,6 +97,7 @@ public:
         if (to_the_end) take_results();
         stop(loop);
         if (!to_the_end) take_results();
+        console_->close();
         return finish(how);
     }
 
@@ -104,12 +110,24 @@ private:
                       .out_of_time_is_fatal = options_.headless,
                       .log = [this](const LogLine& line) {
                           problems_.take(line);
-                          screen_.log(line);
+                          if (!console_ || !console_->log(line)) screen_.log(line);
                       }};
         live.budget = options_.headless ? headless_budget : paced_budget;
         live.watch = !options_.headless;
-        live.print = [this](std::string_view line) { screen_.say(std::string(line)); };
+        live.print = [this](std::string_view line) {
+            if (!console_ || !console_->say(std::string(line))) screen_.say(std::string(line));
+        };
         return live;
+    }
+
+    Expected<void> open_console() {
+        console_.emplace(*loop_, std::filesystem::path(options_.file).stem().string());
+        loop_->add(*console_);
+        loop_->after_tick([this] { console_->after_tick(); });
+        // A run that nobody can attach to is better than none.
+        if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);
+        if (options_.batch) return console_->open_batch();
+        return prompt_ ? console_->open_prompt() : Expected<void>();
     }
 
     Expected<void> prepare_files() {
@@ -154,8 +172,9 @@ private:
         if (picture_) {
             if (auto ok = draw_picture(std::move(*picture_), options_.picture); !ok) return Unexpected(ok.error());
         }
-        screen_.say(how);
-        int status = kDone;
+        // What --batch says is the same each time, and how long it took is not.
+        if (!options_.batch) screen_.say(how);
+        int status = console_->all_well() ? kDone : kFailed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;
             screen_.say(
@@ -170,6 +189,7 @@ private:
     }
 
     RunOptions options_;
+    bool prompt_;
     Screen screen_;  // before all that speaks through it
     Problems problems_;
     std::unique_ptr<LiveSystem> live_;
@@ -178,6 +198,8 @@ private:
     int starts_ = 0;
     std::optional<PictureOf> picture_;
     std::uint64_t hash_ = 0;
+    std::optional<RunLoop> loop_;
+    std::optional<RunConsole> console_;
 };
 
 }  // namespace

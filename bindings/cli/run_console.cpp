@@ -52,7 +52,7 @@ Expected<void> RunConsole::open_batch() {
     if (!socket) return Unexpected(socket.error());
     loop_.pause();
     client_ = std::thread([this, client = ConsoleClient(std::move(*socket))]() mutable {
-        all_well_ = run_batch(client, {});
+        all_well_ = run_batch(client, {.own = true});
         left_ = true;
         client.close();
     });

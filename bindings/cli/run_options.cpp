@@ -56,6 +56,9 @@ void declare_run_options(CLI::App& command, RunWords& words) {
     command.add_flag("--headless", words.headless,
                      "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; "
                      "reaching that ends the run");
+    command.add_flag("--batch", words.batch,
+                     "console commands come from standard input; time moves only by their step and run, as fast as "
+                     "possible unless --speed is given. As --headless otherwise");
     command.add_option("--speed", words.speed, "times real time (default 1), or max: without waiting")
         ->type_name("N|max");
     command.add_option("--duration", words.duration, "end at this simulated time [s] (default: at Ctrl-C)")
@@ -75,13 +78,16 @@ void declare_run_options(CLI::App& command, RunWords& words) {
         ->type_name("NAME.PORT,...");
     command.footer(
         "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a second one at "
-        "once.\nExit status: 0 the run came to its end, 1 it did and a component was in ERROR then, 2 it could not be "
-        "run.");
+        "once.\nExit status: 0 the run came to its end, 1 it did and a component was in ERROR then or a command of "
+        "--batch had failed, 2 it could not be run.");
 }
 
 Expected<RunOptions> read_run_options(const RunWords& words) {
-    RunOptions options{.file = words.file, .headless = words.headless, .trace_hash = words.trace_hash};
-    if (words.speed == "max") {
+    RunOptions options{.file = words.file,
+                       .headless = words.headless || words.batch,
+                       .batch = words.batch,
+                       .trace_hash = words.trace_hash};
+    if (words.speed == "max" || (words.speed.empty() && words.batch)) {
         options.speed = as_fast_as_possible;
     } else if (!words.speed.empty()) {
         const auto speed = number<double>(words.speed);

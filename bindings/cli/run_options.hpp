@@ -20,6 +20,7 @@ struct RunWords {
     std::string file;
     std::string speed, duration, seed, threads, picture, record, ports;
     bool headless = false;
+    bool batch = false;
     bool trace_hash = false;
 };
 
@@ -29,7 +30,8 @@ void declare_run_options(CLI::App& command, RunWords& words);
 struct RunOptions {
     std::string file;
     bool headless = false;
-    double speed = 1;  ///< a factor of real time; `as_fast_as_possible` for "max"
+    bool batch = false;  ///< commands come from standard input; headless as well
+    double speed = 1;    ///< a factor of real time; `as_fast_as_possible` for "max"
     double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
     std::optional<std::uint64_t> seed;
     int threads = 1;

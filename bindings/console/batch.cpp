@@ -62,8 +62,9 @@ bool Batch::run_all() {
 bool Batch::run(const std::string& text, int line) {
     first_line_ = line;
     const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::eval, .text = text}));
-    if (!answer) fmt::print(files_.error, "{}\n", place("the system has ended"));
-    return answer && answer->ok;
+    if (answer) return answer->ok;
+    if (!files_.own) fmt::print(files_.error, "{}\n", place("the system has ended"));
+    return files_.own;
 }
 
 bool Batch::is_complete(const std::string& text) {

@@ -10,6 +10,7 @@ namespace nezumi {
 
 /// Where commands come from and what is said goes.
 struct BatchFiles {
+    bool own = false;      ///< the system runs for these commands: that it ends, by `quit()`, is no failure of the next
     int input = 0;         ///< commands; an input of several lines is taken whole
     FILE* out = stdout;    ///< results, and what commands print and watch
     FILE* error = stderr;  ///< errors, with the line that they are from, and the log
