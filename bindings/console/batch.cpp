@@ -100,7 +100,7 @@ std::optional<std::string> Batch::read_line() {
 
 std::optional<Event> Batch::wait_for_answer(std::int64_t id) {
     for (;;) {
-        const auto event = client_.next(-1);
+        auto event = client_.next(-1);
         if (!event && client_.is_open()) continue;  // a signal
         if (!event) return std::nullopt;
         if (event->kind == Event::Kind::answer && event->id == id) return event;

@@ -1,4 +1,5 @@
-// Feeds the console's reader whatever a socket could bring: it takes a line or says why not, and keeps no more than one.
+// Feeds the console's reader whatever a socket could bring: it takes a line or says why not, and keeps no more than
+// one.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

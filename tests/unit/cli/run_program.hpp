@@ -1,6 +1,7 @@
 // Runs the real executable, as a person or a script would, and keeps what it said.
 #pragma once
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/types.h>
 #include <sys/wait.h>
@@ -22,10 +23,10 @@ inline std::string nezumi_program() {
     return path.substr(0, path.rfind('/') + 1) + "nezumi";
 }
 
-/// A program that runs, with its standard output and error in pipes and an empty standard input.
+/// A program that runs, with its standard output and error in pipes and a file, or nothing, as standard input.
 class Program {
 public:
-    explicit Program(std::vector<std::string> words, const std::string& folder = "") {
+    explicit Program(std::vector<std::string> words, const std::string& folder = "", const std::string& input = "") {
         words.insert(words.begin(), nezumi_program());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
@@ -38,6 +39,7 @@ public:
             // From here to exec only what may follow a fork.
             if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
             close(STDIN_FILENO);
+            if (!input.empty() && open(input.c_str(), O_RDONLY) != STDIN_FILENO) _exit(126);
             dup2(out_pipe[1], STDOUT_FILENO);
             dup2(error_pipe[1], STDERR_FILENO);
             for (const int fd : {out_pipe[0], out_pipe[1], error_pipe[0], error_pipe[1]}) close(fd);
@@ -113,9 +115,11 @@ struct Outcome {
     std::string error;  ///< standard error
 };
 
-/// Runs `nezumi WORDS...` to its end, in `folder` or the tests' own (the project's root).
-inline Outcome run_nezumi(std::vector<std::string> words, const std::string& folder = "") {
-    Program program(std::move(words), folder);
+/// Runs `nezumi WORDS...` to its end, in `folder` or the tests' own (the project's root), with the file `input` as
+/// its standard input.
+inline Outcome run_nezumi(std::vector<std::string> words, const std::string& folder = "",
+                          const std::string& input = "") {
+    Program program(std::move(words), folder, input);
     const int status = program.wait();
     return {status, program.out, program.error};
 }

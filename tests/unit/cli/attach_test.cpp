@@ -1,0 +1,147 @@
+// Commands from scripts: `nezumi run --batch` and `nezumi attach`.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// A folder for sockets of this test's own, and a system.
+struct Place {
+    Place() {
+        if (const char* given = std::getenv("XDG_RUNTIME_DIR")) before = given;
+        std::filesystem::create_directory(scratch.path("runtime"));
+        setenv("XDG_RUNTIME_DIR", scratch.path("runtime").c_str(), 1);
+        scratch.write("behaviors/it.lua", R"(
+param("speed_x", 0.1, { min = 0.0, max = 1.5 })
+state.count = 0
+function on_execute()
+  state.count = state.count + 1
+  if state.count % 5 == 0 then log.warn("five more") end
+end
+)");
+        system = scratch.write("tiny.lua", "behavior \"it\" { script = \"it\" }\n").string();
+    }
+    ~Place() {
+        if (before) {
+            setenv("XDG_RUNTIME_DIR", before->c_str(), 1);
+        } else {
+            unsetenv("XDG_RUNTIME_DIR");
+        }
+    }
+    Place(const Place&) = delete;
+    Place& operator=(const Place&) = delete;
+
+    Outcome batch(const std::string& commands) const {
+        return run_nezumi({"run", system, "--batch"}, "", scratch.write("commands", commands).string());
+    }
+    Scratch scratch;
+    std::string system;
+    std::optional<std::string> before;
+};
+
+// A system that runs until it is told to end.
+struct Running : Place {
+    Running() {
+        for (int tries = 0; tries < 300 && run_nezumi({"attach", "--list"}).status != 0; ++tries) usleep(100'000);
+    }
+    Program program{{"run", system, "--headless"}};
+};
+
+}  // namespace
+
+TEST_CASE("--batch runs commands in order; time moves only by step and run", "[cli][batch]") {
+    const Place place;
+    const Outcome outcome = place.batch(
+        "it.state.count\nstep(3)\nit.state.count\n\n-- nothing\nfor i = 1, 2 do\n  print(i)\nend\nrun(0.02)\n"
+        "it.state.count\nit.config.speed_x = 0.5\nit.config.speed_x");
+    CHECK(outcome.out == "0\n3\n1\n2\n5\n0.5\n");
+    CHECK(outcome.error == "[    0.040] warn  it: five more\n");
+    CHECK(outcome.status == 0);
+}
+
+TEST_CASE("an error in --batch costs a command, is told with its line, and shows in the exit status", "[cli][batch]") {
+    const Place place;
+    const Outcome outcome = place.batch("1\nx = = 1\n2\nfunction f()\n  error 'no'\nend\nf()\nit.cofig\n3\nx = {");
+    CHECK(outcome.out == "1\n2\n3\n");
+    CHECK(outcome.error ==
+          "line 2: unexpected symbol near '='\nline 7: no\nline 8: it has no 'cofig' (did you mean 'config'?)\n"
+          "line 10: unexpected symbol near <eof>\n");
+    CHECK(outcome.status == 1);
+}
+
+TEST_CASE("--batch says the same each time, also with much output", "[cli][batch]") {
+    const Place place;
+    const std::string commands =
+        "for i = 1, 20000 do print(i, ('x'):rep(100)) end\nrun(2)\nit.state.count\nquit()\n'not'\n";
+    const Outcome one = place.batch(commands);
+    const Outcome other = place.batch(commands);
+    CHECK(one.status == 0);
+    CHECK(one.out.size() > 2'000'000);
+    CHECK(one.out.ends_with("\n200\n"));
+    CHECK(one.out == other.out);
+    CHECK(one.error == other.error);
+}
+
+TEST_CASE("attach --eval prints what a text gives, and its exit status says how it went", "[cli][attach]") {
+    const Running running;
+    const Outcome value = run_nezumi({"attach", "--eval", "1 + 1"});
+    CHECK(value.out == "2\n");
+    CHECK(value.error.empty());
+    CHECK(value.status == 0);
+    const Outcome wrong = run_nezumi({"attach", "tiny", "--eval", "it.config.speed_x = 9"});
+    CHECK(wrong.out.empty());
+    CHECK(wrong.error == "parameter 'speed_x' (number): 9.0 is above its maximum 1.5\n");
+    CHECK(wrong.status == 1);
+    CHECK(run_nezumi({"attach", "--eval", "drive 'it'"}).status == 1);
+    const std::string commands = running.scratch.write("commands", "1\nnone\n2\n").string();
+    const Outcome piped = run_nezumi({"attach"}, "", commands);
+    CHECK(piped.out == "1\n2\n");
+    CHECK(piped.status == 1);
+}
+
+TEST_CASE("attach says what runs when it can't find its system", "[cli][attach]") {
+    {
+        const Place place;
+        for (const std::vector<std::string>& words : {std::vector<std::string>{"attach"}, {"attach", "--list"}}) {
+            const Outcome outcome = run_nezumi(words);
+            CHECK(outcome.error == "nezumi: nothing is running: start a system with `nezumi run FILE`\n");
+            CHECK(outcome.status == 2);
+        }
+    }
+    const Running running;
+    const Outcome slip = run_nezumi({"attach", "tinny", "--eval", "1"});
+    CHECK_THAT(slip.error,
+               Catch::StartsWith("nezumi: no system 'tinny' is running (did you mean 'tiny'?); running: tiny "));
+    CHECK(slip.status == 2);
+}
+
+TEST_CASE("quit by attach ends a run in good order", "[cli][attach]") {
+    Running running;
+    CHECK(run_nezumi({"attach", "--eval", "quit()"}).status == 0);
+    CHECK(running.program.wait() == 0);
+    CHECK(run_nezumi({"attach", "--eval", "1"}).status == 2);
+}
+
+TEST_CASE("another user does not get in", "[cli][attach]") {
+    Running running;
+    const auto mode = std::filesystem::status(running.scratch.path("runtime/nezumi")).permissions();
+    CHECK(mode == std::filesystem::perms(0700));
+    if (geteuid() != 0) return;  // only root can be somebody else
+    std::filesystem::permissions(running.scratch.path(""), std::filesystem::perms(0755));
+    std::filesystem::permissions(running.scratch.path("runtime"), std::filesystem::perms(0755));
+    REQUIRE(seteuid(65534) == 0);
+    std::error_code error;
+    const std::filesystem::directory_iterator files(running.scratch.path("runtime/nezumi"), error);
+    REQUIRE(seteuid(0) == 0);
+    CHECK(error == std::errc::permission_denied);
+}
