@@ -1,6 +1,7 @@
 // Work beside the tick: given at t, its result is there at t + latency.
 #pragma once
 
+#include <cassert>
 #include <chrono>
 #include <future>
 #include <optional>
@@ -18,7 +19,8 @@ public:
     /// Between `start` and the `take` or `finish` that gave the result.
     bool busy() const { return future_.valid(); }
 
-    /// Starts `work`, a function without arguments, whose result is due `latency` [s] from now. It must not be busy.
+    /// Starts `work`, a function without arguments that does not throw, whose result is due `latency` [s] from now. It
+    /// must not be busy.
     template <class Work>
     void start(const Time& now, double latency, Work&& work) {
         assert(!busy());

@@ -59,7 +59,7 @@ struct Running : Place {
 
 }  // namespace
 
-TEST_CASE("--batch runs commands in order; time moves only by step and run", "[cli][batch]") {
+TEST_CASE("the option --batch runs commands in order; time moves only by step and run", "[cli][batch]") {
     const Place place;
     const Outcome outcome = place.batch(
         "it.state.count\nstep(3)\nit.state.count\n\n-- nothing\nfor i = 1, 2 do\n  print(i)\nend\nrun(0.02)\n"
@@ -79,7 +79,7 @@ TEST_CASE("an error in --batch costs a command, is told with its line, and shows
     CHECK(outcome.status == 1);
 }
 
-TEST_CASE("--batch says the same each time, also with much output", "[cli][batch]") {
+TEST_CASE("the option --batch says the same each time, also with much output", "[cli][batch]") {
     const Place place;
     const std::string commands =
         "for i = 1, 20000 do print(i, ('x'):rep(100)) end\nrun(2)\nit.state.count\nquit()\n'not'\n";

@@ -1,0 +1,71 @@
+// Work beside the tick: when its result is there, and by which clock.
+#include "engine/late_work.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+using namespace nezumi;
+
+namespace {
+
+Time at(double seconds) { return {std::llround(seconds * 100), seconds}; }
+
+void sleep_ms(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
+
+}  // namespace
+
+TEST_CASE("in simulated time a result is there at t + latency, not before, however quick or slow the work is",
+          "[engine][latency]") {
+    for (const int slow : {0, 30}) {
+        LateWork<int> work;
+        work.start(at(1), 0.05, [slow] {
+            sleep_ms(slow);
+            return 42;
+        });
+        sleep_ms(30 - slow);
+        for (int tick = 0; tick < 5; ++tick) CHECK_FALSE(work.take(at(1 + tick / 100.0), true));
+        CHECK(work.busy());
+        CHECK(work.take(at(1 + 5 / 100.0), true) == 42);  // waits for it
+        CHECK_FALSE(work.take(at(2), true));              // once
+        CHECK_FALSE(work.busy());
+    }
+}
+
+TEST_CASE("without latency a result is there in the tick in which it was asked for", "[engine][latency]") {
+    LateWork<int> work;
+    work.start(at(3), 0, [] { return 8; });
+    CHECK(work.take(at(3), true) == 8);
+}
+
+TEST_CASE("on the wall clock a result is there when it is ready, and nobody waits", "[engine][latency]") {
+    std::atomic<bool> go = false;
+    LateWork<int> work;
+    work.start(at(0), 10, [&] {
+        while (!go) sleep_ms(1);
+        return 2;
+    });
+    CHECK_FALSE(work.take(at(100), false));
+    go = true;
+    std::optional<int> result;
+    for (int i = 0; i < 5000 && !result; ++i) {
+        sleep_ms(1);
+        result = work.take(at(0), false);
+    }
+    CHECK(result == 2);
+}
+
+TEST_CASE("work that is finished without being taken is forgotten", "[engine][latency]") {
+    std::atomic<bool> done = false;
+    LateWork<int> work;
+    work.start(at(0), 0.01, [&] {
+        sleep_ms(10);
+        done = true;
+        return 1;
+    });
+    work.finish();
+    CHECK(done);
+    CHECK_FALSE(work.take(at(1), true));
+}
