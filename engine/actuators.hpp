@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,34 +22,45 @@ public:
     /// `spec` must outlive this.
     explicit Actuators(const RobotSpec& spec);
 
-    /// The message type that drives a kind of actuator; "" for a kind that no port drives yet.
+    /// The message type that drives a kind of actuator.
     static std::string_view type_for(ActuatorSpec::Kind kind);
     /// Lets `port` drive actuator `index` of the spec. An error when the actuator has a port, or can't do what the
     /// description wants.
     Expected<void> add(std::size_t index, InPortBase& port, bool off_when_silent);
 
-    /// Does what has arrived. One that its description wants off when nothing came for `silence` seconds goes off.
-    void act(RobotBody& body, const Time& now, double tick_rate);
+    /// Does what has arrived. One that its description wants off when nothing came for `silence` seconds goes off; a
+    /// servo goes on towards its angle. `warn` is told of what can't be done, once for each port.
+    void act(RobotBody& body, const Time& now, double tick_rate, const std::function<void(std::string)>& warn);
     /// Its robot is not ACTIVE: what makes noise stops, lights and angles hold.
     void be_still(RobotBody& body);
 
     const std::vector<bool>& leds() const { return leds_; }
     int buzzer_hertz() const { return buzzer_hertz_; }
+    /// What the speaker was given, oldest first: the last `most_said` texts.
+    const std::deque<std::string>& said() const { return said_; }
+    static constexpr std::size_t most_said = 100;
 
 private:
     struct Channel {
         std::size_t actuator;
         InPortBase* port;
         bool off_when_silent;
+        double wanted = 0;  // servo: the angle [rad] to go to
+        double angle = 0;   // servo: the angle [rad] it was sent to last
+        bool has_warned = false;
     };
     void set_leds(RobotBody& body, const std::vector<bool>& wanted);
     void set_buzzer(RobotBody& body, int hertz);
-    void set_servo(RobotBody& body, std::size_t actuator, double angle);
+    void aim_servo(Channel& channel, double angle) const;
+    void turn_servo(RobotBody& body, Channel& channel, double period);
+    void show(RobotBody& body, Channel& channel, const std::function<void(std::string)>& warn);
+    void play(RobotBody& body, const std::string& text);
 
     const RobotSpec& spec_;
     std::vector<Channel> channels_;
     std::vector<bool> leds_;
     int buzzer_hertz_ = 0;
+    std::deque<std::string> said_;
 };
 
 }  // namespace nezumi

@@ -140,7 +140,7 @@ void Robot::actuate(const Time& now) {
     drive(now);
     if (state() == LifeState::active) {
         if (pose_in_ != nullptr) take_pose();
-        actuators_.act(*body_, now, tick_rate());
+        actuators_.act(*body_, now, tick_rate(), [this](std::string why) { log(LogLevel::warn, std::move(why)); });
     } else {
         actuators_.be_still(*body_);
     }

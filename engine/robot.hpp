@@ -32,6 +32,8 @@ public:
     const Odometry& odometry() const { return odometry_; }
     const std::vector<bool>& leds() const { return actuators_.leds(); }
     int buzzer_hertz() const { return actuators_.buzzer_hertz(); }
+    /// What its speaker was given, oldest first, as far as it is kept.
+    const std::deque<std::string>& said() const { return actuators_.said(); }
 
     void sense(const Time& now) override;
     void actuate(const Time& now) override;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 #include "engine/robot.hpp"
@@ -10,10 +11,12 @@
 namespace nezumi {
 namespace {
 
-// The nearest value that an integer of type T holds.
+// A sensor's value as an element of type T: the nearest that an integer holds, a colour's name.
 template <class T>
-T saturate(double value) {
-    if constexpr (std::is_same_v<T, bool>) {
+T element(double value) {
+    if constexpr (std::is_same_v<T, std::string>) {
+        return std::string(to_text(static_cast<FloorColor>(value)));
+    } else if constexpr (std::is_same_v<T, bool>) {
         return value != 0;
     } else if constexpr (std::is_integral_v<T>) {
         const double lowest = std::numeric_limits<T>::lowest();
@@ -24,22 +27,25 @@ T saturate(double value) {
     }
 }
 
+template <class T>
+constexpr bool can_carry = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
+
 // How sensors' values go into a message of type T; nullptr where they don't.
 using WriteValues = void (*)(OutPortBase&, const std::vector<double>&, double rate);
 
 template <class T>
 constexpr WriteValues write_values() {
-    if constexpr (std::is_arithmetic_v<T>) {
+    if constexpr (can_carry<T>) {
         return [](OutPortBase& port, const std::vector<double>& values, double) {
-            static_cast<OutPort<T>&>(port).write(saturate<T>(values.front()));
+            static_cast<OutPort<T>&>(port).write(element<T>(values.front()));
         };
     } else if constexpr (Sequence<T>) {
         using Element = typename T::value_type;
-        if constexpr (std::is_arithmetic_v<Element>) {
+        if constexpr (can_carry<Element>) {
             return [](OutPortBase& port, const std::vector<double>& values, double) {
                 T& slot = static_cast<OutPort<T>&>(port).next_pending();
                 slot.resize(values.size());
-                for (std::size_t i = 0; i < values.size(); ++i) slot[i] = saturate<Element>(values[i]);
+                for (std::size_t i = 0; i < values.size(); ++i) slot[i] = element<Element>(values[i]);
             };
         } else {
             return nullptr;
@@ -55,8 +61,9 @@ constexpr WriteValues write_values() {
     }
 }
 
+// Whether a message of type T carries colours' names, and no numbers.
 template <class T>
-constexpr bool single = std::is_arithmetic_v<T>;
+constexpr bool is_text = std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>;
 
 }  // namespace
 
@@ -97,8 +104,14 @@ Expected<void> Robot::add_output(const PortSpec& port) {
     return with_payload_type(*type, [&]<class T>() -> Expected<void> {
         constexpr WriteValues write = write_values<T>();
         if (write == nullptr) return failure(fmt::format("a {} can't carry sensors' values", port.type));
-        if (single<T> && sensors.size() > 1)
+        if (can_carry<T> && sensors.size() > 1)
             return failure(fmt::format("a {} carries one sensor, not {}", port.type, sensors.size()));
+        for (const std::size_t i : sensors) {
+            const SensorSpec& sensor = spec_.sensors[i];
+            if (is_text<T> && sensor.kind != SensorSpec::Kind::color)
+                return failure(
+                    fmt::format("a {} carries colours, and '{}' is no color sensor", port.type, sensor.name));
+        }
         OutPort<T>& made = add_out_port<T>(port.name, port.doc);
         bool distance = port.quantity == PortSpec::Quantity::distance;
         if constexpr (std::is_same_v<T, RangeData>) {
@@ -145,7 +158,6 @@ Expected<void> Robot::add_input(const PortSpec& port) {
         names.push_back(actuator.name);
         if (actuator.name != item) continue;
         const std::string_view type = Actuators::type_for(actuator.kind);
-        if (type.empty()) return failure(fmt::format("actuator '{}' is of a kind that no port drives yet", item));
         if (auto ok = is_type(type); !ok) return ok;
         in_ports_.push_back(make_in_port(*find_message_type(type), port.name, port.doc, port.queue));
         return actuators_.add(i, *in_ports_.back(), port.off_when_silent);

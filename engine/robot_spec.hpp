@@ -92,7 +92,7 @@ struct SensorSpec {
         button,   ///< a switch that a finger presses
         touch,    ///< a bumper that closes by contact
         gyro,     ///< yaw angle [rad]
-        color,    ///< name of the colour of the floor
+        color,    ///< the colour of the floor, a `FloorColor`
         reflect,  ///< light reflected by the floor, 0 to 100
     };
 

@@ -43,7 +43,8 @@ void SensorValues::read_ranges(const RobotBody& body, std::int64_t tick) {
         const double seen = seen_[i];
         lengths_[index] = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
         values_[index] = sensor.has_response ? sensor.response(seen) : lengths_[index];
-        if (sensor.noise > 0) {
+        // An echo that does not come back has no length that could be measured wrongly.
+        if (sensor.noise > 0 && (sensor.has_response || seen < sensor.range)) {
             const double noisy = with_noise(index, values_[index], tick);
             values_[index] =
                 sensor.has_response ? sensor.response.clamp(noisy) : std::clamp(noisy, sensor.minimum, sensor.range);
@@ -68,7 +69,11 @@ void SensorValues::read(const RobotBody& body, const Time& now, double period) {
                 values_[i] = with_noise(i, gyro_angle_, now.tick);
                 break;
             }
-            default: break;
+            case SensorSpec::Kind::color: values_[i] = static_cast<double>(body.floor_color(i)); break;
+            case SensorSpec::Kind::reflect:
+                values_[i] = std::clamp(with_noise(i, body.reflected_light(i), now.tick), 0.0, 100.0);
+                break;
+            case SensorSpec::Kind::range: break;
         }
     }
 }

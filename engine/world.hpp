@@ -13,8 +13,10 @@
 
 #include "engine/arena_spec.hpp"
 #include "engine/error.hpp"
+#include "engine/floor_color.hpp"
 #include "engine/messages.hpp"
 #include "engine/robot_spec.hpp"
+#include "engine/sound.hpp"
 
 namespace nezumi {
 
@@ -44,6 +46,10 @@ public:
     virtual bool is_pressed(std::size_t index) const = 0;
     /// Yaw rate [rad/s] of the hull, as a gyro feels it.
     virtual double yaw_rate() const = 0;
+    /// The colour that sensor `index` of the spec sees on the floor.
+    virtual FloorColor floor_color(std::size_t /*index*/) const { return FloorColor::none; }
+    /// How much light the floor gives back to sensor `index` of the spec: 0 (none) to 100 (as white paper).
+    virtual double reflected_light(std::size_t /*index*/) const { return 0; }
 
     /// Surface speed [m/s] of each wheel to hold from now on, already limited.
     virtual void set_wheel_speeds(Wheels speeds) = 0;
@@ -55,6 +61,10 @@ public:
     virtual void set_leds(const std::vector<bool>& /*on*/) {}
     /// Tone of the buzzer [Hz], 0 for silence; called when it changes.
     virtual void set_buzzer(int /*hertz*/) {}
+    /// Shows a picture, whole and not empty, on screen `index` of the spec's actuators.
+    virtual void show(std::size_t /*index*/, const CameraImage& /*picture*/) {}
+    /// Plays a sound after those that came before. Must not wait until it has been played.
+    virtual void play(const Sound& /*sound*/) {}
 };
 
 /// A robot of the world, in the order of adding, from 0.

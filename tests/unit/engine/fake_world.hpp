@@ -20,6 +20,8 @@ struct FakeHull {
     std::vector<double> distances;  ///< what the range sensors see; nothing in sight where it is too short
     std::map<std::size_t, bool> pressed;
     double yaw_rate = 0;
+    FloorColor color = FloorColor::none;
+    double light = 0;
 
     Wheels speeds;
     std::vector<Wheels> all_speeds;
@@ -28,6 +30,8 @@ struct FakeHull {
     int led_calls = 0;
     int hertz = 0;
     std::map<std::size_t, double> servos;
+    std::vector<CameraImage> pictures;
+    std::vector<Sound> sounds;
 };
 
 class FakeBody final : public RobotBody {
@@ -56,6 +60,10 @@ public:
         ++hull_.led_calls;
     }
     void set_buzzer(int hertz) override { hull_.hertz = hertz; }
+    FloorColor floor_color(std::size_t) const override { return hull_.color; }
+    double reflected_light(std::size_t) const override { return hull_.light; }
+    void show(std::size_t, const CameraImage& picture) override { hull_.pictures.push_back(picture); }
+    void play(const Sound& sound) override { hull_.sounds.push_back(sound); }
 
 private:
     FakeHull& hull_;

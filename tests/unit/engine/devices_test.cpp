@@ -1,0 +1,174 @@
+// A robot's eyes for the floor, its screen and its speaker.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/engine/fake_world.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+PortSpec port(const char* name, const char* type, std::vector<std::string> items, bool is_input) {
+    PortSpec made;
+    made.name = name;
+    made.type = type;
+    made.items = std::move(items);
+    made.is_input = is_input;
+    return made;
+}
+
+// The fake mouse with what an EV3 has besides.
+RobotSpec brick() {
+    RobotSpec spec = fake_mouse();
+    SensorSpec color;
+    color.name = "color";
+    color.kind = SensorSpec::Kind::color;
+    SensorSpec light;
+    light.name = "light_below";
+    light.kind = SensorSpec::Kind::reflect;
+    spec.sensors.push_back(color);
+    spec.sensors.push_back(light);
+    spec.actuators[2].max_rate = 2;
+    spec.actuators.push_back({.name = "screen", .kind = ActuatorSpec::Kind::screen});
+    spec.actuators.push_back({.name = "speaker", .kind = ActuatorSpec::Kind::speaker});
+    spec.ports.push_back(port("color", "TimedString", {"color"}, false));
+    spec.ports.push_back(port("colors", "TimedStringSeq", {"color", "color"}, false));
+    spec.ports.push_back(port("code", "TimedShort", {"color"}, false));
+    spec.ports.push_back(port("reflect", "TimedDouble", {"light_below"}, false));
+    spec.ports.push_back(port("lcd", "CameraImage", {"screen"}, true));
+    spec.ports.push_back(port("sound", "TimedString", {"speaker"}, true));
+    spec.ports.back().queue = 4;
+    return spec;
+}
+
+std::string refusal(const PortSpec& wrong) {
+    RobotSpec spec = brick();
+    std::erase_if(spec.ports, [](const PortSpec& p) { return p.name == "sound" || p.name == "lcd"; });
+    spec.ports.push_back(wrong);
+    const auto robot = Robot::make("m", spec, {}, 0, 0);
+    return robot ? "none" : robot.error().message;
+}
+
+CameraImage picture(std::uint16_t width, std::uint16_t height, std::size_t bytes) {
+    return {.width = width, .height = height, .bpp = 8, .format = "gray8", .fDiv = 1, .pixels = Octets(bytes)};
+}
+
+}  // namespace
+
+TEST_CASE("a colour sensor's ports give the colour's name or its code", "[engine][sensor]") {
+    FakeRun run(brick());
+    run.system.tick();
+    CHECK(run.value<std::string>("color") == "none");
+    run.hull().color = FloorColor::brown;
+    run.system.tick();
+    CHECK(run.value<std::string>("color") == "brown");
+    CHECK(run.value<std::vector<std::string>>("colors") == std::vector<std::string>{"brown", "brown"});
+    CHECK(run.value<std::int16_t>("code") == 7);
+}
+
+TEST_CASE("reflected light stays between 0 and 100 whatever its noise", "[engine][sensor]") {
+    RobotSpec spec = brick();
+    spec.sensors.back().noise = 5;
+    FakeRun run(spec);
+    bool differs = false;
+    for (const double light : {0.0, 100.0}) {
+        run.hull().light = light;
+        for (int i = 0; i < 200; ++i) {
+            run.system.tick();
+            const double value = run.value<double>("reflect");
+            REQUIRE(value >= 0);
+            REQUIRE(value <= 100);
+            differs = differs || value != light;
+        }
+    }
+    CHECK(differs);
+}
+
+TEST_CASE("a distance beyond the range is told exactly, however noisy the sensor", "[engine][sensor]") {
+    RobotSpec spec = fake_mouse();
+    spec.sensors[0].noise = 0.05;
+    FakeRun run(spec);
+    for (int i = 0; i < 100; ++i) {
+        run.system.tick();
+        REQUIRE(run.value<RangeData>("ranger").ranges == std::vector<double>{0.6});
+    }
+}
+
+TEST_CASE("a servo goes to its angle no faster than it can", "[engine][robot]") {
+    FakeRun run(brick());
+    run.send("neck_in", 0.05);
+    CHECK(run.hull().servos[2] == Approx(0.02));
+    run.system.tick();
+    CHECK(run.hull().servos[2] == Approx(0.04));
+    run.system.tick();
+    CHECK(run.hull().servos[2] == 0.05);
+    run.send("neck_in", -5.0);  // beyond its limit
+    run.ticks(200);
+    CHECK(run.hull().servos[2] == -1.0);
+}
+
+TEST_CASE("a speaker plays every text of a tick and keeps what it was given", "[engine][robot]") {
+    FakeRun run(brick());
+    const std::string odd = "it's \"odd\"; $(rm -rf /)\n`reboot` | & <b>";
+    auto* in = run.robot->find_in_port("sound");
+    for (const std::string& text : {std::string("beep"), std::string("tone,880,250"), odd}) in->inject(text);
+    run.system.tick();
+    REQUIRE(run.hull().sounds.size() == 3);
+    CHECK(run.hull().sounds[0].kind == Sound::Kind::tone);
+    CHECK(run.hull().sounds[1].hertz == 880);
+    CHECK(run.hull().sounds[1].seconds == 0.25);
+    CHECK(run.hull().sounds[2].kind == Sound::Kind::speech);
+    CHECK(run.hull().sounds[2].text == odd);
+    CHECK(std::vector<std::string>(run.robot->said().begin(), run.robot->said().end()) ==
+          std::vector<std::string>{"beep", "tone,880,250", odd});
+    for (int i = 0; i < 150; ++i) run.send("sound", std::string("again"));
+    CHECK(run.robot->said().size() == Actuators::most_said);
+    CHECK(run.hull().sounds.size() == 153);
+}
+
+TEST_CASE("a screen shows whole pictures, and says once why not the others", "[engine][robot]") {
+    FakeRun run(brick());
+    run.send("lcd", picture(0, 0, 0));
+    run.send("lcd", picture(4, 2, 7));
+    CHECK(run.hull().pictures.empty());
+    CHECK(run.log ==
+          std::vector<std::string>{"mouse: input 'lcd': a picture of 0 x 0 pixels of 8 bits with 0 bytes is not shown "
+                                   "(said once): expected 0 bytes, and not none"});
+    run.send("lcd", picture(4, 2, 8));
+    REQUIRE(run.hull().pictures.size() == 1);
+    CHECK(run.hull().pictures[0].width == 4);
+}
+
+TEST_CASE("what a screen, a speaker or a colour sensor can't do is an error", "[engine][robot]") {
+    CHECK(refusal(port("p", "TimedString", {"screen"}, true)) ==
+          "port 'p': 'screen' takes a CameraImage, not a TimedString");
+    CHECK(refusal(port("p", "TimedShort", {"speaker"}, true)) ==
+          "port 'p': 'speaker' takes a TimedString, not a TimedShort");
+    CHECK(refusal(port("p", "TimedString", {"gyro"}, false)) ==
+          "port 'p': a TimedString carries colours, and 'gyro' is no color sensor");
+    PortSpec off = port("p", "TimedString", {"speaker"}, true);
+    off.off_when_silent = true;
+    CHECK(refusal(off) ==
+          "port 'p': silence = \"off\" means nothing to the speaker 'speaker': it is silent after each text");
+    off = port("p", "CameraImage", {"screen"}, true);
+    off.off_when_silent = true;
+    CHECK(refusal(off) == "port 'p': silence = \"off\" means nothing to the screen 'screen': it keeps its picture");
+}
+
+TEST_CASE("a text is a beep, a tone of two whole numbers, or to be spoken", "[engine][sound]") {
+    const auto kind = [](std::string_view text) { return read_sound(text).kind; };
+    CHECK(read_sound("beep").hertz == 440);
+    CHECK(read_sound("beep").seconds == 0.2);
+    CHECK(read_sound("tone,1000,500").hertz == 1000);
+    CHECK(read_sound("tone,1000,500").seconds == 0.5);
+    CHECK(read_sound("tone,0,500").hertz == 0);
+    CHECK(read_sound("tone,99999999999999999999,99999999").hertz == highest_tone);
+    CHECK(read_sound("tone,99999,99999999").seconds == longest_tone / 1000.0);
+    for (const char* text : {"tone", "tone,", "tone,440", "tone,440,", "tone,,100", "tone,-1,100", "tone,440,100,1",
+                             "tone,4.5,100", "tone, 440,100", "Beep", "beep ", "hello, world", "-w /etc/passwd"}) {
+        INFO(text);
+        CHECK(kind(text) == Sound::Kind::speech);
+        CHECK(read_sound(text).text == text);
+    }
+    CHECK(kind("") == Sound::Kind::nothing);
+    CHECK(kind(" \n\t ") == Sound::Kind::nothing);
+}
