@@ -82,6 +82,8 @@ public:
         held_ = std::make_unique<T>(read());
         override_ = Override::frozen;
     }
+    /// The value that it is held at; nullptr when it is not.
+    const T* held() const { return override_ == Override::held ? held_.get() : nullptr; }
     void for_each_latched(const std::function<void(const AnyPayload&)>& visit) const override {
         for (const Message<T>& message : *this) visit(message.data);
     }

@@ -8,6 +8,7 @@
 
 #include "bindings/cli/commands.hpp"
 #include "engine/camera.hpp"
+#include "engine/joystick.hpp"
 #include "engine/vision/marker_detector.hpp"
 #include "sim/world.hpp"
 
@@ -25,9 +26,11 @@ std::vector<std::filesystem::path> installed_folders() {
 }
 
 LiveOptions simulated_systems() {
-    return {.installed = installed_folders(),
-            .world = sim::make_world,
-            .components = {{"Camera", make_simulated_camera}, {"MarkerDetector", make_marker_detector}}};
+    return {
+        .installed = installed_folders(),
+        .world = sim::make_world,
+        .components = {
+            {"Camera", make_simulated_camera}, {"Joystick", make_joystick}, {"MarkerDetector", make_marker_detector}}};
 }
 
 int refuse(std::string_view why) {

@@ -1,0 +1,79 @@
+// The joystick: where the stick is, and the wheels' speeds that it stands for.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "engine/joystick.hpp"
+#include "engine/system.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+using Floats = std::vector<float>;
+
+struct Stick {
+    explicit Stick(double rate = 0) : system({}, {}) {
+        auto made = std::make_unique<Joystick>("stick");
+        stick = made.get();
+        stick->rate = rate;
+        REQUIRE(system.add(std::move(made)));
+        REQUIRE(stick->activate(system.now()));
+    }
+    OutPort<Floats>& port(const char* name) { return static_cast<OutPort<Floats>&>(*stick->find_out_port(name)); }
+    void hold(Floats place) {
+        port("pos").hold(std::move(place));
+        system.tick();
+    }
+
+    System system;
+    Joystick* stick = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("a joystick publishes at its rate whether or not the stick moved", "[engine][joystick]") {
+    for (const auto& [rate, expected] : {std::pair{0.0, 100u}, {10.0, 10u}, {25.0, 25u}}) {
+        Stick it(rate);
+        for (int i = 0; i < 100; ++i) it.system.tick();
+        CHECK(it.port("pos").count() == expected);
+        CHECK(it.port("vel").count() == expected);
+        CHECK(it.port("pos").read() == Floats{0, 0});
+        CHECK(it.port("vel").read() == Floats{0, 0});
+    }
+}
+
+TEST_CASE("the wheels' speeds are the stick's place turned by 45 degrees", "[engine][joystick]") {
+    Stick it;
+    const float diagonal = 150 * std::sqrt(0.5F);
+    it.hold({0, 150});
+    CHECK(it.port("pos").read() == Floats{0, 150});
+    CHECK(it.port("vel").read()[0] == Approx(diagonal));
+    CHECK(it.port("vel").read()[1] == Approx(diagonal));
+    it.hold({150, 0});  // to the right: the left wheel forward
+    CHECK(it.port("vel").read()[0] == Approx(diagonal));
+    CHECK(it.port("vel").read()[1] == Approx(-diagonal));
+    it.hold({-100, 100});
+    CHECK(it.port("vel").read()[0] == Approx(0).margin(1e-4));
+    CHECK(it.port("vel").read()[1] == Approx(std::hypot(100, 100)));
+    it.port("pos").release();
+    it.system.tick();
+    CHECK(it.port("pos").read() == Floats{0, 0});
+    CHECK(it.port("vel").read() == Floats{0, 0});
+}
+
+TEST_CASE("a stick held at no place stands in the middle for the wheels", "[engine][joystick]") {
+    Stick it;
+    for (const Floats& odd : {Floats{}, Floats{100}}) {
+        it.hold(odd);
+        CHECK(it.port("pos").read() == odd);
+        CHECK(it.port("vel").read() == Floats{0, 0});
+    }
+}
+
+TEST_CASE("a joystick that is not active is silent", "[engine][joystick]") {
+    Stick it;
+    REQUIRE(it.stick->deactivate(it.system.now()));
+    it.system.tick();
+    CHECK(it.port("pos").count() == 0);
+}
