@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 namespace nezumi::sim {
 namespace {
@@ -326,6 +328,22 @@ Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const Physic
         world->take_floor(std::move(*picture), arena.floor->size);
     }
     return world;
+}
+
+WorldFactory make_worlds_with_sound(std::string folder) {
+    return
+        [folder = std::move(folder)](const ArenaSpec& arena, const PhysicsSpec& physics,
+                                     std::function<void(const std::string&)> warn) -> Expected<std::unique_ptr<World>> {
+            std::error_code problem;
+            std::filesystem::create_directories(folder, problem);
+            if (problem || !std::filesystem::is_directory(folder, problem)) {
+                return failure(fmt::format("'{}' can't be made a folder for sounds{}", folder,
+                                           problem ? ": " + problem.message() : ""));
+            }
+            auto world = make_world(arena, physics, std::move(warn));
+            if (world) static_cast<OdeWorld&>(**world).keep_sounds(folder);
+            return world;
+        };
 }
 
 }  // namespace nezumi::sim

@@ -16,6 +16,7 @@
 #include "sim/ode_library.hpp"
 #include "sim/robot_model.hpp"
 #include "sim/scene.hpp"
+#include "sim/sound_files.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::sim {
@@ -131,6 +132,13 @@ public:
     const SimRobot& robot(RobotId id) const { return robots_[id]; }
     void read_ranges(const SimRobot& robot, std::span<double> distances) const;
     bool touches_something(const SimRobot& robot, const SensorSpec& touch_sensor) const;
+    /// What a sensor that looks down sees: nothing beside the floor's picture, or from too high.
+    std::optional<Rgb> floor_under(const SimRobot& robot, const SensorSpec& sensor) const;
+    void play(const SimRobot& robot, const Sound& sound) {
+        if (sounds_ != nullptr) sounds_->play(robot.name, sound);
+    }
+    /// From now on sounds become files in this folder.
+    void keep_sounds(const std::string& folder) { sounds_ = std::make_unique<SoundFiles>(folder, warn_); }
 
 private:
     // Building (ode_world.cpp).
@@ -205,6 +213,7 @@ private:
     std::vector<MarkerPose> markers_;
     std::optional<Picture> floor_;
     Point2D floor_size_{};
+    std::unique_ptr<SoundFiles> sounds_;  // dies before what it warns through
 
     double may_travel_ = -1;  // [m] that nobody may exceed before neighbours are listed anew
     std::vector<std::pair<Scene::Index, Scene::Index>> links_;  // movers that touch each other in this step
@@ -223,9 +232,12 @@ public:
     void read_ranges(std::span<double> distances) const override { world_.read_ranges(world_.robot(id_), distances); }
     bool is_pressed(std::size_t index) const override;
     double yaw_rate() const override { return world_.robot(id_).body.w[2]; }
+    FloorColor floor_color(std::size_t index) const override;
+    double reflected_light(std::size_t index) const override;
     void set_wheel_speeds(Wheels speeds) override;
     void coast() override { world_.robot(id_).coasting = true; }
     void set_servo(std::size_t index, double angle) override;
+    void play(const Sound& sound) override { world_.play(world_.robot(id_), sound); }
 
 private:
     OdeWorld& world_;

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "sim/floor_look.hpp"
 #include "sim/ode_world.hpp"
 
 namespace nezumi::sim {
@@ -30,6 +31,15 @@ bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor
     return false;
 }
 
+std::optional<Rgb> OdeWorld::floor_under(const SimRobot& robot, const SensorSpec& sensor) const {
+    constexpr double highest = 0.05;  // [m] its lamp does not reach farther
+    if (!floor_) return std::nullopt;
+    const Vec3 from = Vec3{sensor.at.x, sensor.at.y, sensor.at.z} + robot.model->origin;
+    const Vec3 at = robot.body.centre() + robot.body.rotation() * from;
+    if (at.z > highest) return std::nullopt;
+    return look_at_floor(*floor_, floor_size_, {at.x, at.y});
+}
+
 std::vector<Ray> OdeWorld::rays(RobotId id) const {
     const SimRobot& robot = robots_[id];
     const RayFan& fan = robot.turned_fan != nullptr ? *robot.turned_fan : robot.model->fan;
@@ -56,6 +66,18 @@ bool SimRobotBody::is_pressed(std::size_t index) const {
     if (robot.pressed[index]) return true;
     const SensorSpec& sensor = robot.model->spec->sensors[index];
     return sensor.kind == SensorSpec::Kind::touch && world_.touches_something(robot, sensor);
+}
+
+FloorColor SimRobotBody::floor_color(std::size_t index) const {
+    const SimRobot& robot = world_.robot(id_);
+    const auto seen = world_.floor_under(robot, robot.model->spec->sensors[index]);
+    return seen ? nearest_floor_color(*seen) : FloorColor::none;
+}
+
+double SimRobotBody::reflected_light(std::size_t index) const {
+    const SimRobot& robot = world_.robot(id_);
+    const auto seen = world_.floor_under(robot, robot.model->spec->sensors[index]);
+    return seen ? brightness(*seen) : 0;
 }
 
 void SimRobotBody::set_wheel_speeds(Wheels speeds) {

@@ -28,6 +28,7 @@ void OdeWorld::step(int count) {
     const OdeMessages messages(warn_);
     for (SimRobot& robot : robots_) robot.touched = 0;
     for (int i = 0; i < count; ++i) step_once();
+    if (sounds_ != nullptr) sounds_->tell();
     restore_lost_bodies();
     place_movers();
     scene_.refresh();

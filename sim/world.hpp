@@ -15,4 +15,8 @@ namespace nezumi::sim {
 Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const PhysicsSpec& physics,
                                             std::function<void(const std::string&)> warn);
 
+/// The same for worlds in which what robots say becomes WAV files in this folder (`SoundFiles`), which is made when it
+/// is not there. An error when it can't be.
+WorldFactory make_worlds_with_sound(std::string folder);
+
 }  // namespace nezumi::sim

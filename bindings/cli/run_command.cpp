@@ -26,6 +26,7 @@
 #include "bindings/cli/screen.hpp"
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
+#include "sim/world.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -104,6 +105,7 @@ public:
 private:
     LiveOptions live_options() {
         LiveOptions live = simulated_systems();
+        if (!options_.sounds.empty()) live.world = sim::make_worlds_with_sound(options_.sounds);
         live.build = {.seed = options_.seed.value_or(0),
                       .seed_wins = options_.seed.has_value(),
                       .threads = options_.threads,

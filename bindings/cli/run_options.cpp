@@ -76,6 +76,8 @@ void declare_run_options(CLI::App& command, RunWords& words) {
     command
         .add_option("--ports", words.ports, "with --record: only these ports, in this order (default: all out-ports)")
         ->type_name("NAME.PORT,...");
+    command.add_option("--sounds", words.sounds, "write what robots say and beep as WAV files into this folder")
+        ->type_name("DIR");
     command.footer(
         "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a second one at "
         "once.\nExit status: 0 the run came to its end, 1 it did and a component was in ERROR then or a command of "
@@ -115,6 +117,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
         return wrong("--picture", "a file name that ends in .png or .svg", words.picture);
     options.picture = words.picture;
     options.record = words.record;
+    options.sounds = words.sounds;
     if (!words.ports.empty()) {
         if (words.record.empty())
             return failure("--ports chooses what --record writes: give --record FILE.csv as well");

@@ -18,7 +18,7 @@ namespace nezumi::cli {
 /// The options as they were typed: "" for what was not given.
 struct RunWords {
     std::string file;
-    std::string speed, duration, seed, threads, picture, record, ports;
+    std::string speed, duration, seed, threads, picture, record, ports, sounds;
     bool headless = false;
     bool batch = false;
     bool trace_hash = false;
@@ -39,6 +39,7 @@ struct RunOptions {
     std::string picture;             ///< "" for none; ends in .png or .svg
     std::string record;              ///< "" for none
     std::vector<std::string> ports;  ///< "name.port"; empty: every out-port
+    std::string sounds;              ///< folder for what robots say; "" for none
 };
 
 /// The same as values, or what is wrong with the first word that is.
