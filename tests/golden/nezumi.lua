@@ -611,6 +611,7 @@ function robot_model(fields) end
 ---@field touching any of a robot: what it touches
 ---@field leds boolean[] of a robot
 ---@field buzzer integer of a robot [Hz]
+---@field said string[] of a robot: what its speaker was given, the last 100 texts
 ---@field limits table<string, number> of a robot
 ---@field activate fun(self: Component): string
 ---@field deactivate fun(self: Component): string

@@ -19,8 +19,8 @@ constexpr std::string_view words[] = {"activate", "config", "deactivate", "name"
                                       "sets",     "state",  "status",     "type", "use",   "version"};
 constexpr std::string_view robot_words[] = {"collided", "truth"};
 constexpr std::string_view more_words[] = {"commands", "error", "rate", "set"};
-constexpr std::string_view more_robot_words[] = {"buzzer", "disturb",  "leds",    "limits",
-                                                 "press",  "teleport", "touching"};
+constexpr std::string_view more_robot_words[] = {"buzzer", "disturb", "leds",     "limits",
+                                                 "press",  "said",    "teleport", "touching"};
 
 constexpr std::string_view called_words[] = {"activate", "deactivate", "reset", "use"};
 constexpr std::string_view called_robot_words[] = {"disturb", "press", "teleport"};
@@ -176,6 +176,7 @@ Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
     if (word == "leds") {
         return Answer{LockedValue{robot.name() + ".leds", ParameterValue(robot.leds())}};
     }
+    if (word == "said") return Answer{std::vector<std::string>(robot.said().begin(), robot.said().end())};
     if (word == "buzzer") return Answer{std::int64_t{robot.buzzer_hertz()}};
     if (word == "limits") {
         const Limits& limits = robot.guard().limits();

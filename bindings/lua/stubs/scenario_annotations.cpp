@@ -45,6 +45,7 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field touching any of a robot: what it touches
 ---@field leds boolean[] of a robot
 ---@field buzzer integer of a robot [Hz]
+---@field said string[] of a robot: what its speaker was given, the last 100 texts
 ---@field limits table<string, number> of a robot
 ---@field activate fun(self: Component): string
 ---@field deactivate fun(self: Component): string
