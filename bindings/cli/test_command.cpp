@@ -31,6 +31,7 @@ struct TestCommand {
     std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
     std::string junit;
     bool tap = false;
+    bool update_goldens = false;
     std::string folder = "nezumi-test";
 };
 
@@ -64,6 +65,7 @@ int test(const TestCommand& command) {
     options.repeat = command.repeat;
     options.jobs = command.jobs;
     options.folder = command.folder;
+    options.update_goldens = command.update_goldens;
     options.installed = installed_folders();
     options.systems = simulated_systems;
     options.files = scenario_files;
@@ -105,7 +107,12 @@ void add_test_command(CLI::App& app, int& status) {
     command->add_option("--filter", options->filter,
                         "only runs whose name contains this; a whole name means only that");
     command->add_flag("--list", options->list, "show the names of the runs and where they are, and run nothing");
-    command->add_option("--seed", options->seed, "decides everything that is drawn at random")->capture_default_str();
+    command->add_option("--seed", options->seed, "decides everything that is drawn at random")
+        ->check([](const std::string& text) -> std::string {
+            const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
+            return whole ? "" : "expected a whole number from 0 to 2^64 - 1, got '" + text + "'";
+        })
+        ->capture_default_str();
     command->add_option("--repeat", options->repeat, "make each run so often; all must have the same trace hash")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
         ->capture_default_str();
@@ -114,6 +121,7 @@ void add_test_command(CLI::App& app, int& status) {
         ->capture_default_str();
     command->add_option("--junit", options->junit, "write the results to this file, as JUnit's XML");
     command->add_flag("--tap", options->tap, "print the results as TAP");
+    command->add_flag("--update-goldens", options->update_goldens, "write the traces of s:golden instead of comparing");
     command->add_option("-o,--output", options->folder, "the folder for traces and pictures of failures")
         ->capture_default_str();
     command->callback([options, &status] { status = test(*options); });

@@ -60,8 +60,8 @@ struct Counts {
 
     void add(const RunReport& report) {
         ++tests;
-        failures += report.result.outcome == Outcome::failed ? 1 : 0;
-        errors += report.result.outcome == Outcome::could_not_run ? 1 : 0;
+        failures += report.result.outcome == RunOutcome::failed ? 1 : 0;
+        errors += report.result.outcome == RunOutcome::could_not_run ? 1 : 0;
         seconds += report.result.wall_seconds;
     }
     std::string attributes() const {
@@ -76,8 +76,8 @@ std::string test_case(const RunReport& report) {
     std::string out =
         fmt::format("    <testcase classname=\"{}\" name=\"{}\" file=\"{}\" line=\"{}\" time=\"{:.6f}\">\n",
                     xml(report.file), xml(name), xml(report.file), report.line, result.wall_seconds);
-    if (result.outcome != Outcome::passed) {
-        const bool failed = result.outcome == Outcome::failed;
+    if (result.outcome != RunOutcome::passed) {
+        const bool failed = result.outcome == RunOutcome::failed;
         const std::string_view tag = failed ? "failure" : "error";
         out += fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", tag, xml(result.error.message),
                            failed ? "failed" : "could not run", xml(lines_of(failure_lines(report))));

@@ -16,17 +16,17 @@ public:
         const RunResult& result = report.result;
         const bool read = !report.scenario.empty();
         switch (result.outcome) {
-            case Outcome::passed: paint("32", "ok    "); break;
-            case Outcome::failed: paint("31", "FAILED"); break;
-            case Outcome::could_not_run: paint("31", "could not run"); break;
+            case RunOutcome::passed: paint("32", "ok    "); break;
+            case RunOutcome::failed: paint("31", "FAILED"); break;
+            case RunOutcome::could_not_run: paint("31", "could not run"); break;
         }
         std::string line = " ";
         line += read ? report.name : report.file;
-        if (result.outcome == Outcome::passed)
+        if (result.outcome == RunOutcome::passed)
             line +=
                 fmt::format("  ({:.2f} s in {:.3f} s, hash {:016x})", result.seconds, result.wall_seconds, result.hash);
         write_(line + "\n");
-        if (result.outcome != Outcome::passed) {
+        if (result.outcome != RunOutcome::passed) {
             for (const std::string& each : failure_lines(report)) write_(each.empty() ? "\n" : "    " + each + "\n");
         }
         for (const std::string& margin : result.margins) write_("    " + margin + "\n");
@@ -83,7 +83,7 @@ public:
     void begin(std::size_t runs) override { write_(fmt::format("TAP version 13\n1..{}\n", runs)); }
 
     void add(const RunReport& report) override {
-        const bool passed = report.result.outcome == Outcome::passed;
+        const bool passed = report.result.outcome == RunOutcome::passed;
         const std::string name = report.scenario.empty() ? report.file : report.file + ": " + report.name;
         write_(fmt::format("{} {} - {}\n", passed ? "ok" : "not ok", ++number_, tap_name(name)));
         if (passed) {
@@ -93,7 +93,7 @@ public:
         const Error& error = report.result.error;
         write_("  ---\n");
         write_(fmt::format("  message: {}\n", yaml_text(error.message)));
-        write_(fmt::format("  severity: {}\n", report.result.outcome == Outcome::failed ? "fail" : "error"));
+        write_(fmt::format("  severity: {}\n", report.result.outcome == RunOutcome::failed ? "fail" : "error"));
         write_(fmt::format("  at: {}\n", yaml_text(fmt::format("{}:{}", error.place.file, error.place.line))));
         write_("  details:\n");
         for (const std::string& line : failure_lines(report)) write_(fmt::format("    - {}\n", yaml_text(line)));

@@ -10,14 +10,14 @@
 
 namespace nezumi {
 
-enum class Outcome : unsigned char {
+enum class RunOutcome : unsigned char {
     passed,
     failed,
     could_not_run,  ///< it says nothing about what was tried: a file is missing, a script runs without end, a crash
 };
 
 struct RunResult {
-    Outcome outcome = Outcome::passed;
+    RunOutcome outcome = RunOutcome::passed;
     Error error{};                     ///< what failed, with the scenario's line
     std::vector<std::string> facts;    ///< more about it, a line each: by how much, when, values, a plot
     std::vector<std::string> margins;  ///< how near the conditions came to their limits, a line each

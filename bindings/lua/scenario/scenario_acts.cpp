@@ -1,6 +1,7 @@
 // What a scenario does to its worlds: load, reload, faults.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -52,6 +53,30 @@ int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
     return pushed ? 1 : raise(run, pushed.error().message);
 }
 
+int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
+    if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "expected the name of a CSV file beside the scenario's");
+    const std::string name(text_or_empty(lua, 2));
+    double tolerance = 1e-9;
+    const bool has_options = lua_type(lua, 3) == LUA_TTABLE;
+    if (has_options && detail::push_raw_field(lua, 3, "tolerance")) {
+        Mismatch why;
+        if (!detail::read_number(lua, lua_gettop(lua), 1e300, tolerance, &why) || tolerance < 0)
+            return raise(run, fmt::format("'{}': option 'tolerance' expected a number from 0 on", name));
+        lua_pop(lua, 1);
+    }
+    std::vector<TraceTable::PortOf> ports;
+    for (int index = has_options ? 4 : 3; index <= lua_gettop(lua); ++index) {
+        const auto at = run.objects_->to_port(lua, index);
+        if (!at) return raise(run, fmt::format("'{}': {}", name, at.error().message));
+        ports.push_back({at->live, at->path()});
+    }
+    if (ports.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
+    Place place = calling_place(lua);
+    auto file = std::filesystem::path(place.file).parent_path() / name;
+    run.goldens_.push_back({std::move(file), name, tolerance, std::move(place), TraceTable(std::move(ports))});
+    return 0;
+}
+
 int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_component(lua, 2);
     if (!at) return raise(run, at.error().message);
@@ -76,7 +101,7 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     Expected<ReloadReport> report = failure("");
     bool readable = true;
     if (!file.empty()) {
-        const auto path = at->live->project().find(FileKind::script, file, calling_place(lua).file);
+        const auto path = run.file_.project().find(FileKind::script, file, calling_place(lua).file);
         auto read = path ? read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
         readable = read.has_value();
         if (readable) {
@@ -201,6 +226,7 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
 const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts() {
     static const std::vector<Method> methods{
         {"load", load},
+        {"golden", golden},
         {"reload", reload},
         {"drop", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::dropped); }},
         {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }},

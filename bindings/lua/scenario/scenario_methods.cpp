@@ -165,7 +165,7 @@ Expected<double> ScenarioRun::Methods::seconds(lua_State* lua, int index, std::s
 bool ScenarioRun::Methods::fails(ScenarioRun& run, lua_State* lua, std::string text) {
     Place place = calling_place(lua);
     if (place.file.empty()) place = run.scenario_.place;
-    run.stop(Outcome::failed, {one_line(std::move(text)), std::move(place)});
+    run.stop(RunOutcome::failed, {one_line(std::move(text)), std::move(place)});
     run.tell_ports(run.looked_);
     return false;
 }

@@ -50,6 +50,7 @@ private:
     static int near(ScenarioRun& run, lua_State* lua);
     static int now(ScenarioRun& run, lua_State* lua);
 
+    static int golden(ScenarioRun& run, lua_State* lua);
     static int load(ScenarioRun& run, lua_State* lua);
     static int reload(ScenarioRun& run, lua_State* lua);
     static int port_fault(ScenarioRun& run, lua_State* lua, Override kind);

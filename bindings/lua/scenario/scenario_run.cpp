@@ -56,7 +56,7 @@ RunResult ScenarioRun::run() {
     const auto began = std::chrono::steady_clock::now();
     lua_State* lua = file_.state().lua();
     if (auto ok = open(); !ok) {
-        stop(Outcome::could_not_run, ok.error());
+        stop(RunOutcome::could_not_run, ok.error());
     } else {
         auto called = protect(lua, Budget{10}, [this](lua_State* inside) {
             file_.push_function(inside, index_);
@@ -83,12 +83,15 @@ void ScenarioRun::take_outcome(const CallResult& called) {
         const CallError& error = called.error();
         // The error of a word or of a system is the one that Lua raised, unless the scenario caught that.
         if (setup_error_ && error.message.find(setup_error_->message) != std::string::npos)
-            return stop(Outcome::could_not_run, *setup_error_);
+            return stop(RunOutcome::could_not_run, *setup_error_);
         Error plain{one_line(error.message), error.place};
         if (plain.place.file.empty()) plain.place = scenario_.place;
-        return stop(error.over_budget ? Outcome::could_not_run : Outcome::failed, std::move(plain));
+        return stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
     }
-    if (auto ok = settle(); !ok) stop(Outcome::could_not_run, ok.error());
+    if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
+    for (const Golden& golden : goldens_) {
+        if (auto same = golden.finish(settings_.update_goldens); !same) return stop(RunOutcome::failed, same.error());
+    }
 }
 
 std::string ScenarioRun::title() const {

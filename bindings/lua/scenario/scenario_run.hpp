@@ -16,6 +16,7 @@
 #include "bindings/lua/scenario/condition.hpp"
 #include "bindings/lua/scenario/expectation.hpp"
 #include "bindings/lua/scenario/faults.hpp"
+#include "bindings/lua/scenario/golden.hpp"
 #include "bindings/lua/scenario/run_result.hpp"
 #include "bindings/lua/scenario/scenario_file.hpp"
 #include "bindings/lua/scenario/worlds.hpp"
@@ -40,6 +41,7 @@ struct RunSettings {
     std::function<LiveOptions()> systems;  ///< how systems are made; seed, log and budget are set here
     RunFiles* files = nullptr;             ///< null: nothing is kept
     bool keep_history = false;             ///< for plots: memory that grows with the run
+    bool update_goldens = false;           ///< write them in place of comparing with them
 };
 
 /// The seed of everything a scenario draws by itself.
@@ -84,7 +86,7 @@ private:
     };
 
     // How a run ends before its function returns.
-    void stop(Outcome outcome, Error error);
+    void stop(RunOutcome outcome, Error error);
     bool stopped() const { return stopped_; }
     void fail(const Watched& watched);
     void fail(const CallError& error, const Watched& watched);
@@ -123,6 +125,7 @@ private:
     WordHost word_host_;
     std::unique_ptr<Objects> objects_;
     Faults faults_;
+    std::vector<Golden> goldens_;
     std::vector<std::unique_ptr<Watched>> watches_;
     std::vector<std::unique_ptr<Watched>> waits_;
     std::vector<PortAt> looked_;  // since the last look began

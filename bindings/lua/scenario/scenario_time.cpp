@@ -15,7 +15,7 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
         std::string text = fmt::format("timeout: the scenario takes longer than {} of simulated time",
                                        text_of_time(scenario_.timeout));
         if (waiting != nullptr) text += "; " + waiting->expectation.explain_open(worlds_.now());
-        stop(Outcome::failed, {text, waiting != nullptr ? waiting->expectation.terms().place : scenario_.place});
+        stop(RunOutcome::failed, {text, waiting != nullptr ? waiting->expectation.terms().place : scenario_.place});
         if (waiting != nullptr) tell_ports(looked_);
         if (waiting != nullptr) tell_plot(*waiting);
         return false;
@@ -23,12 +23,13 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
     faults_.end_due(worlds_.now());
     const auto ticked = worlds_.step();
     if (!ticked) {
-        stop(Outcome::could_not_run, ticked.error());
+        stop(RunOutcome::could_not_run, ticked.error());
         return false;
     }
     if (settings_.files != nullptr) {
         for (const std::size_t world : *ticked) settings_.files->after_tick(world, worlds_[world].system());
     }
+    for (Golden& golden : goldens_) golden.table.add(worlds_.now());
     for (const auto& watch : watches_) {
         if (!look(lua, *watch)) return false;
     }
@@ -88,7 +89,7 @@ bool ScenarioRun::wait(lua_State* lua, Watched& watched) {
     return true;
 }
 
-void ScenarioRun::stop(Outcome outcome, Error error) {
+void ScenarioRun::stop(RunOutcome outcome, Error error) {
     if (stopped_) return;
     stopped_ = true;
     result_.outcome = outcome;
@@ -99,7 +100,7 @@ void ScenarioRun::stop(Outcome outcome, Error error) {
 void ScenarioRun::fail(const Watched& watched) {
     if (stopped_) return;
     const Expectation& expectation = watched.expectation;
-    stop(Outcome::failed, {expectation.explain(), expectation.terms().place});
+    stop(RunOutcome::failed, {expectation.explain(), expectation.terms().place});
     const bool was = expectation.terms().kind == Expectation::Kind::never;
     const std::string reason = reason_of(watched.condition->comparisons(), was);
     if (!reason.empty()) result_.facts.push_back(reason);
@@ -111,7 +112,7 @@ void ScenarioRun::fail(const CallError& error, const Watched& watched) {
     if (stopped_) return;
     Error plain{watched.expectation.title() + ": " + error.message, error.place};
     if (plain.place.file.empty()) plain.place = watched.expectation.terms().place;
-    stop(error.over_budget ? Outcome::could_not_run : Outcome::failed, std::move(plain));
+    stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
     tell_ports(looked_);
 }
 

@@ -144,15 +144,15 @@ Expected<void> ScenarioRun::load(const std::string& name, const Place& place) {
     }
     const auto path = file_.project().find(FileKind::system, name, place.file);
     if (!path) return failure("load: " + path.error().message, place);
-    auto project = std::make_unique<Project>(Project::of(*path, file_.project().installed()));
-    auto spec = read_system_file(*path, *project, {.seed = settings_.seed, .print = [this](std::string_view line) {
-                                                       print(std::string(line));
-                                                   }});
+    // A system of another project is read as that project's; what the scenario adds is its own.
+    const Project theirs = Project::of(*path, file_.project().installed());
+    auto spec = read_system_file(
+        *path, theirs, {.seed = settings_.seed, .print = [this](std::string_view line) { print(std::string(line)); }});
     if (!spec) return Unexpected(spec.error());
     merge(*spec, before);
     if (!described_.empty() && described_.back().live == nullptr) described_.pop_back();
     Described next;
-    next.project = std::move(project);
+    next.project = std::make_unique<Project>(file_.project().root().empty() ? theirs : file_.project());
     next.words = std::make_unique<SystemWords>(*next.project, std::move(*spec));
     if (auto ok = next.words->finish(); !ok) return ok;
     if (auto ok = build(next); !ok) return ok;

@@ -47,15 +47,16 @@ Expected<std::string> make_folder(const fs::path& folder) {
 RunResult run_once(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options, RunFiles* files,
                    bool keep_history) {
     auto read = ScenarioFile::read(file.path, {.installed = options.installed, .seed = options.seed});
-    if (!read) return {.outcome = Outcome::could_not_run, .error = read.error()};
+    if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
     if (run.scenario >= (*read)->scenarios().size())
-        return {.outcome = Outcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};
+        return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};
     ScenarioRun scenario(**read, run.scenario,
                          {.seed = options.seed,
                           .point = run.point,
                           .systems = options.systems,
                           .files = files,
-                          .keep_history = keep_history});
+                          .keep_history = keep_history,
+                          .update_goldens = options.update_goldens});
     return scenario.run();
 }
 
@@ -73,7 +74,7 @@ RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult resul
 RunResult result_of(const Expected<std::string>& answer) {
     auto result = answer ? from_bytes(*answer) : Expected<RunResult>(Unexpected(answer.error()));
     if (result) return std::move(*result);
-    return {.outcome = Outcome::could_not_run, .error = result.error()};
+    return {.outcome = RunOutcome::could_not_run, .error = result.error()};
 }
 
 // The results of the same run, made several times: they must be alike.
@@ -81,9 +82,9 @@ RunResult agree(std::vector<RunResult> results, const Scenario& scenario) {
     RunResult first = results.front();
     for (std::size_t i = 1; i < results.size(); ++i) {
         if (results[i].hash == first.hash && results[i].outcome == first.outcome) continue;
-        if (first.outcome == Outcome::could_not_run) break;
-        if (results[i].outcome == Outcome::could_not_run) return std::move(results[i]);
-        first.outcome = Outcome::failed;
+        if (first.outcome == RunOutcome::could_not_run) break;
+        if (results[i].outcome == RunOutcome::could_not_run) return std::move(results[i]);
+        first.outcome = RunOutcome::failed;
         first.error = {fmt::format("the same run differs: the first has hash {:016x}, number {} has {:016x}",
                                    first.hash, i + 1, results[i].hash),
                        scenario.place};
@@ -127,7 +128,7 @@ private:
         for (const PlannedFile& file : plan_.files) {
             if (file.errors.empty()) continue;
             RunReport report{.file = file.shown};
-            report.result.outcome = Outcome::could_not_run;
+            report.result.outcome = RunOutcome::could_not_run;
             report.result.error = file.errors.front();
             for (std::size_t i = 1; i < file.errors.size(); ++i)
                 report.result.facts.push_back(describe(file.errors[i]));
@@ -151,16 +152,16 @@ private:
             }
             const Scenario& scenario = plan_.files[run.file].scenarios[run.scenario];
             RunResult result = agree(results_[told_], scenario);
-            if (!all && run.drawn && result.outcome == Outcome::failed) return;
+            if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
             tell(report_of(plan_, run, std::move(result), options_.seed));
         }
     }
 
     void tell(const RunReport& report) {
         switch (report.result.outcome) {
-            case Outcome::passed: ++end_.summary.passed; break;
-            case Outcome::failed: ++end_.summary.failed; break;
-            case Outcome::could_not_run: ++end_.summary.could_not_run; break;
+            case RunOutcome::passed: ++end_.summary.passed; break;
+            case RunOutcome::failed: ++end_.summary.failed; break;
+            case RunOutcome::could_not_run: ++end_.summary.could_not_run; break;
         }
         end_.summary.seconds += report.result.seconds;
         reporter_.add(report);
@@ -173,7 +174,7 @@ private:
         for (std::size_t i = told_; i < plan_.runs.size() && !end_.interrupted; ++i) {
             const PlannedRun& run = plan_.runs[i];
             const std::pair scenario{run.file, run.scenario};
-            if (!run.drawn || results_[i].front().outcome != Outcome::failed) continue;
+            if (!run.drawn || results_[i].front().outcome != RunOutcome::failed) continue;
             if (!seen.empty() && seen.back() == scenario) continue;
             seen.push_back(scenario);
             simplify(i);
@@ -205,7 +206,7 @@ private:
             std::size_t next = 0;
             // The same failure: another one may be of another kind.
             while (next < results.size() &&
-                   (results[next].outcome != Outcome::failed || results[next].error.place != error.place))
+                   (results[next].outcome != RunOutcome::failed || results[next].error.place != error.place))
                 ++next;
             if (next == results.size()) break;
             simplest = candidates[next];
@@ -216,7 +217,7 @@ private:
         for (std::size_t i = 0; i < plan_.runs.size(); ++i) {
             const PlannedRun& run = plan_.runs[i];
             if (run.file == found.file && run.scenario == found.scenario && !results_[i].empty() &&
-                results_[i].front().outcome == Outcome::failed)
+                results_[i].front().outcome == RunOutcome::failed)
                 ++failed;
         }
         if (simplest.name != found.name)
@@ -242,7 +243,7 @@ private:
 RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick) {
     const PlannedFile& file = plan.files[run.file];
     RunResult first = run_once(file, run, options, nullptr, false);
-    if (quick || first.outcome != Outcome::failed) return first;
+    if (quick || first.outcome != RunOutcome::failed) return first;
     const auto folder = make_folder(options.folder / folder_name(file.shown, run.name));
     std::unique_ptr<RunFiles> files;
     if (folder && options.files) files = options.files(*folder);
@@ -250,7 +251,7 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const Session
     if (again.outcome != first.outcome || again.hash != first.hash)
         again.facts.push_back(
             fmt::format("the same run again differs: it had hash {:016x}, then {:016x}", first.hash, again.hash));
-    again.outcome = Outcome::failed;
+    again.outcome = RunOutcome::failed;
     again.wall_seconds = first.wall_seconds;
     if (!folder) {
         again.facts.push_back(folder.error().message);

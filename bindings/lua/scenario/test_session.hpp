@@ -19,6 +19,7 @@ struct SessionOptions {
     std::size_t repeat = 1;                        ///< how often each run is made; all must have the same hash
     std::size_t jobs = 1;                          ///< processes at a time
     std::filesystem::path folder = "nezumi-test";  ///< failures leave their files in folders of it
+    bool update_goldens = false;                   ///< write them in place of comparing with them
     std::vector<std::filesystem::path> installed;
     std::function<LiveOptions()> systems;  ///< how systems are made
     /// Keeps the files of a run that failed, in a folder that is there; may be empty.

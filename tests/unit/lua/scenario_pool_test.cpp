@@ -55,7 +55,7 @@ TEST_CASE("an interruption ends all processes at once", "[lua][scenario][pool]")
 }
 
 TEST_CASE("a result travels as bytes, and half of it is an error", "[lua][scenario][pool]") {
-    RunResult result{.outcome = Outcome::failed,
+    RunResult result{.outcome = RunOutcome::failed,
                      .error = {"no", {"a.lua", 3, 4}},
                      .facts = {"one", "", std::string("\0\n", 2)},
                      .margins = {"m"},
@@ -71,7 +71,7 @@ TEST_CASE("a result travels as bytes, and half of it is an error", "[lua][scenar
 
 TEST_CASE("JUnit's text holds whatever a scenario says", "[lua][scenario][report]") {
     RunReport report{.file = "a_test.lua", .line = 3, .scenario = "x", .name = "x [a=\"<&\x01\xff\xc3\xa9]"};
-    report.result.outcome = Outcome::failed;
+    report.result.outcome = RunOutcome::failed;
     report.result.error = {"a < b & \"c\"", {"a_test.lua", 4}};
     report.result.printed = {"]]>", "two\x1b[0m"};
     const std::string text = junit_text({report}, {.failed = 1, .seed = 124});
@@ -87,7 +87,7 @@ TEST_CASE("TAP counts all, and escapes what it would take for a directive", "[lu
     reporter->begin(2);
     RunReport report{.file = "a_test.lua", .line = 3, .scenario = "x # SKIP", .name = "x # SKIP"};
     reporter->add(report);
-    report.result.outcome = Outcome::could_not_run;
+    report.result.outcome = RunOutcome::could_not_run;
     report.result.error = {"no \"file\"", {"a_test.lua", 4}};
     reporter->add(report);
     CHECK(

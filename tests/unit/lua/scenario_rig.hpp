@@ -34,7 +34,7 @@ public:
     /// The result of its first run, without the files of a failure.
     RunResult run(const std::string& filter = "") {
         const TestPlan planned = plan(filter);
-        if (planned.runs.empty()) return {.outcome = Outcome::could_not_run, .error = {"no run"}};
+        if (planned.runs.empty()) return {.outcome = RunOutcome::could_not_run, .error = {"no run"}};
         RunResult result = run_planned(planned, planned.runs.front(), options, true);
         // Messages name the file by its whole path, which is another one each time.
         const std::string path = file_.string();
@@ -64,9 +64,9 @@ private:
 /// "passed", "failed: it_test.lua:3: ..." or "could not run: ...".
 inline std::string outcome_of(const RunResult& result) {
     switch (result.outcome) {
-        case Outcome::passed: return "passed";
-        case Outcome::failed: return "failed: " + describe(result.error);
-        case Outcome::could_not_run: break;
+        case RunOutcome::passed: return "passed";
+        case RunOutcome::failed: return "failed: " + describe(result.error);
+        case RunOutcome::could_not_run: break;
     }
     return "could not run: " + describe(result.error);
 }

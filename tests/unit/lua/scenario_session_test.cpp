@@ -84,7 +84,7 @@ TEST_CASE("a failing sample is simplified, and found again from its command", "[
     REQUIRE(end.reports.size() == 30);
     const RunReport* simplest = nullptr;
     for (const RunReport& report : end.reports) {
-        if (report.result.outcome == Outcome::failed && simplest == nullptr) simplest = &report;
+        if (report.result.outcome == RunOutcome::failed && simplest == nullptr) simplest = &report;
     }
     REQUIRE(simplest != nullptr);
     CHECK(simplest->name == "small [x=20.0, y=0.0]");

@@ -1,0 +1,137 @@
+// `nezumi test` as a person or a script calls it: status, lists, files, signals.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+constexpr const char* three =
+    "scenario('passes', { sweep = { speed = { 0.1, 0.2 } } }, function(s, p)\n"
+    "  local w = s:load 'systems/stop_at_wall.lua'\n"
+    "  w.controller.config.speed_x = p.speed\n"
+    "  s:run(0.5)\n"
+    "end)\n"
+    "scenario('fails', function(s)\n"
+    "  s:load 'systems/stop_at_wall.lua'\n"
+    "  s:always('stands', function() return s.mouse.truth.pose.position.x < 0.01 end)\n"
+    "  s:run(5)\n"
+    "end)\n"
+    "scenario('can not', function(s) s:load 'no_such' end)\n";
+
+// A folder with a file of scenarios.
+struct Tried : Scratch {
+    explicit Tried(std::string_view text = three) { static_cast<void>(write("it_test.lua", text)); }
+    nezumi::Outcome test(std::vector<std::string> words) const {
+        words.insert(words.begin(), "test");
+        return run_nezumi(std::move(words), path("").string());
+    }
+};
+
+std::string text_of_file(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("nezumi test ends with 0, 1 or 2", "[cli][test]") {
+    const Tried tried;
+    CHECK(tried.test({"it_test.lua", "--filter", "passes"}).status == 0);
+    CHECK(tried.test({"it_test.lua", "--filter", "fails"}).status == 1);
+    CHECK(tried.test({"it_test.lua", "--filter", "can not"}).status == 2);
+    CHECK(tried.test({"it_test.lua"}).status == 2);
+    CHECK(tried.test({"it_test.lua", "--filter", "zzz"}).error ==
+          "nezumi: no scenario matches 'zzz'; --list shows all\n");
+    CHECK(tried.test({"it_test.lua", "--filter", "zzz"}).status == 2);
+    CHECK(tried.test({"nothing"}).error == "nothing: there is no such file or folder\n");
+    CHECK(tried.test({"it_test.lua", "--jobs", "0"}).status == 2);
+    CHECK(tried.test({"it_test.lua", "--seed", "-1"}).error ==
+          "nezumi: --seed: expected a whole number from 0 to 2^64 - 1, got '-1'; see nezumi test --help\n");
+    CHECK(tried.test({"it_test.lua", "--junit", "none/it.xml"}).error ==
+          "none/it.xml: can't be written: No such file or directory\n");
+}
+
+TEST_CASE("nezumi test --list shows every run and where it is", "[cli][test]") {
+    const auto listed = Tried().test({"it_test.lua", "--list"});
+    CHECK(listed.status == 0);
+    CHECK(listed.out ==
+          "passes [speed=0.1]  it_test.lua:1\n"
+          "passes [speed=0.2]  it_test.lua:1\n"
+          "fails  it_test.lua:6\n"
+          "can not  it_test.lua:11\n");
+}
+
+TEST_CASE("nezumi test finds the scenarios of tests/ and behaviors/", "[cli][test]") {
+    const Scratch folder;
+    static_cast<void>(folder.write("tests/deep/a_test.lua", "scenario('a', function() end)"));
+    static_cast<void>(folder.write("tests/helper.lua", "nonsense"));
+    static_cast<void>(folder.write("behaviors/b_test.lua", "scenario('b', function() end)"));
+    static_cast<void>(folder.write("tests/.hidden/c_test.lua", "scenario('c', function() end)"));
+    const auto listed = run_nezumi({"test", "--list"}, folder.path("").string());
+    CHECK(listed.out == "a  tests/deep/a_test.lua:1\nb  behaviors/b_test.lua:1\n");
+    const auto inside = run_nezumi({"test", "--list"}, folder.path("tests").string());
+    CHECK(contains(inside.out, "a  "));
+    CHECK(contains(inside.out, "b  "));
+}
+
+TEST_CASE("a failure names its files and the command that repeats it", "[cli][test]") {
+    const Tried tried;
+    const auto failed = tried.test({"it_test.lua", "--filter", "fails", "-o", "out"});
+    CHECK(contains(failed.out, "it_test.lua:8: always 'stands' held until "));
+    CHECK(contains(failed.out, "off the limit by "));
+    CHECK(contains(failed.out, "files: out/it_test-fails (trace.csv, picture.png, failure.txt)"));
+    CHECK(contains(failed.out, "repeat it with: nezumi test it_test.lua --filter fails --seed 124"));
+    CHECK(text_of_file(tried.path("out/it_test-fails/trace.csv")).starts_with("time,mouse."));
+    CHECK(text_of_file(tried.path("out/it_test-fails/picture.png")).starts_with("\x89PNG"));
+    CHECK(contains(text_of_file(tried.path("out/it_test-fails/failure.txt")), "seed: 124"));
+}
+
+TEST_CASE("the same runs give the same hashes with any number of jobs", "[cli][test]") {
+    const Tried tried;
+    const auto hashes = [&](const std::string& jobs) {
+        std::string out;
+        std::istringstream lines(tried.test({"it_test.lua", "--filter", "passes", "--jobs", jobs}).out);
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t at = line.find("hash ");
+            if (at != std::string::npos) out += line.substr(at) + "\n";
+        }
+        return out;
+    };
+    const std::string serial = hashes("1");
+    CHECK(std::count(serial.begin(), serial.end(), '\n') == 2);
+    CHECK(hashes("4") == serial);
+    CHECK(tried.test({"it_test.lua", "--filter", "passes", "--repeat", "3"}).status == 0);
+}
+
+TEST_CASE("results go to JUnit and TAP", "[cli][test]") {
+    const Tried tried;
+    const auto told = tried.test({"it_test.lua", "--tap", "--junit", "it.xml"});
+    CHECK(told.out.starts_with("TAP version 13\n1..4\nok 1 - it_test.lua: passes [speed=0.1]\n"));
+    CHECK(contains(told.out, "\nnot ok 3 - it_test.lua: fails\n  ---\n"));
+    const std::string xml = text_of_file(tried.path("it.xml"));
+    CHECK(contains(xml, "<testsuite name=\"it_test.lua\" tests=\"4\" failures=\"1\" errors=\"1\""));
+    CHECK(xml.ends_with("</testsuites>\n"));
+}
+
+TEST_CASE("an interruption ends all runs at once", "[cli][test]") {
+    const Tried tried(
+        "scenario('long', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s)\n"
+        "  s:load 'systems/stop_at_wall.lua'\n"
+        "  s:run(1e7)\n"
+        "end)\n");
+    Program program({"test", "it_test.lua", "--jobs", "2"}, tried.path("").string());
+    usleep(300'000);
+    program.send(SIGINT);
+    CHECK(program.wait() == 2);
+    CHECK(program.error == "nezumi: interrupted: not all scenarios have run\n");
+}
