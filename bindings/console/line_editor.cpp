@@ -16,10 +16,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <cwchar>
 #include <utility>
 #include <vector>
 
+#include "bindings/console/text_layout.hpp"
 #include "bindings/console/tty_input.hpp"
 
 namespace nezumi {
@@ -30,66 +30,9 @@ struct CloseFile {
 };
 using File = std::unique_ptr<FILE, CloseFile>;
 
-// Candidates beyond this are only counted.
-constexpr std::size_t most_listed = 200;
-
 std::string_view terminal_type() {
     const char* type = std::getenv("TERM");
     return type != nullptr ? type : "";
-}
-
-// The cursor's row, counted from the prompt's first, as libedit lays text out.
-int row_after(std::wstring_view text, int columns) {
-    int row = 0;
-    int column = 0;
-    for (const wchar_t letter : text) {
-        if (letter == L'\n') {
-            ++row;
-            column = 0;
-            continue;
-        }
-        int width = letter == L'\t' ? 8 - column % 8 : wcwidth(letter);
-        if (width < 0) width = 2;  // ^A
-        if (column + width > columns) {
-            ++row;
-            column = 0;
-        }
-        column += width;
-        if (column >= columns) {
-            ++row;
-            column = 0;
-        }
-    }
-    return row;
-}
-
-// What all candidates begin with.
-std::string common_beginning(const std::vector<std::string>& candidates) {
-    std::string common = candidates.front();
-    for (const std::string& candidate : candidates) {
-        const auto differ = std::mismatch(common.begin(), common.end(), candidate.begin(), candidate.end());
-        common.erase(differ.first, common.end());
-    }
-    while (!common.empty() && (static_cast<unsigned char>(common.back()) & 0xC0U) == 0x80U) common.pop_back();
-    return common;
-}
-
-std::string in_columns(const std::vector<std::string>& candidates, int columns) {
-    const std::size_t shown = std::min(candidates.size(), most_listed);
-    std::size_t width = 0;
-    for (std::size_t at = 0; at < shown; ++at) width = std::max(width, candidates[at].size());
-    width += 2;
-    const std::size_t in_row = std::max<std::size_t>(1, static_cast<std::size_t>(columns) / width);
-    const std::size_t rows = (shown + in_row - 1) / in_row;
-    std::string text;
-    for (std::size_t row = 0; row < rows; ++row) {
-        std::string line;
-        for (std::size_t at = row; at < shown; at += rows) line += fmt::format("{:<{}}", candidates[at], width);
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + "\n";
-    }
-    if (shown < candidates.size()) text += fmt::format("and {} more\n", candidates.size() - shown);
-    return text;
 }
 
 }  // namespace
@@ -109,6 +52,7 @@ struct LineEditor::Parts {
     std::string prompt;
     std::string so_far;
     std::string typed;
+    int width = 0;  // [columns] when libedit last looked
     bool editing = false;
     Outcome outcome = Outcome::input;
 
@@ -124,6 +68,7 @@ struct LineEditor::Parts {
         return ioctl(input, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
     }
     int cursor_row() const;
+    void follow_size();
     void erase_input();
     void draw_input();
     void open_editor();
@@ -154,6 +99,12 @@ int LineEditor::Parts::cursor_row() const {
     return std::min(row_after(text, columns()), rows - 1);
 }
 
+// Somebody may have changed the window: without a signal, which is the whole process's, this is how to know.
+void LineEditor::Parts::follow_size() {
+    const int before_now = std::exchange(width, columns());
+    if (width != before_now) el_resize(editor);
+}
+
 void LineEditor::Parts::erase_input() {
     if (!editing) return;
     if (plain) {
@@ -165,6 +116,7 @@ void LineEditor::Parts::erase_input() {
 }
 
 void LineEditor::Parts::draw_input() {
+    follow_size();
     if (editing) el_wset(editor, EL_REFRESH);
     std::fflush(out.get());
 }
@@ -329,7 +281,7 @@ LineEditor::Outcome LineEditor::read(const std::string& so_far, std::string& inp
     parts_->so_far = so_far;
     parts_->outcome = Outcome::input;
     if (!parts_->plain) std::fputs("\x1b[?2004h", parts_->out.get());
-    el_resize(parts_->editor);
+    parts_->follow_size();
     parts_->editing = true;
     int count = 0;
     const wchar_t* line = el_wgets(parts_->editor, &count);
