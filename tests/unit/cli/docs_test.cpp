@@ -150,4 +150,6 @@ void follow(const std::string& name) {
 
 TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("editors.md"); }
 
+TEST_CASE("the page about the console does what it says", "[cli][docs]") { follow("console.md"); }
+
 TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("tutorial.md"); }

@@ -223,3 +223,18 @@ TEST_CASE("a second terminal attaches and leaves, and the system goes on", "[cli
     CHECK(third.wait_for_row("the system has ended"));
     CHECK(third.wait() == 0);
 }
+
+TEST_CASE("a terminal that goes away ends the run in good order, and an attached console alone", "[cli][prompt]") {
+    const Home home(quiet);
+    PtyProgram it = home.run();
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    {
+        PtyProgram second({"attach"}, home.home);
+        REQUIRE(second.wait_for_prompt("nezumi>"));
+        second.type("while true do end\r");
+        second.hang_up();
+    }
+    it.type("1 + 1\r");
+    CHECK(it.wait_for_row("2"));
+    CHECK(it.hang_up() == 0);
+}

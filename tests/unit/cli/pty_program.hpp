@@ -188,6 +188,16 @@ public:
         waitpid(std::exchange(child_, -1), &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
+    /// The terminal goes away, as when its window is closed. Returns as `wait`; -SIGKILL when it does not end by
+    /// itself.
+    int hang_up() {
+        close(std::exchange(terminal_, -1));
+        int status = 0;
+        for (int tries = 0; tries < 300 && waitpid(child_, &status, WNOHANG) == 0; ++tries) usleep(100'000);
+        if (kill(child_, 0) == 0) return -SIGKILL;
+        child_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    }
     /// Whether the terminal is as the program found it.
     bool is_as_before() const {
         termios now{};
