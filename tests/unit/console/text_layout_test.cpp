@@ -32,6 +32,7 @@ TEST_CASE("candidates are listed downwards in columns", "[console][layout]") {
     CHECK(in_columns({"a", "bb", "ccc"}, 10) == "a    ccc\nbb\n");
     CHECK(in_columns({"longer than the terminal"}, 10) == "longer than the terminal\n");
     std::vector<std::string> many;
+    many.reserve(250);
     for (int count = 0; count < 250; ++count) many.push_back(std::to_string(count));
     CHECK(in_columns(many, 80).ends_with("\nand 50 more\n"));
 }
