@@ -71,6 +71,7 @@ int open_text(const std::string& text) {
 // Runs a program without arguments' being looked at by a shell; "" when it did its work, else what went wrong.
 std::string run_program(std::vector<std::string> words, int input) {
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t files;

@@ -17,7 +17,7 @@ for number = 1, COLUMNS * ROWS do
   })
   behavior(controller, {
     script = "robot_controller",
-    config = { speed_x = 0.05 + 0.01 * column, speed_r = 0.1 * (row - 1), stop_d = 20 + 2 * number },
+    config = { speed_x = (5 + column) / 100, speed_r = (row - 1) / 10, stop_d = 20 + 2 * number },
   })
   connect(mouse .. ".ir_sensor_out", controller .. ".in")
   connect(controller .. ".out", mouse .. ".target_velocity_in")

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bindings/lua/live/live_system.hpp"
+#include "engine/joystick.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -50,6 +51,7 @@ struct LiveRig {
         LiveOptions options;
         options.installed = {NEZUMI_SOURCE_ROOT};
         options.world = sim::make_world;
+        options.components = {{"Joystick", make_joystick}};
         options.build.log = [this](const LogLine& line) { log.push_back(line); };
         auto loaded = LiveSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));

@@ -127,10 +127,11 @@ void run_console(Terminal& terminal, const Block& block) {
     }
 }
 
-void follow(const std::string& name) {
+void follow(const std::string& name, const std::string& folder = "") {
     const std::string page = read(fs::path(NEZUMI_SOURCE_ROOT) / "docs" / name);
     REQUIRE_FALSE(page.empty());
     Terminal terminal;
+    if (!folder.empty()) terminal.run("cd '" + folder + "'");
     for (const Block& block : blocks_of(page)) {
         std::string text;
         for (const std::string& line : block.lines) text += line + "\n";
@@ -151,5 +152,9 @@ void follow(const std::string& name) {
 TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("editors.md"); }
 
 TEST_CASE("the page about the console does what it says", "[cli][docs]") { follow("console.md"); }
+
+TEST_CASE("the page about the seminar's systems does what it says", "[cli][docs]") {
+    follow("seminar.md", NEZUMI_SOURCE_ROOT);
+}
 
 TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("tutorial.md"); }
