@@ -34,6 +34,12 @@ bool is_early(std::string_view name) {
            std::find(words.begin(), words.end(), name) != words.end();
 }
 
+// Methods that let time pass, or wait for it.
+bool needs_time(std::string_view name) {
+    constexpr std::string_view all[] = {"always", "never", "wait_until", "eventually", "maintain", "run"};
+    return std::find(std::begin(all), std::end(all), name) != std::end(all);
+}
+
 }  // namespace
 
 void ScenarioRun::Methods::push_object(lua_State* lua, ScenarioRun& run) {
@@ -138,7 +144,10 @@ int ScenarioRun::Methods::call(lua_State* lua) {
     const auto& method = *static_cast<const Method*>(lua_touserdata(lua, lua_upvalueindex(2)));
     if (!is_object(lua, 1)) return luaL_error(lua, "write s:%s(...) with a colon", method.name);
     luaL_checkstack(lua, 20, nullptr);
-    const int answered = run.stopped_ ? end_run : method.function(run, lua);
+    const bool too_late = run.looking_ && needs_time(method.name);
+    const int answered = run.stopped_ ? end_run
+                         : too_late   ? raise(run, "a condition only looks: time and expectations are the scenario's")
+                                      : method.function(run, lua);
     if (answered == end_run || run.stopped_) end_call(lua);
     if (answered != raise_text) return answered;
     luaL_where(lua, 1);

@@ -131,6 +131,7 @@ private:
     std::vector<PortAt> looked_;  // since the last look began
     double asked_until_ = 0;      // [s] what s:run was asked for, which may end between two ticks
     std::size_t printed_bytes_ = 0;
+    bool looking_ = false;  // a condition is being called
     bool stopped_ = false;
     std::optional<Error> setup_error_;  // of a word or of building, which Lua may be about to raise
     RunResult result_;

@@ -39,7 +39,10 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
 bool ScenarioRun::look(lua_State* lua, Watched& watched) {
     looked_.clear();
     Condition& condition = *watched.condition;
+    looking_ = true;
     const auto is_true = condition.look(lua);
+    looking_ = false;
+    if (stopped_) return false;
     if (!is_true) {
         fail(is_true.error(), watched);
         return false;

@@ -154,3 +154,25 @@ TEST_CASE("a run tells how near its conditions came to their limits", "[lua][sce
     CHECK(rig.run().margins ==
           std::vector<std::string>{"always 'early': came within 0.25 of the limit at 1.00 s (s:now() < 1.25)"});
 }
+
+TEST_CASE("a condition looks, and lets no time pass", "[lua][scenario][run]") {
+    for (const std::string inner : {"s:run(0.1)", "s:always('b', function() return true end)"}) {
+        const std::string outcome = outcome_of(
+            "s:load 'systems/stop_at_wall.lua'\n"
+            "s:always('a', function() " +
+            inner + " return true end)\ns:run(1)");
+        CHECK(outcome.starts_with("failed: it_test.lua:3: always 'a': "));
+        CHECK(outcome.ends_with(": a condition only looks: time and expectations are the scenario's"));
+    }
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:always('a', function() s:check(s:now() < 0.05, 'late') return true end)\n"
+                     "s:run(1)") == "failed: it_test.lua:3: check failed: late");
+}
+
+TEST_CASE("time passes from within coroutines, protected calls and sorting alike", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "local step = coroutine.wrap(function() s:run(0.5) coroutine.yield() s:run(0.5) end)\n"
+                     "step() step() pcall(s.run, s, 1)\n"
+                     "table.sort({ 2, 1 }, function(a, b) s:run(0.5) return a < b end)\n"
+                     "s:check(s:now() >= 2.5, tostring(s:now()))") == "passed");
+}
