@@ -85,6 +85,12 @@ void Actuators::act(RobotBody& body, const Time& now, double tick_rate, const st
     }
 }
 
+double Actuators::servo_angle(std::size_t index) const {
+    const auto drives = [index](const Channel& channel) { return channel.actuator == index; };
+    const auto found = std::find_if(channels_.begin(), channels_.end(), drives);
+    return found != channels_.end() ? found->angle : 0;
+}
+
 void Actuators::be_still(RobotBody& body) { set_buzzer(body, 0); }
 
 void Actuators::set_leds(RobotBody& body, const std::vector<bool>& wanted) {

@@ -36,6 +36,8 @@ public:
 
     const std::vector<bool>& leds() const { return leds_; }
     int buzzer_hertz() const { return buzzer_hertz_; }
+    /// The angle [rad] that servo `index` of the spec was sent to last; 0 before, and without a port.
+    double servo_angle(std::size_t index) const;
     /// What the speaker was given, oldest first: the last `most_said` texts.
     const std::deque<std::string>& said() const { return said_; }
     static constexpr std::size_t most_said = 100;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/payload.hpp"
@@ -44,6 +45,15 @@ bool Robot::is_due_at(double port_rate, const Time& now) const {
     return port_rate <= 0 || port_rate >= tick_rate() || nezumi::is_due(now.tick, port_rate, tick_rate());
 }
 
+// Where a sensor is in the body frame now that its servo has turned it.
+Pose3D Robot::pose_on_servo(std::size_t sensor, std::size_t servo) const {
+    const Point3D &at = spec_.sensors[sensor].at, &axis = spec_.actuators[servo].at;
+    const double angle = actuators_.servo_angle(servo), c = std::cos(angle), s = std::sin(angle);
+    const double x = at.x - axis.x, y = at.y - axis.y;
+    return {.position = {axis.x + c * x - s * y, axis.y + s * x + c * y, at.z},
+            .orientation = {.r = 0, .p = 0, .y = spec_.sensors[sensor].yaw + angle}};
+}
+
 void Robot::sense(const Time& now) {
     const Wheels angles = body_->wheel_angles();
     odometry_.update(angles);
@@ -68,7 +78,13 @@ void Robot::sense(const Time& now) {
         outgoing_.clear();
         for (const std::size_t sensor : port.sensors)
             outgoing_.push_back(port.distance ? sensors_.distance(sensor) : sensors_.value(sensor));
-        port.write(*port.port, outgoing_, port.rate > 0 ? std::min(port.rate, tick_rate()) : tick_rate());
+        const double hertz = port.rate > 0 ? std::min(port.rate, tick_rate()) : tick_rate();
+        if (port.servo) {
+            const Pose3D turned = pose_on_servo(port.sensors.front(), *port.servo);
+            port.write(*port.port, outgoing_, hertz, &turned);
+        } else {
+            port.write(*port.port, outgoing_, hertz, nullptr);
+        }
     }
 }
 

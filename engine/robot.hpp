@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,11 @@ private:
     // An out-port that carries sensors' values: how to write them, and which.
     struct SensorPort {
         OutPortBase* port;
-        void (*write)(OutPortBase& port, const std::vector<double>& values, double rate);
+        void (*write)(OutPortBase& port, const std::vector<double>& values, double rate, const Pose3D* turned);
         std::vector<std::size_t> sensors;
         bool distance;
         double rate;
+        std::optional<std::size_t> servo;  // the actuator that turns its first sensor, where the message tells the pose
     };
     // An out-port of the wheels.
     template <class T>
@@ -61,6 +63,7 @@ private:
     Expected<void> on_activated() override;
 
     bool is_due_at(double port_rate, const Time& now) const;
+    Pose3D pose_on_servo(std::size_t sensor, std::size_t servo) const;
     void take_velocities(const Time& now);
     void command(const Velocity2D& velocity, const Time& now);
     void take_pose();

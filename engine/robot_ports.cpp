@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -31,18 +32,18 @@ template <class T>
 constexpr bool can_carry = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
 
 // How sensors' values go into a message of type T; nullptr where they don't.
-using WriteValues = void (*)(OutPortBase&, const std::vector<double>&, double rate);
+using WriteValues = void (*)(OutPortBase&, const std::vector<double>&, double rate, const Pose3D* turned);
 
 template <class T>
 constexpr WriteValues write_values() {
     if constexpr (can_carry<T>) {
-        return [](OutPortBase& port, const std::vector<double>& values, double) {
+        return [](OutPortBase& port, const std::vector<double>& values, double, const Pose3D*) {
             static_cast<OutPort<T>&>(port).write(element<T>(values.front()));
         };
     } else if constexpr (Sequence<T>) {
         using Element = typename T::value_type;
         if constexpr (can_carry<Element>) {
-            return [](OutPortBase& port, const std::vector<double>& values, double) {
+            return [](OutPortBase& port, const std::vector<double>& values, double, const Pose3D*) {
                 T& slot = static_cast<OutPort<T>&>(port).next_pending();
                 slot.resize(values.size());
                 for (std::size_t i = 0; i < values.size(); ++i) slot[i] = element<Element>(values[i]);
@@ -51,10 +52,11 @@ constexpr WriteValues write_values() {
             return nullptr;
         }
     } else if constexpr (std::is_same_v<T, RangeData>) {
-        return [](OutPortBase& port, const std::vector<double>& values, double rate) {
+        return [](OutPortBase& port, const std::vector<double>& values, double rate, const Pose3D* turned) {
             RangeData& slot = static_cast<OutPort<RangeData>&>(port).next_pending();
             slot.ranges = values;
             slot.config.frequency = rate;
+            if (turned != nullptr) slot.geometry.pose = *turned;
         };
     } else {
         return nullptr;
@@ -114,6 +116,7 @@ Expected<void> Robot::add_output(const PortSpec& port) {
         }
         OutPort<T>& made = add_out_port<T>(port.name, port.doc);
         bool distance = port.quantity == PortSpec::Quantity::distance;
+        std::optional<std::size_t> servo;
         if constexpr (std::is_same_v<T, RangeData>) {
             distance = true;
             const SensorSpec& first = spec_.sensors[sensors.front()];
@@ -127,8 +130,12 @@ Expected<void> Robot::add_output(const PortSpec& port) {
                             .rangeRes = 0,
                             .frequency = 0};
             made.prepare(range);
+            for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
+                const ActuatorSpec& actuator = spec_.actuators[i];
+                if (actuator.kind == ActuatorSpec::Kind::servo && actuator.name == first.on) servo = i;
+            }
         }
-        sensor_ports_.push_back({&made, write, sensors, distance, port.rate});
+        sensor_ports_.push_back({&made, write, sensors, distance, port.rate, servo});
         return {};
     });
 }

@@ -1,6 +1,8 @@
 // A robot's eyes for the floor, its screen and its speaker.
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 #include "tests/unit/engine/fake_world.hpp"
 
 using namespace nezumi;
@@ -104,6 +106,27 @@ TEST_CASE("a servo goes to its angle no faster than it can", "[engine][robot]") 
     run.send("neck_in", -5.0);  // beyond its limit
     run.ticks(200);
     CHECK(run.hull().servos[2] == -1.0);
+}
+
+TEST_CASE("a range sensor on a servo tells where it looks", "[engine][sensor]") {
+    RobotSpec spec = brick();
+    spec.actuators[2].at = {0.05, 0, 0.04};
+    spec.actuators[2].minimum = spec.actuators[2].maximum = 0;
+    spec.actuators[2].max_rate = 0;
+    spec.sensors[0].on = "neck";
+    spec.sensors[0].at = {0.07, 0, 0.05};
+    spec.sensors[0].yaw = 0.1;
+    FakeRun run(spec);
+    run.system.tick();
+    CHECK(run.value<RangeData>("ranger").geometry.pose.orientation.y == 0.1);
+    CHECK(run.value<RangeData>("ranger").geometry.pose.position.x == Approx(0.07));
+    run.send("neck_in", std::acos(0.0));
+    run.system.tick();
+    const Pose3D pose = run.value<RangeData>("ranger").geometry.pose;
+    CHECK(pose.orientation.y == Approx(0.1 + std::acos(0.0)));
+    CHECK(pose.position.x == Approx(0.05));
+    CHECK(pose.position.y == Approx(0.02));
+    CHECK(pose.position.z == Approx(0.05));
 }
 
 TEST_CASE("a speaker plays every text of a tick and keeps what it was given", "[engine][robot]") {

@@ -129,7 +129,7 @@ TEST_CASE("a speech program that fails costs its sound and no more", "[sim][soun
     CHECK(fs::exists(folder.path / "ev3-0002.wav"));
 }
 
-TEST_CASE("a sound never waits for the one before", "[sim][sound]") {
+TEST_CASE("a sound never waits for the one before", "[sim][sound][wallclock]") {
     const Folder folder;
     std::vector<std::string> warnings;
     {
