@@ -1,90 +1,10 @@
 // Hot reload in a running system: what is kept, what is new, and that a bad version changes nothing.
-#include "bindings/lua/reload/reloader.hpp"
-
-#include <unistd.h>
-
-#include <catch2/catch.hpp>
-#include <filesystem>
-#include <fstream>
-
-#include "engine/system.hpp"
+#include "tests/unit/lua/reload_rig.hpp"
 
 using namespace nezumi;
 
-namespace {
-
-namespace fs = std::filesystem;
-using Text = std::string;
-using Longs = std::vector<std::int32_t>;
-
-// A system of scripts in files of their own.
-struct Setting {
-    Setting() { fs::create_directories(folder); }
-    ~Setting() { fs::remove_all(folder); }
-
-    Text path(const Text& file) const { return (folder / file).string(); }
-    void write(const Text& file, const Text& text) const { std::ofstream(path(file)) << text; }
-
-    ScriptComponent& add(const Text& name, const Text& file, ParameterValues config = {}, Budget budget = {0.05}) {
-        const ModuleFinder find = [this](std::string_view module, std::string_view) {
-            return read_source(path(Text(module) + ".lua"));
-        };
-        auto loaded = ScriptComponent::load(name, read_source(path(file)).value(),
-                                            {.budget = budget, .find_module = find, .chunks = &chunks});
-        if (!loaded) FAIL(describe(loaded.error()));
-        REQUIRE((*loaded)->parameters().set_all(config));
-        ScriptComponent& component = **loaded;
-        REQUIRE(system.add(std::move(*loaded)));
-        if (!component.activate(system.now())) WARN("not active");
-        return component;
-    }
-    ScriptComponent& add_text(const Text& name, const Text& text, ParameterValues config = {}) {
-        write(name + ".lua", text);
-        return add(name, name + ".lua", std::move(config));
-    }
-
-    void tick(int count = 1) {
-        for (; count > 0; --count) {
-            system.tick();
-            reloader.after_tick();
-        }
-    }
-    // Writes a new text and reloads it; the message when it is refused.
-    Text change(const Text& file, const Text& text) {
-        write(file, text);
-        auto report = reloader.reload_files({path(file)});
-        if (!report) return describe(report.error());
-        notes = report->notes;
-        return "";
-    }
-    template <class T>
-    T out(const Text& port) const {
-        return std::get<T>(system.port(port).value()->value());
-    }
-    bool said(const Text& part) const {
-        for (const Text& line : log) {
-            if (line.find(part) != Text::npos) return true;
-        }
-        return false;
-    }
-
-    fs::path folder = fs::temp_directory_path() / ("nezumi_reload_" + std::to_string(::getpid()));
-    std::vector<Text> log, notes;
-    ChunkCache chunks;
-    System system{{}, [this](const LogLine& line) { log.push_back(line.component + ": " + line.text); }};
-    Reloader reloader{system};
-};
-
-Text counter(const Text& step, const Text& more = "") {
-    return "local out = output('out', 'TimedLongSeq')\nlocal runs = 0\n" + more +
-           "\nfunction on_execute()\n  runs = runs + 1\n  state.total = (state.total or 0) + " + step +
-           "\n  out:write { runs, state.total }\nend\n";
-}
-
-}  // namespace
-
 TEST_CASE("a reload keeps state and makes locals new, without losing a tick", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     ScriptComponent& counted = world.add_text("counted", counter("1"));
     world.tick(3);
     CHECK(world.out<Longs>("counted.out") == Longs{3, 3});
@@ -98,7 +18,7 @@ TEST_CASE("a reload keeps state and makes locals new, without losing a tick", "[
 
 TEST_CASE("state keeps plain data with its shape, and drops the rest with a warning that names its path",
           "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     world.add_text("keeper", R"(
 local out = output('out', 'TimedLong')
 function on_activated()
@@ -126,7 +46,7 @@ end)") == "");
 }
 
 TEST_CASE("a state of a hundred thousand links is carried over", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     const Text text =
         "param('x', 1) function on_activated() for i = 1, 100000 do state.list = { next = state.list, i = i } end end";
     world.add_text("links", text);
@@ -136,7 +56,7 @@ TEST_CASE("a state of a hundred thousand links is carried over", "[lua][reload]"
 
 TEST_CASE("a set parameter is kept while name, type and bounds fit, an unset one follows the new default",
           "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     ScriptComponent& it = world.add_text(
         "it",
         "param('set', 1.0) param('unset', 1) param('typed', 1) param('bound', 5.0) param('gone', 1) param('same', 1)");
@@ -162,7 +82,7 @@ TEST_CASE("a set parameter is kept while name, type and bounds fit, an unset one
 }
 
 TEST_CASE("unread values of in-ports are kept, also when the queue changes its length", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     const auto text = [](int queue) {
         return "local from = input('from', 'TimedLong', '', { queue = " + std::to_string(queue) +
                " })\nlocal out = output('out', 'TimedLong')\nparam('go', false)\nfunction on_execute() if config.go "
@@ -182,7 +102,7 @@ TEST_CASE("unread values of in-ports are kept, also when the queue changes its l
 }
 
 TEST_CASE("on_activated does not run again; on_reload does, with the version before", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     const Text text = R"(
 local out = output('out', 'TimedString')
 local from = input('from', 'TimedLong')
@@ -204,7 +124,7 @@ function on_execute() out:write(text) end)";
 }
 
 TEST_CASE("the error about a local that a reload has lost says so", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     const auto text = [](const Text& more) {
         return "local out = output('out', 'TimedLong')\nlocal map\nfunction on_activated() map = {} end\nfunction "
                "on_execute() map.x = 1 end" +
@@ -225,7 +145,7 @@ TEST_CASE("the error about a local that a reload has lost says so", "[lua][reloa
 }
 
 TEST_CASE("a version that can't be had leaves the old one untouched and says what runs", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     ScriptComponent& it = world.add_text("it", counter("1"));
     world.tick(2);
     const Text still = "; still running version 1";
@@ -255,7 +175,7 @@ TEST_CASE("a version that can't be had leaves the old one untouched and says wha
 }
 
 TEST_CASE("all components of a file go together or not at all", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     world.write("twin.lua", "param('bad', false)");
     ScriptComponent& one = world.add("one", "twin.lua");
     ScriptComponent& two = world.add("two", "twin.lua", {{"bad", true}});
@@ -275,7 +195,7 @@ TEST_CASE("all components of a file go together or not at all", "[lua][reload]")
 }
 
 TEST_CASE("a changed module takes along everything that requires it", "[lua][reload][modules]") {
-    Setting world;
+    ReloadRig world;
     world.write("inner.lua", "return 1");
     world.write("outer.lua", "return { n = require 'inner' }");
     const Text user =
@@ -301,7 +221,7 @@ TEST_CASE("a changed module takes along everything that requires it", "[lua][rel
 }
 
 TEST_CASE("connections stay where ports fit, and a port that goes is reported with its peers", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     const auto source = [](const Text& port, const Text& type, const Text& value) {
         return "local out = output('" + port + "', '" + type +
                "')\nlocal n = 0\nfunction on_execute() n = n + 1 out:write(" + value + ") end";
@@ -341,118 +261,8 @@ TEST_CASE("connections stay where ports fit, and a port that goes is reported wi
     world.tick(2);
 }
 
-TEST_CASE("a version that fails within its first 10 executions goes back, state included, and no tick is lost",
-          "[lua][reload]") {
-    Setting world;
-    ScriptComponent& it = world.add_text("it", counter("1"));
-    world.tick(5);
-    CHECK(world.change("it.lua", counter("100", "state.broken = true") + "local run = on_execute\n")
-              .find("still running") == Text::npos);
-    world.tick(1);
-    CHECK(world.out<Longs>("it.out") == Longs{1, 105});
-    CHECK(world.change("it.lua",
-                       "local out = output('out', 'TimedLongSeq') local n = 0\nfunction on_execute() n = n + 1 "
-                       "state.total = 0 out:write { 0, 0 } if n == 10 then error('late') end end") == "");
-    CHECK(it.version() == 3);
-    world.tick(9);
-    CHECK(world.out<Longs>("it.out") == Longs{0, 0});
-    const auto published = it.find_out_port("out")->count();
-    world.tick();
-    CHECK(it.version() == 2);
-    CHECK(to_text(it.state()) == "ACTIVE");
-    CHECK(world.out<Longs>("it.out") == Longs{2, 205});  // in the very tick that failed
-    CHECK(it.find_out_port("out")->count() == published + 1);
-    CHECK(world.said("it: version 3 failed in execution 10 of its first 10: it.lua:2: late; back to version 2 in it"));
-    CHECK(world.change("it.lua", counter("1")) == "");
-    CHECK(it.version() == 4);
-}
-
-TEST_CASE("a failure after the first 10 executions is an error like any other", "[lua][reload]") {
-    Setting world;
-    ScriptComponent& it = world.add_text("it", counter("1"));
-    world.tick();
-    CHECK(world.change("it.lua",
-                       "local n = 0\nfunction on_execute() n = n + 1 if n == 11 then error('late') end end") == "");
-    world.tick(10);
-    CHECK(to_text(it.state()) == "ACTIVE");
-    world.tick();
-    CHECK(to_text(it.state()) == "ERROR");
-    CHECK(it.version() == 2);
-}
-
-TEST_CASE("a version on probation that changed the ports goes back with its connections", "[lua][reload]") {
-    Setting world;
-    ScriptComponent& it =
-        world.add_text("it", "local a = output('a', 'TimedLong')\nfunction on_execute() a:write(1) end");
-    ScriptComponent& sink = world.add_text("sink", "input('from', 'TimedLong')");
-    REQUIRE(world.system.connect("it.a", "sink.from"));
-    world.tick();
-    CHECK(world.change("it.lua", "local b = output('b', 'TimedLong')\nfunction on_execute() b:write('x') end") == "");
-    CHECK_FALSE(sink.find_in_port("from")->connected());
-    world.tick();
-    CHECK(it.version() == 1);
-    CHECK(to_text(it.state()) == "ACTIVE");
-    CHECK(it.find_out_port("b") == nullptr);
-    CHECK(sink.find_in_port("from")->connected());
-    world.tick(2);
-    CHECK(sink.find_in_port("from")->arrival_tick() == world.system.now().tick - 1);
-}
-
-TEST_CASE("when one component fails on probation, the others of the reload go back with it", "[lua][reload]") {
-    Setting world;
-    world.write("twin.lua",
-                "param('bad', false)\nlocal out = output('out', 'TimedLong')\nfunction on_execute() out:write(1) end");
-    ScriptComponent& one = world.add("one", "twin.lua");
-    ScriptComponent& two = world.add("two", "twin.lua", {{"bad", true}});
-    CHECK(world.change("twin.lua",
-                       "param('bad', false)\nlocal out = output('out', 'TimedLong')\nfunction on_execute() assert(not "
-                       "config.bad, 'no') out:write(2) end") == "");
-    world.tick();
-    CHECK(one.version() == 1);
-    CHECK(two.version() == 1);
-    world.tick();
-    CHECK(world.out<std::int32_t>("one.out") == 1);
-    CHECK(world.said(
-        "two: version 2 failed in execution 1 of its first 10: twin.lua:3: no; back to version 1 in two, one"));
-}
-
-TEST_CASE("rollback goes back by hand, state included, and parameters keep what was set", "[lua][reload]") {
-    Setting world;
-    ScriptComponent& it = world.add_text("it", counter("1", "param('p', 1)"));
-    CHECK(describe(world.reloader.rollback(it).error()) ==
-          "it has no version before this one; still running version 1");
-    world.tick(2);
-    CHECK(world.change("it.lua", counter("100", "param('p', 1) param('q', 1)")) == "");
-    REQUIRE(it.parameters().set("p", std::int64_t{5}));
-    world.tick(20);
-    auto report = world.reloader.rollback(it);
-    REQUIRE(report);
-    CHECK(report->version == 1);
-    CHECK(report->components == std::vector<Text>{"it"});
-    world.tick();
-    CHECK(world.out<Longs>("it.out") == Longs{3, 3});
-    CHECK(it.parameters().find("p")->value == ParameterValue(std::int64_t{5}));
-    CHECK(it.parameters().find("q") == nullptr);
-}
-
-TEST_CASE("rollback goes back step by step, as far as versions are kept", "[lua][reload]") {
-    Setting world;
-    ScriptComponent& it = world.add_text("it", counter("1"));
-    for (int i = 2; i <= 12; ++i) CHECK(world.change("it.lua", counter(std::to_string(i))) == "");
-    CHECK(it.version() == 12);
-    for (int version = 11; version >= 4; --version) {
-        REQUIRE(world.reloader.rollback(it));
-        CHECK(it.version() == version);
-        world.tick();
-    }
-    CHECK(describe(world.reloader.rollback(it).error()) ==
-          "it has no version before this one; still running version 4");
-    CHECK(world.change("it.lua", counter("1")) == "");
-    CHECK(it.version() == 13);  // a number is given once
-}
-
 TEST_CASE("a component in ERROR gets on_reset and on_activated with the new code", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     ScriptComponent& it =
         world.add_text("it", "local out = output('out', 'TimedString')\nfunction on_execute() error('old') end");
     world.tick();
@@ -468,7 +278,7 @@ TEST_CASE("a component in ERROR gets on_reset and on_activated with the new code
 }
 
 TEST_CASE("an INACTIVE component stays INACTIVE through a reload", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     ScriptComponent& it = world.add_text("it", counter("1"));
     REQUIRE(it.deactivate(world.system.now()));
     CHECK(world.change("it.lua", counter("2")) == "");
@@ -477,7 +287,7 @@ TEST_CASE("an INACTIVE component stays INACTIVE through a reload", "[lua][reload
 }
 
 TEST_CASE("reload_all takes what has changed on disk and nothing else", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     ScriptComponent& a = world.add_text("a", counter("1"));
     ScriptComponent& b = world.add_text("b", counter("1"));
     world.write("a.lua", counter("2"));
@@ -490,7 +300,7 @@ TEST_CASE("reload_all takes what has changed on disk and nothing else", "[lua][r
 }
 
 TEST_CASE("a component reloads from a text that is in no file", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     ScriptComponent& it = world.add_text("it", counter("1"));
     world.tick();
     const SourceText text{it.script().file().path, "it.lua", counter("10")};
@@ -504,7 +314,7 @@ TEST_CASE("a component reloads from a text that is in no file", "[lua][reload]")
 }
 
 TEST_CASE("each version has random numbers of its own", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     const Text text =
         "local out = output('out', 'TimedDouble')\nlocal r = math.random()\nfunction on_execute() out:write(r) end";
     world.add_text("it", text);
@@ -516,7 +326,7 @@ TEST_CASE("each version has random numbers of its own", "[lua][reload]") {
 }
 
 TEST_CASE("values that a script set for the next tick survive a reload in between", "[lua][reload]") {
-    Setting world;
+    ReloadRig world;
     const Text text =
         "param('n', 1)\nlocal out = output('out', 'TimedLong')\nfunction on_execute() out:write(config.n) config.n = "
         "config.n + 1 end";
