@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string crier = R"(
+const std::string crier = R"lua(
 local out = output("out", "TimedString", "what to say")
 local said = false
 function on_execute()
@@ -18,7 +18,7 @@ function on_execute()
   out:write "tone,880,100"
   out:write "it's \"odd\"; $(touch pwned)"
 end
-)";
+)lua";
 
 }  // namespace
 
