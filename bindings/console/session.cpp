@@ -17,7 +17,8 @@ namespace nezumi {
 namespace {
 
 constexpr Budget input_budget{5.0};
-constexpr std::size_t watch_width = 100;  // [characters]
+constexpr std::size_t watch_width = 100;        // [characters]
+constexpr double highest_watched_speed = 1000;  // "max" has no number
 
 // One line of an input needs no place; of several, the line says more than the input's name.
 std::string error_text(const Error& error, std::string_view input) {
@@ -46,9 +47,10 @@ bool look(const Session::Parts& parts, Watch& watch) {
     if (!port) return false;
     if ((*port)->count() == 0) return true;
     const double now = (*port)->tm();
-    const double speed = std::max(1.0, parts.clock.speed());
-    if (watch.shown_at >= 0 && now >= watch.shown_at && now < watch.shown_at + parts.options.watch_period * speed)
-        return true;
+    // A batch leaves nothing out.
+    const double speed = std::clamp(parts.clock.speed(), 1.0, highest_watched_speed);
+    const double period = parts.options.batch ? 0 : parts.options.watch_period * speed;
+    if (watch.shown_at >= 0 && now >= watch.shown_at && now < watch.shown_at + period) return true;
     std::string text = payload_text((*port)->value(), watch_width);
     if (watch.shown_at >= 0 && text == watch.shown) return true;
     parts.show(fmt::format("[{:.3f}] {} = {}", now, watch.path, text));

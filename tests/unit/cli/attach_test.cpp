@@ -92,6 +92,21 @@ TEST_CASE("the option --batch says the same each time, also with much output", "
     CHECK(one.error == other.error);
 }
 
+TEST_CASE("a watch in --batch leaves no change out", "[cli][batch]") {
+    const Place place;
+    place.scratch.write("behaviors/it.lua", R"(
+local count = output("count", "TimedLong")
+state.count = 0
+function on_execute()
+  state.count = state.count + 1
+  count:write(state.count)
+end
+)");
+    const Outcome outcome = place.batch("watch(it.count)\nstep(2)\nstep(1)");
+    CHECK(outcome.out == "[0.000] it.count = 1\n[0.010] it.count = 2\n[0.020] it.count = 3\n");
+    CHECK(outcome.error.empty());
+}
+
 TEST_CASE("attach --eval prints what a text gives, and its exit status says how it went", "[cli][attach]") {
     const Running running;
     const Outcome value = run_nezumi({"attach", "--eval", "1 + 1"});
