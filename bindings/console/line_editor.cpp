@@ -207,17 +207,18 @@ void LineEditor::Parts::open_editor() {
 
 void LineEditor::Parts::bind_keys() {
     using Action = unsigned char (*)(EditLine*, int);
-    const auto add = [&](const char* name, const char* help, Action action, const char* keys) {
-        el_set(editor, EL_ADDFN, name, help, action);
-        el_set(editor, EL_BIND, keys, name, nullptr);
+    // The wide functions, as el_set() would copy the texts of EL_ADDFN and never free them.
+    const auto add = [&](const wchar_t* name, const wchar_t* help, Action action, const wchar_t* keys) {
+        el_wset(editor, EL_ADDFN, name, help, action);
+        el_wset(editor, EL_BIND, keys, name, nullptr);
     };
     add(
-        "nezumi-complete", "completes", +[](EditLine* of_editor, int) { return of(of_editor).complete(); }, "\\t");
+        L"nezumi-complete", L"completes", +[](EditLine* of_editor, int) { return of(of_editor).complete(); }, L"\\t");
     add(
-        "nezumi-paste", "inserts what is pasted",
-        +[](EditLine* of_editor, int) { return of(of_editor).insert_pasted(); }, "\\e[200~");
+        L"nezumi-paste", L"inserts what is pasted",
+        +[](EditLine* of_editor, int) { return of(of_editor).insert_pasted(); }, L"\\e[200~");
     add(
-        "nezumi-stop", "stops the process", +[](EditLine* of_editor, int) { return of(of_editor).stop(); }, "^Z");
+        L"nezumi-stop", L"stops the process", +[](EditLine* of_editor, int) { return of(of_editor).stop(); }, L"^Z");
     const Action interrupt = +[](EditLine* of_editor, int) -> unsigned char {
         Parts& parts = of(of_editor);
         parts.outcome = Outcome::interrupted;
@@ -228,7 +229,7 @@ void LineEditor::Parts::bind_keys() {
         fmt::print(parts.out.get(), "{}{}^C", parts.prompt, to_utf8(text));
         return CC_EOF;
     };
-    add("nezumi-interrupt", "drops the input", interrupt, "^C");
+    add(L"nezumi-interrupt", L"drops the input", interrupt, L"^C");
     const Action leave = +[](EditLine* of_editor, int) -> unsigned char {
         const LineInfoW* line = el_wline(of_editor);
         if (line->lastchar == line->buffer) return CC_EOF;
@@ -237,7 +238,7 @@ void LineEditor::Parts::bind_keys() {
         el_wdeletestr(of_editor, 1);
         return CC_REFRESH;
     };
-    add("nezumi-leave", "deletes a character, or leaves", leave, "^D");
+    add(L"nezumi-leave", L"deletes a character, or leaves", leave, L"^D");
 
     static constexpr std::array<std::array<const char*, 2>, 22> keys{{
         {"\\e[A", "ed-prev-history"},  {"\\eOA", "ed-prev-history"},      {"\\e[B", "ed-next-history"},

@@ -21,11 +21,12 @@ function(list_cases spec properties)
     string(REPLACE "${close}" "]" name "${name}")
     string(REGEX REPLACE "([][,\"\\])" "\\\\\\1" found "${name}")
     # NoTests: a name that Catch2 does not find again must fail, not pass by running nothing. ASAN_OPTIONS: a test that
-    # runs away in memory must end before the machine does.
+    # runs away in memory must end before the machine does. LSAN_OPTIONS: what libraries keep until the process ends.
     string(APPEND script
       "add_test([==[${PREFIX}${name}]==] [==[${TESTS}]==] [==[${found}]==] --warn NoTests)\n"
       "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES WORKING_DIRECTORY [==[${FOLDER}]==] TIMEOUT 120 "
-      "ENVIRONMENT ASAN_OPTIONS=hard_rss_limit_mb=4096 ${properties})\n")
+      "ENVIRONMENT [==[ASAN_OPTIONS=hard_rss_limit_mb=4096;LSAN_OPTIONS=suppressions=${FOLDER}/tests/unit/leaks.txt:print_suppressions=0]==] "
+      "${properties})\n")
   endforeach()
   set(script "${script}" PARENT_SCOPE)
 endfunction()
