@@ -41,21 +41,24 @@ public:
         kept.paths.look(system);
     }
 
-    Expected<std::vector<std::string>> finish(const std::string& title) override {
-        if (problem_) return Unexpected(*problem_);
-        std::vector<std::string> names;
-        for (World& world : worlds_) {
-            if (world.recorder) {
-                if (auto ok = world.recorder->finish(); !ok) return Unexpected(ok.error());
-                names.push_back(world.trace);
+    Kept finish(const std::string& title) override {
+        Kept kept;
+        const auto take = [&kept](const std::string& name, const Expected<void>& written) {
+            if (written) {
+                kept.names.push_back(name);
+            } else {
+                kept.problems.push_back(written.error());
             }
+        };
+        if (problem_) kept.problems.push_back(*problem_);
+        for (World& world : worlds_) {
+            if (world.recorder) take(world.trace, world.recorder->finish());
             // Without robots there is nothing to be seen.
             if (world.system == nullptr || world.system->robots().empty()) continue;
-            const PictureOf picture = look_at(*world.system, world.paths, title);
-            if (auto ok = draw_picture(picture, (folder_ / world.picture).string()); !ok) return Unexpected(ok.error());
-            names.push_back(world.picture);
+            take(world.picture,
+                 draw_picture(look_at(*world.system, world.paths, title), (folder_ / world.picture).string()));
         }
-        return names;
+        return kept;
     }
 
 private:

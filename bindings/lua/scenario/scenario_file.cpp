@@ -85,6 +85,7 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
         return give_up({"the file has no scenario: expected scenario(\"name\", function(s) ... end)", {file->shown_}});
     }
     lua_settop(file->file_->lua(), 0);
+    file->is_read_ = true;
     return file;
 }
 
@@ -119,6 +120,7 @@ int ScenarioFile::range_word(lua_State* lua) {
 int ScenarioFile::scenario_word(lua_State* lua) {
     auto& file = *static_cast<ScenarioFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
     luaL_checkstack(lua, 20, nullptr);
+    if (file.is_read_) return luaL_error(lua, "scenario: scenarios are declared by the file, not by one another");
     const char* problem = file.add(lua);
     if (problem != nullptr) {
         lua_pushstring(lua, problem);
@@ -257,7 +259,11 @@ Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& sce
                 if (!data) return Unexpected(data.error());
                 if (!dropped.empty())
                     return failure(fmt::format("{}: value {} is no plain data: {}", what, i, dropped.front().what));
-                list.push_back(to_sweep_value(std::move(*data)));
+                SweepValue value = to_sweep_value(std::move(*data));
+                const auto same = [&value](const SweepValue& other) { return other.text == value.text; };
+                if (std::any_of(list.begin(), list.end(), same))
+                    return failure(fmt::format("{} has the value {} twice", what, value.text));
+                list.push_back(std::move(value));
             }
             runs *= static_cast<double>(size);
             key.values = std::move(list);

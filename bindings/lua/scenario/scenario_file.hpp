@@ -67,6 +67,7 @@ private:
     std::string shown_;
     std::string text_;
     std::vector<Scenario> scenarios_;
+    bool is_read_ = false;  // from then on it only runs
     std::unique_ptr<DataFile> file_;
 };
 

@@ -89,6 +89,10 @@ void ScenarioRun::take_outcome(const CallResult& called) {
         return stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
     }
     if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
+    // What no tick has come after is looked at once, now: it must be able to fail.
+    for (const auto& watch : watches_) {
+        if (!watch->looked && !look(file_.state().lua(), *watch)) return;
+    }
     for (const Golden& golden : goldens_) {
         if (auto same = golden.finish(settings_.update_goldens); !same) return stop(RunOutcome::failed, same.error());
     }
@@ -112,12 +116,9 @@ void ScenarioRun::finish() {
     result_.seconds = worlds_.now();
     result_.hash = worlds_.trace_hash();
     if (settings_.files == nullptr) return;
-    auto files = settings_.files->finish(title());
-    if (files) {
-        result_.files = std::move(*files);
-    } else {
-        result_.facts.push_back("its files could not be written: " + files.error().message);
-    }
+    RunFiles::Kept kept = settings_.files->finish(title());
+    result_.files = std::move(kept.names);
+    for (const Error& problem : kept.problems) result_.facts.push_back(describe(problem));
 }
 
 }  // namespace nezumi

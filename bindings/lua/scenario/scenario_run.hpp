@@ -31,8 +31,13 @@ public:
     virtual Expected<void> begin(std::size_t world, const System& system) = 0;
     /// A world has made a tick.
     virtual void after_tick(std::size_t world, const System& system) = 0;
-    /// Writes everything. Returns the names of the files.
-    virtual Expected<std::vector<std::string>> finish(const std::string& title) = 0;
+    /// What has been written whole, and what kept the rest from it.
+    struct Kept {
+        std::vector<std::string> names{};
+        std::vector<Error> problems{};
+    };
+    /// Writes everything.
+    virtual Kept finish(const std::string& title) = 0;
 };
 
 struct RunSettings {
@@ -68,6 +73,7 @@ private:
         std::unique_ptr<Condition> condition;
         std::optional<Margin> margin{};  // the smallest
         double margin_at = 0;
+        bool looked = false;
         struct Look {
             double time;
             double left;

@@ -38,6 +38,7 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
 
 bool ScenarioRun::look(lua_State* lua, Watched& watched) {
     looked_.clear();
+    watched.looked = true;
     Condition& condition = *watched.condition;
     looking_ = true;
     const auto is_true = condition.look(lua);

@@ -123,6 +123,10 @@ Expected<TestPlan> plan_tests(const PlanOptions& options) {
         }
         plan.files.push_back(std::move(planned));
     }
+    for (PlannedFile& file : plan.files) {
+        const auto called_so = [&](const PlannedFile& other) { return other.path.stem() == file.path.stem(); };
+        file.has_own_stem = std::count_if(plan.files.begin(), plan.files.end(), called_so) == 1;
+    }
     for (std::size_t file = 0; file < plan.files.size(); ++file) {
         for (std::size_t i = 0; i < plan.files[file].scenarios.size(); ++i) {
             const Scenario& scenario = plan.files[file].scenarios[i];

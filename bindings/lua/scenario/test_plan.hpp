@@ -30,6 +30,7 @@ struct PlannedFile {
     std::string shown;
     std::vector<Scenario> scenarios{};
     std::vector<Error> errors{};  ///< why it could not be read: then it has no scenarios
+    bool has_own_stem = true;     ///< no other file of the plan is called so, in another folder
 };
 
 struct TestPlan {

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
 #include <map>
 #include <system_error>
 #include <utility>
 
+#include "bindings/lua/scenario/failure_folder.hpp"
 #include "bindings/lua/scenario/process_pool.hpp"
 
 namespace nezumi {
@@ -17,32 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_simplifications = 100;
-
-// The name of a folder from the name of a run: letters, digits and a few signs.
-std::string folder_name(const std::string& file, const std::string& run) {
-    std::string out;
-    for (const char c : fs::path(file).stem().string() + "-" + run) {
-        const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' ||
-                           c == '=' || c == '_';
-        if (plain) {
-            out += c;
-        } else if (!out.empty() && out.back() != '-') {
-            out += '-';
-        }
-    }
-    constexpr std::size_t longest = 100;
-    if (out.size() > longest) out.resize(longest);
-    while (out.ends_with('-')) out.pop_back();
-    return out;
-}
-
-Expected<std::string> make_folder(const fs::path& folder) {
-    std::error_code problem;
-    fs::remove_all(folder, problem);
-    fs::create_directories(folder, problem);
-    if (problem) return failure(fmt::format("the folder {} can't be made: {}", folder.string(), problem.message()));
-    return folder.string();
-}
 
 RunResult run_once(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options, RunFiles* files,
                    bool keep_history) {
@@ -153,7 +127,20 @@ private:
             const Scenario& scenario = plan_.files[run.file].scenarios[run.scenario];
             RunResult result = agree(results_[told_], scenario);
             if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
+            if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
             tell(report_of(plan_, run, std::move(result), options_.seed));
+        }
+    }
+
+    // What is said of the simplest failure of a random sweep need not be said of each.
+    void shorten(const PlannedRun& run, RunResult& result) const {
+        for (const auto& [index, simplest] : simplified_) {
+            const PlannedRun& found = plan_.runs[index];
+            if (found.file != run.file || found.scenario != run.scenario) continue;
+            if (simplest.result.error.place != result.error.place) continue;
+            result.facts = {"fails where the simplest failure does: " + simplest.name};
+            result.printed.clear();
+            result.margins.clear();
         }
     }
 
@@ -244,7 +231,8 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const Session
     const PlannedFile& file = plan.files[run.file];
     RunResult first = run_once(file, run, options, nullptr, false);
     if (quick || first.outcome != RunOutcome::failed) return first;
-    const auto folder = make_folder(options.folder / folder_name(file.shown, run.name));
+    const auto folder =
+        make_failure_folder(options.folder / failure_folder_name(file.shown, run.name, file.has_own_stem));
     std::unique_ptr<RunFiles> files;
     if (folder && options.files) files = options.files(*folder);
     RunResult again = run_once(file, run, options, files.get(), true);
@@ -259,10 +247,19 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const Session
     }
     again.folder = *folder;
     again.files.emplace_back("failure.txt");
-    std::ofstream text(fs::path(*folder) / "failure.txt");
-    for (const std::string& line : failure_lines(report_of(plan, run, again, options.seed))) text << line << "\n";
-    text << "seed: " << options.seed << "\n";
-    for (const std::string& line : again.printed) text << "| " << line << "\n";
+    std::string text;
+    for (const std::string& line : failure_lines(report_of(plan, run, again, options.seed))) text += line + "\n";
+    text += fmt::format("seed: {}\n", options.seed);
+    for (const std::string& line : again.printed) text += "| " + line + "\n";
+    if (auto ok = write_whole(fs::path(*folder) / "failure.txt", text); !ok) {
+        again.files.pop_back();
+        again.facts.push_back(describe(ok.error()));
+    }
+    if (again.files.empty()) {
+        std::error_code none;
+        fs::remove(*folder, none);
+        again.folder.clear();
+    }
     return again;
 }
 

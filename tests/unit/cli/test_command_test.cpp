@@ -96,6 +96,15 @@ TEST_CASE("a failure names its files and the command that repeats it", "[cli][te
     CHECK(contains(text_of_file(tried.path("out/it_test-fails/failure.txt")), "seed: 124"));
 }
 
+TEST_CASE("a failure whose folder can't be made says so and is a failure", "[cli][test]") {
+    const Tried tried;
+    static_cast<void>(tried.write("out", "a file"));
+    const auto failed = tried.test({"it_test.lua", "--filter", "fails", "-o", "out"});
+    CHECK(failed.status == 1);
+    CHECK(contains(failed.out, "the folder out/it_test-fails can't be made: Not a directory"));
+    CHECK_FALSE(contains(failed.out, "files: "));
+}
+
 TEST_CASE("the same runs give the same hashes with any number of jobs", "[cli][test]") {
     const Tried tried;
     const auto hashes = [&](const std::string& jobs) {

@@ -22,6 +22,22 @@ TEST_CASE("conditions are looked at after every tick", "[lua][scenario][run]") {
                      "s:check(looks == 0) s:run(1) s:check(looks == 100, tostring(looks))") == "passed");
 }
 
+TEST_CASE("an always that no tick comes after is looked at once, at the end", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:run(1) s:always('no', function() return false end)") ==
+          "failed: it_test.lua:3: always 'no' did not hold at its first look, at 1.00 s");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:never('yes', function() return true end)") ==
+          "failed: it_test.lua:3: never 'yes' happened at 0.00 s");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:always('yes', function() return s:now() == 0 end)") == "passed");
+}
+
+TEST_CASE("a scenario can't declare another one", "[lua][scenario][run]") {
+    CHECK(outcome_of("scenario('inner', function() end)") ==
+          "failed: it_test.lua:2: scenario: scenarios are declared by the file, not by one another");
+}
+
 TEST_CASE("worlds of different rates tick when they are due", "[lua][scenario][run]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"
