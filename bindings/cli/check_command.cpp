@@ -33,26 +33,29 @@ std::string to_json(const std::vector<Error>& errors) {
 }
 
 int check(const CheckOptions& options) {
-    const auto files = lua_files(options.paths);
-    if (!files) {
-        if (options.json) fmt::print("{}", to_json({files.error()}));
-        return refuse(files.error());
-    }
+    const FoundFiles found = lua_files(options.paths);
     const LiveOptions systems = simulated_systems();
-    std::vector<Error> errors;
-    for (const std::filesystem::path& file : *files) {
+    int status = found.errors.empty() ? kDone : kCouldNotRun;
+    std::vector<Error> errors = found.errors;
+    for (const Error& error : found.errors) refuse(error);
+    for (const std::filesystem::path& file : found.files) {
+        if (auto readable = read_text_file(file, file.string()); !readable) {
+            errors.push_back(readable.error());
+            status = refuse(readable.error());
+            continue;
+        }
         // A script that several systems name is wrong once.
         for (Error& error : check_file(file, systems)) {
-            if (std::find(errors.begin(), errors.end(), error) == errors.end()) errors.push_back(std::move(error));
+            if (std::find(errors.begin(), errors.end(), error) != errors.end()) continue;
+            if (!options.json) fmt::print("{}\n", describe(error));
+            errors.push_back(std::move(error));
+            status = std::max(status, static_cast<int>(kFailed));
         }
     }
-    if (options.json) {
-        fmt::print("{}", to_json(errors));
-    } else {
-        for (const Error& error : errors) fmt::print("{}\n", describe(error));
-        if (errors.empty()) fmt::print("{} file{}: nothing wrong\n", files->size(), files->size() == 1 ? "" : "s");
-    }
-    return errors.empty() ? kDone : kFailed;
+    if (options.json) fmt::print("{}", to_json(errors));
+    if (!options.json && errors.empty())
+        fmt::print("{} file{}: nothing wrong\n", found.files.size(), found.files.size() == 1 ? "" : "s");
+    return status;
 }
 
 }  // namespace

@@ -122,27 +122,6 @@ std::string near_file(const fs::path& path) {
     return did_you_mean(path.filename().string(), {names.begin(), names.end()});
 }
 
-bool is_hidden(const fs::path& path) { return path.filename().string().starts_with("."); }
-
-Expected<std::vector<fs::path>> files_below(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code problem;
-    for (fs::recursive_directory_iterator entry(folder, problem), end; !problem && entry != end;
-         entry.increment(problem)) {
-        std::error_code none;
-        const bool is_folder = entry->is_directory(none);
-        if (is_hidden(entry->path())) {
-            if (is_folder) entry.disable_recursion_pending();
-        } else if (!is_folder && entry->path().extension() == ".lua") {
-            files.push_back(entry->path().lexically_normal());
-        }
-    }
-    if (problem) return failure(fmt::format("can't be read: {}", problem.message()), {folder.string()});
-    if (files.empty()) return failure("has no Lua files", {folder.string()});
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 }  // namespace
 
 std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) {
@@ -165,28 +144,30 @@ std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) 
     return chunk ? std::vector<Error>() : std::vector<Error>{chunk.error()};
 }
 
-Expected<std::vector<fs::path>> lua_files(const std::vector<std::string>& paths) {
-    std::vector<fs::path> files;
+FoundFiles lua_files(const std::vector<std::string>& paths) {
+    FoundFiles all;
     std::set<fs::path> known;
     const auto add = [&](const fs::path& file) {
         std::error_code none;
-        if (known.insert(fs::weakly_canonical(file, none)).second) files.push_back(file);
+        if (known.insert(fs::weakly_canonical(file, none)).second) all.files.push_back(file);
     };
     for (const std::string& path : paths) {
+        const auto refuse = [&](std::string why) { all.errors.push_back({std::move(why), {path}}); };
         std::error_code none;
         if (fs::is_directory(path, none)) {
-            const auto below = files_below(path);
-            if (!below) return Unexpected(below.error());
-            for (const fs::path& file : *below) add(file);
+            FoundFiles below = find_files(path, ".lua");
+            if (below.files.empty() && below.errors.empty()) refuse("has no Lua files");
+            for (const fs::path& file : below.files) add(file);
+            for (Error& error : below.errors) all.errors.push_back(std::move(error));
         } else if (!fs::exists(path, none)) {
-            return failure("there is no such file" + near_file(path), {path});
+            refuse("there is no such file" + near_file(path));
         } else if (fs::path(path).extension() != ".lua") {
-            return failure("is no Lua file: `nezumi check` reads files that end in .lua, and folders", {path});
+            refuse("is no Lua file: `nezumi check` reads files that end in .lua, and folders");
         } else {
             add(path);
         }
     }
-    return files;
+    return all;
 }
 
 }  // namespace nezumi::cli

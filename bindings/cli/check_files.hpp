@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/cli/lua_kind.hpp"
+#include "bindings/lua/files/find_files.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/error.hpp"
 
@@ -17,7 +18,8 @@ namespace nezumi::cli {
 std::vector<Error> check_file(const std::filesystem::path& file, const LiveOptions& options);
 
 /// The Lua files that a person names: files as they are, and of folders all that is in them and below, sorted, without
-/// hidden ones. Every file once. An error names a path that is not there, no Lua, or a folder without Lua files.
-Expected<std::vector<std::filesystem::path>> lua_files(const std::vector<std::string>& paths);
+/// hidden ones. Every file once. The errors name paths that are not there or no Lua, and folders without Lua files or
+/// that can't be read.
+FoundFiles lua_files(const std::vector<std::string>& paths);
 
 }  // namespace nezumi::cli

@@ -1,12 +1,13 @@
 // Looks for the installed files and joins the rooms.
 #include "bindings/cli/environment.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <system_error>
 
 #include "bindings/cli/commands.hpp"
+#include "bindings/console/put_text.hpp"
 #include "engine/camera.hpp"
 #include "engine/joystick.hpp"
 #include "engine/vision/marker_detector.hpp"
@@ -34,14 +35,14 @@ LiveOptions simulated_systems() {
 }
 
 int refuse(std::string_view why) {
-    fmt::print(stderr, "nezumi: {}\n", why);
+    put_text(stderr, fmt::format("nezumi: {}\n", why));
     return kCouldNotRun;
 }
 
 int refuse(const Error& error) {
     // A place begins the line, so that editors can go there.
     if (error.place.file.empty()) return refuse(error.message);
-    fmt::print(stderr, "{}\n", describe(error));
+    put_text(stderr, describe(error) + "\n");
     return kCouldNotRun;
 }
 

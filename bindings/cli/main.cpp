@@ -8,24 +8,27 @@
 
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/standard_files.hpp"
 #include "bindings/cli/usage_error.hpp"
 
 using namespace nezumi;
 
 namespace {
 
-// The first word that is no option, when it is none of the sub-commands: what CLI11 would call an unexpected argument.
+// What is wrong with the first word, which has to be a sub-command: CLI11 would call it an unexpected argument.
 std::string unknown_command(const CLI::App& app, int count, char** words) {
     std::vector<std::string_view> names;
     std::vector<std::string> owned;
     for (const CLI::App* command : app.get_subcommands({})) owned.push_back(command->get_name());
     names.assign(owned.begin(), owned.end());
-    if (count < 2 || words[1][0] == '-') return "";
-    const std::string_view word = words[1];
+    if (count > 1 && words[1][0] == '-') return "";
+    const std::string_view word = count > 1 ? words[1] : "";
     for (const std::string_view name : names) {
         if (name == word) return "";
     }
-    std::string text = "there is no command '" + shown(word) + "'" + did_you_mean(word, names) + "; known are";
+    std::string text = count > 1 ? "there is no command '" + shown(word) + "'" + did_you_mean(word, names)
+                                 : "what is to be done? See nezumi --help";
+    text += "; known are";
     for (const std::string_view name : names) text.append(name == names.front() ? " " : ", ").append(name);
     return text;
 }
@@ -34,7 +37,6 @@ int run(int count, char** words) {
     CLI::App app{"nezumi runs what small robots do: Lua behaviours, in simulation and on the robot"};
     app.name("nezumi");
     app.set_version_flag("--version", "nezumi " NEZUMI_VERSION);
-    app.require_subcommand(1);
     int status = cli::kDone;
     cli::add_run_command(app, status);
     cli::add_attach_command(app, status);
@@ -51,15 +53,21 @@ int run(int count, char** words) {
     } catch (const CLI::ParseError& error) {
         return cli::refuse(cli::usage_error(app, error));
     }
+    if (app.get_subcommands().empty()) return cli::refuse(unknown_command(app, 1, words));
     return status;
 }
 
 }  // namespace
 
 int main(int count, char** words) {
+    cli::open_missing_standard_files();
+    int status = cli::kCouldNotRun;
+    std::string problem;
     try {
-        return run(count, words);
+        status = run(count, words);
     } catch (const std::exception& error) {
-        return cli::refuse(error.what());
+        problem = error.what();
     }
+    if (const std::string lost = cli::lost_output(); !lost.empty()) problem = lost;
+    return problem.empty() ? status : cli::refuse(problem);
 }

@@ -113,10 +113,11 @@ Expected<std::string> behavior_file_name(const std::string& given) {
     const std::string what = fmt::format("'{}' can't be a behaviour's name", shown(given));
     if (name.ends_with("_test")) return failure(what + ": files called *_test.lua are scenarios");
     if (is_identifier(name + "_")) return failure(what + ": it is a word of Lua");
-    std::string near = name.ends_with(".lua") ? name.substr(0, name.size() - 4) : name;
+    std::string near = given.ends_with(".lua") ? given.substr(0, given.size() - 4) : given;
     near.erase(0, near.rfind('/') + 1);
     std::replace_if(
         near.begin(), near.end(), [](char c) { return !is_word(c); }, '_');
+    near = to_snake(near);
     const bool helps = is_identifier(near) && near.size() <= 60;
     return failure(what + ": letters, digits and _, not beginning with a digit" +
                    (helps ? fmt::format(" (did you mean '{}'?)", near) : ""));

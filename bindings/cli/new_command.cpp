@@ -14,6 +14,7 @@
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
 #include "bindings/lua/files/project.hpp"
+#include "bindings/lua/scenario/test_plan.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -41,6 +42,7 @@ int new_behavior(const NewBehavior& wanted) {
 }
 
 int new_project(const std::string& given) {
+    if (given.empty()) return refuse("new project: expected a folder, got ''");
     const fs::path folder = fs::path(given).lexically_normal();
     std::error_code problem;
     const bool is_there = fs::exists(fs::symlink_status(folder, problem));
@@ -59,7 +61,7 @@ int new_project(const std::string& given) {
     const fs::path last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
     std::vector<NewFile> files = project_files(last.empty() ? "Robots" : last.string());
     for (NewFile& file : files) file.path = (folder / file.path).lexically_normal();
-    return write(files, folder == "." ? "nezumi test" : fmt::format("cd {} && nezumi test", given));
+    return write(files, folder == "." ? "nezumi test" : fmt::format("cd {} && nezumi test", shell_text(given)));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -26,6 +26,7 @@
 #include "bindings/cli/screen.hpp"
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
+#include "bindings/console/put_text.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::cli {
@@ -184,7 +185,7 @@ private:
             status = kFailed;
         }
         if (options_.trace_hash) {
-            fmt::print("trace hash: {:016x}\n", hash_);
+            put_text(stdout, fmt::format("trace hash: {:016x}\n", hash_));
             if (std::fflush(stdout) != 0) return failure("the trace hash can't be written to standard output");
         }
         return status;

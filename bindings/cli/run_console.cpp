@@ -10,6 +10,7 @@
 #include "bindings/console/batch.hpp"
 #include "bindings/console/client.hpp"
 #include "bindings/console/input_history.hpp"
+#include "bindings/console/put_text.hpp"
 #include "bindings/console/terminal.hpp"
 
 namespace nezumi::cli {
@@ -40,7 +41,7 @@ Expected<void> RunConsole::open_prompt() {
     client_ = std::thread([this, client = ConsoleClient(std::move(*socket))]() mutable {
         const auto end = run_prompt(
             client, {.greeting = name_ + " is running; help() tells more, Ctrl-D ends it", .history = history_path()});
-        if (!end) fmt::print(stderr, "nezumi: {}\n", describe(end.error()));
+        if (!end) put_text(stderr, fmt::format("nezumi: {}\n", describe(end.error())));
         left_ = true;
         client.close();  // wakes the loop
     });

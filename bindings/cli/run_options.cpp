@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "bindings/cli/canvas.hpp"
+#include "bindings/cli/option_checks.hpp"
 #include "bindings/cli/run_loop.hpp"
 
 namespace nezumi::cli {
@@ -78,6 +79,9 @@ void declare_run_options(CLI::App& command, RunWords& words) {
         ->type_name("NAME.PORT,...");
     command.add_option("--sounds", words.sounds, "write what robots say and beep as WAV files into this folder")
         ->type_name("DIR");
+    for (CLI::Option* option : command.get_options()) {
+        if (option->nonpositional() && option->get_expected_min() > 0) option->check(not_empty);
+    }
     command.footer(
         "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a second one at "
         "once.\nExit status: 0 the run came to its end, 1 it did and a component was in ERROR then or a command of "

@@ -1,21 +1,23 @@
 // `nezumi test`: scenarios, each run in a process of its own.
 #include <CLI/CLI.hpp>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <cstdlib>
+#include <limits>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/option_checks.hpp"
 #include "bindings/cli/scenario_files.hpp"
+#include "bindings/lua/scenario/failure_folder.hpp"
 #include "bindings/lua/scenario/reporter.hpp"
 #include "bindings/lua/scenario/test_session.hpp"
 
@@ -52,13 +54,6 @@ int list(const TestPlan& plan) {
     return status;
 }
 
-// Whether the file can be written is found out before hours of tests have run.
-Expected<std::ofstream> open_file(const std::string& path) {
-    std::ofstream file(path);
-    if (!file) return failure(std::string("can't be written: ") + std::strerror(errno), {path});
-    return file;
-}
-
 int test(const TestCommand& command) {
     SessionOptions options;
     options.seed = command.seed;
@@ -76,19 +71,15 @@ int test(const TestCommand& command) {
     if (!plan) return refuse(plan.error());
     if (command.list) return list(*plan);
 
-    std::ofstream junit;
     if (!command.junit.empty()) {
-        auto file = open_file(command.junit);
-        if (!file) return refuse(file.error());
-        junit = std::move(*file);
+        // Found out before hours of tests have run.
+        if (auto ok = check_can_write(command.junit); !ok) return refuse(ok.error());
     }
     const bool colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
     const auto reporter = command.tap ? tap_reporter(write_out) : console_reporter(write_out, colour);
     const SessionEnd end = run_tests(*plan, options, *reporter);
-    if (junit.is_open()) {
-        junit << junit_text(end.reports, end.summary);
-        junit.close();
-        if (!junit) return refuse(Error{"can't be written", {command.junit}});
+    if (!command.junit.empty()) {
+        if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
     }
     if (end.interrupted) return refuse("interrupted: not all scenarios have run");
     return end.status();
@@ -108,21 +99,19 @@ void add_test_command(CLI::App& app, int& status) {
                         "only runs whose name contains this; a whole name means only that");
     command->add_flag("--list", options->list, "show the names of the runs and where they are, and run nothing");
     command->add_option("--seed", options->seed, "decides everything that is drawn at random")
-        ->check([](const std::string& text) -> std::string {
-            const bool whole = text.find_first_not_of("0123456789") == std::string::npos;
-            return whole ? "" : "expected a whole number from 0 to 2^64 - 1, got '" + text + "'";
-        })
+        ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1"))
         ->capture_default_str();
     command->add_option("--repeat", options->repeat, "make each run so often; all must have the same trace hash")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+        ->check(whole_number(1, 1'000'000, "1000000"))
         ->capture_default_str();
     command->add_option("--jobs", options->jobs, "processes at a time; the results do not depend on it")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+        ->check(whole_number(1, 1024, "1024"))
         ->capture_default_str();
-    command->add_option("--junit", options->junit, "write the results to this file, as JUnit's XML");
+    command->add_option("--junit", options->junit, "write the results to this file, as JUnit's XML")->check(not_empty);
     command->add_flag("--tap", options->tap, "print the results as TAP");
     command->add_flag("--update-goldens", options->update_goldens, "write the traces of s:golden instead of comparing");
     command->add_option("-o,--output", options->folder, "the folder for traces and pictures of failures")
+        ->check(not_empty)
         ->capture_default_str();
     command->callback([options, &status] { status = test(*options); });
 }

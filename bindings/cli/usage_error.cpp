@@ -30,7 +30,11 @@ std::string about_extras(const CLI::App& command, const std::vector<std::string>
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const auto commands = app.get_subcommands();
     const CLI::App& command = commands.empty() ? app : *commands.front();
-    const std::string help = "; see " + (commands.empty() ? "nezumi" : "nezumi " + command.get_name()) + " --help";
+    const std::string name = commands.empty() ? "nezumi" : "nezumi " + command.get_name();
+    // A sub-command has commands of its own: `nezumi new behavior`.
+    const auto inner = command.get_subcommands();
+    const std::string help = fmt::format("; see {}{} --help", name,
+                                         commands.empty() || inner.empty() ? "" : " " + inner.front()->get_name());
     const std::string_view text = error.what();
     const std::string_view subject = text.substr(0, text.find(": "));
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {

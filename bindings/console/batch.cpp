@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings/console/put_text.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -28,12 +30,14 @@ private:
     bool is_complete(const std::string& text);
     std::optional<Event> wait_for_answer(std::int64_t id);
     void show(const Event& event);
+    void tell(const std::string& text) const { put_text(files_.error, text + "\n"); }
     std::string place(std::string_view message) const;
 
     ConsoleClient& client_;
     BatchFiles files_;
     LineReader reader_;
     bool ended_ = false;  // the input
+    bool lost_ = false;   // nobody takes the output any more
     bool fed_ = false;    // the reader may have another line
     std::string rest_;    // of the input that no end of line has ended
     int first_line_ = 0;  // of the command that runs
@@ -43,7 +47,7 @@ bool Batch::run_all() {
     bool well = true;
     std::string text;
     int first = 1;
-    for (int line = 1; client_.is_open(); ++line) {
+    for (int line = 1; client_.is_open() && !lost_; ++line) {
         auto next = read_line();
         if (next) text += (text.empty() ? "" : "\n") + *next;
         if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
@@ -56,14 +60,14 @@ bool Batch::run_all() {
         if (!next) break;
         first = line + 1;
     }
-    return well;
+    return well && !lost_;
 }
 
 bool Batch::run(const std::string& text, int line) {
     first_line_ = line;
     const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::eval, .text = text}));
     if (answer) return answer->ok;
-    if (!files_.own) fmt::print(files_.error, "{}\n", place("the system has ended"));
+    if (!files_.own) tell(place("the system has ended"));
     return files_.own;
 }
 
@@ -111,12 +115,11 @@ std::optional<Event> Batch::wait_for_answer(std::int64_t id) {
 void Batch::show(const Event& event) {
     switch (event.kind) {
         case Event::Kind::output:
-            fmt::print(files_.out, "{}\n", event.text);
-            std::fflush(files_.out);
+            lost_ = !put_text(files_.out, event.text + "\n") || std::fflush(files_.out) != 0 || lost_;
             return;
-        case Event::Kind::error: fmt::print(files_.error, "{}\n", place(event.text)); return;
-        case Event::Kind::log: fmt::print(files_.error, "{}\n", event.text); return;
-        case Event::Kind::lost: fmt::print(files_.error, "({} more were left out)\n", event.count); return;
+        case Event::Kind::error: tell(place(event.text)); return;
+        case Event::Kind::log: tell(event.text); return;
+        case Event::Kind::lost: tell(fmt::format("({} more were left out)", event.count)); return;
         case Event::Kind::answer:
         case Event::Kind::completions:
         case Event::Kind::keys:

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/console/put_text.hpp"
 #include "bindings/console/text_layout.hpp"
 #include "bindings/console/tty_input.hpp"
 
@@ -111,7 +112,7 @@ void LineEditor::Parts::erase_input() {
         std::fputs("\n", out.get());
         return;
     }
-    if (const int row = cursor_row(); row > 0) fmt::print(out.get(), "\x1b[{}A", row);
+    if (const int row = cursor_row(); row > 0) put_text(out.get(), fmt::format("\x1b[{}A", row));
     std::fputs("\r\x1b[J", out.get());
 }
 
@@ -226,7 +227,7 @@ void LineEditor::Parts::bind_keys() {
         const LineInfoW* line = el_wline(of_editor);
         const std::wstring_view text(line->buffer, static_cast<std::size_t>(line->lastchar - line->buffer));
         parts.erase_input();
-        fmt::print(parts.out.get(), "{}{}^C", parts.prompt, to_utf8(text));
+        put_text(parts.out.get(), parts.prompt + to_utf8(text) + "^C");
         return CC_EOF;
     };
     add(L"nezumi-interrupt", L"drops the input", interrupt, L"^C");
@@ -315,7 +316,7 @@ void LineEditor::set_prompt(std::string prompt) {
 void LineEditor::set_title(std::string_view title) {
     if (parts_->plain || terminal_type() == "linux" || terminal_type().starts_with("vt")) return;
     if (!std::exchange(parts_->titled, true)) std::fputs("\x1b[22;2t", parts_->out.get());
-    fmt::print(parts_->out.get(), "\x1b]2;{}\a", title);
+    put_text(parts_->out.get(), fmt::format("\x1b]2;{}\a", title));
     std::fflush(parts_->out.get());
 }
 

@@ -79,7 +79,7 @@ bool write_all(int file, const std::string& bytes) {
     try {
         if (!write_all(pipe, tasks.run(task))) status = 1;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        std::fputs(fmt::format("{}\n", error.what()).c_str(), stderr);
         status = 1;
     }
     _exit(status);  // nothing of what the parent began is ended here

@@ -6,30 +6,13 @@
 #include <algorithm>
 #include <system_error>
 
+#include "bindings/lua/files/find_files.hpp"
 #include "bindings/lua/scenario/scenario_run.hpp"
 
 namespace nezumi {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_scenario_file(const fs::path& path) { return path.filename().string().ends_with("_test.lua"); }
-
-// Adds every scenario file of a folder and below. Links to folders are not followed.
-Expected<void> add_folder(const fs::path& folder, std::vector<fs::path>& files) {
-    std::vector<fs::path> found;
-    std::error_code problem;
-    auto entry = fs::recursive_directory_iterator(folder, problem);
-    for (; !problem && entry != fs::recursive_directory_iterator(); entry.increment(problem)) {
-        const bool hidden = entry->path().filename().string().starts_with(".");
-        if (hidden && entry->is_directory()) entry.disable_recursion_pending();
-        if (!hidden && is_scenario_file(entry->path()) && entry->is_regular_file()) found.push_back(entry->path());
-    }
-    if (problem) return failure(fmt::format("can't read the folder: {}", problem.message()), {folder.string()});
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
-    return {};
-}
 
 std::string text_of_paths(const std::vector<fs::path>& paths) {
     std::string out;
@@ -84,7 +67,9 @@ Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>&
     }
     for (const fs::path& path : looked) {
         if (fs::is_directory(path, none)) {
-            if (auto ok = add_folder(path, files); !ok) return Unexpected(ok.error());
+            const FoundFiles found = find_files(path, "_test.lua");
+            if (!found.errors.empty()) return Unexpected(found.errors.front());
+            files.insert(files.end(), found.files.begin(), found.files.end());
         } else if (fs::exists(path, none)) {
             files.push_back(path);
         } else {

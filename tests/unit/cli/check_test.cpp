@@ -147,9 +147,9 @@ TEST_CASE("robot files, modules of systems and scenarios are checked", "[cli][ch
 TEST_CASE("what is shipped has nothing wrong with it", "[cli][check]") {
     const std::string root = NEZUMI_SOURCE_ROOT;
     const auto files = lua_files({root + "/behaviors", root + "/engine/robots"});
-    REQUIRE(files.has_value());
-    CHECK(files->size() >= 8);
-    for (const auto& file : *files) {
+    REQUIRE(files.errors.empty());
+    CHECK(files.files.size() >= 8);
+    for (const auto& file : files.files) {
         const auto errors = check_file(file, simulated_systems());
         INFO((errors.empty() ? file.string() : describe(errors.front())));
         CHECK(errors.empty());
@@ -164,12 +164,12 @@ TEST_CASE("folders give their Lua files, sorted, once and without hidden ones", 
     files.write(".git/x.lua", "");
     const std::string root = files.path("").string();
     const auto found = lua_files({root, root + "b.lua"});
-    REQUIRE(found.has_value());
-    CHECK(*found == std::vector<std::filesystem::path>{root + "a/c.lua", root + "b.lua"});
+    REQUIRE(found.errors.empty());
+    CHECK(found.files == std::vector<std::filesystem::path>{root + "a/c.lua", root + "b.lua"});
 
     const auto refused = [&](const std::string& path) {
         const auto result = lua_files({root + path});
-        return result ? std::string() : result.error().message;
+        return result.errors.empty() ? std::string() : result.errors.front().message;
     };
     CHECK(refused("d.lua") == "there is no such file (did you mean 'b.lua'?)");
     CHECK(refused("a/note.txt") == "is no Lua file: `nezumi check` reads files that end in .lua, and folders");

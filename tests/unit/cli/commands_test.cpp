@@ -1,5 +1,8 @@
 // The executable, as a person calls it to write and check behaviours: what it says where, and its exit status.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <string>
 
 #include "engine/messages.hpp"
@@ -49,6 +52,78 @@ TEST_CASE("nezumi check ends with 0, 1 or 2", "[cli][check]") {
     CHECK(missing.out.empty());
     CHECK(missing.error == "behaviors/goood.lua: there is no such file (did you mean 'good.lua'?)\n");
     CHECK(run_nezumi({"check"}, folder).status == 2);
+}
+
+TEST_CASE("nezumi check says what it could not read, and checks the rest", "[cli][check]") {
+    const Scratch files;
+    files.write("behaviors/bad.lua", "function on_execute()\n  oops()\nend\n");
+    std::filesystem::create_directories(files.path("behaviors/folder.lua"));
+    std::filesystem::create_symlink("nowhere", files.path("behaviors/lost.lua"));
+    REQUIRE(mkfifo(files.path("behaviors/pipe.lua").c_str(), 0600) == 0);
+    const std::string folder = files.path("").string();
+    const Outcome some = run_nezumi({"check", "no.lua", "."}, folder);
+    CHECK(some.status == 2);
+    CHECK(some.error == "no.lua: there is no such file\n");
+    CHECK(some.out == "behaviors/bad.lua:2:3: unknown global 'oops'\n");
+    CHECK(run_nezumi({"check", "."}, folder).status == 1);
+}
+
+TEST_CASE("without a command nezumi says what there is", "[cli]") {
+    const std::string known = "; known are run, attach, types, check, new, test";
+    const std::string none = "nezumi: what is to be done? See nezumi --help" + known + "\n";
+    CHECK(run_nezumi({}).error == none);
+    CHECK(run_nezumi({}).status == 2);
+    CHECK(run_nezumi({"--"}).error == none);
+    CHECK(run_nezumi({""}).error == "nezumi: there is no command ''" + known + "\n");
+    CHECK(run_nezumi({"--versio"}).error ==
+          "nezumi: there is no option '--versio' (did you mean '--version'?); see nezumi --help\n");
+    CHECK(run_nezumi({"new", "behavior"}).error == "nezumi: NAME is missing; see nezumi new behavior --help\n");
+}
+
+TEST_CASE("what can't be said on standard output costs the exit status, whatever the command", "[cli]") {
+    const Scratch files;
+    const std::string folder = files.path("").string();
+    files.write("behaviors/it.lua", "function on_execute() end\n");
+    files.write("it_test.lua", "scenario('a', function() end)\n");
+    files.write("it.lua", "arena { size = { 1, 1 } }\n");
+    files.write("commands", "print('said')\n");
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"types"},
+                                                  {"types", "--lua"},
+                                                  {"check", "behaviors"},
+                                                  {"--help"},
+                                                  {"--version"},
+                                                  {"test", "it_test.lua"},
+                                                  {"test", "it_test.lua", "--list"},
+                                                  {"test", "it_test.lua", "--tap"},
+                                                  {"new", "project", "p"},
+                                                  {"run", "it.lua", "--batch"},
+                                                  {"run", "it.lua", "--headless", "--duration", "0", "--trace-hash"}}) {
+        INFO(words.front() << " " << words.back());
+        const Outcome full = run_with_output("/dev/full", words, folder, "commands");
+        CHECK(full.status == 2);
+        CHECK(full.error.find("nezumi: standard output can't be written") != std::string::npos);
+        std::filesystem::remove_all(files.path("p"));
+        CHECK(run_with_output("", words, folder, "commands").status == 2);
+        std::filesystem::remove_all(files.path("p"));
+    }
+}
+
+TEST_CASE("a standard error that is full or closed crashes nothing", "[cli]") {
+    const Scratch files;
+    const std::string folder = files.path("").string();
+    files.write("it.lua", "arena { size = { 1, 1 } }\n");
+    files.write("commands", "x.y\nprint('said')\n");
+    for (const char* target : {"/dev/full", ""}) {
+        CHECK(run_with_error(target, {"run", "no.lua"}, folder).status == 2);
+        const Outcome batch = run_with_error(target, {"run", "it.lua", "--batch"}, folder, "commands");
+        CHECK(batch.status == 1);
+        CHECK(batch.out == "said\n");
+        CHECK(run_with_error(target, {"run", "it.lua", "--headless", "--duration", "0"}, folder).status == 0);
+        const Outcome recorded =
+            run_with_error(target, {"run", "it.lua", "--headless", "--duration", "0", "--record", "it.csv"}, folder);
+        CHECK(recorded.status == 0);
+        CHECK(std::filesystem::file_size(files.path("it.csv")) == 5);  // "time\n", and nothing meant for a person
+    }
 }
 
 TEST_CASE("nezumi new writes a behaviour that passes nezumi check, and never twice", "[cli][new]") {
@@ -120,6 +195,11 @@ TEST_CASE("nezumi new project writes into a folder that is new or empty", "[cli]
     const Outcome full = run_nezumi({"new", "project", "full"}, folder);
     CHECK(full.status == 2);
     CHECK(full.error == "full: is not empty (it has 'note.txt'), and nothing is overwritten: choose another folder\n");
+    CHECK(run_nezumi({"new", "project", ""}, folder).error == "nezumi: new project: expected a folder, got ''\n");
+    CHECK_FALSE(std::filesystem::exists(files.path("behaviors")));
+    CHECK(run_nezumi({"new", "project", "it's mine"}, folder)
+              .out.ends_with("now try: cd 'it'\\''s mine' && nezumi test\n"));
+    CHECK(run_nezumi({"new", "behavior", "Foo Bar"}, folder).error.ends_with("(did you mean 'foo_bar'?)\n"));
     CHECK(run_nezumi({"new", "project", "full/note.txt"}, folder).error ==
           "full/note.txt: is a file, expected a folder that is new or empty\n");
 }

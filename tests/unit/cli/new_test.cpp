@@ -174,9 +174,9 @@ TEST_CASE("a new project passes nezumi check and its robot explores without touc
     const Scratch folder;
     for (const NewFile& file : project_files("mine")) folder.write(file.path.string(), file.text);
     const auto files = lua_files({folder.path("").string()});
-    REQUIRE(files.has_value());
-    CHECK(files->size() == 3);
-    for (const auto& file : *files) CHECK(check_file(file, simulated_systems()).empty());
+    REQUIRE(files.errors.empty());
+    CHECK(files.files.size() == 3);
+    for (const auto& file : files.files) CHECK(check_file(file, simulated_systems()).empty());
     CHECK(read(folder.path("README.md")).find("# mine\n") == 0);
 
     auto live = LiveSystem::load(folder.path("behaviors/systems/room.lua"), simulated_systems());

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,10 +24,17 @@ inline std::string nezumi_program() {
     return path.substr(0, path.rfind('/') + 1) + "nezumi";
 }
 
+/// Files in place of the pipes that take what a program says: "" closes it from the beginning.
+struct ProgramFiles {
+    std::optional<std::string> out{};
+    std::optional<std::string> error{};
+};
+
 /// A program that runs, with its standard output and error in pipes and a file, or nothing, as standard input.
 class Program {
 public:
-    explicit Program(std::vector<std::string> words, const std::string& folder = "", const std::string& input = "") {
+    explicit Program(std::vector<std::string> words, const std::string& folder = "", const std::string& input = "",
+                     const ProgramFiles& files = {}) {
         words.insert(words.begin(), nezumi_program());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
@@ -43,6 +51,8 @@ public:
             dup2(out_pipe[1], STDOUT_FILENO);
             dup2(error_pipe[1], STDERR_FILENO);
             for (const int fd : {out_pipe[0], out_pipe[1], error_pipe[0], error_pipe[1]}) close(fd);
+            if (files.out) redirect(STDOUT_FILENO, *files.out);
+            if (files.error) redirect(STDERR_FILENO, *files.error);
             execv(pointers[0], pointers.data());
             _exit(127);
         }
@@ -87,6 +97,14 @@ public:
     std::string error;  ///< on standard error
 
 private:
+    static void redirect(int fd, const std::string& file) {
+        close(fd);
+        if (file.empty()) return;
+        const int opened = open(file.c_str(), O_WRONLY);
+        if (opened < 0 || dup2(opened, fd) < 0) _exit(126);
+        if (opened != fd) close(opened);
+    }
+
     // Takes what there is, after at most so long; false when both ends are closed.
     bool read_some(int milliseconds) {
         pollfd polled[2] = {{files_[0], POLLIN, 0}, {files_[1], POLLIN, 0}};
@@ -120,6 +138,22 @@ struct Outcome {
 inline Outcome run_nezumi(std::vector<std::string> words, const std::string& folder = "",
                           const std::string& input = "") {
     Program program(std::move(words), folder, input);
+    const int status = program.wait();
+    return {status, program.out, program.error};
+}
+
+/// The same with its standard output in a file, or closed when that is "".
+inline Outcome run_with_output(const std::string& file, std::vector<std::string> words, const std::string& folder = "",
+                               const std::string& input = "") {
+    Program program(std::move(words), folder, input, {.out = file});
+    const int status = program.wait();
+    return {status, program.out, program.error};
+}
+
+/// The same with its standard error in a file, or closed when that is "".
+inline Outcome run_with_error(const std::string& file, std::vector<std::string> words, const std::string& folder = "",
+                              const std::string& input = "") {
+    Program program(std::move(words), folder, input, {.error = file});
     const int status = program.wait();
     return {status, program.out, program.error};
 }

@@ -105,6 +105,19 @@ TEST_CASE("what is wrong with an option is said", "[cli][run]") {
           "nezumi: --duration: expected seconds, 0 or more, got 'nan'\n");
     CHECK(said({"run", "x.lua", "--ports", "a.b"}) ==
           "nezumi: --ports chooses what --record writes: give --record FILE.csv as well\n");
+    for (const char* option : {"--speed", "--duration", "--seed", "--threads", "--picture", "--record", "--sounds"}) {
+        CHECK(said({"run", "x.lua", option, ""}) ==
+              "nezumi: " + std::string(option) + ": expected a value, got ''; see nezumi run --help\n");
+    }
+    CHECK(said({"test", "--jobs", "0"}) ==
+          "nezumi: --jobs: expected a whole number from 1 to 1024, got '0'; see nezumi test --help\n");
+    CHECK(said({"test", "--repeat", "x"}) ==
+          "nezumi: --repeat: expected a whole number from 1 to 1000000, got 'x'; see nezumi test --help\n");
+    CHECK(said({"test", "--seed", "18446744073709551616"}) ==
+          "nezumi: --seed: expected a whole number from 0 to 2^64 - 1, got '18446744073709551616'; see nezumi test "
+          "--help\n");
+    CHECK(said({"test", "-o", ""}) == "nezumi: --output: expected a value, got ''; see nezumi test --help\n");
+    CHECK(said({"test", "--junit", ""}) == "nezumi: --junit: expected a value, got ''; see nezumi test --help\n");
     CHECK(said({"run"}) == "nezumi: FILE is missing; see nezumi run --help\n");
     CHECK(said({"run", "x.lua", "--speed"}) == "nezumi: --speed: a value is missing; see nezumi run --help\n");
     CHECK(said({"rum", "x.lua"}).find("there is no command 'rum' (did you mean 'run'?)") != std::string::npos);
