@@ -19,5 +19,6 @@ void add_types_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_new_command(CLI::App& app, int& status);
 void add_test_command(CLI::App& app, int& status);
+void add_calc_command(CLI::App& app, int& status);
 
 }  // namespace nezumi::cli

@@ -40,6 +40,7 @@ int run(int count, char** words) {
     int status = cli::kDone;
     cli::add_run_command(app, status);
     cli::add_attach_command(app, status);
+    cli::add_calc_command(app, status);
     cli::add_types_command(app, status);
     cli::add_check_command(app, status);
     cli::add_new_command(app, status);

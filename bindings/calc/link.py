@@ -1,0 +1,221 @@
+"""The live link between a running system and LibreOffice Calc: `nezumi calc` runs this with a console's socket.
+
+Each refresh reads the sheets, asks the system once (feeding in-ports from cells, looking at what ports carry), and
+writes what has changed. Nothing is held: in-ports are fed by messages as from a connection, so that whatever of this
+ends, they just fall silent.
+"""
+
+import argparse
+import json
+import os
+import signal
+import sys
+import threading
+import time
+
+from console import Console, Ended, lua
+from tables import Linked, rows_of
+from values import Type
+
+NEEDS = (
+    "the spreadsheet link needs LibreOffice Calc: sudo apt install --no-install-recommends libreoffice-calc python3-uno"
+)
+PATIENCE = 2.0  # [s] for an answer; after that the sheet says that there is none
+
+
+class Link:
+    """Sheets and a console, joined."""
+
+    def __init__(self, sheets, console, types, system):
+        self._sheets, self._console, self._types, self._system = sheets, console, types, system
+        self._asked = None  # the paths that refreshes are about
+        self._seen = {}  # by path: what the system said last
+        self._widths = {}  # by (sheet, row): columns that were written where no headings say how many
+        self._time, self._stands_since = None, 0.0
+        self._linked, self._links = [], []
+
+    def refresh(self):
+        """One round: cells to ports, ports to cells."""
+        data = self._sheets.read()
+        self._find(data)
+        taken = {}
+        for each in self._linked:
+            each.read(data[each.row.sheet][each.row.row], self._seen.get(each.row.path), self._types, taken)
+        answer = self._ask()
+        if answer is None:
+            self._show(data, "no answer from %s" % self._system)
+            return
+        for each in self._linked:
+            each.show(self._seen.get(each.row.path, {}), self._types)
+        self._show(data, "%s, %s" % (self._system, self._clock(answer["now"])))
+
+    def end(self, why):
+        """Leaves the sheets with the reason in every state."""
+        data = self._sheets.read()
+        self._find(data)
+        for each in self._linked:
+            each.state = each.row.problem or why
+        self._show(data, why)
+
+    def has_rows(self):
+        return bool(self._linked)
+
+    def _find(self, data):
+        rows, self._links = [], []
+        for sheet, content in enumerate(data):
+            of_sheet, links = rows_of(sheet, content)
+            rows += of_sheet
+            self._links += [(sheet, row, column) for row, column in links]
+        self._linked = [Linked(row) for row in rows]
+
+    def _ask(self):
+        paths = sorted({each.row.path for each in self._linked if each.row.path})
+        number = {path: i + 1 for i, path in enumerate(paths)}
+        feeds = {number[each.row.path]: each.feeds for each in self._linked if each.feeds is not None}
+        text = "calc_refresh(%s)" % lua(feeds)
+        if not self._console.is_waiting:  # an answer that is late is to what was asked then
+            if paths != self._asked:
+                text = "calc_bind(%s) %s" % (lua(paths), text)
+            self._asked = paths
+        printed = self._console.ask(text, PATIENCE)
+        if printed is None:
+            return None
+        answer = json.loads(printed)
+        self._seen = dict(zip(self._asked, answer["ports"]))
+        return answer
+
+    def _clock(self, seconds):
+        now = time.monotonic()
+        if seconds != self._time:
+            self._time, self._stands_since = seconds, now
+        return "%.1f s" % seconds if now - self._stands_since < 1.0 else "stands at %.2f s" % seconds
+
+    def _show(self, data, link_state):
+        changes = []
+        for sheet, row, column in self._links:
+            changes.append((sheet, row, column, [link_state]))
+        for each in self._linked:
+            row = each.row
+            line = [each.state or ""]
+            if each.shows is not None:
+                values = dict(each.shows)
+                place = (row.sheet, row.row)
+                width = len(row.headings) or max(len(values), self._widths.get(place, 0))
+                self._widths[place] = len(values)
+                for column in range(row.values_column, row.values_column + width):
+                    line.append(values.get(column))
+            changes.append((row.sheet, row.row, row.column + 1, line))
+        self._sheets.write([change for change in changes if _differs(data, *change)])
+
+
+def _differs(data, sheet, row, column, values):
+    line = data[sheet][row] if row < len(data[sheet]) else ()
+    there = line[column : column + len(values)]
+    return tuple("" if value is None else value for value in values) != tuple(there) + ("",) * (
+        len(values) - len(there)
+    )
+
+
+def event_of_signals():
+    """An event that Ctrl-C and the like set; when the office does not let go within 5 s, the link just leaves."""
+    ended = threading.Event()
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    signal.set_wakeup_fd(writer)  # also while a call to the office does not come back
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda *_: None)
+
+    def wait():
+        os.read(reader, 1)
+        ended.set()
+        time.sleep(5)
+        os._exit(0)
+
+    threading.Thread(target=wait, daemon=True).start()
+    return ended
+
+
+def run(options, office):
+    console = Console(options.socket)
+    types = {name: Type(name, fields) for name, fields in json.loads(options.types).items()}
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "look.lua"), encoding="utf-8") as file:
+        console.ask(file.read(), 60)
+    ports = json.loads(console.ask("calc_ports()", 60) or "[]")
+
+    ended = event_of_signals()
+    desktop, process = office.start(options.profile, options.headless, ended)
+    try:
+        document = office.open_sheet(desktop, options.file, options.headless)
+        if not options.file:
+            from new_sheet import fill
+
+            fill(document, ports, types, options.port)
+        sheets = office.Sheets(desktop, document)
+        why = refresh_until_the_end(options, office, Link(sheets, console, types, options.system), ended)
+        print("nezumi: " + why, file=sys.stderr)
+    finally:
+        if process and options.headless:
+            office.stop(desktop)
+    return 0
+
+
+def refresh_until_the_end(options, office, link, ended):
+    due = time.monotonic()
+    is_first = True
+    try:
+        while not ended.wait(max(0.0, due - time.monotonic())):
+            due = max(due + 1.0 / options.rate, time.monotonic())
+            link.refresh()
+            if is_first:
+                print("nezumi: Calc is linked with %s; Ctrl-C ends the link" % options.system, file=sys.stderr)
+                if not link.has_rows():
+                    print("nezumi: %s has no table yet: see docs/spreadsheet.md" % options.file, file=sys.stderr)
+                is_first = False
+        why = "the link has ended"
+    except Ended:
+        why = "%s has ended" % options.system
+    except office.Closed as closed:
+        return str(closed)
+    except BaseException:
+        leave(office, link, "the link has failed")
+        raise
+    leave(office, link, why)
+    return why
+
+
+def leave(office, link, why):
+    """A sheet that is no longer linked must not look as if it were."""
+    try:
+        link.end(why)
+    except office.Closed:
+        pass
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--socket", type=int, required=True)
+    parser.add_argument("--system", required=True)
+    parser.add_argument("--types", required=True)
+    parser.add_argument("--file", default="")
+    parser.add_argument("--profile", default="")
+    parser.add_argument("--rate", type=float, required=True)
+    parser.add_argument("--port", action="append", default=[])
+    parser.add_argument("--headless", action="store_true")
+    options = parser.parse_args()
+    try:
+        import office
+    except ImportError:
+        print("nezumi: " + NEEDS, file=sys.stderr)
+        return 2
+    try:
+        return run(options, office)
+    except (office.Refused, RuntimeError) as problem:
+        print("nezumi: %s" % problem, file=sys.stderr)
+        return 2
+    except (office.Closed, Ended) as end:
+        print("nezumi: %s" % (str(end) or "%s has ended" % options.system), file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

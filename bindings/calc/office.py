@@ -1,0 +1,201 @@
+"""LibreOffice, the program: reached or started, and its sheets read and written."""
+
+import itertools
+import os
+import secrets
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+
+import uno
+from com.sun.star.beans import PropertyValue
+from com.sun.star.lang import DisposedException
+from com.sun.star.uno import Exception as UnoException
+
+LONGEST_START = 120  # [s]
+MOST_ROWS, MOST_COLUMNS, MOST_SHEETS = 1000, 100, 16  # of a document: what is looked at
+
+
+class Refused(Exception):
+    """It can't be done; the text says why and what to do."""
+
+
+class Closed(Exception):
+    """The sheet or the whole office is gone; the text says which."""
+
+
+def start(profile, is_headless, ended):
+    """Reaches the user's office, or starts one: an office that runs already takes over what a new one is called with,
+    the pipe to listen at among it. The pipe has a name that nobody can foresee, and is its user's alone. Returns the
+    office's desktop, and the process if it is a new office. Gives up when `ended` is set."""
+    program = shutil.which("soffice") or shutil.which("libreoffice")
+    if program is None:
+        raise Refused(
+            "LibreOffice Calc is not installed: sudo apt install --no-install-recommends libreoffice-calc python3-uno"
+        )
+    pipe = "nezumi-" + secrets.token_hex(8)
+    words = [program, "--accept=pipe,name=%s;urp;" % pipe, "--norestore", "--nologo", "--nodefault"]
+    if profile:
+        words.append("-env:UserInstallation=" + uno.systemPathToFileUrl(os.path.abspath(profile)))
+    if is_headless:
+        words.append("--headless")
+    said = tempfile.TemporaryFile()  # no pipe: the office outlives the link
+    # A session of its own: Ctrl-C ends the link, not somebody's documents.
+    process = subprocess.Popen(
+        words, stdin=subprocess.DEVNULL, stdout=said, stderr=said, start_new_session=True, umask=0o077
+    )
+    context = uno.getComponentContext()
+    resolver = context.ServiceManager.createInstanceWithContext("com.sun.star.bridge.UnoUrlResolver", context)
+    try:
+        remote = _reach(resolver, "uno:pipe,name=%s;urp;StarOffice.ComponentContext" % pipe, process, said, ended)
+    except Refused:
+        if is_headless and process.poll() is None:
+            os.killpg(process.pid, signal.SIGTERM)
+        raise
+    desktop = remote.ServiceManager.createInstanceWithContext("com.sun.star.frame.Desktop", remote)
+    return desktop, None if process.poll() is not None else process
+
+
+def _reach(resolver, address, process, said, ended):
+    end = time.monotonic() + LONGEST_START
+    while time.monotonic() < end:
+        try:
+            return resolver.resolve(address)
+        except UnoException:
+            pass
+        status = process.poll()
+        if status:
+            said.seek(0)
+            lines = said.read().decode(errors="replace").strip().splitlines()
+            raise Refused("LibreOffice can't start: " + (lines[0] if lines else "exit status %d" % status))
+        if ended.wait(0.1):
+            raise Refused("ended before LibreOffice was there")
+    raise Refused("LibreOffice did not answer within %d s" % LONGEST_START)
+
+
+def stop(desktop):
+    """Ends an office that nobody sees."""
+    try:
+        desktop.terminate()
+    except UnoException:
+        pass  # it has ended already
+
+
+def open_sheet(desktop, file, is_headless):
+    """The document of a file, or a new one where `file` is empty."""
+    hidden = PropertyValue()
+    hidden.Name, hidden.Value = "Hidden", is_headless
+    url = uno.systemPathToFileUrl(file) if file else "private:factory/scalc"
+    try:
+        document = desktop.loadComponentFromURL(url, "_default" if file else "_blank", 0, (hidden,))
+    except DisposedException:
+        raise Closed("LibreOffice has ended") from None
+    except UnoException:
+        document = None
+    if document is None:
+        raise Refused("LibreOffice can't open %s" % (file or "a new sheet"))
+    if not document.supportsService("com.sun.star.sheet.SpreadsheetDocument"):
+        raise Refused("%s is no spreadsheet" % file)
+    return document
+
+
+class Sheets:
+    """The cells of a document."""
+
+    def __init__(self, desktop, document):
+        self._desktop, self.document = desktop, document
+        self._before, self._written = [], {}  # what was read last; what was written over it, by (sheet, row, column)
+        self._formulas = set()  # cells that are known to change by themselves
+
+    def read(self):
+        """The content of every sheet, from A1 on: numbers, texts, and None for the error of a formula."""
+        return self._try(self._read)
+
+    def write(self, changes):
+        """Writes (sheet, row, column, values), without a trace in the list of what can be undone, and without making an
+        unchanged document a changed one."""
+        if changes:
+            self._try(lambda: self._write(changes))
+
+    def _read(self):
+        sheets = self.document.Sheets
+        contents = []
+        for i in range(min(sheets.getCount(), MOST_SHEETS)):
+            sheet = sheets.getByIndex(i)
+            cursor = sheet.createCursor()
+            cursor.gotoEndOfUsedArea(False)
+            used = cursor.getRangeAddress()
+            row, column = min(used.EndRow, MOST_ROWS - 1), min(used.EndColumn, MOST_COLUMNS - 1)
+            contents.append(sheet.getCellRangeByPosition(0, 0, column, row).getDataArray())
+        if not self.document.isModified() and self._is_edited(contents):
+            self.document.setModified(True)  # it was edited just while `_write` kept the mark from changing
+        self._before, self._written = contents, {}
+        return contents
+
+    def _is_edited(self, contents):
+        for sheet, (old, new) in enumerate(zip(self._before, contents)):
+            for row, (old_line, new_line) in enumerate(itertools.zip_longest(old, new, fillvalue=())):
+                if old_line == new_line:
+                    continue
+                for column, (was, content) in enumerate(itertools.zip_longest(old_line, new_line, fillvalue="")):
+                    place = (sheet, row, column)
+                    if self._written.get(place, was) == content or place in self._formulas:
+                        continue
+                    cell = self.document.Sheets.getByIndex(sheet).getCellByPosition(column, row)
+                    if not cell.getFormula().startswith("="):
+                        return True
+                    self._formulas.add(place)
+        return False
+
+    def _write(self, changes):
+        undo = self.document.getUndoManager()
+        self.document.disableSetModified()
+        try:
+            for sheet, row, column, block in blocks(changes):
+                right, low = column + len(block[0]) - 1, row + len(block) - 1
+                cells = self.document.Sheets.getByIndex(sheet).getCellRangeByPosition(column, row, right, low)
+                # A lock holds for one write: the office opens it again by itself.
+                undo.lock()
+                try:
+                    cells.setDataArray(block)
+                finally:
+                    undo.unlock()
+                for i, values in enumerate(block):
+                    for j, value in enumerate(values):
+                        self._written[sheet, row + i, column + j] = value
+        finally:
+            self.document.enableSetModified()
+
+    def _try(self, action):
+        try:
+            return action()
+        except Exception:  # a document that closes answers in many ways
+            if self._is_open():
+                raise
+        try:
+            self._desktop.getCurrentComponent()
+        except UnoException:
+            raise Closed("LibreOffice has ended") from None
+        raise Closed("the sheet was closed")
+
+    def _is_open(self):
+        try:
+            return self.document.Sheets.getCount() > 0
+        except (UnoException, AttributeError):
+            return False
+
+
+def blocks(changes):
+    """Changes that lie under each other as one: (sheet, row, column, rows of values)."""
+    found = []
+    for sheet, row, column, values in changes:
+        values = tuple("" if value is None else float(value) if isinstance(value, bool) else value for value in values)
+        if found:
+            last_sheet, first, last_column, block = found[-1]
+            if (sheet, row, column) == (last_sheet, first + len(block), last_column) and len(values) == len(block[0]):
+                block.append(values)
+                continue
+        found.append((sheet, row, column, [values]))
+    return [(sheet, row, column, tuple(block)) for sheet, row, column, block in found]

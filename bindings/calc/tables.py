@@ -1,0 +1,159 @@
+"""The tables of a sheet: where cells say which ports they are linked with.
+
+A table begins with the cells `Port` and `State` beside each other, and goes down to the first row without a port. Right
+of `State` are the values; headings there, as far as they go, say how many columns, and which field each is.
+"""
+
+import re
+
+from values import Wrong, message_of
+
+PORT, STATE, LINK = "Port", "State", "nezumi"
+MOST_COLUMNS = 64  # of values, where no headings say how many
+
+
+class Row:
+    """A row of a table: a port, and the cells of its values."""
+
+    def __init__(self, sheet, row, column, text, headings, limit):
+        self.sheet, self.row, self.column = sheet, row, column
+        self.headings, self.limit = headings, limit
+        self.problem = None
+        found = re.fullmatch(r"(watch\s+)?([A-Za-z_]\w*\.[A-Za-z_]\w*)", text.strip(), re.ASCII)
+        self.only_watched = bool(found and found[1])
+        self.path = found[2] if found else None
+        if not found:
+            self.problem = "expected a port, such as mouse.ir_sensor_out"
+
+    @property
+    def values_column(self):
+        return self.column + 2
+
+    def columns(self, kind, message):
+        """(column, part) of each of its values."""
+        if self.headings:
+            parts = kind.columns(self.headings)
+        else:
+            parts = kind.parts(self.limit if message is None else min(self.limit, kind.length(message)))
+        return [(self.values_column + i, part) for i, part in enumerate(parts) if part is not None]
+
+
+def rows_of(sheet, data):
+    """All rows of the tables in a sheet's data, and the cells (row, column) that tell of the link itself."""
+    rows, link = [], []
+    for at, line in enumerate(data):
+        if LINK in line:
+            link.append((at, line.index(LINK) + 1))
+        if PORT not in line:
+            continue
+        begins = [c for c in range(len(line) - 1) if line[c] == PORT and line[c + 1] == STATE]
+        for begin, next_begin in zip(begins, begins[1:] + [None]):
+            rows += _rows_below(sheet, data, at, begin, next_begin)
+    return rows, link
+
+
+def _rows_below(sheet, data, heading_row, begin, next_begin):
+    line = data[heading_row]
+    headings = []
+    for cell in line[begin + 2 : next_begin]:
+        if cell == "" or cell is None:
+            break
+        headings.append(cell if isinstance(cell, str) else "%g" % cell)
+    limit = MOST_COLUMNS if next_begin is None else next_begin - begin - 2
+    rows = []
+    for at in range(heading_row + 1, len(data)):
+        cell = data[at][begin]
+        if cell == "" or cell == PORT:
+            break
+        text = cell if isinstance(cell, str) else "?"
+        rows.append(Row(sheet, at, begin, text, headings, limit))
+    return rows
+
+
+def address(row, column):
+    """As a person reads it: (0, 0) is A1."""
+    letters = ""
+    column += 1
+    while column > 0:
+        column, letter = divmod(column - 1, 26)
+        letters = chr(ord("A") + letter) + letters
+    return letters + str(row + 1)
+
+
+class Linked:
+    """A row together with what the system says of its port: what it is fed, and what its cells are to show."""
+
+    def __init__(self, row):
+        self.row = row
+        self.state = row.problem
+        self.feeds = None
+        self.shows = None  # [(column, value)]
+
+    def read(self, line, seen, types, taken):
+        """Before a refresh: takes from the cells what the port is fed, when it is an in-port. `taken` are the ports
+        that rows above feed."""
+        row = self.row
+        if row.problem or not seen or seen.get("direction") != "in" or row.only_watched:
+            return
+        if row.path in taken:
+            self.state = "%s feeds it already" % taken[row.path]
+            return
+        taken[row.path] = address(row.row, row.column)
+        try:
+            cells = [
+                (address(row.row, column), part, line[column] if column < len(line) else "")
+                for column, part in row.columns(types[seen["type"]], None)
+            ]
+            self.feeds = _message(cells)
+        except Wrong as wrong:
+            self.state = str(wrong)
+
+    def show(self, seen, types):
+        """After a refresh: what state and values are to show."""
+        row = self.row
+        if self.state:
+            return
+        if "type" not in seen:
+            self.state = seen["error"]
+            return
+        if seen["direction"] == "in" and not row.only_watched:
+            self.state = self._state_of_feeding(seen)
+            return
+        kind = types[seen["type"]]
+        try:
+            columns = row.columns(kind, seen["value"])
+        except Wrong as wrong:
+            self.state = str(wrong)
+            return
+        self.shows = [(column, part.of(seen["value"]) if seen["came"] else None) for column, part in columns]
+        self.state = _state_of_watching(seen, kind, len(columns))
+
+    def _state_of_feeding(self, seen):
+        if seen.get("error"):
+            return seen["error"]
+        if seen["override"]:
+            return "%s in the console: release it there" % seen["override"]
+        if self.feeds is None:
+            return "not fed"
+        if seen.get("once"):
+            return "sent"
+        return "fed" + (", beside " + ", ".join(seen["peers"]) if seen["peers"] else "")
+
+
+def _message(cells):
+    for where, _, content in cells:
+        if content is None:
+            raise Wrong("%s: its formula gives an error" % where)
+    return message_of(cells)
+
+
+def _state_of_watching(seen, kind, columns):
+    if not seen["came"]:
+        return "nothing has come yet"
+    state = "silent since %.1f s" % seen["tm"] if seen["stale"] else "live"
+    if seen["override"]:
+        state += ", " + seen["override"]
+    length = kind.length(seen["value"])
+    if kind.is_sequence and columns < length:
+        state += ", %d of %d" % (columns, length)
+    return state

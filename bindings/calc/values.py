@@ -1,0 +1,123 @@
+"""Between cells and messages: which cell carries which part of a message, and what a cell's content means for it."""
+
+import difflib
+import re
+
+NUMBER, INTEGER, BOOLEAN, TEXT = "number", "integer", "boolean", "text"
+
+
+class Wrong(Exception):
+    """What a person wrote can't be meant; the text says why."""
+
+
+class Part:
+    """One number, truth value or text of a message: its name within the message, its unit, its kind."""
+
+    def __init__(self, name, unit, kind, steps):
+        self.name, self.unit, self.kind, self.steps = name, unit, kind, steps
+
+    def of(self, message):
+        """Its value in a message as JSON; None where a sequence is shorter."""
+        for step in self.steps:
+            if isinstance(step, int):
+                message = message[step] if isinstance(message, list) and step < len(message) else None
+            else:
+                message = message.get(step) if isinstance(message, dict) else None
+        return message
+
+
+class Type:
+    """A message type. `fields` are [name, unit, kind, is a sequence], the name "" for a type that is one value."""
+
+    def __init__(self, name, fields):
+        self.name = name
+        self._fields = fields
+        self.is_sequence = bool(fields) and fields[0][3]  # what it carries first, or all of it
+
+    def part(self, name):
+        """A part by its name; None when there is no such part."""
+        found = re.fullmatch(r"([A-Za-z_][\w.]*)?\[?([1-9]\d*)?\]?", name, re.ASCII)
+        for field, unit, kind, is_sequence in self._fields if found else ():
+            steps = field.split(".") if field else []
+            if is_sequence and (found[1] or "") == field and found[2]:
+                return Part(name, unit, kind, steps + [int(found[2]) - 1])
+            if not is_sequence and name == field:
+                return Part(name, unit, kind, steps)
+        return None
+
+    def parts(self, count):
+        """The parts as they follow each other where no heading says otherwise, at most `count`."""
+        if not self.is_sequence:
+            return [self.part(name) for name, _, _, is_sequence in self._fields if not is_sequence][:count]
+        name = self._fields[0][0]
+        return [self.part("%s[%d]" % (name, i + 1) if name else str(i + 1)) for i in range(count)]
+
+    def length(self, message):
+        """How many values it takes to show the message."""
+        if not self.is_sequence:
+            return sum(1 for field in self._fields if not field[3])
+        name = self._fields[0][0]
+        for step in name.split(".") if name else []:
+            message = message.get(step, [])
+        return len(message)
+
+    def columns(self, headings):
+        """The part of each column below these headings; None for a column that is not its own. A heading that names
+        nothing is passed over, one that is nearly a name is a slip."""
+        texts = [re.sub(r"\s*[\[(][^\[\]()\d][^\[\]()]*[\])]\s*$", "", heading).strip() for heading in headings]
+        named = [self.part(text) if text else None for text in texts]
+        known = [field[0] for field in self._fields if field[0]]
+        if not known or not any(named):
+            return self.parts(len(headings))
+        for text, part in zip(texts, named):
+            near = [] if part else difflib.get_close_matches(text, known, 1)
+            if near:
+                raise Wrong("%s has no field '%s' (did you mean '%s'?)" % (self.name, text, near[0]))
+        return named
+
+
+def from_cell(content, kind, address):
+    """The value that a cell's content is for a part of that kind. Numbers are checked further by the system."""
+    if kind == TEXT:
+        if isinstance(content, str):
+            return content
+        return str(int(content)) if content.is_integer() else repr(content)
+    if kind == BOOLEAN:
+        if isinstance(content, str) and content.strip().lower() in ("true", "false"):
+            return content.strip().lower() == "true"
+        if content in (0.0, 1.0):
+            return content == 1.0
+        raise Wrong("%s: expected TRUE or FALSE, got %s" % (address, shown(content)))
+    if isinstance(content, str):
+        raise Wrong("%s: expected a number, got %s" % (address, shown(content)))
+    return content
+
+
+def shown(content):
+    if not isinstance(content, str):
+        return "%.15g" % content
+    return "'%s'" % (content if len(content) <= 40 else content[:40] + "...")
+
+
+def message_of(cells):
+    """The message that (address, part, content) of a row's cells make; None when all of them are empty."""
+    if all(content == "" for _, _, content in cells):
+        return None
+    message = {}
+    empty = None  # the first empty cell of a sequence
+    for address, part, content in cells:
+        in_sequence = isinstance(part.steps[-1] if part.steps else None, int)
+        if content == "":
+            empty = empty or (address if in_sequence else None)
+            continue
+        if in_sequence and empty:
+            raise Wrong("%s is empty: a sequence has no gaps" % empty)
+        value = from_cell(content, part.kind, address)
+        if not part.steps:
+            return value
+        inner = message
+        for step in part.steps[:-1]:
+            inner = inner.setdefault(step, {})
+        last = part.steps[-1]
+        inner[last + 1 if isinstance(last, int) else last] = value  # Lua counts from 1
+    return message

@@ -1,0 +1,85 @@
+"""What the spreadsheet's link makes of cells and messages, without an office."""
+
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../bindings/calc"))
+from console import lua
+from tables import address, rows_of
+from values import Type, Wrong, message_of
+
+VELOCITY = Type("TimedVelocity2D", [[name, "m/s", "number", False] for name in ("vx", "vy", "va")])
+POSE = Type("TimedPose2D", [[name, "m", "number", False] for name in ("position.x", "position.y", "heading")])
+RANGES = Type("RangeData", [["ranges", "m", "number", True], ["config.minRange", "m", "number", False]])
+SHORTS = Type("TimedShortSeq", [["", "", "integer", True]])
+TEXT = Type("TimedString", [["", "", "text", False]])
+
+
+def message(kind, headings, *contents):
+    """The message of a row with these headings and contents, as Lua."""
+    parts = kind.columns(headings)
+    cells = enumerate(zip(parts, contents))
+    return lua(message_of([(address(1, i), part, content) for i, (part, content) in cells if part]))
+
+
+class CellsTest(unittest.TestCase):
+    def test_addresses_are_those_of_the_program(self):
+        names = [address(0, 0), address(9, 25), address(99, 26), address(0, 701), address(0, 702)]
+        self.assertEqual(names, ["A1", "Z10", "AA100", "ZZ1", "AAA1"])
+
+    def test_headings_say_which_field_a_column_is_in_any_order(self):
+        self.assertEqual(message(VELOCITY, ["va [rad/s]", "vx"], 1.0, 0.25), '{["va"]=1,["vx"]=0.25}')
+        pose = message(POSE, ["heading (rad)", "position.y"], 1.5, 2.0)
+        self.assertEqual(pose, '{["heading"]=1.5,["position"]={["y"]=2}}')
+        self.assertEqual(message(VELOCITY, ["vx", "remarks", "va"], 1.0, "slow", ""), '{["vx"]=1}')
+
+    def test_without_names_in_the_headings_fields_have_their_own_order(self):
+        self.assertEqual(message(VELOCITY, ["a", "b"], 1.0, 2.0), '{["vx"]=1,["vy"]=2}')
+        self.assertEqual(message(SHORTS, ["1", "2", "3"], 31.0, 0.0, ""), "{[1]=31,[2]=0}")
+        self.assertEqual(message(RANGES, ["r", "r"], 0.5, 1.0), '{["ranges"]={[1]=0.5,[2]=1}}')
+        both = message(RANGES, ["ranges[1] [m]", "config.minRange"], 0.5, 0.03)
+        self.assertEqual(both, '{["ranges"]={[1]=0.5},["config"]={["minRange"]=0.03}}')
+
+    def test_a_slip_in_a_heading_is_told(self):
+        with self.assertRaisesRegex(Wrong, r"^TimedPose2D has no field 'headin' \(did you mean 'heading'\?\)$"):
+            POSE.columns(["position.x", "headin"])
+
+    def test_empty_cells_are_no_message_and_a_sequence_has_no_gap(self):
+        self.assertEqual(message(VELOCITY, ["vx", "va"], "", ""), "nil")
+        self.assertEqual(message(VELOCITY, ["vx", "va"], "", 1.0), '{["va"]=1}')
+        with self.assertRaisesRegex(Wrong, "^A2 is empty: a sequence has no gaps$"):
+            message(SHORTS, ["1", "2"], "", 1.0)
+
+    def test_a_part_of_a_message_is_found_and_none_behind_its_end(self):
+        self.assertEqual(POSE.part("position.y").of({"position": {"x": 1, "y": 2}, "heading": 0}), 2)
+        self.assertEqual([part.of([7, 8]) for part in SHORTS.parts(3)], [7, 8, None])
+        self.assertIsNone(SHORTS.part("0"))
+        self.assertIsNone(VELOCITY.part("vx[1]"))
+        self.assertEqual((SHORTS.length([1, 2]), RANGES.length({"ranges": []}), POSE.length({})), (2, 0, 3))
+
+    def test_texts_go_over_as_they_are_whatever_is_in_them(self):
+        self.assertEqual(message(TEXT, ["value"], 'a"b\\c\n]] é'), '"a\\034b\\092c\\010]] \\195\\169"')
+        self.assertEqual(message(TEXT, ["value"], 7.0), '"7"')
+        self.assertEqual(lua([True, None, -0.0, 1e300, 2.5, "x"]), '{true,nil,0,1e+300,2.5,"x"}')
+
+    def test_tables_begin_with_port_and_state_and_end_at_the_first_empty_row(self):
+        data = [
+            ("nezumi", "", "", "", "", "", ""),
+            ("Port", "State", "vx", "", "Port", "State", 1.0),
+            ("a.out", "", 0.0, "note", "watch a.in", "", 5.0),
+            ("a", "", "", "", "", "", ""),
+            ("", "", "", "", "", "", ""),
+            ("b.out", "", "", "", "Port", "", ""),
+        ]
+        rows, link = rows_of(3, data)
+        self.assertEqual(link, [(0, 1)])
+        found = [(row.path, row.row, row.column, row.headings, row.limit, row.only_watched) for row in rows]
+        self.assertEqual(
+            found, [("a.out", 2, 0, ["vx"], 2, False), (None, 3, 0, ["vx"], 2, False), ("a.in", 2, 4, ["1"], 64, True)]
+        )
+        self.assertEqual(rows[1].problem, "expected a port, such as mouse.ir_sensor_out")
+
+
+if __name__ == "__main__":
+    unittest.main()
