@@ -29,6 +29,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
+// Whether one of two names is a whole part of the other, case not counted: "velocity" of "TimedVelocity2D".
+bool contains(std::string_view whole, std::string_view part) {
+    const auto same = [](char a, char b) { return lower(a) == lower(b); };
+    return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();
+}
+
 }  // namespace
 
 std::string describe(const Error& error) {
@@ -60,10 +66,21 @@ std::string_view nearest(std::string_view name, const std::vector<std::string_vi
     std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
         const std::size_t d = distance(name, candidate);
-        if (d < best_distance) {
+        // A name of which no character stays is no slip.
+        if (d < best_distance && d < std::max(name.size(), candidate.size())) {
             best_distance = d;
             best = candidate;
         }
+    }
+    if (!best.empty()) return best;
+    constexpr std::size_t least = 4;  // a shorter name is part of anything
+    std::size_t least_difference = static_cast<std::size_t>(-1);
+    for (const std::string_view candidate : candidates) {
+        const auto [shorter, longer] = std::minmax(name, candidate, [](auto a, auto b) { return a.size() < b.size(); });
+        if (shorter.size() < least || longer.size() - shorter.size() >= least_difference) continue;
+        if (!contains(longer, shorter)) continue;
+        least_difference = longer.size() - shorter.size();
+        best = candidate;
     }
     return best;
 }

@@ -48,7 +48,8 @@ std::string describe(const Error& error);
 std::string shown(std::string_view name);
 
 /// The candidate nearest to `name` by edit distance (insert, delete, replace, swap of neighbours), or an empty view
-/// when none is near enough to be a slip: at most a third of the name's length, and at least 1, case not counted.
+/// when none is near enough to be a slip: at most a third of the name's length, and at least 1, case not counted. Where
+/// there is no slip, of those that have `name` as a part, or are a part of it, the one that differs least.
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates);
 
 /// " (did you mean 'near'?)" for the nearest candidate, or an empty string when none is near.

@@ -58,6 +58,22 @@ TEST_CASE("a slip is at most a third of the name", "[engine][error]") {
     CHECK(nearest("abcdef", {"abcxyz"}).empty());      // 3 of 6
 }
 
+TEST_CASE("a name of which no character stays is no slip", "[engine][error]") {
+    CHECK(nearest("z", {"x", "y"}).empty());
+    CHECK(nearest("X", {"x", "y"}) == "x");
+    CHECK(nearest("1", {"n"}).empty());
+    CHECK(nearest("nn", {"m", "n"}) == "n");
+}
+
+TEST_CASE("a name that is part of another, or has another as its part, is near to it", "[engine][error]") {
+    CHECK(nearest("on_exec", {"on_error", "on_execute"}) == "on_execute");
+    CHECK(nearest("Velocity2D", {"TimedPose2D", "TimedVelocity2D"}) == "TimedVelocity2D");
+    CHECK(nearest("velocity", {"target_velocity_in", "velocity_out"}) == "velocity_out");  // the least is left out
+    CHECK(nearest("controller_left", {"left", "controller"}) == "controller");
+    CHECK(nearest("in", {"ir_sensor_in"}).empty());                      // two letters are part of anything
+    CHECK(nearest("speed_x", {"speed_x_max", "speed_y"}) == "speed_y");  // a slip is nearer
+}
+
 TEST_CASE("of several candidates the nearest wins, and the first of equals", "[engine][error]") {
     CHECK(nearest("speed_z", {"speed", "speed_x", "speed_r"}) == "speed_x");
     CHECK(nearest("speed_rr", {"speed_x", "speed_r"}) == "speed_r");

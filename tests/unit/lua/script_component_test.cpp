@@ -122,8 +122,7 @@ TEST_CASE("print is log.info, and log has four levels", "[lua][component]") {
         "function on_execute() print('a', 1, nil) log.debug('d') log.info(1.5, true) log.warn('w') log.error('e') end");
     rig.activate().tick();
     CHECK(rig.log == std::vector<Text>{"info: a\t1\tnil", "debug: d", "info: 1.5\ttrue", "warn: w", "error: e"});
-    CHECK(failure_of("", "log.warning('x')") ==
-          "robot_controller.lua:3: log has no 'warning' (it has debug, info, warn, error)");
+    CHECK(failure_of("", "log.warning('x')") == "robot_controller.lua:3: log has no 'warning' (did you mean 'warn'?)");
     CHECK(failure_of("", "log.wran('x')") == "robot_controller.lua:3: log has no 'wran' (did you mean 'warn'?)");
     CHECK(failure_of("", "log.warn = print") == "robot_controller.lua:3: can't set 'log.warn': 'log' is read-only");
 }
