@@ -1,4 +1,4 @@
-// Mixes publications into the hash in the order in which they are told.
+// Each publication has a hash of its own, and their sum is that of the run.
 #include "engine/trace_hash.hpp"
 
 #include "engine/payload.hpp"
@@ -6,9 +6,8 @@
 namespace nezumi {
 
 void TraceHash::latched(const Component& component, const OutPortBase& port, const Time& now) {
-    hash_ = mix(hash_, std::string_view(component.name()));
-    hash_ = mix(hash_, std::string_view(port.name()));
-    hash_ = port.hash_latched(mix(hash_, static_cast<std::uint64_t>(now.tick)));
+    const std::uint64_t who = mix(mix(0, std::string_view(component.name())), std::string_view(port.name()));
+    hash_ += port.hash_latched(mix(who, static_cast<std::uint64_t>(now.tick)));
 }
 
 }  // namespace nezumi

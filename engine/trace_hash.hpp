@@ -8,7 +8,8 @@
 namespace nezumi {
 
 /// Hashes every publication of every port: which port, in which tick, what. Compares runs on one machine only, because
-/// the last bits of sines differ between processors.
+/// the last bits of sines differ between processors. The order in which ports are told does not count: a system whose
+/// file names its behaviours in another order is the same.
 class TraceHash final : public PortObserver {
 public:
     void latched(const Component& component, const OutPortBase& port, const Time& now) override;

@@ -52,6 +52,30 @@ TEST_CASE("one, two and four threads give the same trace and the same log", "[en
     CHECK(one.log == four.log);
 }
 
+TEST_CASE("the order in which behaviours stand in the file changes neither what they do nor the trace hash",
+          "[engine][determinism]") {
+    const auto run = [](const std::vector<std::string>& order) {
+        System system({}, nullptr);
+        TraceHash trace;
+        system.observe(trace);
+        for (const std::string& name : order) {
+            auto made = std::make_unique<TryComponent>(name);
+            made->executed = [](TryComponent& self) -> Expected<void> {
+                self.out.write(3 * self.in.read() + static_cast<std::int32_t>(self.name().back()));
+                if (self.executions() % 3 == 0) self.tone.write(7);
+                return {};
+            };
+            static_cast<void>((*system.add(std::move(made)))->activate(system.now()));
+        }
+        for (const auto& [from, to] : {std::pair{"a.out", "b.in"}, {"b.out", "c.in"}, {"c.out", "a.in"}})
+            REQUIRE(system.connect(from, to));
+        for (int i = 0; i < 10; ++i) system.tick();
+        return trace.value();
+    };
+    CHECK(run({"a", "b", "c"}) == run({"c", "a", "b"}));
+    CHECK(run({"a", "b", "c"}) == run({"b", "a", "c"}));
+}
+
 TEST_CASE("systems in one process know nothing of each other", "[engine][determinism]") {
     Ring alone(1), first(1), second(1, 77);
     alone.ticks(50);
