@@ -130,15 +130,25 @@ void Camera::sense(const Time& now) {
             return;
         }
     }
-    if (auto picture = picture_.take(now, wait_)) out_.next_pending() = std::move(*picture);
-    if (!is_due(now.tick, frame_rate_, tick_rate()) || picture_.busy()) return;
+    take_picture(now);
+    if (state() != LifeState::active || !is_due(now.tick, frame_rate_, tick_rate()) || picture_.busy()) return;
     source_->expose(now);
     picture_.start(now, latency_, [source = source_.get()] {
         CameraImage image;
         source->develop(image);
         return image;
     });
-    if (auto picture = picture_.take(now, wait_)) out_.next_pending() = std::move(*picture);
+    take_picture(now);
+}
+
+void Camera::take_picture(const Time& now) {
+    auto picture = picture_.take(now, wait_);
+    if (!picture) return;
+    if (!*picture) {
+        abort({"no picture could be made: " + picture->error().message});
+        return;
+    }
+    out_.next_pending() = std::move(**picture);
 }
 
 Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system) {

@@ -81,6 +81,7 @@ private:
     Expected<void> on_deactivated() override;
     CameraSettings settings() const;
     Expected<void> open();
+    void take_picture(const Time& now);
 
     CameraMount mount_;
     std::uint64_t seed_;

@@ -3,10 +3,12 @@
 
 #include <cassert>
 #include <chrono>
+#include <exception>
 #include <future>
 #include <optional>
 #include <utility>
 
+#include "engine/error.hpp"
 #include "engine/port.hpp"
 
 namespace nezumi {
@@ -19,19 +21,20 @@ public:
     /// Between `start` and the `take` or `finish` that gave the result.
     bool busy() const { return future_.valid(); }
 
-    /// Starts `work`, a function without arguments that does not throw, whose result is due `latency` [s] from now. It
-    /// must not be busy.
+    /// Starts `work`, a function without arguments, whose result is due `latency` [s] from now. It must not be busy.
+    /// What it throws (a library's, or for want of memory) comes out of `take` as an error.
     template <class Work>
     void start(const Time& now, double latency, Work&& work) {
         assert(!busy());
         due_ = now.seconds + latency;
         // Where no thread can be had, `take` does the work itself.
-        future_ = std::async(std::launch::async | std::launch::deferred, std::forward<Work>(work));
+        future_ = std::async(std::launch::async | std::launch::deferred,
+                             [work = std::forward<Work>(work)]() mutable { return run(work); });
     }
 
     /// The result, once it is due: waits for it when `wait` is set (simulation); else (hardware) it comes as soon as it
     /// is ready, whatever the latency.
-    std::optional<Result> take(const Time& now, bool wait) {
+    std::optional<Expected<Result>> take(const Time& now, bool wait) {
         if (!busy()) return std::nullopt;
         if (wait ? now.seconds < due_ - half_a_step : !is_ready()) return std::nullopt;
         return future_.get();
@@ -45,9 +48,20 @@ public:
 private:
     static constexpr double half_a_step = 1e-6;  // [s] ticks are no exact numbers
 
+    template <class Work>
+    static Expected<Result> run(Work& work) {
+        try {
+            return work();
+        } catch (const std::exception& thrown) {
+            return failure(thrown.what());
+        } catch (...) {
+            return failure("failed and did not say why");
+        }
+    }
+
     bool is_ready() const { return future_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
 
-    std::future<Result> future_;
+    std::future<Expected<Result>> future_;
     double due_ = 0;
 };
 

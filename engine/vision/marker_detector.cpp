@@ -146,12 +146,19 @@ void MarkerDetector::publish(const MarkerSight& sight) {
     id_.write(sight.tag->id);
 }
 
+Expected<void> MarkerDetector::take_sight() {
+    const auto sight = sight_.take(now(), wait_);
+    if (!sight) return {};
+    if (!*sight) return failure("the picture could not be searched: " + sight->error().message);
+    publish(**sight);
+    return {};
+}
+
 Expected<void> MarkerDetector::on_execute() {
-    if (const auto sight = sight_.take(now(), wait_)) publish(*sight);
+    if (auto ok = take_sight(); !ok) return ok;
     if (sight_.busy() || !image_.is_new()) return {};
     start();
-    if (const auto sight = sight_.take(now(), wait_)) publish(*sight);
-    return {};
+    return take_sight();
 }
 
 Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& system) {

@@ -37,6 +37,7 @@ private:
     Expected<void> on_deactivated() override;
     Lens lens_for(const CameraImage& image) const;
     void start();
+    Expected<void> take_sight();
     void publish(const MarkerSight& sight);
 
     FindLens find_lens_;
