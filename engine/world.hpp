@@ -114,8 +114,9 @@ class World {
 public:
     virtual ~World() = default;
 
-    /// Puts a robot on the floor. The spec must outlive the world. The body belongs to the world's robot and must not
-    /// outlive the world. An error when it overlaps a robot or a thing that is already there, naming both.
+    /// Puts a robot on the floor. The spec must outlive the world. The body must not outlive the world; destroying it
+    /// takes the robot out of the world. An error when it overlaps a robot or a thing that is already there, naming
+    /// both.
     virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                            Pose2D pose) = 0;
 

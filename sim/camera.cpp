@@ -86,7 +86,7 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
                                                               const CameraSettings& settings) {
     std::optional<RobotId> carrier;
     for (RobotId i = 0; i < robots_.size(); ++i) {
-        if (robots_[i].name == mount.robot) carrier = i;
+        if (!robots_[i].gone && robots_[i].name == mount.robot) carrier = i;
     }
     if (!mount.robot.empty() && !carrier)
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
@@ -105,7 +105,7 @@ void OdeWorld::list_solids(std::optional<RobotId> except, Rgb robots, std::vecto
     for (std::size_t i = 0; i < things_.size(); ++i)
         solids.push_back({scene_.movers()[i], parse_color(thing_looks_[i].color)});
     for (RobotId i = 0; i < robots_.size(); ++i) {
-        if (i != except) solids.push_back({scene_.movers()[robots_[i].mover], robots});
+        if (i != except && !robots_[i].gone) solids.push_back({scene_.movers()[robots_[i].mover], robots});
     }
 }
 

@@ -131,6 +131,24 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     return std::make_unique<SimRobotBody>(*this, robots_.size() - 1);
 }
 
+void OdeWorld::remove_robot(RobotId id) {
+    SimRobot& robot = robots_[id];
+    robot.gone = true;
+    robot.has_neighbours = false;
+    robot.hand = {};
+    robot.speeds = {};
+    dBodySetLinearVel(robot.body.id, 0, 0, 0);
+    dBodySetAngularVel(robot.body.id, 0, 0, 0);
+    dBodyDisable(robot.body.id);
+    scene_.remove_mover(robot.mover);
+    may_travel_ = -1;
+    for (Thing& thing : things_) {
+        // What lay on it falls.
+        const auto& near = thing.near.movers;
+        if (std::find(near.begin(), near.end(), robot.mover) != near.end()) wake(thing);
+    }
+}
+
 // Where the hull's centre is when the robot stands there: on the floor, or on the highest of what its wheels and skids
 // would otherwise stick in.
 Vec3 OdeWorld::rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const {

@@ -72,6 +72,7 @@ struct SimRobot {
     BodyView body;
     RobotModel* model;  // its contacts are filled in on the way to ODE
     Scene::Index mover;
+    bool gone = false;  // removed: nobody meets or sees it any more, and its number is not given again
     bool has_neighbours = false;
     bool coasting = false;
     Wheels speeds;    // [m/s]
@@ -103,6 +104,8 @@ public:
 
     Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                    Pose2D pose) override;
+    /// Takes a robot out of the world, for good.
+    void remove_robot(RobotId robot);
     void step(int count) override;
     Truth truth(RobotId robot) const override;
     bool collided(RobotId robot) const override { return robots_[robot].touched != 0; }
@@ -227,6 +230,9 @@ private:
 class SimRobotBody final : public RobotBody {
 public:
     SimRobotBody(OdeWorld& world, RobotId id) : world_(world), id_(id) {}
+    ~SimRobotBody() override { world_.remove_robot(id_); }
+    SimRobotBody(const SimRobotBody&) = delete;
+    SimRobotBody& operator=(const SimRobotBody&) = delete;
 
     Wheels wheel_angles() const override { return world_.robot(id_).angles; }
     void read_ranges(std::span<double> distances) const override { world_.read_ranges(world_.robot(id_), distances); }

@@ -1,6 +1,8 @@
 // Filling the grids of a scene.
 #include "sim/scene.hpp"
 
+#include <limits>
+
 namespace nezumi::sim {
 
 Scene::Index Scene::add_fixed(const Shape& shape) {
@@ -46,6 +48,13 @@ Scene::Index Scene::add_mover(const Shape& shape, double reach) {
     }
     keep(index);
     return index;
+}
+
+void Scene::remove_mover(Index index) {
+    // Nothing reaches as far; the grid forgets it at the next refresh.
+    constexpr double nowhere = std::numeric_limits<double>::infinity();
+    movers_[index].centre = {nowhere, nowhere, 0};
+    spots_[index].x = spots_[index].y = nowhere;
 }
 
 void Scene::keep(Index mover) {

@@ -23,6 +23,9 @@ public:
     Index add_mover(const Shape& shape, double reach);
     Index add_mover(const Shape& shape) { return add_mover(shape, shape.reach()); }
 
+    /// From now on no search finds it. Its number stays its own.
+    void remove_mover(Index index);
+
     const std::vector<Shape>& fixed() const { return fixed_; }
     const std::vector<Shape>& movers() const { return movers_; }
 

@@ -39,6 +39,7 @@ void OdeWorld::step_once() {
     place_neighbours();
     links_.clear();
     for (SimRobot& robot : robots_) {
+        if (robot.gone) continue;
         touch_floor(robot);
         if (robot.has_neighbours) touch_neighbours(robot);
     }
@@ -62,7 +63,9 @@ void OdeWorld::place(const Thing& thing) {
 // All movers to where their bodies are.
 void OdeWorld::place_movers() {
     for (const Thing& thing : things_) place(thing);
-    for (const SimRobot& robot : robots_) place_hull(scene_.mover(robot.mover), *robot.model, robot.body);
+    for (const SimRobot& robot : robots_) {
+        if (!robot.gone) place_hull(scene_.mover(robot.mover), *robot.model, robot.body);
+    }
 }
 
 // Those that a step looks at.
@@ -101,7 +104,7 @@ void OdeWorld::list_neighbours() {
     }
     for (SimRobot& robot : robots_) {
         robot.has_neighbours =
-            list(robot.near, robot.mover, robot.body.p[0], robot.body.p[1], robot.model->reach + skin);
+            !robot.gone && list(robot.near, robot.mover, robot.body.p[0], robot.body.p[1], robot.model->reach + skin);
     }
 }
 
@@ -149,7 +152,9 @@ void OdeWorld::advance_large_islands() {
         for (const Thing& thing : things_) {
             if (!thing.asleep) set(thing.body.id, large_[thing.mover] == large_ones);
         }
-        for (const SimRobot& robot : robots_) set(robot.body.id, large_[robot.mover] == large_ones);
+        for (const SimRobot& robot : robots_) {
+            if (!robot.gone) set(robot.body.id, large_[robot.mover] == large_ones);
+        }
     };
     enable(false);
     dWorldStep(world_.get(), step_);
@@ -158,7 +163,9 @@ void OdeWorld::advance_large_islands() {
     for (const Thing& thing : things_) {
         if (!thing.asleep) dBodyEnable(thing.body.id);
     }
-    for (const SimRobot& robot : robots_) dBodyEnable(robot.body.id);
+    for (const SimRobot& robot : robots_) {
+        if (!robot.gone) dBodyEnable(robot.body.id);
+    }
 }
 
 // A driven wheel turns as its motor does, whether it grips or slips; a coasting one as the ground under it.
