@@ -118,9 +118,7 @@ void Component::execute(const Time& now) {
     now_ = now;
     if (state_ == LifeState::error) {
         if (error_hook_failed_) return;
-        auto ok = run(Hook::on_error, [this] { return on_error(); });
-        discard_velocities();
-        if (!ok) {
+        if (auto ok = run_without_velocities(Hook::on_error); !ok) {
             error_hook_failed_ = true;  // said once; it has nothing to lose but our patience
             last_error_ = ok.error();
             log(LogLevel::error,
@@ -153,18 +151,22 @@ void Component::abort(Error error) {
     error_hook_failed_ = false;
     log(LogLevel::error, describe(error));
     last_error_ = std::move(error);
-    if (auto ok = run(Hook::on_aborting, [this] { return on_aborting(); }); !ok) {
+    if (auto ok = run_without_velocities(Hook::on_aborting); !ok) {
         for (const auto& port : out_ports_) port->discard();
         log(LogLevel::error, fmt::format("on_aborting failed: {}", describe(ok.error())));
     }
-    discard_velocities();
     for (const auto& port : out_ports_) port->write_safe();
 }
 
-void Component::discard_velocities() {
-    for (const auto& port : out_ports_) {
-        if (port->type() == type_index<Velocity2D>()) port->discard();
+// The safe value that a failure between two ticks left to be published must not go with them.
+Expected<void> Component::run_without_velocities(Hook hook) {
+    std::vector<std::size_t> before;
+    for (const auto& port : out_ports_) before.push_back(port->pending());
+    auto ok = run(hook, [&] { return hook == Hook::on_aborting ? on_aborting() : on_error(); });
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (out_ports_[i]->type() == type_index<Velocity2D>()) out_ports_[i]->discard_after(before[i]);
     }
+    return ok;
 }
 
 }  // namespace nezumi

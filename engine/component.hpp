@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,6 +41,9 @@ public:
     virtual int version() const { return 1; }
     /// What sent it to ERROR, or went wrong last.
     const Error& last_error() const { return last_error_; }
+    /// The hook or command that ran out of its time, once one did: what came after depends on the machine. A reload
+    /// that did is refused instead.
+    const std::optional<Error>& out_of_time() const { return out_of_time_; }
     /// Executions since the start.
     std::int64_t executions() const { return executions_; }
 
@@ -131,6 +135,8 @@ protected:
         const Hook before = std::exchange(hook_, hook);
         auto result = function();
         hook_ = before;
+        if (!result && result.error().kind == Error::Kind::out_of_time && hook != Hook::on_reload)
+            out_of_time_ = result.error();
         return result;
     }
 
@@ -139,13 +145,15 @@ protected:
     Parameters parameters_;
 
 private:
-    void discard_velocities();
+    /// Forgets the velocities that `hook` wrote; what was written before it stays.
+    Expected<void> run_without_velocities(Hook hook);
 
     std::string name_;
     std::string type_;
     std::string set_in_use_;
     LogSink log_;
     Error last_error_;
+    std::optional<Error> out_of_time_;
     Time now_;
     double dt_ = 0;
     double tick_rate_ = 100;

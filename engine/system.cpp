@@ -44,10 +44,12 @@ std::string no_port(const Component& component, Direction direction, std::string
 // The first port at either end that would make the types equal, as the end of a sentence.
 std::string fitting_port(const Component& from, const Port& out, const Component& to, const Port& in) {
     for (const auto& port : to.in_ports()) {
-        if (port->type() == out.type()) return fmt::format(" (did you mean '{}'?)", path(to, *port));
+        if (port.get() != &in && port->type() == out.type())
+            return fmt::format(" (did you mean '{}'?)", path(to, *port));
     }
     for (const auto& port : from.out_ports()) {
-        if (port->type() == in.type()) return fmt::format(" (did you mean '{}'?)", path(from, *port));
+        if (port.get() != &out && port->type() == in.type())
+            return fmt::format(" (did you mean '{}'?)", path(from, *port));
     }
     return "";
 }
@@ -294,10 +296,9 @@ void System::notify_observers() {
 
 void System::end_when_out_of_time() {
     // Not only those that are due: a hook that ran between two ticks counts too.
-    const auto found = std::find_if(behaviors_.begin(), behaviors_.end(), [](const Component* behavior) {
-        return behavior->last_error().kind == Error::Kind::out_of_time;
-    });
-    if (found != behaviors_.end()) fatal_error_ = (*found)->last_error();
+    const auto found = std::find_if(behaviors_.begin(), behaviors_.end(),
+                                    [](const Component* behavior) { return behavior->out_of_time().has_value(); });
+    if (found != behaviors_.end()) fatal_error_ = (*found)->out_of_time();
 }
 
 void System::tick() {
@@ -313,7 +314,7 @@ void System::tick() {
         Component& behavior = *behaviors_[i];
         behavior.latch_inputs(now_);
         if (is_due(behavior)) behavior.execute(now_);
-        if (behavior.last_error().kind == Error::Kind::out_of_time) out_of_time = true;
+        if (behavior.out_of_time()) out_of_time = true;
     });
     if (out_of_time && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
 

@@ -241,3 +241,20 @@ TEST_CASE("ports are found by their names and directions", "[engine][component]"
     CHECK(it.find_port("out") == &it.out);
     CHECK(it.find_port("other") == nullptr);
 }
+
+TEST_CASE("a stop that fails between two ticks stands still all the same, whatever on_error does",
+          "[engine][component]") {
+    TryComponent it;
+    it.deactivated = fail;
+    it.error = [](TryComponent& self) -> Expected<void> {
+        self.speed.write({.vx = 0.3});
+        return {};
+    };
+    REQUIRE(it.activate(at(0)));
+    CHECK_FALSE(it.deactivate(at(1)));
+    it.execute(at(1));  // on_error, before anything was published
+    CHECK(it.hooks.back() == "on_error");
+    CHECK(published(it, 1) == "speed=0");
+    it.execute(at(2));
+    CHECK(published(it, 2).empty());
+}

@@ -136,6 +136,9 @@ TEST_CASE("a connection is refused with both types and the nearest name", "[engi
     CHECK(connect("controller.out", "controller.speed") ==
           "connect goes from an out-port to an in-port: controller.out (TimedLong) is an out-port, controller.speed "
           "(TimedVelocity2D) is an out-port (did you mean 'controller.in'?)");
+    CHECK(connect("controller.speed", "controller.speed") ==
+          "connect goes from an out-port to an in-port: controller.speed (TimedVelocity2D) is an out-port, "
+          "controller.speed (TimedVelocity2D) is an out-port");
     for (const char* path : {"controller", ".out", "controller.", ""}) {
         CHECK(connect(path, "mouse.velocity_in") ==
               "'" + std::string(path) + "' names no port: expected \"name.port\"");
@@ -294,4 +297,17 @@ TEST_CASE("running out of time ends a run where that was asked for, whichever ho
     CHECK_FALSE(rare.deactivate(system.now()));
     system.tick();
     CHECK(system.fatal_error() == rare.last_error());
+}
+
+TEST_CASE("running out of time on the way to ERROR ends such a run too, although something else was wrong first",
+          "[engine][system]") {
+    System system({.out_of_time_is_fatal = true}, nullptr);
+    TryComponent& slow = add(system, "slow", [](TryComponent&) -> Expected<void> { return failure("no"); });
+    slow.aborting = [](TryComponent&) -> Expected<void> {
+        return Unexpected(Error{"used up its budget", {}, Error::Kind::out_of_time});
+    };
+    system.tick();
+    CHECK(slow.last_error().message == "no");
+    REQUIRE(system.fatal_error());
+    CHECK(system.fatal_error()->message == "used up its budget");
 }
