@@ -164,7 +164,7 @@ Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
     }
     if (!changes.empty()) report.version = changes.front().first->version();
     connect_again(report);
-    if (!changes.empty()) finish(report, changes.front().second.shown);
+    finish(report, "");
     for (const auto& [component, source] : changes) {
         if (component->state() != LifeState::error) continue;
         // A fresh try; what fails is in the log, and the component is in ERROR as it was.
@@ -200,14 +200,31 @@ void Reloader::connect_again(ReloadReport& report) {
         const auto source = system_.port(from);
         const auto sink = system_.port(to);
         if (!source || !sink || (*source)->type() != (*sink)->type()) return false;
+        if ((*source)->direction() != Direction::out || (*sink)->direction() != Direction::in) return false;
         if (system_.connect(from, to)) report.notes.push_back(fmt::format("{} is connected to {} again", from, to));
         return true;
     });
 }
 
+std::vector<Reloader::Group> Reloader::groups_of(const ReloadReport& report) const {
+    std::vector<Group> groups;
+    for (const std::string& name : report.components) {
+        const auto& component = dynamic_cast<const ScriptComponent&>(*system_.find(name));
+        const std::string& file = component.script().file().shown;
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
+            return known.version == component.version() && known.file == file;
+        });
+        if (group == groups.end()) group = groups.insert(group, {file, component.version(), {}});
+        group->components.push_back(name);
+    }
+    return groups;
+}
+
 void Reloader::finish(const ReloadReport& report, std::string_view what) {
-    system_.log(LogLevel::info,
-                fmt::format("{}: version {} runs in {}", what, report.version, list_of(report.components)));
+    for (const Group& group : groups_of(report)) {
+        system_.log(LogLevel::info, fmt::format("{}: version {} runs in {}", what.empty() ? group.file : what,
+                                                group.version, list_of(group.components)));
+    }
     for (const std::string& note : report.notes) system_.log(LogLevel::warn, note);
 }
 
@@ -252,10 +269,13 @@ void Reloader::after_tick() {
             report.components.insert(report.components.begin(), name);
             report.version = component->version();
         }
+        std::vector<std::string> back;
+        for (const Group& group : groups_of(report))
+            back.push_back(fmt::format("version {} in {}", group.version, list_of(group.components)));
         system_.log(LogLevel::error,
-                    fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to version {} in {}",
-                                name, relapse->version, relapse->execution, ScriptComponent::kProbation,
-                                describe(relapse->error), report.version, list_of(report.components)));
+                    fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to {}", name,
+                                relapse->version, relapse->execution, ScriptComponent::kProbation,
+                                describe(relapse->error), fmt::join(back, " and ")));
         for (const std::string& note : report.notes) system_.log(LogLevel::warn, note);
     }
     std::erase_if(on_probation_, [this](const std::string& name) {

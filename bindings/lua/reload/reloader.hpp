@@ -62,7 +62,15 @@ private:
     Expected<ReloadReport> run(const std::vector<Change>& changes);
     void let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ReloadReport& report);
     void connect_again(ReloadReport& report);
+    // Says which versions run now. An empty `what` is the file of each.
     void finish(const ReloadReport& report, std::string_view what);
+    // Components of one file that run the same version.
+    struct Group {
+        std::string file;
+        int version;
+        std::vector<std::string> components;
+    };
+    std::vector<Group> groups_of(const ReloadReport& report) const;
     ReloadReport go_back(int reload, bool keep_settings);
 
     System& system_;

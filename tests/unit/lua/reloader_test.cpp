@@ -220,6 +220,17 @@ TEST_CASE("a changed module takes along everything that requires it", "[lua][rel
     CHECK(world.out<std::int32_t>("b.out") == 2);
 }
 
+TEST_CASE("what runs after a module has changed is said for each file and version", "[lua][reload][modules]") {
+    ReloadRig world;
+    world.write("m.lua", "return 1");
+    world.add_text("a", "local m = require 'm' function on_execute() end");
+    world.add_text("b", "local m = require 'm' function on_execute() end");
+    CHECK(world.change("b.lua", "local m = require 'm' function on_execute() log.info(m) end") == "");
+    CHECK(world.change("m.lua", "return 2") == "");
+    CHECK(world.said("a.lua: version 2 runs in a"));
+    CHECK(world.said("b.lua: version 3 runs in b"));
+}
+
 TEST_CASE("connections stay where ports fit, and a port that goes is reported with its peers", "[lua][reload]") {
     ReloadRig world;
     const auto source = [](const Text& port, const Text& type, const Text& value) {
@@ -259,6 +270,20 @@ TEST_CASE("connections stay where ports fit, and a port that goes is reported wi
     CHECK(world.notes ==
           std::vector<Text>{"sink.from went; it was not connected", "sink.seen went; it was not connected"});
     world.tick(2);
+}
+
+TEST_CASE("a port that was an input for a while gets back its connection as an output", "[lua][reload]") {
+    ReloadRig world;
+    const Text sends = "local port = output('port', 'TimedLong') function on_execute() port:write(1) end";
+    world.add_text("it", sends);
+    world.add_text("other", "local from = input('from', 'TimedLong') function on_execute() end");
+    REQUIRE(world.system.connect("it.port", "other.from"));
+    CHECK(world.change("it.lua", "local port = input('port', 'TimedLong') function on_execute() end") == "");
+    CHECK(world.notes == std::vector<Text>{"it.port is an input now; it was connected to other.from"});
+    CHECK(world.change("it.lua", sends) == "");
+    CHECK(world.notes.back() == "it.port is connected to other.from again");
+    world.tick(2);
+    CHECK(world.out<std::int32_t>("other.from") == 1);
 }
 
 TEST_CASE("a component in ERROR gets on_reset and on_activated with the new code", "[lua][reload]") {
