@@ -98,6 +98,7 @@ public:
         const bool to_the_end = live_->system().now().seconds >= options_.duration - 1e-9;
         if (to_the_end) take_results();
         stop(loop);
+        if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
         if (!to_the_end) take_results();
         console_->close();
         return finish(how);

@@ -187,6 +187,17 @@ TEST_CASE("a script that reaches its budget ends a headless run, and leaves no f
     CHECK_FALSE(std::filesystem::exists(png));
 }
 
+TEST_CASE("a behaviour that reaches its budget while the run ends, or on the way to ERROR, makes it none",
+          "[cli][run]") {
+    for (const char* text : {"function on_execute() end\nfunction on_deactivated() while true do end end\n",
+                             "function on_execute() error('x') end\nfunction on_aborting() while true do end end\n"}) {
+        const Outcome outcome = Project(text).run({"--duration", "0.05", "--trace-hash"});
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        CHECK(outcome.error.find("it.lua:2: ran for more than 2 s") != std::string::npos);
+    }
+}
+
 TEST_CASE("a component in ERROR at the end is said, and makes the status 1", "[cli][run]") {
     const Project project("param('x', 1)\nfunction on_execute() error('no way') end\n");
     const Outcome outcome = project.run({"--duration", "1", "--trace-hash"});
