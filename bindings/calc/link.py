@@ -43,11 +43,11 @@ class Link:
             each.read(data[each.row.sheet][each.row.row], self._seen.get(each.row.path), self._types, taken)
         answer = self._ask()
         if answer is None:
-            self._show(data, "no answer from %s" % self._system)
+            self._show("no answer from %s" % self._system)
             return
         for each in self._linked:
             each.show(self._seen.get(each.row.path, {}), self._types)
-        self._show(data, "%s, %s" % (self._system, self._clock(answer["now"])))
+        self._show("%s, %s" % (self._system, self._clock(answer["now"])))
 
     def end(self, why):
         """Leaves the sheets with the reason in every state."""
@@ -55,7 +55,7 @@ class Link:
         self._find(data)
         for each in self._linked:
             each.state = each.row.problem or why
-        self._show(data, why)
+        self._show(why)
 
     def has_rows(self):
         return bool(self._linked)
@@ -90,7 +90,7 @@ class Link:
             self._time, self._stands_since = seconds, now
         return "%.1f s" % seconds if now - self._stands_since < 1.0 else "stands at %.2f s" % seconds
 
-    def _show(self, data, link_state):
+    def _show(self, link_state):
         changes = []
         for sheet, row, column in self._links:
             changes.append((sheet, row, column, [link_state]))
@@ -105,15 +105,7 @@ class Link:
                 for column in range(row.values_column, row.values_column + width):
                     line.append(values.get(column))
             changes.append((row.sheet, row.row, row.column + 1, line))
-        self._sheets.write([change for change in changes if _differs(data, *change)])
-
-
-def _differs(data, sheet, row, column, values):
-    line = data[sheet][row] if row < len(data[sheet]) else ()
-    there = line[column : column + len(values)]
-    return tuple("" if value is None else value for value in values) != tuple(there) + ("",) * (
-        len(values) - len(there)
-    )
+        self._sheets.write(changes)
 
 
 def event_of_signals():
@@ -149,7 +141,7 @@ def run(options, office):
         if not options.file:
             from new_sheet import fill
 
-            fill(document, ports, types, options.port)
+            fill(document, ports, types, options.system, options.port)
         sheets = office.Sheets(desktop, document)
         why = refresh_until_the_end(options, office, Link(sheets, console, types, options.system), ended)
         print("nezumi: " + why, file=sys.stderr)

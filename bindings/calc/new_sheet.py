@@ -3,14 +3,17 @@
 import uno  # makes the names below importable
 from com.sun.star.awt.FontWeight import BOLD
 from com.sun.star.lang import Locale
+from com.sun.star.table import BorderLine2
 from com.sun.star.table.CellHoriJustify import LEFT, RIGHT
+from com.sun.star.table.CellVertJustify2 import CENTER
 
 from tables import LINK, PORT, STATE
 from values import BOOLEAN, INTEGER, NUMBER
 
 DARK, LIGHT, YELLOW, GREY, WHITE = 0x1F3A5F, 0xEEF2F7, 0xFFF6C8, 0x6B7280, 0xFFFFFF
-WIDTHS = (5200, 4600)  # [1/100 mm] of port and state
-VALUE_WIDTH, MOST_VALUES = 2300, 8
+WIDTHS = (5400, 5400)  # [1/100 mm] of port and state
+VALUE_WIDTH, MOST_VALUES = 2900, 8
+LINE = BorderLine2(Color=0xD5DAE1, OuterLineWidth=18, LineWidth=18)
 FORMATS = {NUMBER: "0.000", INTEGER: "0", BOOLEAN: "BOOLEAN"}
 
 
@@ -21,11 +24,13 @@ class Table:
         self.headings, self.ports = headings, []
 
 
-def fill(document, ports, types, wanted):
-    """Lays out the first sheet for the ports that `wanted` names (ports or components; none: all)."""
+def fill(document, ports, types, system, wanted):
+    """Lays out the first sheet for the system's ports that `wanted` names (ports or components; none: all)."""
     chosen = choose(ports, wanted)
     outs, ins = tables_of(chosen, "out", types), tables_of(chosen, "in", types)
     sheet = document.Sheets.getByIndex(0)
+    sheet.Name = system
+    document.CurrentController.ShowGrid = False
     writer = Writer(document, sheet, max([len(table.headings) for table in outs + ins] or [1]))
     writer.title()
     writer.section("What the system says", "out-ports, live")
@@ -90,10 +95,9 @@ class Writer:
         self._cells(0, 0, 1).CharHeight = 14
         self._cells(0, 0, 1).CharWeight = BOLD
         self._cells(0, 1, 3).CharColor = GREY
-        self._row += 1
+        self._row += 2
 
     def section(self, name, what):
-        self._row += 1
         self._put(self._row, 0, (name, what))
         self._cells(self._row, 0, 1).CharWeight = BOLD
         self._cells(self._row, 0, 1).CharHeight = 12
@@ -113,11 +117,14 @@ class Writer:
             self._cells(self._row, 0, 1).CharWeight = BOLD
             state = self._cells(self._row, 1, 1)
             state.CharColor, state.IsTextWrapped = GREY, True
+            self._cells(self._row, 0, 3 + self._most_values).VertJustify = CENTER
             values = self._cells(self._row, 2, width)
             values.CellBackColor = YELLOW if is_fed else LIGHT
             values.HoriJustify = RIGHT
             self._format(values, port, types)
-            self._cells(self._row, 2 + self._most_values, 1).CharColor = GREY
+            doc = self._cells(self._row, 2 + self._most_values, 1)
+            doc.CharColor, doc.HoriJustify, doc.ParaIndent = GREY, LEFT, 300
+            self._cells(self._row, 0, 2 + width).BottomBorder = LINE
         self._row += 2
 
     def widths(self):

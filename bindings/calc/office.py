@@ -150,23 +150,37 @@ class Sheets:
         return False
 
     def _write(self, changes):
-        undo = self.document.getUndoManager()
+        texts, numbers = pieces(changes, self._content)
         self.document.disableSetModified()
         try:
-            for sheet, row, column, block in blocks(changes):
+            for sheet, row, column, text in texts:
+                cell = self.document.Sheets.getByIndex(sheet).getCellByPosition(column, row)
+                self._write_silently(lambda: cell.setString(text))
+                self._written[sheet, row, column] = text
+            for sheet, row, column, block in numbers:
                 right, low = column + len(block[0]) - 1, row + len(block) - 1
                 cells = self.document.Sheets.getByIndex(sheet).getCellRangeByPosition(column, row, right, low)
-                # A lock holds for one write: the office opens it again by itself.
-                undo.lock()
-                try:
-                    cells.setDataArray(block)
-                finally:
-                    undo.unlock()
+                self._write_silently(lambda: cells.setDataArray(block))
                 for i, values in enumerate(block):
                     for j, value in enumerate(values):
                         self._written[sheet, row + i, column + j] = value
         finally:
             self.document.enableSetModified()
+
+    def _write_silently(self, write):
+        """A lock of the list of what can be undone holds for one write: the office opens it again by itself. (It does
+        so too early where setDataArray makes a row higher, as long texts do: those go by setString.)"""
+        undo = self.document.getUndoManager()
+        undo.lock()
+        try:
+            write()
+        finally:
+            undo.unlock()
+
+    def _content(self, sheet, row, column):
+        """What was read there last."""
+        lines = self._before[sheet]
+        return lines[row][column] if row < len(lines) and column < len(lines[row]) else ""
 
     def _try(self, action):
         try:
@@ -187,15 +201,25 @@ class Sheets:
             return False
 
 
-def blocks(changes):
-    """Changes that lie under each other as one: (sheet, row, column, rows of values)."""
-    found = []
+def pieces(changes, content):
+    """What changes (sheet, row, column, values) come to, where `content` is what a cell has: texts (sheet, row, column,
+    text), and numbers that lie beside or under each other (sheet, row, column, rows of values)."""
+    texts, blocks = [], []
     for sheet, row, column, values in changes:
-        values = tuple("" if value is None else float(value) if isinstance(value, bool) else value for value in values)
-        if found:
-            last_sheet, first, last_column, block = found[-1]
-            if (sheet, row, column) == (last_sheet, first + len(block), last_column) and len(values) == len(block[0]):
-                block.append(values)
-                continue
-        found.append((sheet, row, column, [values]))
-    return [(sheet, row, column, tuple(block)) for sheet, row, column, block in found]
+        values = ["" if value is None else float(value) if isinstance(value, bool) else value for value in values]
+        for is_text, group in itertools.groupby(enumerate(values, column), lambda place: isinstance(place[1], str)):
+            group = list(group)
+            if is_text:
+                texts += [(sheet, row, at, text) for at, text in group if content(sheet, row, at) != text]
+            elif any(content(sheet, row, at) != number for at, number in group):
+                _add_block(blocks, sheet, row, group[0][0], tuple(number for _, number in group))
+    return texts, [(sheet, row, column, tuple(block)) for sheet, row, column, block in blocks]
+
+
+def _add_block(blocks, sheet, row, column, numbers):
+    if blocks:
+        last_sheet, first, last_column, block = blocks[-1]
+        if (sheet, row, column) == (last_sheet, first + len(block), last_column) and len(numbers) == len(block[0]):
+            block.append(numbers)
+            return
+    blocks.append((sheet, row, column, [numbers]))

@@ -191,6 +191,29 @@ class LinkTest(unittest.TestCase):
         undo.undo()
         self.assertEqual(link.cell("H1").getString(), "")
 
+    def test_texts_that_make_a_row_higher_leave_no_trace_in_undo_either(self):
+        system = self.system(MOUSE)
+        link = rig.Link(self.office, system, "--port", "mouse.target_velocity_in")
+        self.addCleanup(link.close)
+        names = [row[0] for row in link.text()]
+        row = names.index("mouse.target_velocity_in")
+        typed, state = (link.sheet.getCellByPosition(column, row) for column in (2, 1))
+        low = state.Size.Height
+        for _ in range(3):  # as above
+            link.document.getUndoManager().clear()
+            typed.setString("as fast as it can, please, and still faster, if possible")
+            rig.wait_until(
+                lambda: state.getString().endswith("got 'as fast as it can, please, and still fas...'"), link.text
+            )
+            typed.setString("")
+            rig.wait_until(lambda: state.getString() == "not fed", link.text)
+            titles = link.document.getUndoManager().getAllUndoActionTitles()
+            if titles == ("Input", "Input"):
+                break
+        self.assertEqual(titles, ("Input", "Input"))
+        typed.setString("as fast as it can, please, and still faster, if possible")
+        rig.wait_until(lambda: state.Size.Height > low, "the row is high enough for the text")
+
     def test_an_edit_in_the_moment_of_a_refresh_marks_the_document_as_well(self):
         system = self.system(MOUSE)
         pose = [["Port", "State", "position.x"], ["mouse.current_pose_out"], ["mouse.ir_sensor_out"], [], ["=2*B1"]]
