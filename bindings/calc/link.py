@@ -32,7 +32,7 @@ class Link:
         self._seen = {}  # by path: what the system said last
         self._widths = {}  # by (sheet, row): columns that were written where no headings say how many
         self._time, self._stands_since = None, 0.0
-        self._linked, self._links = [], []
+        self._rows, self._linked, self._links = [], [], []
 
     def refresh(self):
         """One round: cells to ports, ports to cells."""
@@ -41,13 +41,20 @@ class Link:
         taken = {}
         for each in self._linked:
             each.read(data[each.row.sheet][each.row.row], self._seen.get(each.row.path), self._types, taken)
-        answer = self._ask()
-        if answer is None:
-            self._show("no answer from %s" % self._system)
-            return
+        try:
+            answer = self._ask()
+            state = "no answer from %s" % self._system
+        except (RuntimeError, ValueError) as refused:
+            answer = None
+            state = "%s: %s" % (self._system, refused)
         for each in self._linked:
-            each.show(self._seen.get(each.row.path, {}), self._types)
-        self._show("%s, %s" % (self._system, self._clock(answer["now"])))
+            if answer is None:
+                each.state = each.state or "no answer"
+            else:
+                each.show(self._seen.get(each.row.path, {}), self._types)
+        # Rows that moved since they were read have other cells beside them: next time.
+        if [rows_of(sheet, content)[0] for sheet, content in enumerate(self._sheets.read())] == self._rows:
+            self._show(state if answer is None else "%s, %s" % (self._system, self._clock(answer["now"])))
 
     def end(self, why):
         """Leaves the sheets with the reason in every state."""
@@ -61,12 +68,10 @@ class Link:
         return bool(self._linked)
 
     def _find(self, data):
-        rows, self._links = [], []
-        for sheet, content in enumerate(data):
-            of_sheet, links = rows_of(sheet, content)
-            rows += of_sheet
-            self._links += [(sheet, row, column) for row, column in links]
-        self._linked = [Linked(row) for row in rows]
+        found = [rows_of(sheet, content) for sheet, content in enumerate(data)]
+        self._rows = [rows for rows, _ in found]
+        self._links = [sheet for sheet, (_, tells) in enumerate(found) if tells]
+        self._linked = [Linked(row) for rows in self._rows for row in rows]
 
     def _ask(self):
         paths = sorted({each.row.path for each in self._linked if each.row.path})
@@ -92,8 +97,8 @@ class Link:
 
     def _show(self, link_state):
         changes = []
-        for sheet, row, column in self._links:
-            changes.append((sheet, row, column, [link_state]))
+        for sheet in self._links:
+            changes.append((sheet, 0, 1, [link_state]))
         for each in self._linked:
             row = each.row
             line = [each.state or ""]

@@ -160,10 +160,14 @@ class Sheets:
             for sheet, row, column, block in numbers:
                 right, low = column + len(block[0]) - 1, row + len(block) - 1
                 cells = self.document.Sheets.getByIndex(sheet).getCellRangeByPosition(column, row, right, low)
-                self._write_silently(lambda: cells.setDataArray(block))
-                for i, values in enumerate(block):
-                    for j, value in enumerate(values):
-                        self._written[sheet, row + i, column + j] = value
+                places = [(i, j, value) for i, values in enumerate(block) for j, value in enumerate(values)]
+                try:
+                    self._write_silently(lambda: cells.setDataArray(block))
+                except UnoException:  # a protected sheet takes cells one by one
+                    for i, j, value in places:
+                        self._write_silently(lambda: cells.getCellByPosition(j, i).setValue(value))
+                for i, j, value in places:
+                    self._written[sheet, row + i, column + j] = value
         finally:
             self.document.enableSetModified()
 

@@ -25,6 +25,9 @@ class Row:
         if not found:
             self.problem = "expected a port, such as mouse.ir_sensor_out"
 
+    def __eq__(self, other):
+        return vars(self) == vars(other)
+
     @property
     def values_column(self):
         return self.column + 2
@@ -39,17 +42,16 @@ class Row:
 
 
 def rows_of(sheet, data):
-    """All rows of the tables in a sheet's data, and the cells (row, column) that tell of the link itself."""
-    rows, link = [], []
+    """All rows of the tables in a sheet's data, and whether the sheet tells of the link itself: A1 asks for it, B1 is
+    for the answer."""
+    rows = []
     for at, line in enumerate(data):
-        if LINK in line:
-            link.append((at, line.index(LINK) + 1))
         if PORT not in line:
             continue
         begins = [c for c in range(len(line) - 1) if line[c] == PORT and line[c + 1] == STATE]
         for begin, next_begin in zip(begins, begins[1:] + [None]):
             rows += _rows_below(sheet, data, at, begin, next_begin)
-    return rows, link
+    return rows, bool(data) and data[0][0] == LINK
 
 
 def _rows_below(sheet, data, heading_row, begin, next_begin):
@@ -114,7 +116,7 @@ class Linked:
         if self.state:
             return
         if "type" not in seen:
-            self.state = seen["error"]
+            self.state = seen.get("error", "no answer")
             return
         if seen["direction"] == "in" and not row.only_watched:
             self.state = self._state_of_feeding(seen)

@@ -3,6 +3,7 @@
 import difflib
 import re
 
+LONGEST_TEXT = 1000
 NUMBER, INTEGER, BOOLEAN, TEXT = "number", "integer", "boolean", "text"
 
 
@@ -80,6 +81,8 @@ def from_cell(content, kind, address):
     """The value that a cell's content is for a part of that kind. Numbers are checked further by the system."""
     if kind == TEXT:
         if isinstance(content, str):
+            if len(content) > LONGEST_TEXT:
+                raise Wrong("%s: a text of more than %d characters is not sent" % (address, LONGEST_TEXT))
             return content
         return str(int(content)) if content.is_integer() else repr(content)
     if kind == BOOLEAN:

@@ -51,6 +51,11 @@ class CellsTest(unittest.TestCase):
         with self.assertRaisesRegex(Wrong, "^A2 is empty: a sequence has no gaps$"):
             message(SHORTS, ["1", "2"], "", 1.0)
 
+    def test_a_text_has_its_limit(self):
+        self.assertEqual(len(message(TEXT, ["value"], "x" * 1000)), 1002)
+        with self.assertRaisesRegex(Wrong, "^A2: a text of more than 1000 characters is not sent$"):
+            message(TEXT, ["value"], "x" * 1001)
+
     def test_a_part_of_a_message_is_found_and_none_behind_its_end(self):
         self.assertEqual(POSE.part("position.y").of({"position": {"x": 1, "y": 2}, "heading": 0}), 2)
         self.assertEqual([part.of([7, 8]) for part in SHORTS.parts(3)], [7, 8, None])
@@ -72,8 +77,9 @@ class CellsTest(unittest.TestCase):
             ("", "", "", "", "", "", ""),
             ("b.out", "", "", "", "Port", "", ""),
         ]
-        rows, link = rows_of(3, data)
-        self.assertEqual(link, [(0, 1)])
+        rows, tells = rows_of(3, data)
+        self.assertTrue(tells)
+        self.assertFalse(rows_of(0, data[1:])[1])
         found = [(row.path, row.row, row.column, row.headings, row.limit, row.only_watched) for row in rows]
         self.assertEqual(
             found, [("a.out", 2, 0, ["vx"], 2, False), (None, 3, 0, ["vx"], 2, False), ("a.in", 2, 4, ["1"], 64, True)]

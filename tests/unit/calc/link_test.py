@@ -242,6 +242,37 @@ class LinkTest(unittest.TestCase):
         system.ask("run(0.02)")
         self.assertLessEqual(int(system.ask("counter.state.count")), count + 3)
 
+    def test_a_system_that_does_not_answer_or_begins_anew_keeps_its_link(self):
+        system = self.system(ALONE)
+        link = self.link(system, CONTROLLER)
+        link.shows("B6", "live")
+        system.process.send_signal(signal.SIGSTOP)
+        link.shows("B6", "no answer")
+        self.assertEqual(link.cell("B1").getString(), "no answer from " + system.name)
+        self.assertEqual(link.cell("C6").getString(), "0.2")
+        system.process.send_signal(signal.SIGCONT)
+        link.shows("B6", "live")
+        system.ask("restart()")
+        link.put("C3", 31)
+        link.shows("C6", "0")
+
+    def test_tables_may_move_and_sheets_be_protected_while_they_are_linked(self):
+        system = self.system(MOUSE)
+        link = self.link(system, DRIVE + [["mouse.current_pose_out", "", "", "note"]])
+        link.put("D3", "")
+        link.shows("B3", "live")
+        for _ in range(20):
+            link.sheet.Rows.insertByIndex(0, 1)
+        link.shows("B23", "live")
+        link.shows("B22", "not fed")
+        self.assertEqual([row[:4] for row in link.text()[:20]], [("",) * 4] * 20)
+        link.sheet.protect("")
+        x = link.cell("C23")
+        before = x.getValue()
+        system.ask('hold("mouse.target_velocity_in", { vx = 0.2 })')
+        rig.wait_until(lambda: x.getValue() > before + 0.1, link.text)
+        self.assertIsNone(link.process.poll())
+
     def test_the_end_of_the_system_is_shown_and_ends_the_link(self):
         system = self.system(ALONE)
         link = self.link(system, CONTROLLER)
