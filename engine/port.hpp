@@ -83,6 +83,7 @@ public:
         override_ = Override::frozen;
     }
     /// The value that it is held at; nullptr when it is not.
+    AnyPayload override_value() const override { return *held_; }
     const T* held() const { return override_ == Override::held ? held_.get() : nullptr; }
     void for_each_latched(const std::function<void(const AnyPayload&)>& visit) const override {
         for (const Message<T>& message : *this) visit(message.data);
@@ -186,6 +187,7 @@ public:
         held_ = std::make_unique<T>(latest_.data);
         override_ = Override::frozen;
     }
+    AnyPayload override_value() const override { return *held_; }
 
     void connect(OutPortBase& source) override {
         assert(source.type() == type());

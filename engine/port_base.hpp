@@ -67,6 +67,8 @@ public:
     void drop() { override_ = Override::dropped; }
     /// From now on the present value, once a tick, and nothing else.
     virtual void freeze() = 0;
+    /// What `hold` or `freeze` sends; one of them must be on.
+    virtual AnyPayload override_value() const = 0;
     /// Ends `hold`, `drop` and `freeze`.
     void release() { override_ = Override::none; }
 

@@ -16,12 +16,12 @@ constexpr std::array<std::string_view, 22> lua_keywords{
     "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
 // What the console and scenarios have in scope beside a system's names: product.md's words and the library's.
-constexpr std::array<std::string_view, 48> console_words{
-    "assert",  "attach",   "batch",    "coroutine", "connect", "disconnect", "drive", "drop",    "error",  "errors",
-    "find",    "freeze",   "help",     "hold",      "inject",  "ipairs",     "log",   "ls",      "math",   "next",
-    "now",     "pairs",    "pause",    "pcall",     "plot",    "print",      "quit",  "release", "reload", "require",
-    "restart", "restore",  "rollback", "run",       "save",    "select",     "speed", "step",    "string", "system",
-    "table",   "tonumber", "tostring", "type",      "utf8",    "watch",      "world", "xpcall"};
+constexpr std::array<std::string_view, 50> console_words{
+    "assert",  "attach",   "batch",    "connect",  "coroutine", "disconnect", "drive", "drop",    "error",  "errors",
+    "find",    "freeze",   "help",     "hold",     "inject",    "ipairs",     "log",   "ls",      "math",   "next",
+    "now",     "pairs",    "pause",    "pcall",    "plot",      "print",      "quit",  "release", "reload", "require",
+    "restart", "restore",  "rollback", "run",      "save",      "select",     "speed", "step",    "string", "system",
+    "table",   "teleport", "tonumber", "tostring", "type",      "unwatch",    "utf8",  "watch",   "world",  "xpcall"};
 
 constexpr double most_steps = 1e6;  // of physics in a tick
 

@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -84,32 +83,16 @@ Expected<Recorder> Recorder::open(const std::string& file, const System& system,
                 recorder.ports_.push_back({component.name(), component.out_ports()[j]->name(), false, i, j, {}});
         }
     }
-    recorder.fd_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (recorder.fd_ < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {.file = file});
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (fd < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {.file = file});
     struct stat status {};
     std::error_code none;
-    if (fstat(recorder.fd_, &status) == 0 && S_ISREG(status.st_mode)) {
+    if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode)) {
         recorder.real_ = std::filesystem::canonical(file, none);
-        if (ftruncate(recorder.fd_, 0) != 0) recorder.fail(errno);
+        if (ftruncate(fd, 0) != 0) recorder.fail(errno);
     }
+    recorder.writer_ = std::make_unique<FileWriter>(fd);
     return recorder;
-}
-
-Recorder::Recorder(Recorder&& other) noexcept
-    : file_(std::move(other.file_)),
-      real_(std::move(other.real_)),
-      fd_(std::exchange(other.fd_, -1)),
-      ports_(std::move(other.ports_)),
-      layouts_(std::move(other.layouts_)),
-      cells_(std::move(other.cells_)),
-      columns_grew_(other.columns_grew_),
-      sealed_(other.sealed_),
-      rows_(other.rows_),
-      buffer_(std::move(other.buffer_)),
-      error_(std::move(other.error_)) {}
-
-Recorder::~Recorder() {
-    if (fd_ >= 0) close(fd_);
 }
 
 const Port* Recorder::find(Recorded& recorded, const System& system) {
@@ -194,13 +177,8 @@ void Recorder::add_row(const System& system) {
 void Recorder::fail(int code) { error_ = Error{fmt::format("can't be written: {}", std::strerror(code)), {file_}}; }
 
 void Recorder::flush() {
-    std::string_view text = buffer_;
-    while (!text.empty() && !error_) {
-        const ssize_t written = write(fd_, text.data(), text.size());
-        if (written < 0 && errno != EINTR) fail(errno);
-        if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-    }
-    buffer_.clear();
+    writer_->put(std::exchange(buffer_, {}));
+    if (const int problem = writer_->problem(); problem != 0 && !error_) fail(problem);
 }
 
 Expected<void> Recorder::align_rows() {
@@ -235,7 +213,7 @@ Expected<void> Recorder::align_rows() {
 Expected<void> Recorder::finish() {
     if (layouts_.empty()) begin_layout();  // no tick has passed: the header alone
     flush();
-    if (close(std::exchange(fd_, -1)) != 0 && !error_) fail(errno);
+    if (const int problem = writer_->close(); problem != 0 && !error_) fail(problem);
     Expected<void> result = error_ ? Expected<void>(Unexpected(*error_)) : Expected<void>{};
     if (result && layouts_.size() > 1) result = align_rows();
     if (!result) discard();
@@ -244,6 +222,7 @@ Expected<void> Recorder::finish() {
 
 void Recorder::discard() {
     sealed_ = true;
+    writer_->close();
     std::error_code none;
     if (!real_.empty()) std::filesystem::remove(real_, none);
 }

@@ -1,14 +1,16 @@
-// `--record`: what ports published, as CSV with a row for every tick.
+// `--record`: what ports published, as CSV with a row for every tick, written beside the ticks.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bindings/cli/file_writer.hpp"
 #include "engine/error.hpp"
 #include "engine/system.hpp"
 
@@ -24,9 +26,9 @@ public:
     /// that is not there, or says why the file can't be written; then the file is as it was.
     static Expected<Recorder> open(const std::string& file, const System& system,
                                    const std::vector<std::string>& ports);
-    Recorder(Recorder&& other) noexcept;
+    Recorder(Recorder&&) noexcept = default;
     Recorder& operator=(Recorder&&) = delete;
-    ~Recorder();
+    ~Recorder() = default;
 
     /// Adds a row for the tick that has just passed.
     void add_row(const System& system);
@@ -69,7 +71,7 @@ private:
 
     std::string file_;            // as it was given
     std::filesystem::path real_;  // without links; empty: no file that could be taken away or read again
-    int fd_ = -1;
+    std::unique_ptr<FileWriter> writer_;
     std::vector<Recorded> ports_;
     std::vector<Layout> layouts_;     // the last one is today's
     std::vector<std::string> cells_;  // of the row that is being made, by column id

@@ -5,6 +5,7 @@
 #include "bindings/console/session_parts.hpp"
 #include "bindings/console/words.hpp"
 #include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 
 namespace nezumi {
@@ -222,6 +223,11 @@ Names texts(const Session::Parts& parts, const TextAtCursor& text) {
     }
     for (const char* each : {"ls", "rollback", "drive"}) {
         if (word == each) return component_names(system);
+    }
+    if (word == "teleport") {
+        Names things = marker_names(system);
+        for (const Robot* robot : system.robots()) things.push_back(robot->name());
+        return things;
     }
     if (word == "speed") return {"max"};
     Names words;

@@ -102,7 +102,7 @@ std::string to_line(const Request& request) {
     Json json{{"do", request_names[static_cast<std::size_t>(request.kind)]}};
     if (request.id != 0) json["id"] = request.id;
     if (!request.text.empty()) json["text"] = request.text;
-    if (request.cursor != 0) json["cursor"] = request.cursor;
+    if (request.kind == Request::Kind::complete) json["cursor"] = request.cursor;
     if (request.log) json["log"] = true;
     if (request.keys) json["keys"] = true;
     return dump(json);
@@ -128,7 +128,8 @@ Expected<Request> read_request(std::string_view line) {
     request.kind = static_cast<Request::Kind>(fields.one_of("do", request_names));
     request.id = fields.whole("id");
     request.text = fields.text("text");
-    request.cursor = fields.count("cursor");
+    const bool at_end = request.kind == Request::Kind::complete && !json->contains("cursor");
+    request.cursor = at_end ? request.text.size() : fields.count("cursor");
     request.log = fields.flag("log", false);
     request.keys = fields.flag("keys", false);
     if (!fields.problem().empty()) return failure(fields.problem());

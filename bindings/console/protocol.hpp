@@ -26,7 +26,7 @@ struct Request {
     Kind kind = Kind::eval;
     std::int64_t id = 0;     ///< of the client's choice; the answer carries it
     std::string text;        ///< at most `max_line` bytes of UTF-8
-    std::size_t cursor = 0;  ///< [bytes] in `text`, at most its size
+    std::size_t cursor = 0;  ///< [bytes] in `text`, at most its size; its end when a line does not say
     bool log = false;        ///< hello: log lines and the status are wanted
     bool keys = false;       ///< hello: keys can be sent, there is a keyboard
 

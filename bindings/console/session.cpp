@@ -32,9 +32,11 @@ void show_results(const Session::Parts& parts, lua_State* L) {
     if (count == 0) return;
     std::vector<std::string> texts;
     bool several_lines = false;
+    InspectWork work;
     for (int i = 1; i <= count; ++i) {
         const Word* word = word_at(L, i);
-        texts.push_back(word != nullptr ? fmt::format("{}: {}", word->usage, word->help) : inspect(L, i));
+        texts.push_back(word != nullptr ? fmt::format("{}: {}", word->usage, word->help)
+                                        : inspect(L, i, {.work = &work}));
         several_lines = several_lines || texts.back().find('\n') != std::string::npos;
     }
     parts.show(fmt::format("{}", fmt::join(texts, several_lines ? "\n" : "\t")));

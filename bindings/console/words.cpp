@@ -97,6 +97,7 @@ const std::vector<Word>& console_words() {
         {"disconnect", "disconnect(from, to) or disconnect(port)", "ends one connection, or all of a port", 2,
          word_disconnect},
         {"drive", "drive \"stick\"", "drives with the arrow keys, until Esc", 1, word_drive},
+        {"teleport", "teleport(\"target\", { x = 1 })", "carries a marker, or a robot, elsewhere", 2, word_teleport},
         {"pause", "pause()", "stops time; run() lets it go on", 0, word_pause},
         {"step", "step(n)", "lets n ticks pass, then pauses", 1, word_step},
         {"run", "run(seconds) or run()", "lets so much time pass, then pauses; run() goes on without end", 1, word_run},

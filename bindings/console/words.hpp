@@ -50,6 +50,7 @@ using WordFunction = Expected<WordEnd>(Session::Parts&, const WordArguments&);
 WordFunction word_connect, word_disconnect;                                         // wiring
 WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;      // looking
 WordFunction word_watch, word_unwatch, word_plot, word_drive;                       // following
+WordFunction word_teleport;                                                         // acting
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
 WordFunction word_reload, word_rollback, word_save;                                 // versions
 

@@ -1,10 +1,11 @@
-// Words that follow a port in time: watches, plots, the stick.
+// Words that follow a port in time, or move something: watches, plots, the stick, a marker.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "bindings/console/plot_text.hpp"
 #include "bindings/console/words.hpp"
+#include "bindings/lua/live/robot_acts.hpp"
 
 namespace nezumi {
 namespace {
@@ -81,6 +82,14 @@ Expected<WordEnd> word_drive(Session::Parts& parts, const WordArguments& argumen
     if (auto ok = parts.drive.begin(parts.live, *what); !ok) return Unexpected(ok.error());
     parts.options.output.take_keys(true);
     parts.show(fmt::format("driving {}: arrow keys, space stops, Esc ends", parts.drive.path()));
+    return WordEnd::done;
+}
+
+Expected<WordEnd> word_teleport(Session::Parts& parts, const WordArguments& arguments) {
+    if (parts.clock.is_hardware()) return failure("real robots stay where they are: this works in simulation");
+    if (arguments.count < 1) return failure("expected a marker or robot, as in teleport(\"target\", { x = 1 })");
+    if (auto ok = teleport(*parts.objects, parts.live.system(), arguments.lua, 1, 2); !ok)
+        return Unexpected(ok.error());
     return WordEnd::done;
 }
 

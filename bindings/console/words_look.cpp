@@ -134,9 +134,10 @@ Expected<WordEnd> word_help(Session::Parts& parts, const WordArguments& argument
 
 Expected<WordEnd> word_print(Session::Parts& parts, const WordArguments& arguments) {
     std::string line;
+    InspectWork work;
     for (int i = 1; i <= arguments.count; ++i) {
         if (i > 1) line += '\t';
-        line += inspect(arguments.lua, i, {.quote = false});
+        line += inspect(arguments.lua, i, {.quote = false, .work = &work});
     }
     parts.show(line);
     return WordEnd::done;

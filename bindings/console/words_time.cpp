@@ -53,7 +53,8 @@ Expected<WordEnd> word_run(Session::Parts& parts, const WordArguments& arguments
     if (!seconds) return Unexpected(seconds.error());
     const double ticks = std::ceil(*seconds * parts.live.system().settings().rate - 1e-6);
     if (!(*seconds > 0 && ticks <= most_ticks))
-        return failure(fmt::format("expected seconds, more than 0, got {}", *seconds));
+        return failure(fmt::format("expected seconds, more than 0{}, got {}",
+                                   *seconds > 0 ? " and fewer than that" : "", *seconds));
     return advance(parts, std::max(1.0, ticks));
 }
 

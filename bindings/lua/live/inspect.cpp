@@ -1,10 +1,12 @@
 // Tries each table in one line, and takes several where that is too long.
 #include "bindings/lua/live/inspect.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
 #include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "engine/parameter.hpp"
@@ -16,7 +18,8 @@ namespace {
 // The functions below run under `protect` and may raise Lua errors: what has a destructor lies outside, in here.
 class Inspector {
 public:
-    Inspector(lua_State* lua, const InspectOptions& options) : lua_(lua), options_(options) {}
+    Inspector(lua_State* lua, const InspectOptions& options, InspectWork& work)
+        : lua_(lua), options_(options), work_(work) {}
 
     void value(int index, int depth, std::size_t indent, bool quote);
     std::string take() { return std::move(out_); }
@@ -25,11 +28,17 @@ private:
     void text(int index, bool quote);
     void table(int index, int depth, std::size_t indent);
     bool entries(int index, int depth, std::size_t indent, bool flat);
+    void all_entries(int index, int depth, std::size_t indent, bool flat, std::size_t& count);
+    void first_elements(int index, int depth, std::size_t indent, bool flat, std::size_t& count);
+    bool begin_entry(std::size_t indent, bool flat, std::size_t& count, bool is_known = true);
+    bool can_count(int index);
+    bool is_too_long() const { return limit_ != 0 && out_.size() > limit_; }
     void key(bool& in_sequence, lua_Integer& next);
     bool is_open(const void* table) const;
 
     lua_State* lua_;
     const InspectOptions& options_;
+    InspectWork& work_;
     std::string out_;
     std::string scratch_;
     std::vector<const void*> open_;  // the tables around the one that is shown
@@ -103,43 +112,75 @@ void Inspector::key(bool& in_sequence, lua_Integer& next) {
     out_ += " = ";
 }
 
-// Returns false as soon as it is clear that one line is not enough.
-bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
+// Whether the entries of a table are few enough to be put in order; counts what it looks at.
+bool Inspector::can_count(int index) {
+    if (luaL_getmetafield(lua_, index, "__pairs") != LUA_TNIL) return lua_pop(lua_, 1), true;
+    const int top = lua_gettop(lua_);
+    const int table = push_behind_lock(lua_, index) ? lua_gettop(lua_) : index;
+    std::size_t entries = 0;
+    for (lua_pushnil(lua_); entries <= work_.steps && lua_next(lua_, table) != 0; lua_pop(lua_, 1)) ++entries;
+    lua_settop(lua_, top);
+    if (entries > work_.steps) return false;
+    work_.steps -= entries;
+    return true;
+}
+
+// False: there is no room for another one, or it is not known, which has been said.
+bool Inspector::begin_entry(std::size_t indent, bool flat, std::size_t& count, bool is_known) {
+    const bool fits = ++count <= options_.items && out_.size() < work_.bytes && is_known;
+    if (!flat) {
+        out_.append(count > 1 ? ",\n" : "\n").append(indent + 2, ' ');
+    } else {
+        out_ += count > 1 ? ", " : " ";
+    }
+    if (!fits) out_ += "...";
+    return fits;
+}
+
+void Inspector::all_entries(int index, int depth, std::size_t indent, bool flat, std::size_t& count) {
     const int top = lua_gettop(lua_);
     lua_pushcfunction(lua_, ordered_pairs);
     lua_pushvalue(lua_, index);
     lua_call(lua_, 1, 3);  // iterator, what it goes over, first key
     bool in_sequence = true;
     lua_Integer next = 1;
-    std::size_t count = 0;
-    out_ += '{';
     for (;;) {
         lua_pushvalue(lua_, top + 1);
         lua_pushvalue(lua_, top + 2);
         lua_pushvalue(lua_, top + 3);
         lua_call(lua_, 2, 2);
-        if (lua_isnil(lua_, -2)) break;
-        if (++count > options_.items) {
-            out_ += flat ? ", ..." : ",";
-            if (!flat) out_.append("\n").append(indent + 2, ' ').append("...");
-            break;
-        }
-        if (count > 1) out_ += ',';
-        if (flat) {
-            out_ += ' ';
-        } else {
-            out_.append("\n").append(indent + 2, ' ');
-        }
+        if (lua_isnil(lua_, -2) || !begin_entry(indent, flat, count)) break;
         key(in_sequence, next);
         value(-1, depth + 1, indent + 2, true);
-        if (limit_ != 0 && out_.size() > limit_) {
-            lua_settop(lua_, top);
-            return false;
-        }
+        if (is_too_long()) break;
         lua_copy(lua_, -2, top + 3);
         lua_pop(lua_, 2);
     }
     lua_settop(lua_, top);
+}
+
+void Inspector::first_elements(int index, int depth, std::size_t indent, bool flat, std::size_t& count) {
+    const int top = lua_gettop(lua_);
+    const int table = push_behind_lock(lua_, index) ? lua_gettop(lua_) : index;
+    while (!is_too_long()) {
+        const bool is_element = lua_rawgeti(lua_, table, static_cast<lua_Integer>(count + 1)) != LUA_TNIL;
+        if (!begin_entry(indent, flat, count, is_element)) break;
+        value(-1, depth + 1, indent + 2, true);
+        lua_pop(lua_, 1);
+    }
+    lua_settop(lua_, top);
+}
+
+// Returns false as soon as it is clear that one line is not enough.
+bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
+    std::size_t count = 0;
+    out_ += '{';
+    if (can_count(index)) {
+        all_entries(index, depth, indent, flat, count);
+    } else {
+        first_elements(index, depth, indent, flat, count);
+    }
+    if (is_too_long()) return false;
     if (count > 0) {
         if (flat) {
             out_ += ' ';
@@ -148,7 +189,7 @@ bool Inspector::entries(int index, int depth, std::size_t indent, bool flat) {
         }
     }
     out_ += '}';
-    return limit_ == 0 || out_.size() <= limit_;
+    return !is_too_long();
 }
 
 void Inspector::table(int index, int depth, std::size_t indent) {
@@ -157,7 +198,7 @@ void Inspector::table(int index, int depth, std::size_t indent) {
         out_ += "<cycle>";
         return;
     }
-    if (depth >= options_.depth) {
+    if (depth >= options_.depth || work_.steps == 0 || out_.size() >= work_.bytes) {
         out_ += "{...}";
         return;
     }
@@ -185,7 +226,9 @@ std::string inspect(lua_State* L, int index, const InspectOptions& options) {
     if (lua_checkstack(L, 20) == 0) return "<no room on the stack to show it>";
     const int top = lua_gettop(L);
     index = lua_absindex(L, index);
-    Inspector inspector(L, options);
+    InspectWork own;
+    InspectWork& work = options.work != nullptr ? *options.work : own;
+    Inspector inspector(L, options, work);
     lua_pushvalue(L, index);
     lua_pushcfunction(L, [](lua_State* inside) -> int {
         static_cast<Inspector*>(lua_touserdata(inside, 2))->value(1, 0, 0, lua_toboolean(inside, 3) != 0);
@@ -194,9 +237,13 @@ std::string inspect(lua_State* L, int index, const InspectOptions& options) {
     lua_insert(L, -2);
     lua_pushlightuserdata(L, &inspector);
     lua_pushboolean(L, options.quote ? 1 : 0);
-    const CallResult shown = protected_call(L, 3, 0, Budget{0.1});
+    const CallResult shown = protected_call(L, 3, 0, Budget{0.01});
     lua_settop(L, top);
-    if (shown) return inspector.take();
+    if (shown) {
+        std::string text = inspector.take();
+        work.bytes -= std::min(work.bytes, text.size());
+        return text;
+    }
     return "<can't be shown: " + describe(shown.error()) + ">";
 }
 

@@ -137,7 +137,7 @@ std::string component_text(const System& system, const Component& component) {
             fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port.direction() == Direction::in ? "in" : "out", port.name(),
                         name_width, port.type_name(), type_width, peers_text(system, port), override_text(port));
         if (port.override() == Override::held || port.override() == Override::frozen)
-            text += " at " + payload_text(port.value(), 60);
+            text += " at " + payload_text(port.override_value(), 60);
     };
     for (const auto& port : component.in_ports()) line(*port);
     for (const auto& port : component.out_ports()) line(*port);

@@ -58,6 +58,28 @@ Expected<std::optional<double>> read_field(lua_State* L, int table, std::string_
     return std::optional<double>(value);
 }
 
+// Carries a marker that is there.
+Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index) {
+    Pose3D pose;
+    for (const MarkerPose& known : system.world()->markers()) {
+        if (known.name == marker) pose = known.pose;
+    }
+    if (lua_type(L, index) != LUA_TTABLE)
+        return failure(fmt::format("pose: expected a table {{ x =, y =, z =, heading = }}, got {}",
+                                   lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
+    const Table table(L, index);
+    if (auto ok = check_keys(L, table.index, {"x", "y", "z", "heading"}, "pose"); !ok) return ok;
+    for (const auto& [name, target] : {std::pair<std::string_view, double*>{"x", &pose.position.x},
+                                       {"y", &pose.position.y},
+                                       {"z", &pose.position.z},
+                                       {"heading", &pose.orientation.y}}) {
+        const auto value = read_field(L, table.index, name, "pose");
+        if (!value) return Unexpected(value.error());
+        *target = value->value_or(*target);
+    }
+    return system.world()->move_marker(marker, pose);
+}
+
 }  // namespace
 
 Expected<Robot*> simulated_robot(const System& system, Component& component) {
@@ -110,42 +132,27 @@ Expected<void> teleport(System& system, Component& component, const Pose2D& pose
     return system.world()->teleport((*robot)->id(), pose);
 }
 
-bool is_like_a_marker(const System& system, std::string_view name) {
-    if (system.world() == nullptr) return false;
-    const std::vector<MarkerPose> markers = system.world()->markers();
-    std::vector<std::string_view> names;
-    names.reserve(markers.size());
-    for (const MarkerPose& marker : markers) names.push_back(marker.name);
-    return std::find(names.begin(), names.end(), name) != names.end() || !nearest(name, names).empty();
+std::vector<std::string> marker_names(const System& system) {
+    std::vector<std::string> names;
+    if (system.world() == nullptr) return names;
+    for (MarkerPose& marker : system.world()->markers()) names.push_back(std::move(marker.name));
+    return names;
 }
 
-Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    Pose3D pose;
-    const std::vector<MarkerPose> markers = system.world()->markers();
-    std::vector<std::string_view> names;
-    names.reserve(markers.size());
-    bool found = false;
-    for (const MarkerPose& known : markers) {
-        if (known.name == marker) pose = known.pose;
-        found = found || known.name == marker;
-        names.push_back(known.name);
+Expected<void> teleport(const Objects& objects, System& current, lua_State* L, int thing, int pose) {
+    const auto robot = objects.to_component(L, thing);
+    if (robot) {
+        const auto place = read_pose(L, pose);
+        if (!place) return Unexpected(place.error());
+        return teleport(robot->live->system(), *robot->component, *place);
     }
-    if (!found) return failure(fmt::format("there is no marker '{}'{}", shown(marker), did_you_mean(marker, names)));
-    if (lua_type(L, index) != LUA_TTABLE)
-        return failure(fmt::format("pose: expected a table {{ x =, y =, z =, heading = }}, got {}",
-                                   lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
-    const Table table(L, index);
-    if (auto ok = check_keys(L, table.index, {"x", "y", "z", "heading"}, "pose"); !ok) return ok;
-    for (const auto& [name, target] : {std::pair<std::string_view, double*>{"x", &pose.position.x},
-                                       {"y", &pose.position.y},
-                                       {"z", &pose.position.z},
-                                       {"heading", &pose.orientation.y}}) {
-        const auto value = read_field(L, table.index, name, "pose");
-        if (!value) return Unexpected(value.error());
-        *target = value->value_or(*target);
-    }
-    return system.world()->move_marker(marker, pose);
+    // A marker, or a slip in one's name.
+    const std::string name(lua_type(L, thing) == LUA_TSTRING ? lua_tostring(L, thing) : "");
+    const std::vector<std::string> markers = marker_names(current);
+    const std::vector<std::string_view> names(markers.begin(), markers.end());
+    if (std::find(names.begin(), names.end(), name) != names.end()) return move_marker(current, name, L, pose);
+    if (name.empty() || nearest(name, names).empty()) return Unexpected(robot.error());
+    return failure(fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, names)));
 }
 
 Expected<void> disturb(System& system, Component& component, const Push& push) {

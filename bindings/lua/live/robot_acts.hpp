@@ -2,8 +2,11 @@
 #pragma once
 
 #include <lua.hpp>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "bindings/lua/live/objects.hpp"
 #include "engine/error.hpp"
 #include "engine/messages.hpp"
 #include "engine/system.hpp"
@@ -22,11 +25,12 @@ Expected<Push> read_push(lua_State* L, int index);
 
 /// Puts the robot elsewhere, at rest.
 Expected<void> teleport(System& system, Component& robot, const Pose2D& pose);
-/// Whether the arena has a marker of this name, or of one so near that this is a slip.
-bool is_like_a_marker(const System& system, std::string_view name);
-/// Carries a marker of the arena to `{ x =, y =, z =, heading = }` [m, rad]; what is left out stays as it is. The error
-/// names the nearest marker or field. Raises no Lua error.
-Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index);
+/// The names of the arena's markers.
+std::vector<std::string> marker_names(const System& system);
+/// The same for what is at `thing`: a robot or its name, or the name of a marker of `current`, the world that names
+/// mean; the pose is at `pose`. A marker is carried to `{ x =, y =, z =, heading = }` [m, rad], and what is left out
+/// stays as it is. The error names the nearest robot, marker or field. Raises no Lua error.
+Expected<void> teleport(const Objects& objects, System& current, lua_State* L, int thing, int pose);
 /// A hand forces these speeds until the next call; an empty push lets go.
 Expected<void> disturb(System& system, Component& robot, const Push& push);
 /// Presses or lets go of a button or touch sensor by its name; the error names the nearest.

@@ -192,17 +192,7 @@ int ScenarioRun::Methods::press(ScenarioRun& run, lua_State* lua) {
 }
 
 int ScenarioRun::Methods::teleport(ScenarioRun& run, lua_State* lua) {
-    const auto at = run.objects_->to_component(lua, 2);
-    if (!at) {
-        // Not a robot: a marker of the world that was loaded last, or a slip in one's name.
-        const std::string_view name = lua_type(lua, 2) == LUA_TSTRING ? text_or_empty(lua, 2) : "";
-        if (name.empty() || !is_like_a_marker(run.current().system(), name)) return raise(run, at.error().message);
-        auto ok = move_marker(run.current().system(), name, lua, 3);
-        return ok ? 0 : raise(run, ok.error().message);
-    }
-    const auto pose = read_pose(lua, 3);
-    if (!pose) return raise(run, pose.error().message);
-    auto ok = nezumi::teleport(at->live->system(), *at->component, *pose);
+    auto ok = nezumi::teleport(*run.objects_, run.current().system(), lua, 2, 3);
     return ok ? 0 : raise(run, ok.error().message);
 }
 

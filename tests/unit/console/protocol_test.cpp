@@ -81,6 +81,12 @@ TEST_CASE("what is no request is refused in one line", "[console][protocol]") {
     CHECK(refusal(std::string(100000, '[')).size() < 200);
 }
 
+TEST_CASE("what completes a text without a cursor completes its end", "[console][protocol]") {
+    CHECK(read_request("{\"do\":\"complete\",\"text\":\"mou\"}")->cursor == 3);
+    const Request at_begin{.kind = Request::Kind::complete, .id = 1, .text = "mou"};
+    CHECK(read_request(to_line(at_begin))->cursor == 0);
+}
+
 TEST_CASE("unknown fields are left for those who know them", "[console][protocol]") {
     CHECK(refusal("{\"do\":\"eval\",\"text\":\"1\",\"colour\":true}") == "none");
 }

@@ -33,6 +33,7 @@ TEST_CASE("step and run return when time has moved", "[console][session]") {
     CHECK(it.type("step(0)") == "! step: expected a number of ticks, 1 or more, got 0");
     CHECK(it.type("step(1.5)") == "! step: expected a number of ticks, 1 or more, got 1.5");
     CHECK(it.type("run(-1)") == "! run: expected seconds, more than 0, got -1");
+    CHECK(it.type("run(1e300)") == "! run: expected seconds, more than 0 and fewer than that, got 1e+300");
     CHECK(it.type("run('x')") == "! run: expected seconds, got string");
     CHECK(it.type("step(1, 2)") == "! step: expected at most 1 argument: step(n)");
 }
@@ -108,6 +109,9 @@ TEST_CASE("ports are connected, disconnected and held from the prompt", "[consol
     CHECK(it.type("disconnect(mouse.target_velocity_in)").empty());
     CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 }) step(2) return controller.out.value.vx") == "0.0");
     CHECK_THAT(it.type("ls()"), Contains("in  in   TimedShortSeq    <- mouse.ir_sensor_out  held at { 31, 0, 0, 0 }"));
+    CHECK(it.type("hold(controller.in, { 32 })").empty());
+    CHECK_THAT(it.type("ls()"), Contains("held at { 32 }"));  // what is held, also before a tick has passed
+    CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 })").empty());
     CHECK(it.type("release 'controller.in' step(2) return controller.out.value.vx") == "0.25");
     CHECK(it.type("inject(controller.in, 5)") == "! input 'in' (TimedShortSeq): expected an array, got number");
 }
@@ -188,6 +192,29 @@ TEST_CASE("scripts are reloaded and rolled back from the prompt", "[console][ses
     CHECK(it.type("rollback(mouse)") == "! rollback: mouse is no script");
     it.folder.write("behaviors/counter.lua", "function (");
     CHECK_THAT(it.type("reload()"), Contains("counter.lua:1: ") && Contains("still running version 1"));
+}
+
+TEST_CASE("a marker is carried by hand, a robot as well", "[console][session]") {
+    SessionRig it(
+        "arena { marker { name = 'target', id = 7, size = 0.1, at = { 1.0, 0.0, 0.06 }, facing = math.pi } }\n"
+        "robot 'mouse' { model = 'raspimouse' }\n",
+        {});
+    const auto marker = [&it] { return it.live->system().world()->markers().front().pose; };
+    CHECK(it.type("teleport('target', { x = 1.2, heading = 0.5 })").empty());
+    CHECK(marker().position == Point3D{1.2, 0.0, 0.06});
+    CHECK(marker().orientation.y == 0.5);
+    CHECK(it.type("teleport(mouse, { x = 0.3 }) return mouse.truth.pose.position.x") == "0.3");
+    CHECK(it.type("teleport('mouse', { x = 0.4 }) return mouse.truth.pose.position.x") == "0.4");
+    CHECK(it.type("teleport('targt', { x = 1 })") == "! teleport: there is no marker 'targt' (did you mean 'target'?)");
+    CHECK(it.type("teleport('mose', {})") == "! teleport: there is no component 'mose' (did you mean 'mouse'?)");
+    CHECK(it.type("teleport('target', { hight = 1 })") == "! teleport: pose: unknown field 'hight'");
+    CHECK(it.type("teleport('target')") ==
+          "! teleport: pose: expected a table { x =, y =, z =, heading = }, got nothing");
+    CHECK_THAT(it.type("teleport()"), StartsWith("! teleport: expected a marker or robot"));
+    it.hardware = true;
+    CHECK(it.type("teleport('target', {})") == "! teleport: real robots stay where they are: this works in simulation");
+    const auto items = it.session->complete("teleport('", 10).candidates;
+    CHECK(items == std::vector<std::string>{"mouse", "target"});
 }
 
 TEST_CASE("the present wiring and configuration is saved as a system file", "[console][session]") {

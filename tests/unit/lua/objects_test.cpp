@@ -2,6 +2,7 @@
 #include "bindings/lua/live/objects.hpp"
 
 #include <catch2/catch.hpp>
+#include <ctime>
 
 #include "bindings/lua/live/inspect.hpp"
 #include "tests/unit/live_rig.hpp"
@@ -221,7 +222,7 @@ TEST_CASE("objects have a text that a person can read", "[lua][objects]") {
     CHECK(it.run("return tostring(controller)") ==
           "controller  Counter, ACTIVE, version 1\n"
           "  in  in   TimedShortSeq    <- mouse.ir_sensor_out\n"
-          "  out out  TimedVelocity2D  -> mouse.target_velocity_in  held at { vx = 0.25, vy = 0, va = 0 }\n"
+          "  out out  TimedVelocity2D  -> mouse.target_velocity_in  held at { vx = 0, vy = 0, va = 0 }\n"
           "  config.speed_x = 0.25\n"
           "  config.stop_d = 30\n"
           "  config.gains = { 1.0, 0.5 }\n"
@@ -259,4 +260,42 @@ TEST_CASE("values are shown as Lua writes them, in several lines where one is to
     CHECK(shown("setmetatable({}, { __tostring = function() error('x', 0) end })") == "<can't be shown: box.lua:1: x>");
     CHECK(shown("{ [{}] = 1 }").find("<can't be shown: a table with a table or function as a key") == 0);
     CHECK(shown("math").find("{") == 0);
+}
+
+TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect]") {
+    Box box;
+    const auto shown = [&](const std::string& text, double& seconds) {
+        box.run("return 1");
+        const auto chunk = compile(
+            "local function many(n, f) local t = {} for i = 1, n do t[i] = f(i) end return t end\n"
+            "local function named(n) local t = {} for i = 1, n do t['key' .. i] = i end return t end\n"
+            "return " +
+                text,
+            "box.lua");
+        REQUIRE(load_chunk(box.lua(), *chunk).has_value());
+        REQUIRE(protected_call(box.lua(), 0, 1, Budget{20.0}).has_value());
+        const auto before = std::clock();
+        std::string result = inspect(box.lua(), -1);
+        seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+        lua_settop(box.lua(), 0);
+        lua_gc(box.lua(), LUA_GCCOLLECT);
+        return result;
+    };
+    for (const char* huge :
+         {"many(300000, function(i) return i end)", "named(200000)", "many(100, function() return named(2000) end)",
+          "many(100, function() return many(100, function() return many(100, tostring) end) end)",
+          "many(100, function(i) return ('x'):rep(100000) end)",
+          "setmetatable({}, { __tostring = function() while true do end end })",
+          "setmetatable({}, { __pairs = function() return function(_, i) return (i or 0) + 1, i end end })"}) {
+        double seconds = 0;
+        const std::string text = shown(huge, seconds);
+        INFO(huge << " took " << seconds << " s");
+        CHECK(seconds < 0.05);  // 100 ms and more before; a few on a machine that has nothing else to do
+        CHECK(text.size() < 200'000);
+    }
+    double seconds = 0;
+    CHECK(shown("many(300000, function(i) return i end)", seconds).ends_with("\n  99,\n  100,\n  ...\n}"));
+    CHECK(shown("named(200000)", seconds) == "{ ... }");
+    CHECK(shown("setmetatable({}, { __tostring = function() while true do end end })", seconds)
+              .starts_with("<can't be shown: box.lua:3: ran for more than 0.01 s"));
 }

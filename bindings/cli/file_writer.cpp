@@ -1,0 +1,86 @@
+// One producer, one thread that writes, a queue between them.
+#include "bindings/cli/file_writer.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <string_view>
+#include <utility>
+
+namespace nezumi::cli {
+namespace {
+
+int write_whole(int file, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t written = write(file, text.data(), text.size());
+        if (written < 0 && errno != EINTR) return errno;
+        if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+}  // namespace
+
+FileWriter::FileWriter(int file, std::size_t most_waiting) : most_waiting_(most_waiting), file_(file) {
+    // Signals are for the thread that runs the loop: they end its waiting.
+    sigset_t all;
+    sigset_t before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    thread_ = std::thread([this] { write_all(); });
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+FileWriter::~FileWriter() { close(); }
+
+void FileWriter::put(std::string text) {
+    if (text.empty()) return;
+    {
+        std::unique_lock lock(mutex_);
+        space_.wait(lock, [this] { return waiting_bytes_ <= most_waiting_ || problem_ != 0; });
+        if (problem_ != 0) return;
+        waiting_bytes_ += text.size();
+        waiting_.push_back(std::move(text));
+    }
+    news_.notify_one();
+}
+
+int FileWriter::problem() const {
+    const std::lock_guard lock(mutex_);
+    return problem_;
+}
+
+int FileWriter::close() {
+    if (file_ < 0) return problem();
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    news_.notify_one();
+    thread_.join();
+    if (::close(std::exchange(file_, -1)) != 0 && problem_ == 0) problem_ = errno;
+    return problem_;
+}
+
+void FileWriter::write_all() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        news_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+        if (waiting_.empty()) return;
+        const std::string text = std::move(waiting_.front());
+        waiting_.pop_front();
+        lock.unlock();
+        const int problem = write_whole(file_, text);
+        lock.lock();
+        waiting_bytes_ -= text.size();
+        if (problem != 0) {
+            problem_ = problem;
+            waiting_.clear();
+            waiting_bytes_ = 0;
+        }
+        space_.notify_one();
+    }
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,43 @@
+// Writes a file on a thread of its own, so that a slow disk delays whoever has something to write by nothing.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace nezumi::cli {
+
+class FileWriter {
+public:
+    /// Takes over an open file. When more than `most_waiting` bytes wait to be written, `put` waits for the disk.
+    explicit FileWriter(int file, std::size_t most_waiting = std::size_t{64} << 20);
+    ~FileWriter();
+    FileWriter(const FileWriter&) = delete;
+    FileWriter& operator=(const FileWriter&) = delete;
+
+    /// Writes this after all that was put before. After an error nothing is written any more.
+    void put(std::string text);
+    /// The error that ended the writing (an errno), 0 so far.
+    int problem() const;
+    /// Waits until everything is written, and closes the file. Returns the error, or 0. Once.
+    int close();
+
+private:
+    void write_all();
+
+    mutable std::mutex mutex_;
+    std::condition_variable news_;   // for the thread
+    std::condition_variable space_;  // for who puts
+    std::deque<std::string> waiting_;
+    std::size_t waiting_bytes_ = 0;
+    const std::size_t most_waiting_;
+    int file_;
+    int problem_ = 0;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
+}  // namespace nezumi::cli
