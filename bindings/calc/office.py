@@ -35,6 +35,8 @@ def start(profile, is_headless, ended):
         raise Refused(
             "LibreOffice Calc is not installed: sudo apt install --no-install-recommends libreoffice-calc python3-uno"
         )
+    if not is_headless and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+        raise Refused("there is no display to show Calc on; --headless does without")
     pipe = "nezumi-" + secrets.token_hex(8)
     words = [program, "--accept=pipe,name=%s;urp;" % pipe, "--norestore", "--nologo", "--nodefault"]
     if profile:

@@ -2,50 +2,17 @@
 
 import os
 import signal
-import stat
-import subprocess
 import sys
-import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig
 
-ALONE = 'behavior "controller" { script = "robot_controller", config = { speed_x = 0.2 } }\n'
-MOUSE = 'robot "mouse" { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }\n'
-CONTROLLER = [
-    ["nezumi"],
-    ["Port", "State", 1, 2, 3, 4],
-    ["controller.in"],
-    [],
-    ["Port", "State", "vx [m/s]", "va"],
-    ["controller.out"],
-]
-STANDS = "math.abs(mouse.truth.velocity.vx) < 0.001"
-DRIVE = [["Port", "State", "vx", "va"], ["mouse.target_velocity_in"]]
 
-
-class LinkTest(unittest.TestCase):
-    """Each test has systems and sheets of its own, in one office."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.place = rig.Place(NEZUMI)
-        cls.addClassCleanup(cls.place.remove)
-        cls.office = rig.Office(cls.place)
-
-    def system(self, text):
-        system = rig.System(self.place, text)
-        self.addCleanup(system.end)
-        return system
-
-    def link(self, system, rows, *words):
-        file = self.office.write_sheet(self.id().rsplit(".", 1)[-1] + ".ods", rows)
-        link = rig.Link(self.office, system, file, *words)
-        self.addCleanup(link.close)
-        return link
+class LinkTest(rig.OfficeCase):
+    """What cells show, and what they feed."""
 
     def test_a_new_sheet_shows_every_port_live_with_its_units(self):
-        system = self.system(MOUSE + ALONE + 'connect("controller.out", "mouse.target_velocity_in")\n')
+        system = self.system(rig.MOUSE + rig.ALONE + 'connect("controller.out", "mouse.target_velocity_in")\n')
         link = rig.Link(self.office, system)
         self.addCleanup(link.close)
         link.shows("B1", link.cell("B1").getString())
@@ -63,7 +30,7 @@ class LinkTest(unittest.TestCase):
         rig.wait_until(lambda: x.getValue() > before + 0.1, lambda: "the mouse drives on: %r" % (link.text(),))
 
     def test_a_new_sheet_can_be_of_some_ports_only(self):
-        system = self.system(MOUSE + ALONE)
+        system = self.system(rig.MOUSE + rig.ALONE)
         link = rig.Link(
             self.office, system, "--port", "controller", "--port", "mouse.switch3bit_out", "--port", "mice.x"
         )
@@ -80,8 +47,8 @@ class LinkTest(unittest.TestCase):
         )
 
     def test_what_is_typed_into_a_cell_reaches_the_port_and_acts(self):
-        system = self.system(ALONE)
-        link = self.link(system, CONTROLLER)
+        system = self.system(rig.ALONE)
+        link = self.link(system, rig.CONTROLLER)
         link.shows("B3", "not fed")
         link.shows("C6", "0.2")
         link.put("C3", 31)
@@ -100,9 +67,10 @@ class LinkTest(unittest.TestCase):
         rig.wait_until(lambda: float(system.ask("controller.in.age")) > 1, "an empty cell feeds nothing")
 
     def test_what_can_not_be_meant_is_said_and_not_sent(self):
-        system = self.system(MOUSE)
+        system = self.system(rig.MOUSE)
         link = self.link(
-            system, [DRIVE[0], ["mouse.target_velocity_in", "", "fast"], [], ["Port", "State"], ["mouse.led4bit_in"]]
+            system,
+            [rig.DRIVE[0], ["mouse.target_velocity_in", "", "fast"], [], ["Port", "State"], ["mouse.led4bit_in"]],
         )
         link.shows("B2", "C2: expected a number, got 'fast'")
         link.put("C2", "=1/0")
@@ -124,8 +92,8 @@ class LinkTest(unittest.TestCase):
         rig.wait_until(lambda: system.ask("mouse.truth.pose.position.x > 0.05") == "true", "then the mouse drives")
 
     def test_what_the_port_does_not_take_is_said_by_the_system(self):
-        system = self.system(ALONE)
-        link = self.link(system, CONTROLLER)
+        system = self.system(rig.ALONE)
+        link = self.link(system, rig.CONTROLLER)
         link.put("C3", 30.5)
         link.shows("B3", "input 'in' (TimedShortSeq): element 1 expected an integer, got 30.5")
         link.put("C3", 40000)
@@ -136,7 +104,7 @@ class LinkTest(unittest.TestCase):
         link.shows("B3", "held in the console: release it there")
 
     def test_unknown_ports_and_fields_are_told_with_the_nearest_name(self):
-        system = self.system(MOUSE + ALONE)
+        system = self.system(rig.MOUSE + rig.ALONE)
         rows = [["Port", "State", "vx", "vaa"], ["controler.out"], ["controller.outt"], ["controller.out"], ["mouse"]]
         link = self.link(
             system, rows + [["watch mouse.target_velocity_in"], [], ["Port", "State"], ["controller.in", "", 1]]
@@ -165,18 +133,20 @@ class LinkTest(unittest.TestCase):
 
     def test_a_sheet_s_own_formulas_can_be_the_controller(self):
         wall = "arena { box { at = { 0.8, 0.0, 0.15 }, size = { 0.1, 1.0, 0.3 } } }\n"
-        system = self.system(wall + MOUSE)
+        system = self.system(wall + rig.MOUSE)
         ir = [[], ["Port", "State", 1, 2, 3, 4], ["mouse.ir_sensor_out"]]
-        link = self.link(system, [DRIVE[0], DRIVE[1] + ["", "=IF(AND(ISNUMBER(C5);MAX(C5:F5)<=30);0.1;0)"]] + ir)
+        link = self.link(
+            system, [rig.DRIVE[0], rig.DRIVE[1] + ["", "=IF(AND(ISNUMBER(C5);MAX(C5:F5)<=30);0.1;0)"]] + ir
+        )
         rig.wait_until(lambda: system.ask("mouse.truth.pose.position.x > 0.2") == "true", link.text)
         link.shows("C2", "0")
-        rig.wait_until(lambda: system.ask(STANDS) == "true", "it stops before the wall")
+        rig.wait_until(lambda: system.ask(rig.STANDS) == "true", "it stops before the wall")
         self.assertEqual(system.ask("mouse.collided"), "false")
 
     def test_refreshes_leave_no_trace_in_undo_and_do_not_change_the_document(self):
-        system = self.system(MOUSE + ALONE + 'connect("controller.out", "mouse.target_velocity_in")\n')
+        system = self.system(rig.MOUSE + rig.ALONE + 'connect("controller.out", "mouse.target_velocity_in")\n')
         pose = [[], ["Port", "State", "position.x"], ["mouse.current_pose_out"], [], ["=2*C9"]]
-        link = self.link(system, CONTROLLER + pose)
+        link = self.link(system, rig.CONTROLLER + pose)
         rig.wait_until(lambda: link.cell("C9").getValue() > 0.1, link.text)
         self.assertFalse(link.document.isModified())
         undo = link.document.getUndoManager()
@@ -195,7 +165,7 @@ class LinkTest(unittest.TestCase):
         self.assertEqual(link.cell("H1").getString(), "")
 
     def test_texts_that_make_a_row_higher_leave_no_trace_in_undo_either(self):
-        system = self.system(MOUSE)
+        system = self.system(rig.MOUSE)
         link = rig.Link(self.office, system, "--port", "mouse.target_velocity_in")
         self.addCleanup(link.close)
         names = [row[0] for row in link.text()]
@@ -218,7 +188,7 @@ class LinkTest(unittest.TestCase):
         rig.wait_until(lambda: state.Size.Height > low, "the row is high enough for the text")
 
     def test_an_edit_in_the_moment_of_a_refresh_marks_the_document_as_well(self):
-        system = self.system(MOUSE)
+        system = self.system(rig.MOUSE)
         pose = [["Port", "State", "position.x"], ["mouse.current_pose_out"], ["mouse.ir_sensor_out"], [], ["=2*B1"]]
         link = self.link(system, [["nezumi"]] + pose)
         link.shows("B3", "live")
@@ -246,8 +216,8 @@ class LinkTest(unittest.TestCase):
         self.assertLessEqual(int(system.ask("counter.state.count")), count + 3)
 
     def test_a_system_that_does_not_answer_or_begins_anew_keeps_its_link(self):
-        system = self.system(ALONE)
-        link = self.link(system, CONTROLLER)
+        system = self.system(rig.ALONE)
+        link = self.link(system, rig.CONTROLLER)
         link.shows("B6", "live")
         system.process.send_signal(signal.SIGSTOP)
         link.shows("B6", "no answer")
@@ -260,8 +230,8 @@ class LinkTest(unittest.TestCase):
         link.shows("C6", "0")
 
     def test_tables_may_move_and_sheets_be_protected_while_they_are_linked(self):
-        system = self.system(MOUSE)
-        link = self.link(system, DRIVE + [["mouse.current_pose_out", "", "", "note"]])
+        system = self.system(rig.MOUSE)
+        link = self.link(system, rig.DRIVE + [["mouse.current_pose_out", "", "", "note"]])
         link.put("D3", "")
         link.shows("B3", "live")
         for _ in range(20):
@@ -276,122 +246,6 @@ class LinkTest(unittest.TestCase):
         rig.wait_until(lambda: x.getValue() > before + 0.1, link.text)
         self.assertIsNone(link.process.poll())
 
-    def test_the_end_of_the_system_is_shown_and_ends_the_link(self):
-        system = self.system(ALONE)
-        link = self.link(system, CONTROLLER)
-        link.shows("B6", "live")
-        system.end()
-        self.assertEqual(link.wait(), 0)
-        for cell in ("B1", "B3", "B6"):
-            self.assertEqual(link.cell(cell).getString(), system.name + " has ended")
-        self.assertIn("nezumi: %s has ended\n" % system.name, link.said())
-
-    def test_ctrl_c_ends_the_link_and_not_the_office(self):
-        system = self.system(ALONE)
-        link = self.link(system, CONTROLLER)
-        link.process.send_signal(signal.SIGINT)
-        self.assertEqual(link.wait(), 0)
-        self.assertEqual(link.cell("B6").getString(), "the link has ended")
-        self.assertEqual(system.ask("controller.status"), '"ACTIVE"')
-
-    def test_the_robot_stops_when_the_sheet_is_closed(self):
-        system, link = self.driving()
-        link.document.close(True)
-        self.assertEqual(link.wait(), 0)
-        self.assertIn("nezumi: the sheet was closed\n", link.said())
-        self.stops(system)
-
-    def test_the_robot_stops_when_the_link_is_killed(self):
-        system, link = self.driving()
-        link.process.kill()
-        link.wait()
-        self.stops(system)
-
-    def test_the_pipe_is_its_user_s_alone(self):
-        system = self.system(ALONE)
-        self.link(system, CONTROLLER)
-        pipes = [pipe for pipe in rig.pipes() if "_nezumi-" in pipe]
-        self.assertTrue(pipes)
-        for pipe in pipes:
-            self.assertEqual(stat.S_IMODE(os.stat(pipe).st_mode) & 0o022, 0, "who can't write can't connect")
-
-    def driving(self):
-        """A mouse that a cell drives."""
-        system = self.system(MOUSE)
-        link = self.link(system, DRIVE)
-        link.put("C2", 0.1)
-        rig.wait_until(lambda: system.ask("mouse.truth.velocity.vx > 0.09") == "true", link.text)
-        return system, link
-
-    def stops(self, system):
-        """0.5 s of simulated time after the last message, and the way to brake."""
-        at = float(system.ask("mouse.target_velocity_in.tm"))
-        rig.wait_until(lambda: float(system.ask("now()")) > at + 1.5, "time passes")
-        self.assertEqual(system.ask(STANDS), "true")
-        self.assertEqual(float(system.ask("mouse.target_velocity_in.tm")), at)
-
-
-class OwnOfficeTest(unittest.TestCase):
-    """Where the office begins or ends with the link."""
-
-    def setUp(self):
-        self.place = rig.Place(NEZUMI)
-        self.addCleanup(self.place.remove)
-        self.system = rig.System(self.place, MOUSE)
-
-    def test_the_robot_stops_when_the_office_is_killed(self):
-        office = rig.Office(self.place)
-        link = rig.Link(office, self.system, office.write_sheet("drive.ods", DRIVE))
-        link.put("C2", 0.1)
-        rig.wait_until(lambda: self.system.ask("mouse.truth.velocity.vx > 0.09") == "true", link.text)
-        office.kill()
-        self.assertEqual(link.wait(), 0)
-        self.assertIn("nezumi: LibreOffice has ended\n", link.said())
-        LinkTest.stops(self, self.system)
-
-    def test_without_an_office_one_is_started_and_ends_with_a_link_that_nobody_sees(self):
-        words = [NEZUMI, "calc", "--headless", "--profile", self.place.path("own"), "--system", self.system.name]
-        link = self.place.start(words, "own")
-        rig.wait_until(lambda: "is linked with" in self.place.said("own"), lambda: self.place.said("own"))
-        link.terminate()
-        self.assertEqual(link.wait(rig.PATIENCE), 0)
-        lock = self.place.path("own", ".lock")
-        rig.wait_until(lambda: not os.path.exists(lock), "the office ends")
-
-    def test_what_is_missing_is_said_with_what_to_install(self):
-        needs = "sudo apt install --no-install-recommends libreoffice-calc python3-uno\n"
-        bare = dict(self.place.environment, PATH=self.place.folder)
-        self.refuses([NEZUMI, "calc"], bare, "nezumi: LibreOffice Calc is not installed: " + needs)
-        link = os.path.join(os.path.dirname(__file__), "../../../bindings/calc/link.py")
-        words = ["/usr/bin/python3", "-BEsS", link, "--socket", "0", "--system", "it", "--types", "{}", "--rate", "10"]
-        self.refuses(words, None, "nezumi: the spreadsheet link needs LibreOffice Calc: " + needs)
-
-    def test_files_that_are_no_spreadsheet_are_refused(self):
-        missing = self.place.path("none.ods")
-        self.refuses(
-            [NEZUMI, "calc", missing],
-            None,
-            "nezumi: calc: there is no file %s; without one, a new sheet is made\n" % missing,
-        )
-        self.refuses(
-            [NEZUMI, "calc", "--rate", "1"], None, "nezumi: --rate: Value 1 not in range 4.000000 to 25.000000"
-        )
-
-    def refuses(self, words, environment, text):
-        done = subprocess.run(
-            words,
-            env=environment or self.place.environment,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            timeout=rig.PATIENCE,
-            check=False,
-        )
-        self.assertIn(text, done.stderr.decode())
-        self.assertEqual(done.returncode, 2)
-
 
 if __name__ == "__main__":
-    if rig.explain_missing():
-        sys.exit(rig.explain_missing())
-    NEZUMI = os.path.abspath(sys.argv.pop(1))
-    unittest.main(verbosity=2)
+    rig.main()

@@ -6,8 +6,10 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import time
+import unittest
 
 try:
     import uno
@@ -16,6 +18,18 @@ try:
 except ImportError:
     uno = None
 
+ALONE = 'behavior "controller" { script = "robot_controller", config = { speed_x = 0.2 } }\n'
+MOUSE = 'robot "mouse" { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }\n'
+CONTROLLER = [
+    ["nezumi"],
+    ["Port", "State", 1, 2, 3, 4],
+    ["controller.in"],
+    [],
+    ["Port", "State", "vx [m/s]", "va"],
+    ["controller.out"],
+]
+STANDS = "math.abs(mouse.truth.velocity.vx) < 0.001"
+DRIVE = [["Port", "State", "vx", "va"], ["mouse.target_velocity_in"]]
 PATIENCE = 90  # [s] for anything to happen: machines may be slow, and busy
 
 
@@ -51,6 +65,19 @@ def remove_if_dead(pipe):
             os.unlink(pipe)
         except OSError:
             pass
+
+
+def offices_of(folder):
+    """The processes of offices whose settings are in this folder."""
+    found = []
+    for line in glob.glob("/proc/[0-9]*/cmdline"):
+        try:
+            with open(line, encoding="utf-8", errors="replace") as file:
+                if "-env:UserInstallation=" + uno.systemPathToFileUrl(folder) + "/" in file.read():
+                    found.append(int(line.split("/")[2]))
+        except OSError:
+            pass  # it has ended
+    return found
 
 
 class Place:
@@ -96,6 +123,8 @@ class Place:
             except ProcessLookupError:
                 pass
             process.wait()
+        for process in offices_of(self.folder):  # that links started
+            os.kill(process, signal.SIGKILL)
         shutil.rmtree(self.folder, ignore_errors=True)
         for pipe in pipes():
             remove_if_dead(pipe)
@@ -251,3 +280,33 @@ def _hidden():
     hidden = PropertyValue()
     hidden.Name, hidden.Value = "Hidden", True
     return hidden
+
+
+class OfficeCase(unittest.TestCase):
+    """Each test has systems and sheets of its own, all in one office."""
+
+    nezumi = ""  # the program
+
+    @classmethod
+    def setUpClass(cls):
+        cls.place = Place(cls.nezumi)
+        cls.addClassCleanup(cls.place.remove)
+        cls.office = Office(cls.place)
+
+    def system(self, text):
+        system = System(self.place, text)
+        self.addCleanup(system.end)
+        return system
+
+    def link(self, system, rows, *words):
+        file = self.office.write_sheet(self.id().rsplit(".", 1)[-1] + ".ods", rows)
+        link = Link(self.office, system, file, *words)
+        self.addCleanup(link.close)
+        return link
+
+
+def main():
+    if explain_missing():
+        sys.exit(explain_missing())
+    OfficeCase.nezumi = os.path.abspath(sys.argv.pop(1))
+    unittest.main(verbosity=2)
