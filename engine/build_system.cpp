@@ -117,8 +117,8 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
                                            options.log);
     if (makers.world) {
         auto world = makers.world(spec.arena, {.step = spec.physics_step, .seed = seed},
-                                  [log = options.log](const std::string& text) {
-                                      if (log) log({LogLevel::warn, 0, "", text});
+                                  [log = options.log, owner = system.get()](const std::string& text) {
+                                      if (log) log({LogLevel::warn, owner->now().seconds, "", text});
                                   });
         if (!world) return Unexpected(world.error());
         system->take_world(std::move(*world));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -27,6 +28,7 @@
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
 #include "bindings/console/put_text.hpp"
+#include "bindings/lua/script/script_words.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::cli {
@@ -64,6 +66,22 @@ std::string summary(const RunLoop& loop, std::chrono::duration<double> wall) {
     return text;
 }
 
+// A word of another kind of file says what that file is for.
+Error why_no_system(Error error) {
+    constexpr std::string_view begin = "unknown global '";
+    if (!error.message.starts_with(begin)) return error;
+    const std::string word = error.message.substr(begin.size(), error.message.find('\'', begin.size()) - begin.size());
+    const auto& words = script_words();
+    if (word == "scenario") {
+        error.message += ": it is a scenario's; try `nezumi test`";
+    } else if (word == "robot_model") {
+        error.message += ": it is a robot's; a system file says `robot NAME { model = ... }`";
+    } else if (word.starts_with("on_") || std::find(words.begin(), words.end(), word) != words.end()) {
+        error.message += ": it is a behaviour's; a system file says `behavior NAME { script = ... }`";
+    }
+    return error;
+}
+
 // One run of `nezumi run`, from the options to the exit status, or to what kept it from running.
 class Run {
 public:
@@ -74,7 +92,7 @@ public:
 
     Expected<int> operator()() {
         auto live = LiveSystem::load(options_.file, live_options());
-        if (!live) return Unexpected(live.error());
+        if (!live) return Unexpected(why_no_system(live.error()));
         live_ = std::move(*live);
         const StopSignals stop_signals;
         if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
@@ -178,7 +196,8 @@ private:
         }
         // What --batch says is the same each time, and how long it took is not.
         if (!options_.batch) screen_.say(how);
-        int status = console_->all_well() ? kDone : kFailed;
+        const bool cut_off = options_.batch && loop_->interrupted();
+        int status = console_->all_well() && !cut_off ? kDone : kFailed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;
             screen_.say(

@@ -85,7 +85,7 @@ void declare_run_options(CLI::App& command, RunWords& words) {
     command.footer(
         "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a second one at "
         "once.\nExit status: 0 the run came to its end, 1 it did and a component was in ERROR then or a command of "
-        "--batch had failed, 2 it could not be run.");
+        "--batch had failed or was cut off, 2 it could not be run.");
 }
 
 Expected<RunOptions> read_run_options(const RunWords& words) {

@@ -308,8 +308,9 @@ Expected<ComponentAt> find_component(const ObjectRef& ref) {
 Expected<ComponentAt> Objects::to_component(lua_State* L, int index) const {
     if (const ObjectRef* ref = to_object(L, index, ObjectKind::component)) return find_component(*ref);
     if (lua_type(L, index) != LUA_TSTRING) {
-        return failure(fmt::format("expected a component or its name, got {}",
-                                   lua_isnoneornil(L, index) ? "nothing" : luaL_typename(L, index)));
+        std::string got = lua_isnoneornil(L, index) ? "nothing" : luaL_typename(L, index);
+        if (to_object(L, index, ObjectKind::port) != nullptr) got = "a port";
+        return failure("expected a component or its name, got " + got);
     }
     LiveSystem& live = core_->current();
     auto found = live.system().component(text_at(L, index));

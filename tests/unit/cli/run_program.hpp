@@ -76,13 +76,9 @@ public:
     void send(int signal) const { kill(child_, signal); }
 
     /// Waits until `text` has been said on standard error; false when the program ends or `seconds` pass before.
-    bool wait_for_error(const std::string& text, double seconds = 30) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-        while (error.find(text) == std::string::npos) {
-            if (std::chrono::steady_clock::now() > end || !read_some(100)) return error.find(text) != std::string::npos;
-        }
-        return true;
-    }
+    bool wait_for_error(const std::string& text, double seconds = 30) { return wait_for(error, text, seconds); }
+    /// The same for standard output.
+    bool wait_for_output(const std::string& text, double seconds = 30) { return wait_for(out, text, seconds); }
 
     /// Waits for the end. Returns the exit status, or minus the signal that ended it.
     int wait() {
@@ -97,6 +93,14 @@ public:
     std::string error;  ///< on standard error
 
 private:
+    bool wait_for(const std::string& said, const std::string& text, double seconds) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+        while (said.find(text) == std::string::npos) {
+            if (std::chrono::steady_clock::now() > end || !read_some(100)) return said.find(text) != std::string::npos;
+        }
+        return true;
+    }
+
     static void redirect(int fd, const std::string& file) {
         close(fd);
         if (file.empty()) return;

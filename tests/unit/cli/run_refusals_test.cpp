@@ -118,6 +118,13 @@ TEST_CASE("what is wrong with an option is said", "[cli][run]") {
           "--help\n");
     CHECK(said({"test", "-o", ""}) == "nezumi: --output: expected a value, got ''; see nezumi test --help\n");
     CHECK(said({"test", "--junit", ""}) == "nezumi: --junit: expected a value, got ''; see nezumi test --help\n");
+    CHECK(said({"run", "behaviors/robot_controller.lua"}) ==
+          "behaviors/robot_controller.lua:3:16: unknown global 'input': it is a behaviour's; a system file says "
+          "`behavior NAME { script = ... }`\n");
+    CHECK(said({"run", "tests/scenarios/golden_test.lua"}).find("a scenario's; try `nezumi test`\n") !=
+          std::string::npos);
+    CHECK(said({"run", "engine/robots/ev3.lua"}).find("a robot's; a system file says `robot NAME { model = ... }`\n") !=
+          std::string::npos);
     CHECK(said({"run"}) == "nezumi: FILE is missing; see nezumi run --help\n");
     CHECK(said({"run", "x.lua", "--speed"}) == "nezumi: --speed: a value is missing; see nezumi run --help\n");
     CHECK(said({"rum", "x.lua"}).find("there is no command 'rum' (did you mean 'run'?)") != std::string::npos);

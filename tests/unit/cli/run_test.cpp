@@ -142,6 +142,15 @@ TEST_CASE("the option --picture draws PNG or SVG by the file's ending", "[cli][r
     CHECK(contents(svg).find("</svg>") != std::string::npos);
 }
 
+TEST_CASE("commands that are cut off cost the exit status", "[cli][run]") {
+    const Scratch files;
+    files.write("commands", "print('begins')\nrun(1e8)\n");
+    Program program({"run", "behaviors/systems/stop_at_wall.lua", "--batch"}, "", files.path("commands").string());
+    REQUIRE(program.wait_for_output("begins"));
+    program.send(SIGINT);
+    CHECK(program.wait() == 1);
+}
+
 TEST_CASE("a signal ends a run in good order: robots stopped, files complete, status 0", "[cli][run]") {
     const Scratch scratch;
     const std::string csv = scratch.path("trace.csv").string(), png = scratch.path("end.png").string();

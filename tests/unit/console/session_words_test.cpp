@@ -210,6 +210,7 @@ TEST_CASE("a marker is carried by hand, a robot as well", "[console][session]") 
     CHECK(it.type("teleport('target', { hight = 1 })") == "! teleport: pose: unknown field 'hight'");
     CHECK(it.type("teleport('target')") ==
           "! teleport: pose: expected a table { x =, y =, z =, heading = }, got nothing");
+    CHECK(it.type("ls(mouse.ir_sensor_out)") == "! ls: expected a component or its name, got a port");
     CHECK_THAT(it.type("teleport()"), StartsWith("! teleport: expected a marker or robot"));
     it.hardware = true;
     CHECK(it.type("teleport('target', {})") == "! teleport: real robots stay where they are: this works in simulation");

@@ -85,6 +85,24 @@ struct Plan {
 
 }  // namespace
 
+TEST_CASE("what a world warns of carries the time of its tick", "[engine][build]") {
+    Plan plan;
+    std::function<void(const std::string&)> warn;
+    plan.makers.world = [&warn](
+                            const ArenaSpec&, const PhysicsSpec&,
+                            const std::function<void(const std::string&)>& how) -> Expected<std::unique_ptr<World>> {
+        warn = how;
+        return std::make_unique<FakeWorld>();
+    };
+    std::vector<LogLine> log;
+    const auto system = plan.build({.log = [&log](const LogLine& line) { log.push_back(line); }});
+    for (int i = 0; i < 50; ++i) system->tick();
+    warn("it slipped");
+    REQUIRE(log.size() == 1);
+    CHECK(log.front().text == "it slipped");
+    CHECK(log.front().seconds == Approx(0.5));
+}
+
 TEST_CASE("a system is built in the order of its file, configured and wired, and nothing is active",
           "[engine][build]") {
     Plan plan;

@@ -38,6 +38,18 @@ TEST_CASE("a scenario can't declare another one", "[lua][scenario][run]") {
           "failed: it_test.lua:2: scenario: scenarios are declared by the file, not by one another");
 }
 
+TEST_CASE("a robot that drives against a wall is no news to be warned of", "[lua][scenario][run]") {
+    const RunResult result = ScenarioRig(
+                                 "scenario('it', function(s)\n"
+                                 "  s:load 'systems/stop_at_wall.lua'\n"
+                                 "  s:freeze('mouse.ir_sensor_out')\n"
+                                 "  s:run(15) s:check(s.mouse.collided)\n"
+                                 "end)")
+                                 .run();
+    CHECK(outcome_of(result) == "passed");
+    CHECK(result.printed.empty());
+}
+
 TEST_CASE("worlds of different rates tick when they are due", "[lua][scenario][run]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"
