@@ -60,7 +60,7 @@ def tables_of(ports, direction, types):
     """Tables in the order in which their headings first come."""
     tables = {}
     for port in ports:
-        if port.get("direction", "out") != direction:
+        if port.get("direction", "out") != direction or (direction == "in" and types[port["type"]].is_picture):
             continue
         headings = headings_of(port, types)
         if headings:

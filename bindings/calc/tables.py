@@ -101,6 +101,9 @@ class Linked:
             self.state = "%s feeds it already" % taken[row.path]
             return
         taken[row.path] = address(row.row, row.column)
+        if types[seen["type"]].is_picture:
+            self.state = "a picture does not come from cells"
+            return
         try:
             cells = [
                 (address(row.row, column), part, line[column] if column < len(line) else "")

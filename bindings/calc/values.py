@@ -4,7 +4,7 @@ import difflib
 import re
 
 LONGEST_TEXT = 1000
-NUMBER, INTEGER, BOOLEAN, TEXT = "number", "integer", "boolean", "text"
+NUMBER, INTEGER, BOOLEAN, TEXT, OCTETS = "number", "integer", "boolean", "text", "octets"
 
 
 class Wrong(Exception):
@@ -32,7 +32,8 @@ class Type:
 
     def __init__(self, name, fields):
         self.name = name
-        self._fields = fields
+        self._fields = [field for field in fields if field[2] != OCTETS]
+        self.is_picture = len(self._fields) < len(fields)  # of which cells show all but the pixels
         self.is_sequence = bool(fields) and fields[0][3]  # what it carries first, or all of it
 
     def part(self, name):

@@ -34,7 +34,7 @@ struct CalcOptions {
     bool headless = false;
 };
 
-// Every number, truth value and text of a type as [name, unit, kind, is a sequence].
+// Every number, truth value, text and picture of a type as [name, unit, kind, is a sequence].
 void add_fields(const Shape& shape, const std::string& name, std::string_view unit, std::vector<std::string>& fields) {
     switch (shape.kind) {
         case Shape::Kind::structure:
@@ -42,13 +42,14 @@ void add_fields(const Shape& shape, const std::string& name, std::string_view un
             for (const FieldShape& field : shape.fields)
                 add_fields(field.shape, name + (name.empty() ? "" : ".") + std::string(field.name), field.unit, fields);
             return;
-        case Shape::Kind::octets: return;
         case Shape::Kind::boolean:
         case Shape::Kind::integer:
         case Shape::Kind::number:
-        case Shape::Kind::text: break;
+        case Shape::Kind::text:
+        case Shape::Kind::octets: break;
     }
-    constexpr std::string_view kinds[] = {"boolean", "integer", "number", "text"};  // in the order of their enumerators
+    // In the order of their enumerators.
+    constexpr std::string_view kinds[] = {"boolean", "integer", "number", "text", "octets"};
     fields.push_back(fmt::format("[{},{},{},{}]", json_text(name), json_text(unit),
                                  json_text(kinds[static_cast<std::size_t>(shape.kind)]), shape.sequence));
 }

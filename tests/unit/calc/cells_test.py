@@ -68,6 +68,12 @@ class CellsTest(unittest.TestCase):
         self.assertEqual(message(TEXT, ["value"], 7.0), '"7"')
         self.assertEqual(lua([True, None, -0.0, 1e300, 2.5, "x"]), '{true,nil,0,1e+300,2.5,"x"}')
 
+    def test_of_a_picture_all_but_the_pixels_is_shown(self):
+        picture = Type("CameraImage", [["width", "px", "integer", False], ["pixels", "", "octets", False]])
+        self.assertTrue(picture.is_picture)
+        self.assertEqual([part.name for part in picture.parts(8)], ["width"])
+        self.assertFalse(SHORTS.is_picture)
+
     def test_tables_begin_with_port_and_state_and_end_at_the_first_empty_row(self):
         data = [
             ("nezumi", "", "", "", "", "", ""),

@@ -120,6 +120,16 @@ class LinkTest(rig.OfficeCase):
         link.put("A10", "controller.in")
         link.shows("B10", "A9 feeds it already")
 
+    def test_pictures_are_shown_without_their_pixels_and_not_fed(self):
+        system = self.system('robot "ev3" { model = "ev3", pose = { x = 0, y = 0, heading = 0 } }\n')
+        rows = [["Port", "State", "width", "format"], ["watch ev3.lcd"], ["ev3.lcd", "", 640]]
+        link = self.link(system, rows)
+        link.shows("B2", "nothing has come yet")
+        link.shows("B3", "a picture does not come from cells")
+        system.ask('inject("ev3.lcd", { width = 2, height = 1, bpp = 8, format = "gray", pixels = "\\0\\255" })')
+        link.shows("C2", "2")
+        link.shows("D2", "gray")
+
     def test_a_text_is_sent_once_each_time_it_changes(self):
         system = self.system('robot "ev3" { model = "ev3", pose = { x = 0, y = 0, heading = 0 } }\n')
         link = self.link(system, [["Port", "State", "value"], ["ev3.sound"]])
