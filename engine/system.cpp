@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "engine/worker_pool.hpp"
 
@@ -114,12 +114,8 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
     });
     component->set_tick_rate(settings_.rate);
     Component* added = component.get();
-    if (auto* device = dynamic_cast<Device*>(added)) {
-        devices_.push_back(device);
-        if (auto* robot = dynamic_cast<Robot*>(device)) robots_.push_back(robot);
-    } else {
-        behaviors_.push_back(added);
-    }
+    if (auto* robot = dynamic_cast<Robot*>(added)) robots_.push_back(robot);
+    grouped_ = false;
     by_name_.emplace(added->name(), added);
     components_.push_back(std::move(component));
     return added;
@@ -141,8 +137,7 @@ Expected<void> System::remove(std::string_view name) {
     std::erase_if(connections_,
                   [&](const Connection& c) { return c.from_component == gone || c.to_component == gone; });
     by_name_.erase(gone->name());
-    std::erase(behaviors_, gone);
-    std::erase_if(devices_, [&](const Device* device) { return device == gone; });
+    grouped_ = false;
     std::erase_if(robots_, [&](const Robot* robot) {
         if (robot == gone && robot->has_body()) ++removed_robots_;
         return robot == gone;
@@ -221,6 +216,7 @@ Expected<void> System::connect(std::string_view from, std::string_view to) {
     }
     in->connect(*out);
     connections_.push_back({from_component, out, to_component, in});
+    grouped_ = false;
     return {};
 }
 
@@ -234,6 +230,7 @@ Expected<void> System::disconnect(std::string_view from, std::string_view to) {
     if (found == connections_.end()) return failure(fmt::format("{} is not connected to {}", from, to));
     found->to->disconnect(*found->from);
     connections_.erase(found);
+    grouped_ = false;
     return {};
 }
 
@@ -253,6 +250,7 @@ std::vector<std::string> System::disconnect_all(const Port& port) {
         if (connection.from == &port || connection.to == &port) connection.to->disconnect(*connection.from);
     }
     std::erase_if(connections_, [&](const Connection& c) { return c.from == &port || c.to == &port; });
+    grouped_ = false;
     return all;
 }
 
@@ -260,18 +258,48 @@ bool System::is_due(const Component& component) const {
     return nezumi::is_due(now_.tick, component.rate, settings_.rate);
 }
 
-template <class Action>
-void System::for_each_in_parallel(std::size_t count, const Action& action) {
-    if (workers_ == nullptr || count < worth_threads) {
-        for (std::size_t i = 0; i < count; ++i) action(i);
-        if (workers_ == nullptr) return;  // whose lines went to the sink at once
-    } else {
-        workers_->run(count, [&](std::size_t begin, std::size_t end, std::size_t worker) {
-            current_worker = worker;
-            for (std::size_t i = begin; i < end; ++i) action(i);
-            current_worker = 0;
-        });
+void System::group_components() {
+    // Each component names one before it in its group, or itself: the first.
+    std::vector<std::size_t> earlier(components_.size());
+    std::iota(earlier.begin(), earlier.end(), std::size_t{0});
+    const auto first_of = [&](std::size_t i) {
+        while (earlier[i] != i) i = earlier[i] = earlier[earlier[i]];
+        return i;
+    };
+    std::unordered_map<const Component*, std::size_t> index;
+    for (std::size_t i = 0; i < components_.size(); ++i) index.emplace(components_[i].get(), i);
+    for (const Connection& connection : connections_) {
+        const std::size_t from = first_of(index.at(connection.from_component));
+        const std::size_t to = first_of(index.at(connection.to_component));
+        earlier[std::max(from, to)] = std::min(from, to);
     }
+
+    groups_.clear();
+    std::vector<std::size_t> group(components_.size());
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+        const std::size_t first = first_of(i);
+        if (first == i) {
+            group[i] = groups_.size();
+            groups_.emplace_back();
+        }
+        Group& its = groups_[group[first]];
+        if (auto* device = dynamic_cast<Device*>(components_[i].get())) {
+            its.devices.push_back(device);
+        } else {
+            its.behaviors.push_back(components_[i].get());
+        }
+    }
+    std::stable_partition(groups_.begin(), groups_.end(), [](const Group& g) { return g.size() >= worth_threads; });
+    grouped_ = true;
+}
+
+template <class Action>
+void System::share_out(std::size_t count, const Action& action) {
+    workers_->run(count, [&](std::size_t begin, std::size_t end, std::size_t worker) {
+        current_worker = worker;
+        for (std::size_t i = begin; i < end; ++i) action(i);
+        current_worker = 0;
+    });
     flush_logs();
 }
 
@@ -296,33 +324,54 @@ void System::notify_observers() {
 
 void System::end_when_out_of_time() {
     // Not only those that are due: a hook that ran between two ticks counts too.
-    const auto found = std::find_if(behaviors_.begin(), behaviors_.end(),
-                                    [](const Component* behavior) { return behavior->out_of_time().has_value(); });
-    if (found != behaviors_.end()) fatal_error_ = (*found)->out_of_time();
+    const auto found = std::find_if(components_.begin(), components_.end(),
+                                    [](const auto& component) { return component->out_of_time().has_value(); });
+    if (found != components_.end()) fatal_error_ = (*found)->out_of_time();
+}
+
+template <class ForEach>
+void System::run_phases(const Group& group, const ForEach& for_each) {
+    for_each(group.devices, [this](Device& device) {
+        device.sense(now_);
+        device.latch_outputs(now_);
+    });
+    // No execution sees what another one writes, as outputs latch when all have ended: each may follow its own inputs
+    // at once.
+    for_each(group.behaviors, [this](Component& behavior) {
+        behavior.latch_inputs(now_);
+        if (is_due(behavior)) behavior.execute(now_);
+        if (behavior.out_of_time()) out_of_time_ = true;
+    });
+    for_each(group.behaviors, [this](Component& behavior) { behavior.latch_outputs(now_); });
+    for_each(group.devices, [this](Device& device) {
+        device.latch_inputs(now_);
+        device.actuate(now_);
+    });
+}
+
+void System::run_groups() {
+    const auto one_by_one = [](const auto& all, const auto& action) {
+        for (auto* one : all) action(*one);
+    };
+    if (workers_ == nullptr || components_.size() < worth_threads) {
+        for (const Group& group : groups_) run_phases(group, one_by_one);
+        return flush_logs();
+    }
+    // A large group is shared out within each phase, the small ones as a whole.
+    const auto shared = [this](const auto& all, const auto& action) {
+        share_out(all.size(), [&](std::size_t i) { action(*all[i]); });
+    };
+    std::size_t large = 0;
+    for (; large < groups_.size() && groups_[large].size() >= worth_threads; ++large)
+        run_phases(groups_[large], shared);
+    share_out(groups_.size() - large, [&](std::size_t i) { run_phases(groups_[large + i], one_by_one); });
 }
 
 void System::tick() {
-    for_each_in_parallel(devices_.size(), [this](std::size_t i) {
-        devices_[i]->sense(now_);
-        devices_[i]->latch_outputs(now_);
-    });
-
-    // No execution sees what another one writes, as outputs latch when all have ended: each may follow its own inputs
-    // at once, while they are near.
-    std::atomic<bool> out_of_time = false;
-    for_each_in_parallel(behaviors_.size(), [this, &out_of_time](std::size_t i) {
-        Component& behavior = *behaviors_[i];
-        behavior.latch_inputs(now_);
-        if (is_due(behavior)) behavior.execute(now_);
-        if (behavior.out_of_time()) out_of_time = true;
-    });
-    if (out_of_time && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
-
-    for_each_in_parallel(behaviors_.size(), [this](std::size_t i) { behaviors_[i]->latch_outputs(now_); });
-    for_each_in_parallel(devices_.size(), [this](std::size_t i) {
-        devices_[i]->latch_inputs(now_);
-        devices_[i]->actuate(now_);
-    });
+    if (!grouped_) group_components();
+    out_of_time_ = false;
+    run_groups();
+    if (out_of_time_ && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
     if (!observers_.empty()) notify_observers();
     if (world_ != nullptr) world_->step(steps_per_tick_);
     ++now_.tick;

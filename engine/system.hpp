@@ -1,6 +1,7 @@
 // A system: components, their wiring, and the tick that runs them.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -98,9 +99,21 @@ public:
     void log(LogLevel level, std::string text) const;
 
 private:
+    // Components that are wired to each other, directly or over others. Within a tick no group can tell what another
+    // one does: each goes through the phases on its own, while its memory is near.
+    struct Group {
+        std::vector<Device*> devices;  // both in the order of components_
+        std::vector<Component*> behaviors;
+        std::size_t size() const { return devices.size() + behaviors.size(); }
+    };
+
     bool is_due(const Component& component) const;
+    void group_components();
+    template <class ForEach>
+    void run_phases(const Group& group, const ForEach& for_each);
+    void run_groups();
     template <class Action>
-    void for_each_in_parallel(std::size_t count, const Action& action);
+    void share_out(std::size_t count, const Action& action);
     void notify_observers();
     void flush_logs();
     void end_when_out_of_time();
@@ -113,11 +126,12 @@ private:
     std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
     std::vector<std::unique_ptr<Component>> components_;
     std::unordered_map<std::string_view, Component*> by_name_;
-    std::vector<Device*> devices_;       // in the order of components_
-    std::vector<Component*> behaviors_;  // the others, likewise
-    std::vector<Robot*> robots_;
+    std::vector<Robot*> robots_;      // in the order of components_
     std::size_t removed_robots_ = 0;  // whose bodies the world still counts
     std::vector<Connection> connections_;
+    std::vector<Group> groups_;  // the large ones first, otherwise in the order of their first components
+    bool grouped_ = false;       // whether groups_ are those of components_ and connections_
+    std::atomic<bool> out_of_time_ = false;
     std::vector<PortObserver*> observers_;
     std::unique_ptr<WorkerPool> workers_;
     mutable std::vector<std::vector<LogLine>> worker_logs_;

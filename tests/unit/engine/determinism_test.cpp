@@ -9,9 +9,10 @@ using namespace nezumi;
 
 namespace {
 
-// A ring of components: each mixes what it reads into what it says, some fail on the way.
-struct Ring {
-    explicit Ring(int threads, int size = 150)
+// Components, the first `ring` of them wired as a ring and the others in rings of three: each mixes what it reads into
+// what it says, some fail on the way.
+struct Rings {
+    explicit Rings(int threads, int size = 150, int ring = 150)
         : system({.threads = threads}, [this](const LogLine& line) { log.push_back(line.component + line.text); }) {
         for (int i = 0; i < size; ++i) {
             auto made = std::make_unique<TryComponent>("n" + std::to_string(i));
@@ -26,8 +27,9 @@ struct Ring {
             static_cast<void>(it->activate(system.now()));
         }
         for (int i = 0; i < size; ++i) {
-            const auto from = "n" + std::to_string(i) + ".out", to = "n" + std::to_string((i + 1) % size) + ".in";
-            static_cast<void>(system.connect(from, to));
+            const int first = i < ring ? 0 : i - (i - ring) % 3, last = i < ring ? std::min(ring, size) - 1 : first + 2;
+            const auto from = "n" + std::to_string(i) + ".out";
+            REQUIRE(system.connect(from, "n" + std::to_string(i < last ? i + 1 : first) + ".in"));
         }
         system.observe(trace);
     }
@@ -43,11 +45,14 @@ struct Ring {
 }  // namespace
 
 TEST_CASE("one, two and four threads give the same trace and the same log", "[engine][determinism]") {
-    Ring one(1), two(2), four(4);
-    for (Ring* ring : {&one, &two, &four}) ring->ticks(100);
+    // Few components, a ring so large that it is shared out, small ones alone, and both.
+    const auto [size, ring] =
+        GENERATE(std::pair{150, 150}, std::pair{300, 300}, std::pair{300, 0}, std::pair{450, 300});
+    Rings one(1, size, ring), two(2, size, ring), four(4, size, ring);
+    for (Rings* rings : {&one, &two, &four}) rings->ticks(100);
     CHECK(one.trace.value() == two.trace.value());
     CHECK(one.trace.value() == four.trace.value());
-    CHECK(one.log.size() == 3);
+    CHECK(one.log.size() == static_cast<std::size_t>(size / 50));
     CHECK(one.log == two.log);
     CHECK(one.log == four.log);
 }
@@ -76,8 +81,34 @@ TEST_CASE("the order in which behaviours stand in the file changes neither what 
     CHECK(run({"a", "b", "c"}) == run({"b", "a", "c"}));
 }
 
+TEST_CASE("what is wired, unwired, added and removed between ticks runs on, with any number of threads",
+          "[engine][determinism]") {
+    std::vector<std::uint64_t> traces;
+    for (const int threads : {1, 2}) {
+        Rings rings(threads, 330, 300);
+        rings.ticks(10);
+        REQUIRE(rings.system.connect("n3.out", "n320.in"));  // a small ring becomes part of the large one
+        rings.ticks(10);
+        REQUIRE(rings.system.remove("n3"));
+        REQUIRE(rings.system.disconnect("n150.out", "n151.in"));
+        rings.ticks(10);
+        auto made = std::make_unique<TryComponent>("late");
+        made->executed = [](TryComponent& self) -> Expected<void> {
+            self.out.write(self.in.read() + 1);
+            return {};
+        };
+        REQUIRE((*rings.system.add(std::move(made)))->activate(rings.system.now()));
+        rings.ticks(10);
+        REQUIRE(rings.system.connect("n8.out", "late.in"));
+        rings.ticks(10);
+        CHECK(std::get<std::int32_t>(rings.system.port("late.out").value()->value()) != 1);
+        traces.push_back(rings.trace.value());
+    }
+    CHECK(traces[0] == traces[1]);
+}
+
 TEST_CASE("systems in one process know nothing of each other", "[engine][determinism]") {
-    Ring alone(1), first(1), second(1, 77);
+    Rings alone(1), first(1), second(1, 77);
     alone.ticks(50);
     for (int i = 0; i < 50; ++i) {
         first.ticks(1);
@@ -110,7 +141,7 @@ TEST_CASE("a trace hash tells runs apart by port, by tick and by value", "[engin
 }
 
 TEST_CASE("an observer that left is told nothing", "[engine][determinism]") {
-    Ring ring(1, 3);
+    Rings ring(1, 3, 3);
     ring.ticks(3);
     const std::uint64_t before = ring.trace.value();
     ring.system.stop_observing(ring.trace);
