@@ -1,5 +1,5 @@
 # Lists a test executable's cases for ctest; Catch2's own script breaks names at a semicolon.
-# Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DWALLCLOCK=ON -P discover.cmake
+# Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DSANITIZED=OFF -P discover.cmake
 
 # Appends an add_test for each case that matches `spec`.
 function(list_cases spec properties)
@@ -31,8 +31,10 @@ function(list_cases spec properties)
   set(script "${script}" PARENT_SCOPE)
 endfunction()
 
-list_cases("~[wallclock]~[.]" "")
-if(WALLCLOCK)
+if(SANITIZED)
+  list_cases("~[wallclock]~[long]~[.]" "")
+else()
+  list_cases("~[wallclock]~[.]" "")
   list_cases("[wallclock]~[.]" "RUN_SERIAL ON")
 endif()
 file(WRITE ${CASES} "${script}")

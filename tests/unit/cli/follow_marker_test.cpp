@@ -38,14 +38,14 @@ struct Follow {
 
 }  // namespace
 
-TEST_CASE("the mouse comes to half a metre from the marker and stays there", "[cli][marker]") {
+TEST_CASE("the mouse comes to half a metre from the marker and stays there", "[cli][marker][long]") {
     Follow follow;
     follow.run(10);
     CHECK(std::abs(follow.gap() - 0.5) < 0.1);
     CHECK(std::abs(follow.velocity().vx) < 1e-3);
 }
 
-TEST_CASE("the mouse follows a marker that is carried along a path", "[cli][marker]") {
+TEST_CASE("the mouse follows a marker that is carried along a path", "[cli][marker][long]") {
     Follow follow;
     follow.run(6);
     double x = 1.0;
@@ -59,7 +59,7 @@ TEST_CASE("the mouse follows a marker that is carried along a path", "[cli][mark
     CHECK(follow.mouse().position.x > 1.0);
 }
 
-TEST_CASE("the mouse stops when the marker disappears", "[cli][marker]") {
+TEST_CASE("the mouse stops when the marker disappears", "[cli][marker][long]") {
     Follow follow;
     follow.run(2);
     CHECK(follow.velocity().vx > 0.09);
@@ -74,7 +74,7 @@ TEST_CASE("the mouse stops when the marker disappears", "[cli][marker]") {
     CHECK(follow.velocity().vx > 0.09);
 }
 
-TEST_CASE("following a marker has the same trace however many threads run it", "[cli][marker]") {
+TEST_CASE("following a marker has the same trace however many threads run it", "[cli][marker][long]") {
     const auto trace = [](int threads) {
         Follow follow(threads);
         follow.run(2);
