@@ -7,36 +7,34 @@
 
 namespace nezumi {
 
-Pacer::Pacer(double rate, double speed) : rate_(rate), speed_(speed), start_(Clock::now()) {
+Pacer::Pacer(double rate, double speed, Clock::time_point start) : rate_(rate), speed_(speed), start_(start) {
     assert(rate > 0 && speed > 0);
 }
 
-Pacer::Clock::time_point Pacer::deadline(std::int64_t tick) const {
-    const double seconds = static_cast<double>(tick) / (rate_ * speed_);
+Pacer::Clock::time_point Pacer::due() const {
+    const double seconds = static_cast<double>(ticks_) / (rate_ * speed_);
     return start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-void Pacer::restart() {
-    start_ = Clock::now();
+void Pacer::restart(Clock::time_point now) {
+    start_ = now;
     ticks_ = 0;
 }
 
-void Pacer::set_speed(double speed) {
-    assert(speed > 0);
-    speed_ = speed;
-    restart();
+void Pacer::wait() {
+    std::this_thread::sleep_until(due());
+    begin_tick(Clock::now());
 }
 
-void Pacer::wait() {
-    std::this_thread::sleep_until(deadline(ticks_));
-    const std::chrono::duration<double> behind = Clock::now() - deadline(ticks_);
+void Pacer::begin_tick(Clock::time_point now) {
+    const std::chrono::duration<double> behind = now - due();
     const double period = 1.0 / (rate_ * speed_);
     lateness_ = std::max(0.0, behind.count());
     worst_ = std::max(worst_, lateness_);
     if (lateness_ > period / 10) ++late_;
     if (lateness_ > longest_burst * period) {
         skipped_ += static_cast<std::uint64_t>(lateness_ / period);
-        restart();
+        restart(now);
     }
     ++ticks_;
 }

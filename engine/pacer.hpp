@@ -13,18 +13,20 @@ public:
     /// After a stall of more than this many periods the missed ticks are skipped instead of run in a burst.
     static constexpr int longest_burst = 5;
 
-    /// `rate` [Hz] of the ticks in simulated time, `speed` times as fast as the wall clock (> 0).
-    Pacer(double rate, double speed);
+    /// `rate` [Hz] of the ticks in simulated time, `speed` times as fast as the wall clock (> 0). The first one is due
+    /// at `start`.
+    Pacer(double rate, double speed, Clock::time_point start = Clock::now());
 
-    /// Sleeps until the next tick is due; returns at once when it is late.
+    /// Sleeps until the next tick is due; returns at once when it is late. The tick begins then.
     void wait();
+    /// When the next tick is due.
+    Clock::time_point due() const;
+    /// The next tick begins at `now`: counts it, and how late it is.
+    void begin_tick(Clock::time_point now);
     /// Without sleeping: how long until the next tick is due; negative when it is late.
-    Clock::duration until_due() const { return deadline(ticks_) - Clock::now(); }
+    Clock::duration until_due() const { return due() - Clock::now(); }
     /// Counts from now on, as after a pause.
-    void restart();
-    /// Another speed from now on.
-    void set_speed(double speed);
-    double speed() const { return speed_; }
+    void restart(Clock::time_point now = Clock::now());
 
     /// Ticks that began later than a tenth of a period after they were due.
     std::uint64_t late() const { return late_; }
@@ -36,8 +38,6 @@ public:
     double worst_lateness() const { return worst_; }
 
 private:
-    Clock::time_point deadline(std::int64_t tick) const;
-
     double rate_;
     double speed_;
     Clock::time_point start_;
