@@ -2,6 +2,7 @@
 #include "bindings/lua/live/inspect.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,8 @@
 
 namespace nezumi {
 namespace {
+
+constexpr int most_free_looks = 4;  // at a table whose entries have been counted
 
 // The functions below run under `protect` and may raise Lua errors: what has a destructor lies outside, in here.
 class Inspector {
@@ -41,8 +44,9 @@ private:
     InspectWork& work_;
     std::string out_;
     std::string scratch_;
-    std::vector<const void*> open_;  // the tables around the one that is shown
-    std::size_t limit_ = 0;          // of `out_` while a table is tried in one line; 0: none
+    std::map<const void*, int> counted_;  // looks at tables with few entries: one line is tried before several
+    std::vector<const void*> open_;       // the tables around the one that is shown
+    std::size_t limit_ = 0;               // of `out_` while a table is tried in one line; 0: none
 };
 
 void quote_into(std::string& out, std::string_view text) noexcept { out += to_text(ParameterValue(std::string(text))); }
@@ -115,14 +119,19 @@ void Inspector::key(bool& in_sequence, lua_Integer& next) {
 // Whether the entries of a table are few enough to be put in order; counts what it looks at.
 bool Inspector::can_count(int index) {
     if (luaL_getmetafield(lua_, index, "__pairs") != LUA_TNIL) return lua_pop(lua_, 1), true;
+    const void* const self = lua_topointer(lua_, index);
+    const auto counted = counted_.find(self);
+    if (counted != counted_.end() && ++counted->second <= most_free_looks) return true;
     const int top = lua_gettop(lua_);
     const int table = push_behind_lock(lua_, index) ? lua_gettop(lua_) : index;
     std::size_t entries = 0;
     for (lua_pushnil(lua_); entries <= work_.steps && lua_next(lua_, table) != 0; lua_pop(lua_, 1)) ++entries;
     lua_settop(lua_, top);
-    if (entries > work_.steps) return false;
-    work_.steps -= entries;
-    return true;
+    const bool few = entries <= work_.steps;
+    // Half of them are left for others, however many tables are as large as this one.
+    work_.steps -= few ? entries : (work_.steps + 1) / 2;
+    if (few) counted_.emplace(self, 0);
+    return few;
 }
 
 // False: there is no room for another one, or it is not known, which has been said.

@@ -10,7 +10,7 @@ namespace nezumi {
 /// How much is looked at and said, so that showing a value never takes longer than a moment, however large it is. What
 /// several calls share they use up together.
 struct InspectWork {
-    std::size_t steps = 5000;                    ///< entries of tables
+    std::size_t steps = 2000;                    ///< entries of tables
     std::size_t bytes = std::size_t{64} * 1024;  ///< of text
 };
 

