@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -64,6 +65,22 @@ bool is_finite(const T& value) {
     } else {
         return true;
     }
+}
+
+/// Bytes that a payload holds beside itself: of its texts and sequences.
+template <class T>
+std::size_t heap_bytes(const T& value) {
+    std::size_t bytes = 0;
+    if constexpr (Described<T>) {
+        for_each_field(value, [&](const auto&, const auto& member) { bytes += heap_bytes(member); });
+    } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+        for (const std::string& text : value) bytes += sizeof text + text.size();
+    } else if constexpr (Sequence<T> || std::is_same_v<T, Octets>) {
+        bytes = value.size() * sizeof(typename T::value_type);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        bytes = value.size();
+    }
+    return bytes;
 }
 
 /// One step of a 64-bit hash: multiply and fold (after the mixing function of splitmix64, Steele et al. 2014).

@@ -130,6 +130,7 @@ public:
         if (unread_ > 0) {
             --unread_;
             if (capacity_ > 0) {
+                if constexpr (holds_heap) queued_bytes_ -= heap_bytes(queue_[head_].data);
                 taken_ = std::move(queue_[head_]);
                 head_ = (head_ + 1) % capacity_;
             }
@@ -155,6 +156,7 @@ public:
     }
     void clear() override {
         unread_ = 0;
+        queued_bytes_ = 0;
         skip();
         latest_ = {};
         taken_ = {};
@@ -175,6 +177,8 @@ public:
         head_ = 0;
         unread_ = unread.size();
         queue_ = queue > 0 ? std::move(unread) : std::vector<Message<T>>{};
+        queued_bytes_ = 0;
+        for (const Message<T>& message : queue_) queued_bytes_ += heap_bytes(message.data);
         queue_.resize(queue);
     }
 
@@ -251,20 +255,34 @@ private:
             return;
         }
         if (queue_.empty()) queue_.resize(capacity_);
-        if (unread_ == capacity_) {
-            head_ = (head_ + 1) % capacity_;
-            --unread_;
-            ++overflow_;
+        if (unread_ == capacity_) drop_oldest();
+        if constexpr (holds_heap) {
+            queued_bytes_ += heap_bytes(message.data);
+            while (unread_ > 0 && queued_bytes_ > most_queued_bytes) drop_oldest();
         }
         queue_[(head_ + unread_) % capacity_] = message;
         ++unread_;
     }
+    void drop_oldest() {
+        if constexpr (holds_heap) {
+            constexpr std::size_t large = 1 << 16;  // what is smaller keeps its memory for the next one
+            const std::size_t bytes = heap_bytes(queue_[head_].data);
+            queued_bytes_ -= bytes;
+            if (bytes > large) queue_[head_].data = {};
+        }
+        head_ = (head_ + 1) % capacity_;
+        --unread_;
+        ++overflow_;
+    }
+
+    static constexpr bool holds_heap = !std::is_trivially_copyable_v<T>;
 
     std::vector<Source> sources_;
     Message<T> latest_;
     Message<T> taken_;               // with a queue: what was read last
     std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
     std::size_t head_ = 0;
+    std::size_t queued_bytes_ = 0;  // of texts and sequences in the queue
     std::vector<Message<T>> injected_;
     std::unique_ptr<T> held_;
 };

@@ -154,6 +154,9 @@ public:
 
     /// How long [s] without a message until `stale`: as long as a robot waits for a velocity.
     static constexpr double stale_after = 0.5;
+    /// Texts, sequences and pictures that wait in a queue are no more than these bytes: beyond them the oldest is
+    /// dropped as when the queue is full.
+    static constexpr std::size_t most_queued_bytes = std::size_t{64} << 20;
 
 protected:
     InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)

@@ -282,11 +282,19 @@ double Script::dt() const {
 }
 
 void Script::log(LogLevel level, std::string text) {
+    if (logged_bytes_ > most_logged_bytes) return;
+    logged_bytes_ += sizeof text + text.size();
+    if (logged_bytes_ > most_logged_bytes) {
+        level = LogLevel::warn;
+        text = fmt::format("more than {} MB of log in one execution: the rest is left out", most_logged_bytes >> 20);
+    }
     if (owner_ != nullptr) return owner_->log(level, std::move(text));
     early_log_.emplace_back(level, std::move(text));
 }
 
-Expected<void> Script::refresh() {
+Expected<void> Script::begin_call() {
+    written_bytes_ = 0;
+    logged_bytes_ = 0;
     Parameters& now = parameters();
     if (now.version() == seen_parameters_) return {};
     auto ok = protect(lua(), context_.budget, [&](lua_State* L) {
@@ -302,7 +310,7 @@ Expected<void> Script::call(Hook hook) {
     if (hook == Hook::on_activated) was_activated_ = true;
     const int function = hooks_[static_cast<std::size_t>(hook)];
     if (function == LUA_NOREF) return {};
-    if (auto ok = refresh(); !ok) return ok;
+    if (auto ok = begin_call(); !ok) return ok;
     lua_State* L = lua_->lua();
     lua_rawgeti(L, LUA_REGISTRYINDEX, function);
     if (auto ok = protected_call(L, 0, 0, context_.budget); !ok) return Unexpected(to_error(ok.error()));
@@ -312,7 +320,7 @@ Expected<void> Script::call(Hook hook) {
 Expected<void> Script::call_on_reload(int old_version) {
     const int function = hooks_[static_cast<std::size_t>(Hook::on_reload)];
     if (function == LUA_NOREF) return {};
-    if (auto ok = refresh(); !ok) return ok;
+    if (auto ok = begin_call(); !ok) return ok;
     lua_State* L = lua_->lua();
     lua_rawgeti(L, LUA_REGISTRYINDEX, function);
     lua_pushinteger(L, old_version);
@@ -328,7 +336,7 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
         for (const CommandDeclaration& each : commands_) names.push_back(each.name);
         return failure(fmt::format("unknown command '{}'{}", shown(name), did_you_mean(name, names)));
     }
-    if (auto ok = refresh(); !ok) return Unexpected(ok.error());
+    if (auto ok = begin_call(); !ok) return Unexpected(ok.error());
     lua_State* L = lua_->lua();
     const int before = lua_gettop(L);
     const int function = command->function;

@@ -129,6 +129,15 @@ public:
     /// [bytes] that its Lua state uses.
     std::size_t memory() const { return lua_->memory(); }
     /// Log lines of the top level, which nobody could be told yet.
+    /// What one execution may write into all its ports, and say in the log. The engine keeps it outside of the script's
+    /// own memory.
+    static constexpr std::size_t most_written_bytes = std::size_t{64} << 20;
+    static constexpr std::size_t most_logged_bytes = std::size_t{1} << 20;
+    /// Counts so many bytes as written in this execution. False when they are too many.
+    bool may_write(std::size_t bytes) {
+        written_bytes_ += bytes;
+        return written_bytes_ <= most_written_bytes;
+    }
     std::vector<std::pair<LogLevel, std::string>> take_early_log() { return std::exchange(early_log_, {}); }
 
     // What the functions that scripts call use. Errors are texts without a place.
@@ -171,7 +180,8 @@ private:
     Expected<void> run_top_level(const SourceText& source);
     Expected<void> check_loading(std::string_view word) const;
     Expected<void> check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const;
-    Expected<void> refresh();
+    // What comes before each call: shows parameters that have changed, and counts anew.
+    Expected<void> begin_call();
     Expected<Chunk> compile(const SourceText& source, ScriptKind kind) const;
     Error to_error(const CallError& error) const;
     std::string hint(std::string_view message) const;
@@ -191,6 +201,8 @@ private:
     std::array<int, 9> hooks_{};  // registry references, by Hook
     std::array<int, 9> hook_lines_{};
     std::vector<std::pair<LogLevel, std::string>> early_log_;
+    std::size_t written_bytes_ = 0;  // in this execution
+    std::size_t logged_bytes_ = 0;   // likewise
     Component* owner_ = nullptr;
     Phase phase_ = Phase::loading;
     bool was_activated_ = false;         // in this version

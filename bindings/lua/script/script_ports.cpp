@@ -85,9 +85,16 @@ int port_write(lua_State* L) {
     if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 30, nullptr);
     auto& port = *static_cast<OutPort<T>*>(slot.port);
     const std::size_t before = port.pending();
-    if (read_value(L, 2, port.next_pending(), nullptr)) return 0;
+    T& value = port.next_pending();
+    const bool fits = read_value(L, 2, value, nullptr);
+    if (fits && slot.script->may_write(sizeof(Message<T>) + heap_bytes(value))) return 0;
     port.discard_after(before);
-    explain_write<T>(L, slot);
+    if (fits) {
+        slot.script->raised = fmt::format("{} ({}): more than {} MB were written in one execution", title(slot),
+                                          message_type_names[slot.declaration->type], Script::most_written_bytes >> 20);
+    } else {
+        explain_write<T>(L, slot);
+    }
     return raise(L, slot);
 }
 

@@ -315,6 +315,26 @@ TEST_CASE("a queue that gets another length keeps the newest of what is unread",
     CHECK(p.read_all() == Values{6, 7});
 }
 
+TEST_CASE("a queue of large messages drops the oldest before it fills the memory", "[engine][port]") {
+    OutPort<std::string> out{"out"};
+    InPort<std::string> in{"in", "", 100'000};
+    in.connect(out);
+    const std::string large(10'000'000, 'x');
+    for (int i = 0; i < 10; ++i) {
+        out.write(large + std::to_string(i));
+        out.latch(at(i));
+        in.latch(at(i));
+    }
+    CHECK(in.dropped() == 4);  // 6 of them are less than 64 MB
+    CHECK(in.read().back() == '4');
+    CHECK(in.read().back() == '5');
+    in.set_queue(50);
+    int left = 0;
+    for (; in.is_new(); ++left) in.read();
+    CHECK(left == 4);
+    CHECK(in.read().back() == '9');
+}
+
 TEST_CASE("a publication is hashed message by message", "[engine][port]") {
     OutPort<std::int32_t> one{"out"}, two{"out"};
     one.write(1);

@@ -64,6 +64,34 @@ end)");
     CHECK(rig.out<std::vector<std::int32_t>>("to").read() == std::vector<std::int32_t>{1, 2, 3, 3});
 }
 
+TEST_CASE("an execution that writes without end is an error before it fills the memory", "[lua][ports]") {
+    const auto error_of = [](const std::string& body) {
+        Rig rig(
+            "local a = output('a', 'TimedString') local b = output('b', 'TimedVelocity2D')\nfunction on_execute()\n" +
+                body + "\nend",
+            {.budget = Budget{20}});
+        rig.activate().tick();
+        return rig.error();
+    };
+    CHECK(error_of("local text = ('x'):rep(1e7)\nfor i = 1, 1e4 do a:write(text) end") ==
+          "robot_controller.lua:4: output 'a' (TimedString): more than 64 MB were written in one execution");
+    CHECK(error_of("while true do b:write {} end") ==
+          "robot_controller.lua:3: output 'b' (TimedVelocity2D): more than 64 MB were written in one execution");
+    Rig rig("local a = output('a', 'TimedString') function on_execute() a:write(('x'):rep(1e7)) end",
+            {.budget = Budget{20}});
+    rig.activate().tick(10);  // each execution counts anew
+    CHECK(rig.status() == "ACTIVE");
+}
+
+TEST_CASE("an execution that logs without end is cut short, and the next one is heard", "[lua][ports]") {
+    Rig rig("local text = ('x'):rep(300000) function on_execute() for i = 1, 10 do log.info(text) end end");
+    rig.activate().tick();
+    REQUIRE(rig.log.size() == 4);
+    CHECK(rig.log.back() == "warn: more than 1 MB of log in one execution: the rest is left out");
+    rig.tick();
+    CHECK(rig.log.size() == 8);
+}
+
 TEST_CASE("a full queue drops the oldest, counts it and warns once", "[lua][ports]") {
     Rig rig(R"(
 local from = input("from", "TimedLong", "", { queue = 2 })
