@@ -105,8 +105,14 @@ Expected<void> LiveSystem::restart_as(SystemSpec spec) {
 }
 
 Expected<Component*> LiveSystem::add(const Entry& entry, const SystemSpec& spec) {
-    auto added = add_entry(*running_->system, entry, spec, running_->makers);
-    if (added) watch_again();
+    SystemSpec& ours = running_->spec;
+    if (const auto* robot = std::get_if<RobotEntry>(&entry)) {
+        if (const auto model = spec.models.find(robot->model); model != spec.models.end()) ours.models.insert(*model);
+    }
+    auto added = add_entry(*running_->system, entry, ours, running_->makers);
+    if (!added) return added;
+    ours.entries.push_back(entry);
+    watch_again();
     return added;
 }
 

@@ -51,7 +51,8 @@ public:
     /// Counts the starts: a pointer into the system is void when this has grown.
     int starts() const { return starts_; }
 
-    /// Adds an entry to the system that runs, without activating it.
+    /// Adds an entry to the system that runs and to its description, without activating it. `spec` has the model of a
+    /// robot.
     Expected<Component*> add(const Entry& entry, const SystemSpec& spec);
 
     System& system();

@@ -218,6 +218,29 @@ TEST_CASE("a marker is carried by hand, a robot as well", "[console][session]") 
     CHECK(items == std::vector<std::string>{"mouse", "target"});
 }
 
+TEST_CASE("what was added while the system ran is saved with the rest", "[console][session]") {
+    SessionRig it;
+    RobotEntry robot = std::get<RobotEntry>(it.live->spec().entries[0]);
+    robot.name = "second";
+    robot.model = "raspimouse";
+    robot.pose.position = {0, 0.5};
+    const SystemSpec& spec = it.live->spec();
+    REQUIRE(it.live->add(robot, spec));
+    CHECK_FALSE(it.live->add(robot, spec));  // the name is taken: nothing is added
+    BehaviorEntry behavior = std::get<BehaviorEntry>(spec.entries[1]);
+    behavior.name = "other";
+    behavior.rate = 50;
+    REQUIRE(it.live->add(behavior, spec));
+    it.type("connect(other.out, second.target_velocity_in)");
+    const std::string file = it.folder.path("saved.lua").string();
+    CHECK(it.type("save '" + file + "'") == "saved " + file + ": 4 components, 3 connections");
+    const auto saved = read_system_file(file, Project::of(file, {NEZUMI_SOURCE_ROOT}));
+    REQUIRE(saved.has_value());
+    REQUIRE(saved->entries.size() == 4);
+    CHECK(std::get<RobotEntry>(saved->entries[2]).pose.position.y == 0.5);
+    CHECK(std::get<BehaviorEntry>(saved->entries[3]).rate == 50);
+}
+
 TEST_CASE("the present wiring and configuration is saved as a system file", "[console][session]") {
     SessionRig it;
     const std::string file = it.folder.path("saved.lua").string();
