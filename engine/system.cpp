@@ -373,7 +373,10 @@ void System::tick() {
     run_groups();
     if (out_of_time_ && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
     if (!observers_.empty()) notify_observers();
-    if (world_ != nullptr) world_->step(steps_per_tick_);
+    if (world_ != nullptr) {
+        world_->step(steps_per_tick_);
+        if (const Error* why = world_->breakdown(); why != nullptr && !fatal_error_) fatal_error_ = *why;
+    }
     ++now_.tick;
     now_.seconds = static_cast<double>(now_.tick) / settings_.rate;
 }

@@ -122,6 +122,8 @@ public:
 
     /// Advances by this many physics steps.
     virtual void step(int count) = 0;
+    /// Why it can't go on, once it can't: nothing moves any more.
+    virtual const Error* breakdown() const { return nullptr; }
 
     /// The truth about a robot.
     virtual Truth truth(RobotId robot) const = 0;

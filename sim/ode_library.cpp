@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <vector>
 
 namespace nezumi::sim {
 namespace {
@@ -14,6 +15,7 @@ struct Process {
     std::mutex mutex;
     int users = 0;
     std::mutex random_numbers;
+    std::vector<void*> kept;
 };
 Process& process() {
     static Process the;
@@ -48,10 +50,10 @@ void on_message(int number, const char* message, va_list arguments) {
     if (sink != nullptr && *sink) (*sink)(format(message, arguments));
 }
 
+// ODE ends the process when this returns.
 void on_error(int, const char* message, va_list arguments) {
     const std::string text = format(message, arguments);
-    const OdeMessages::Sink* sink = thread_sink();
-    if (sink != nullptr && *sink) (*sink)(text);
+    if (thread_sink() != nullptr) throw OdeFailure{text};
     std::fprintf(stderr, "nezumi: %s\n", text.c_str());
 }
 
@@ -75,6 +77,12 @@ OdeLibrary::~OdeLibrary() {
 }
 
 void OdeLibrary::use_on_this_thread() { dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)); }
+
+void OdeLibrary::keep(void* object) {
+    Process& p = process();
+    const std::scoped_lock lock(p.mutex);
+    p.kept.push_back(object);
+}
 
 std::mutex& OdeLibrary::random_numbers() { return process().random_numbers; }
 

@@ -22,6 +22,10 @@ public:
     /// To be called on a thread before it steps or collides; costs next to nothing when it was called before.
     static void use_on_this_thread();
 
+    /// Keeps an object of a world that broke down in the middle of a step until the process ends: ODE ends the process
+    /// when such an object is destroyed.
+    static void keep(void* object);
+
     /// ODE draws from one generator for the whole process. Runs `work` with the generator set to `seed`, alone, and
     /// leaves in `seed` where it has got to: each world draws its own numbers, whoever else runs.
     template <class Work>
@@ -36,8 +40,13 @@ private:
     static std::mutex& random_numbers();
 };
 
-/// Where ODE's messages on this thread go, for the lifetime of this object. An error that ODE won't survive is also
-/// printed to stderr before ODE ends the process.
+/// Thrown through ODE by an error after which it would end the process, while an `OdeMessages` lives on the thread. The
+/// world at hand must not be stepped again.
+struct OdeFailure {
+    std::string text;
+};
+
+/// Where ODE's messages on this thread go, for the lifetime of this object.
 class OdeMessages {
 public:
     using Sink = std::function<void(const std::string&)>;
@@ -67,6 +76,8 @@ public:
     }
 
     Id get() const { return id_; }
+    /// From now on the caller owns it.
+    Id release() { return std::exchange(id_, nullptr); }
     explicit operator bool() const { return id_ != nullptr; }
 
 private:

@@ -41,7 +41,8 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
     : step_(physics.step),
       random_(static_cast<unsigned long>((physics.seed ^ (physics.seed >> 32)) & 0xffffffffu)),
       warn_([this, warn = std::move(warn)](const std::string& text) {
-          if (warn && warned_.insert(text).second) warn(text);
+          // ODE says how much something is off, each time another number.
+          if (warn && warned_.insert(text.substr(0, text.find(" (s="))).second) warn(text);
       }) {
     OdeLibrary::use_on_this_thread();
     world_ = WorldHandle(dWorldCreate());
@@ -66,6 +67,13 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
                             .pose = {.position = marker.at, .orientation = {.y = marker.facing}}});
     }
     scene_.refresh();
+}
+
+OdeWorld::~OdeWorld() {
+    if (!breakdown_) return;
+    OdeLibrary::keep(contacts_.release());
+    OdeLibrary::keep(world_.release());
+    OdeLibrary::keep(threading_.release());
 }
 
 void OdeWorld::add_border(const ArenaSpec& arena) {

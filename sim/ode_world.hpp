@@ -101,12 +101,16 @@ struct Thing {
 class OdeWorld final : public World {
 public:
     OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::function<void(const std::string&)> warn);
+    ~OdeWorld() override;
+    OdeWorld(const OdeWorld&) = delete;
+    OdeWorld& operator=(const OdeWorld&) = delete;
 
     Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                    Pose2D pose) override;
     /// Takes a robot out of the world, for good.
     void remove_robot(RobotId robot);
     void step(int count) override;
+    const Error* breakdown() const override { return breakdown_ ? &*breakdown_ : nullptr; }
     Truth truth(RobotId robot) const override;
     bool collided(RobotId robot) const override { return robots_[robot].touched != 0; }
     std::string collided_with(RobotId robot) const override { return name_of(robots_[robot].touched); }
@@ -195,6 +199,7 @@ private:
     unsigned long random_;  // ODE's generator, as far as this world has drawn from it
     OdeMessages::Sink warn_;
     std::set<std::string> warned_;
+    std::optional<Error> breakdown_;
 
     // Declaration order is destruction order reversed: the library must die last, joints before their world.
     OdeLibrary library_;

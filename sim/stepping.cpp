@@ -27,7 +27,13 @@ void OdeWorld::step(int count) {
     OdeLibrary::use_on_this_thread();
     const OdeMessages messages(warn_);
     for (SimRobot& robot : robots_) robot.touched = 0;
-    for (int i = 0; i < count; ++i) step_once();
+    if (breakdown_) return;
+    try {
+        for (int i = 0; i < count; ++i) step_once();
+    } catch (const OdeFailure& failure) {
+        breakdown_ = Error{failure.text + ": masses, sizes or speeds are beyond what can be simulated", {}};
+        return;
+    }
     if (sounds_ != nullptr) sounds_->tell();
     restore_lost_bodies();
     place_movers();

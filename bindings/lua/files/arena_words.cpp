@@ -14,6 +14,7 @@ constexpr double wall_thickness = 0.02;  // [m] as an arena's border
 constexpr double wall_height = 0.1;      // [m] as an arena's border
 constexpr std::int64_t last_tag = 586;   // AprilTag family 36h11 has 587 tags
 constexpr double least_length = 1e-4;    // [m] thinner things have no physics
+constexpr double least_mass = 1e-3;      // [kg] what is lighter is thrown about by rounding
 
 struct NamedColor {
     std::string_view name;
@@ -52,6 +53,13 @@ void read_length(Fields& fields, std::string_view name, double& out) {
     }
 }
 
+void read_mass(Fields& fields, double& out) {
+    if (fields.number("mass", out, NumberRange::not_negative) && out > 0 && out < least_mass) {
+        fields.check().wrong(fields.path_of("mass"),
+                             fmt::format("expected at least {} kg, or 0 for what is fixed, got {}", least_mass, out));
+    }
+}
+
 BoxSpec read_box(Fields& fields) {
     BoxSpec box;
     fields.require("at", "{ x, y, z } of the centre in metres");
@@ -63,7 +71,7 @@ BoxSpec read_box(Fields& fields) {
     box.at.z = box.size.z / 2;  // a box whose height nobody gave stands on the floor
     fields.point("at", box.at, NumberRange::any, true);
     fields.number("yaw", box.yaw);
-    fields.number("mass", box.mass, NumberRange::not_negative);
+    read_mass(fields, box.mass);
     if (fields.number("pitch", box.pitch) && box.pitch != 0 && box.mass > 0) {
         fields.check().wrong(fields.path_of("pitch"), "is for a box without mass: a movable one stands level");
     }
@@ -103,7 +111,7 @@ CylinderSpec read_cylinder(Fields& fields) {
     read_length(fields, "height", cylinder.height);
     cylinder.at.z = cylinder.height / 2;
     fields.point("at", cylinder.at, NumberRange::any, true);
-    fields.number("mass", cylinder.mass, NumberRange::not_negative);
+    read_mass(fields, cylinder.mass);
     read_color(fields, cylinder.color);
     return cylinder;
 }

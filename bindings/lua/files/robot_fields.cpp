@@ -5,13 +5,24 @@
 
 #include <algorithm>
 
+#include "bindings/lua/script/script_words.hpp"
 #include "engine/robot.hpp"
 #include "engine/system_spec.hpp"
 
 namespace nezumi {
 namespace {
 
-constexpr double clearance = 0.01;  // [m] between the floor and a hull whose height nobody gave
+constexpr double clearance = 0.01;     // [m] between the floor and a hull whose height nobody gave
+constexpr double least_length = 1e-3;  // [m] of a hull or between wheels: smaller robots can't be simulated
+constexpr double least_mass = 1e-3;    // [kg]
+
+// A number that a simulated robot can't do with less of.
+bool read_at_least(Fields& fields, std::string_view name, double& out, double least, std::string_view unit) {
+    if (!fields.number(name, out, NumberRange::positive)) return false;
+    if (out < least)
+        fields.check().wrong(fields.path_of(name), fmt::format("expected at least {} {}, got {}", least, unit, out));
+    return true;
+}
 
 // A text or a list of texts.
 std::vector<std::string> read_names(Fields& fields, std::string_view name) {
@@ -66,15 +77,18 @@ BodySpec read_body(Fields body) {
     double radius = 0;
     double height = 0;
     if (spec.shape == BodySpec::Shape::cylinder && (body.has("radius") || body.has("height"))) {
-        if (body.number("radius", radius, NumberRange::positive) &&
-            body.number("height", height, NumberRange::positive)) {
+        if (read_at_least(body, "radius", radius, least_length, "m") &&
+            read_at_least(body, "height", height, least_length, "m")) {
             spec.size = {2 * radius, 2 * radius, height};
         }
         body.require("radius", "metres");
         body.require("height", "metres");
     } else {
         body.require("size", "{ length, width, height } in metres");
-        body.point("size", spec.size, NumberRange::positive);
+        if (body.point("size", spec.size, NumberRange::positive) &&
+            std::min({spec.size.x, spec.size.y, spec.size.z}) < least_length) {
+            body.check().wrong(body.path_of("size"), fmt::format("expected lengths of at least {} m", least_length));
+        }
     }
     if (spec.shape == BodySpec::Shape::cylinder && spec.size.x != spec.size.y) {
         body.check().wrong(body.path_of("size"), "expected { diameter, diameter, height } of a cylinder");
@@ -89,8 +103,8 @@ DriveSpec read_drive(Fields drive) {
     DriveSpec spec;
     drive.require("radius", "the wheels' radius in metres");
     drive.require("track", "the distance between the wheels in metres");
-    drive.number("radius", spec.radius, NumberRange::positive);
-    drive.number("track", spec.track, NumberRange::positive);
+    read_at_least(drive, "radius", spec.radius, least_length, "m");
+    read_at_least(drive, "track", spec.track, least_length, "m");
     drive.number("pulses_per_turn", spec.pulses_per_turn, NumberRange::not_negative);
     spec.skid = 0;
     drive.number("skid", spec.skid, NumberRange::positive);
@@ -223,7 +237,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
     Fields fields(check, value);
     fields.text("doc", spec.doc);
     fields.require("mass", "kilograms");
-    fields.number("mass", spec.mass, NumberRange::positive);
+    read_at_least(fields, "mass", spec.mass, least_mass, "kg");
     fields.require("drive", "{ radius =, track =, limits = }");
     if (fields.has("drive")) spec.drive = read_drive(fields.inner("drive"));
     spec.body = fields.has("body") ? read_body(fields.inner("body")) : body_over(spec.drive.track);
@@ -234,8 +248,14 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
     for_each_named(fields, "actuators", [&](const std::string& name, Fields& entry) {
         spec.actuators.push_back(read_actuator(name, entry, spec.body));
     });
-    for_each_named(fields, "ports",
-                   [&](const std::string& name, Fields& entry) { spec.ports.push_back(read_port(name, entry)); });
+    for_each_named(fields, "ports", [&](const std::string& name, Fields& entry) {
+        const auto& words = component_words();
+        if (name == "truth" || name == "collided" || std::find(words.begin(), words.end(), name) != words.end()) {
+            check.wrong_at(entry.path(),
+                           fmt::format("port '{0}': the name is taken: robot.{0} is a component's own word", name));
+        }
+        spec.ports.push_back(read_port(name, entry));
+    });
     fields.done();
     add_wheel_ports(spec);
     if (check.ok()) check_carriers(check, spec);

@@ -70,6 +70,31 @@ TEST_CASE("a robot's value of the wrong kind is told with its field", "[lua][rob
         "r.lua:2:35: robot_model: field 'sensors.a.on' expected a servo, there is none 'neck' (did you mean 'neckk'?)");
 }
 
+TEST_CASE("a robot so light or small that physics can't carry it is refused", "[lua][robot_file]") {
+    const auto robot = [](const std::string& mass, const std::string& body, const std::string& drive) {
+        return error("return robot_model { mass = " + mass + ",\nbody = { " + body + " },\ndrive = { " + drive +
+                     " } }");
+    };
+    const std::string size = "size = { 1, 1, 1 }", drive = "radius = 1, track = 1";
+    CHECK(robot("1e-9", size, drive) == "r.lua:1:22: robot_model: field 'mass' expected at least 0.001 kg, got 1e-09");
+    CHECK(robot("1", "size = { 1, 1e-7, 1 }", drive) ==
+          "r.lua:2:10: robot_model: field 'body.size' expected lengths of at least 0.001 m");
+    CHECK(robot("1", "shape = 'cylinder', radius = 1e-7, height = 1", drive) ==
+          "r.lua:2:30: robot_model: field 'body.radius' expected at least 0.001 m, got 1e-07");
+    CHECK(robot("1", size, "radius = 1e-7, track = 1") ==
+          "r.lua:3:11: robot_model: field 'drive.radius' expected at least 0.001 m, got 1e-07");
+    CHECK(robot("1", size, "radius = 1, track = 1e-7") ==
+          "r.lua:3:23: robot_model: field 'drive.track' expected at least 0.001 m, got 1e-07");
+}
+
+TEST_CASE("a robot's port can't be called what every component or robot has", "[lua][robot_file]") {
+    for (const std::string name : {"truth", "collided", "status", "config"}) {
+        CHECK(error(with("ports = { " + name + " = { type = 'TimedPose2D', from = 'odometry' } }")) ==
+              "r.lua:2:11: robot_model: port '" + name + "': the name is taken: robot." + name +
+                  " is a component's own word");
+    }
+}
+
 TEST_CASE("a robot's missing field is told with what belongs there", "[lua][robot_file]") {
     CHECK(error("return robot_model {}") == "r.lua:1: robot_model: field 'mass' is missing: expected kilograms");
     CHECK(error("return robot_model { mass = 1 }") ==

@@ -342,38 +342,6 @@ TEST_CASE("a touch sensor closes by contact and by a finger, a button by a finge
     CHECK_FALSE(w.bodies[0]->is_pressed(5));
 }
 
-TEST_CASE("a robot that is removed is gone: nobody sees it, meets it or finds its place taken", "[sim][world]") {
-    for (const int others : {0, 12}) {  // few are looked at one by one, many are found in a grid
-        ArenaSpec arena;
-        arena.cylinders.push_back({.at = {0.3, 0, 0.2}, .radius = 0.02, .height = 0.02, .mass = 0.02});
-        TryWorld w(arena);
-        const RobotSpec mouse = mouse_spec();
-        const RobotId looker = w.add(mouse, 0, 0), gone = w.add(mouse, 0.3, 0, 0, "gone");
-        for (int i = 0; i < others; ++i) w.add(mouse, 0.5 * i, 3);
-        w.run(2);  // the cylinder lies asleep on the other's back
-        REQUIRE(w.world->things().front().pose.position.z > 0.06);
-        std::vector<double> ranges(mouse.sensors.size());
-        const auto nearest = [&] {
-            w.bodies[looker]->read_ranges(ranges);
-            return *std::min_element(ranges.begin(), ranges.end());
-        };
-        CHECK(nearest() < 0.3);
-        w.world->disturb(gone, {.vx = 0.1});
-
-        w.bodies[gone].reset();
-        CHECK(nearest() == INFINITY);
-        w.run(1);
-        CHECK(w.world->things().front().pose.position.z < 0.05);  // down on the floor
-        w.bodies[looker]->set_wheel_speeds({0.2, 0.2});
-        w.run(0.8);
-        CHECK_FALSE(w.world->collided(looker));
-        CHECK(w.truth(looker).pose.position.x > 0.14);
-        CHECK(w.world->add_robot("gone", mouse, {{0.3, 0.12}, 0}));  // and, unkept, gone at once
-        w.world->step(1);
-        CHECK(w.warnings->empty());
-    }
-}
-
 TEST_CASE("a gyro feels the yaw rate", "[sim][sensor]") {
     TryWorld w;
     w.add(mouse_spec(), 0, 0);
