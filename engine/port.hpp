@@ -268,7 +268,9 @@ private:
             constexpr std::size_t large = 1 << 16;  // what is smaller keeps its memory for the next one
             const std::size_t bytes = heap_bytes(queue_[head_].data);
             queued_bytes_ -= bytes;
-            if (bytes > large) queue_[head_].data = {};
+            if (bytes > large) {
+                T gone = std::move(queue_[head_].data);  // assigning an empty one would keep the memory
+            }
         }
         head_ = (head_ + 1) % capacity_;
         --unread_;
