@@ -3,11 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace nezumi {
 namespace {
 
 Unexpected at(const Place& place, const Error& error) {
     return failure(error.message, error.place.file.empty() ? place : error.place);
+}
+
+bool is_outside(const ArenaSpec& arena, const Point2D& place) {
+    return arena.size && (std::abs(place.x) > arena.size->x / 2 || std::abs(place.y) > arena.size->y / 2);
 }
 
 using Body = Expected<std::unique_ptr<RobotBody>>;
@@ -49,6 +55,11 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
         return at(entry.place, body.error());
     }
     made->take_body(std::move(*body));
+    if (spec.arena.border && is_outside(spec.arena, entry.pose.position)) {
+        system.log(LogLevel::warn,
+                   fmt::format("robot '{}' at x = {:g}, y = {:g} is outside the arena of {:g} x {:g} m", entry.name,
+                               entry.pose.position.x, entry.pose.position.y, spec.arena.size->x, spec.arena.size->y));
+    }
     return added;
 }
 
@@ -85,8 +96,9 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
     if (maker == makers.components.end()) {
         std::vector<std::string_view> names;
         for (const auto& [name, make] : makers.components) names.push_back(name);
-        return failure(fmt::format("component '{}': there is no type '{}'{}", entry.name, entry.type,
-                                   did_you_mean(entry.type, names)),
+        std::string hint = did_you_mean(entry.type, names);
+        if (hint.empty() && !names.empty()) hint = fmt::format("; there are {}", fmt::join(names, ", "));
+        return failure(fmt::format("component '{}': there is no type '{}'{}", entry.name, entry.type, hint),
                        entry.place);
     }
     auto made = maker->second(entry, system);

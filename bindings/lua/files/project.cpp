@@ -82,6 +82,8 @@ std::string nearest_name(const std::vector<fs::path>& folders, FileKind kind, st
         }
     }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
+    // A folder of that name, or the file that names it, is not what was meant.
+    if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) return "";
     return did_you_mean(name, candidates);
 }
 

@@ -74,7 +74,8 @@ Expected<Result> carry_out(SystemWords& words, int word, const WordCall& call, c
     if (!first) return Unexpected(first.error());
     const auto second = arguments.at(1);
     if (!second) return Unexpected(second.error());
-    if (first->is_nil()) return failure(fmt::format("{}: expected an argument, got none", call.word));
+    if (first->is_nil() && word != connect)
+        return failure(fmt::format("{}: expected an argument, got none", call.word));
     switch (word) {
         case arena: return nothing(words.arena(call, *first));
         case connect: return nothing(words.connect(call, *first, *second));

@@ -249,7 +249,7 @@ Expected<void> SystemWords::connect(const WordCall& call, const FileValue& from,
 Expected<void> SystemWords::seed(const WordCall& call, const FileValue& value) {
     const auto* whole = std::get_if<std::int64_t>(&value.data);
     const auto* number = std::get_if<double>(&value.data);
-    const bool is_whole = number != nullptr && *number >= 0 && *number <= 9e15 && *number == std::floor(*number);
+    const bool is_whole = number != nullptr && *number >= 0 && *number < 0x1p63 && *number == std::floor(*number);
     if (!is_whole && (whole == nullptr || *whole < 0)) {
         const std::string got = whole != nullptr    ? fmt::format("{}", *whole)
                                 : number != nullptr ? text_of(*number)

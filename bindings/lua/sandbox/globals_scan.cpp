@@ -319,7 +319,10 @@ std::string complaint(const GlobalUse& use, const Scanner::Locals& locals, const
                "' for a variable of that name)";
     }
     if (use.name.substr(0, 3) == "on_" && !known.callbacks.empty()) {
-        return "unknown callback " + quoted(use.name) + did_you_mean(use.name, known.callbacks);
+        std::string hint = did_you_mean(use.name, known.callbacks);
+        if (!hint.empty()) return "unknown callback " + quoted(use.name) + hint;
+        for (const std::string_view name : known.callbacks) hint += (hint.empty() ? "" : ", ") + std::string(name);
+        return "unknown callback " + quoted(use.name) + " (there are " + hint + ")";
     }
     std::vector<std::string_view> candidates;
     for (const auto& [name, visible] : locals) {

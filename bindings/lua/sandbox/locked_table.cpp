@@ -13,6 +13,8 @@ constexpr char kBehind = 0;
 int refuse_write(lua_State* lua) {
     const char* name = lua_tostring(lua, lua_upvalueindex(1));
     const char* key = push_text(lua, 2);
+    if (lua_type(lua, 2) == LUA_TNUMBER)
+        return luaL_error(lua, "can't set '%s[%s]': '%s' is read-only", name, key, name);
     return luaL_error(lua, "can't set '%s.%s': '%s' is read-only", name, key, name);
 }
 

@@ -195,6 +195,10 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
           }) == "s.lua:2: it has no parameter set 'fsat' (did you mean 'fast'?)");
     CHECK(refused([](Plan& p) { p.component("eye", "Camra"); }) ==
           "s.lua:2: component 'eye': there is no type 'Camra' (did you mean 'Camera'?)");
+    CHECK(refused([](Plan& p) {
+              p.makers.components["Joystick"] = p.makers.components["Camera"];
+              p.component("eye", "RobotController");
+          }) == "s.lua:2: component 'eye': there is no type 'RobotController'; there are Camera, Joystick");
     CHECK(refused([](Plan& p) { p.connect("mouse.ir", "mouse.velocity_in"); }) ==
           "s.lua:2: types differ: mouse.ir is TimedShortSeq, mouse.velocity_in is TimedVelocity2D (did you mean "
           "'mouse.velocity'?)");
@@ -202,6 +206,24 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
               p.spec.rate = 60;
               p.spec.rate_place = {"s.lua", 9};
           }).starts_with("s.lua:9: rate: a tick of 60 Hz"));
+}
+
+TEST_CASE("a robot beside the walls of its arena is warned about", "[engine][build]") {
+    const auto warnings = [](double x, bool border) {
+        Plan plan;
+        plan.robot("mouse").pose.position.x = x;
+        plan.spec.arena.size = Point2D{2, 2};
+        plan.spec.arena.border = border;
+        std::vector<std::string> log;
+        BuildOptions options;
+        options.log = [&log](const LogLine& line) { log.push_back(line.text); };
+        const auto system = plan.build(options);
+        return log;
+    };
+    CHECK(warnings(0.5, true).empty());
+    CHECK(warnings(5, false).empty());
+    CHECK(warnings(5, true) ==
+          std::vector<std::string>{"robot 'mouse' at x = 5, y = 0 is outside the arena of 2 x 2 m"});
 }
 
 TEST_CASE("a robot that is refused while a system runs leaves nothing behind", "[engine][build]") {

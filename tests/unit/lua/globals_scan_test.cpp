@@ -79,7 +79,8 @@ TEST_CASE("a slip is refused with place and nearest name", "[lua][scan]") {
           "robot_controller.lua:4:5: unknown global 'taget' (did you mean 'target'?)");
     CHECK(errors("function on_exeucte() end") ==
           "robot_controller.lua:1:10: unknown callback 'on_exeucte' (did you mean 'on_execute'?)");
-    CHECK(errors("on_something = nil") == "robot_controller.lua:1:1: unknown callback 'on_something'");
+    CHECK(errors("on_something = nil") ==
+          "robot_controller.lua:1:1: unknown callback 'on_something' (there are on_execute, on_activated)");
     CHECK(errors("pritn(1)") == "robot_controller.lua:1:1: unknown global 'pritn' (did you mean 'print'?)");
     CHECK(errors("counter = 1") ==
           "robot_controller.lua:1:1: unknown global 'counter' (declare it first: local counter)");

@@ -101,7 +101,7 @@ TEST_CASE("parameters are read and written within their bounds", "[lua][objects]
                  "return table.concat(t, ' ')") == "gains speed_x stop_d");
     CHECK(it.run("controller.config.gains = { 2, 3 } return controller.config.gains[2]") == "3.0");
     CHECK(it.run("controller.config.gains[1] = 7") ==
-          "box.lua:1: can't set 'controller.config.gains.1': 'controller.config.gains' is read-only");
+          "box.lua:1: can't set 'controller.config.gains[1]': 'controller.config.gains' is read-only");
     CHECK(it.run("controller.speed_x = 1") ==
           "box.lua:1: controller.speed_x can't be set: its parameter is controller.config.speed_x");
     CHECK(it.run("controller.out = 1") ==

@@ -119,3 +119,14 @@ TEST_CASE("a file that can't be read is one plain message", "[lua][project]") {
     scratch.write("text", std::string("a\0b\r\n", 5));
     CHECK(*read_text_file(scratch.path("text"), "text") == std::string("a\0b\r\n", 5));
 }
+
+TEST_CASE("what is named is not offered as the nearest name", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/b.lua", "");
+    scratch.write("behaviors/map.csv/x", "");
+    const Project project = Project::of(scratch.path("behaviors/b.lua"));
+    CHECK_THAT(found(project, scratch, FileKind::module, "b", "behaviors/b.lua"),
+               Catch::StartsWith("there is no module 'b'; looked for"));
+    CHECK_THAT(found(project, scratch, FileKind::data, "map.csv", "behaviors/b.lua"),
+               Catch::StartsWith("there is no file 'map.csv'; looked for"));
+}

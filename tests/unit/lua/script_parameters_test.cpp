@@ -73,7 +73,7 @@ TEST_CASE("an unknown parameter is an error with the nearest name, read or set",
 TEST_CASE("an array is read-only and replaced whole", "[lua][parameters]") {
     const std::string head = "param('gains', { 1.0, 0.5 }, { min = 0, max = 2, min_size = 1, max_size = 3 })";
     CHECK(failure_of(head, "config.gains[1] = 3") ==
-          "robot_controller.lua:3: can't set 'config.gains.1': 'config.gains' is read-only");
+          "robot_controller.lua:3: can't set 'config.gains[1]': 'config.gains' is read-only");
     CHECK(failure_of(
               head, "assert(not pcall(rawset, config.gains, 1, 3)) assert(not pcall(table.insert, config.gains, 3))") ==
           "");

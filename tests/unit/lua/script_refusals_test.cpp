@@ -33,7 +33,9 @@ TEST_CASE("an unknown callback names the nearest", "[lua][refusals]") {
           "robot_controller.lua:1:10: unknown callback 'on_exceute' (did you mean 'on_execute'?)");
     CHECK(refusal("on_activate = function() end") ==
           "robot_controller.lua:1:1: unknown callback 'on_activate' (did you mean 'on_activated'?)");
-    CHECK(refusal("function on_start() end") == "robot_controller.lua:1:10: unknown callback 'on_start'");
+    CHECK(refusal("function on_start() end") ==
+          "robot_controller.lua:1:10: unknown callback 'on_start' (there are on_activated, on_execute, on_deactivated, "
+          "on_aborting, on_error, on_reset, on_reload)");
 }
 
 TEST_CASE("a callback is a global function, defined once, while the file loads", "[lua][refusals]") {

@@ -19,6 +19,7 @@ TEST_CASE("seed, rate and the physics step are set once", "[lua][system_file]") 
     CHECK(error("seed(-1)") == "s.lua:1: seed: expected a whole number from 0 on, got -1");
     CHECK(error("seed(1.5)") == "s.lua:1: seed: expected a whole number from 0 on, got 1.5");
     CHECK(system_of("seed(1e3)").seed == 1000);
+    CHECK(system_of("seed(2^62)").seed == std::uint64_t{1} << 62);
     CHECK(error("seed 'x'") == "s.lua:1: seed: expected a whole number from 0 on, got string");
     CHECK(error("rate(0)") == "s.lua:1: rate: expected a positive number of ticks a second, got 0");
     CHECK(error("rate(0/0)") == "s.lua:1: rate: expected a positive number of ticks a second, got nan");
@@ -216,7 +217,7 @@ TEST_CASE("a connection names two ports, once", "[lua][system_file]") {
     CHECK(error("connect('mouse.', 'controller.in')") == "s.lua:1: connect: expected \"name.port\", got 'mouse.'");
     CHECK(error("connect('mouse.a')") == "s.lua:1: connect: expected \"name.port\", got nil");
     CHECK(error("connect(1, 2)") == "s.lua:1: connect: expected \"name.port\", got number");
-    CHECK(error("connect()") == "s.lua:1: connect: expected an argument, got none");
+    CHECK(error("connect()") == "s.lua:1: connect: expected \"name.port\", got nil");
     CHECK(error("connect('a.x', 'b.in')\nconnect('a.x', 'b.in')") ==
           "s.lua:2: connect: a.x is connected to b.in already, at behaviors/systems/s.lua:1");
     CHECK(system_of("connect('a.x', 'b.in') connect('a.x', 'c.in')").connections.size() == 2);
