@@ -128,8 +128,8 @@ Expected<Request> read_request(std::string_view line) {
     request.kind = static_cast<Request::Kind>(fields.one_of("do", request_names));
     request.id = fields.whole("id");
     request.text = fields.text("text");
-    const bool at_end = request.kind == Request::Kind::complete && !json->contains("cursor");
-    request.cursor = at_end ? request.text.size() : fields.count("cursor");
+    if (request.kind == Request::Kind::complete)
+        request.cursor = json->contains("cursor") ? fields.count("cursor") : request.text.size();
     request.log = fields.flag("log", false);
     request.keys = fields.flag("keys", false);
     if (!fields.problem().empty()) return failure(fields.problem());
