@@ -74,7 +74,7 @@ std::size_t heap_bytes(const T& value) {
     if constexpr (Described<T>) {
         for_each_field(value, [&](const auto&, const auto& member) { bytes += heap_bytes(member); });
     } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
-        for (const std::string& text : value) bytes += sizeof text + text.size();
+        for (const std::string& text : value) bytes += sizeof(std::string) + text.size();
     } else if constexpr (Sequence<T> || std::is_same_v<T, Octets>) {
         bytes = value.size() * sizeof(typename T::value_type);
     } else if constexpr (std::is_same_v<T, std::string>) {

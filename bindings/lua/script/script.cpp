@@ -283,7 +283,7 @@ double Script::dt() const {
 
 void Script::log(LogLevel level, std::string text) {
     if (logged_bytes_ > most_logged_bytes) return;
-    logged_bytes_ += sizeof text + text.size();
+    logged_bytes_ += sizeof(std::string) + text.size();
     if (logged_bytes_ > most_logged_bytes) {
         level = LogLevel::warn;
         text = fmt::format("more than {} MB of log in one execution: the rest is left out", most_logged_bytes >> 20);
