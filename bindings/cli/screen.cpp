@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings/console/client.hpp"
+
 namespace nezumi::cli {
 namespace {
 
@@ -62,8 +64,9 @@ int Screen::width() {
 void Screen::log(const LogLine& line) {
     const std::string who = line.component.empty() ? "" : line.component + ": ";
     const std::string_view colour = live_ ? colour_of(line.level) : "";
-    put(fmt::format("{}[{:9.3f}] {:5} {}{}{}\n", colour, line.seconds, to_text(line.level), who, line.text,
-                    colour.empty() ? "" : "\x1b[0m"));
+    // A script's text is no way to reach the terminal itself.
+    put(fmt::format("{}[{:9.3f}] {:5} {}{}{}\n", colour, line.seconds, to_text(line.level), who,
+                    without_controls(line.text), colour.empty() ? "" : "\x1b[0m"));
 }
 
 void Screen::say(const std::string& text) { put(text + "\n"); }

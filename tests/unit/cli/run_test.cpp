@@ -260,3 +260,10 @@ TEST_CASE("1000 Hz asked is 1000 Hz given on average, within 0.1 %", "[cli][run]
     }
     CHECK(best <= 0.001);
 }
+
+TEST_CASE("what a script prints can't command the terminal", "[cli][run]") {
+    const Project project("function on_activated() print('\\27[2Jgone\\0\\200') end\n");
+    const Outcome run = run_nezumi({"run", project.file, "--headless", "--speed", "max", "--duration", "0.1"});
+    CHECK(run.status == 0);
+    CHECK_THAT(run.error, Catch::Contains("it: \\x1b[2Jgone\\x00"));
+}
