@@ -1,9 +1,12 @@
 // From a Lua error to a place and a sentence.
 #include "bindings/lua/sandbox/call.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bindings/lua/sandbox/state.hpp"
@@ -67,10 +70,10 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
             const char* text = lua_tolstring(lua, -1, &length);
             if (prefix <= length) text += prefix, length -= prefix;
             if (length <= longest_message) return {text, length};
-            return std::string(text, longest_message) + "...";
+            return fmt::format("{}...", std::string_view(text, longest_message));
         }
         case LUA_TNIL: return "an error of value nil";
-        default: return std::string("an error of type ") + luaL_typename(lua, -1);
+        default: return fmt::format("an error of type {}", luaL_typename(lua, -1));
     }
 }
 

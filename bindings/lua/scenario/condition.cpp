@@ -73,7 +73,7 @@ bool Condition::observe(lua_State* lua, int function, const std::string& text) {
     ObservedSource observed = observe_comparisons(text, info.linedefined, info.lastlinedefined, hook_name);
     if (observed.comparisons.empty()) return false;
     const std::vector<std::string> names = upvalues_of(lua, function);
-    std::string locals = std::string("local ") + hook_name;
+    std::string locals = fmt::format("local {}", hook_name);
     for (const std::string& name : names) {
         if (name.empty() || name == hook_name) return false;
         if (name != "_ENV") locals += ", " + name;
