@@ -15,7 +15,7 @@ struct Process {
     std::mutex mutex;
     int users = 0;
     std::mutex random_numbers;
-    std::vector<void*> kept;
+    std::vector<void*>* kept = nullptr;  // never freed: what it keeps stays known to the end of the process
 };
 Process& process() {
     static Process the;
@@ -81,7 +81,8 @@ void OdeLibrary::use_on_this_thread() { dAllocateODEDataForThread(static_cast<un
 void OdeLibrary::keep(void* object) {
     Process& p = process();
     const std::scoped_lock lock(p.mutex);
-    p.kept.push_back(object);
+    if (p.kept == nullptr) p.kept = new std::vector<void*>;
+    p.kept->push_back(object);
 }
 
 std::mutex& OdeLibrary::random_numbers() { return process().random_numbers; }
