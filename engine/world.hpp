@@ -32,8 +32,8 @@ struct Wheels {
 };
 
 /// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,
-/// safety and odometry. Called once or more a tick, from the thread that ticks (sensing may run on several threads at
-/// once, one robot each).
+/// safety and odometry. Called once or more a tick; several robots at once on as many threads, some sensing while
+/// others act: what is set takes effect in the world's next step, and nobody else sees it before.
 class RobotBody {
 public:
     virtual ~RobotBody() = default;
