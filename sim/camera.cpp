@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "engine/payload.hpp"
-#include "sim/flaws.hpp"
+#include "engine/ports/payload.hpp"
+#include "sim/image_noise.hpp"
 #include "sim/ode_world.hpp"
 
 namespace nezumi::sim {
@@ -31,7 +31,7 @@ SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, cons
       carrier_(carrier),
       on_carrier_{to_vec(mount.at), Rotation::yaw_pitch(mount.yaw, mount.pitch)},
       settings_(settings),
-      lens_(Lens::of(settings.width, settings.height, settings.field_of_view)) {}
+      lens_(Intrinsics::of(settings.width, settings.height, settings.field_of_view)) {}
 
 void SimCamera::expose(const Time& now) {
     tick_ = now.tick;

@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "engine/camera.hpp"
-#include "engine/world.hpp"
+#include "engine/devices/camera.hpp"
+#include "engine/world/world.hpp"
 #include "sim/scenery.hpp"
 
 namespace nezumi::sim {
@@ -28,7 +28,7 @@ private:
     std::optional<RobotId> carrier_;
     View on_carrier_;
     CameraSettings settings_;
-    Lens lens_;
+    Intrinsics lens_;
     std::map<int, Picture> tags_;  // by id, as far as they have been seen
 
     // The exposure:

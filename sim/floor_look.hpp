@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "engine/floor_color.hpp"
-#include "engine/messages.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/world/floor_color.hpp"
 #include "sim/picture.hpp"
 
 namespace nezumi::sim {

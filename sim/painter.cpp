@@ -35,7 +35,7 @@ struct SeenFace {
     Plane u, v;  // the picture's column and row, each times 1 / z
 };
 
-Lens of_looks(const Lens& lens) {
+Intrinsics of_looks(const Intrinsics& lens) {
     // The looks of the first pixel, whose centre is 0, are at -0.25 and 0.25: numbers 0 and 1.
     const auto centre = [](double c) { return looks * (c + 0.5) - 0.5; };
     return {looks * lens.fx, looks * lens.fy, centre(lens.cx), centre(lens.cy)};
@@ -54,7 +54,7 @@ std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
 }
 
 // `direction` dot the ray through a look, as a function of its place.
-Plane along_ray(const Vec3& direction, const Lens& lens) {
+Plane along_ray(const Vec3& direction, const Intrinsics& lens) {
     return {direction.z - direction.x * lens.cx / lens.fx - direction.y * lens.cy / lens.fy, direction.x / lens.fx,
             direction.y / lens.fy};
 }
@@ -65,13 +65,13 @@ Plane operator-(const Plane& a, const Plane& b) {
 Plane operator*(const Plane& a, double s) { return {a.at_origin * s, a.per_column * s, a.per_row * s}; }
 
 // How far a point is along an edge of the picture, in pixels, times 1 / z.
-Plane along_edge(const Face& face, const Vec3& edge, int pixels, const Plane& nearness, const Lens& lens) {
+Plane along_edge(const Face& face, const Vec3& edge, int pixels, const Plane& nearness, const Intrinsics& lens) {
     const double scale = pixels / dot(edge, edge);
     return along_ray(edge * scale, lens) - nearness * (dot(edge, face.top_left) * scale);
 }
 
 // Whether anything of it is in sight, and if so, how.
-bool see(const Face& face, const Lens& lens, int columns, int rows, SeenFace& seen) {
+bool see(const Face& face, const Intrinsics& lens, int columns, int rows, SeenFace& seen) {
     const std::vector<Vec3> corners = cut_near(face.corners);
     if (corners.size() < 3) return false;
     Vec3 normal = cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
@@ -224,10 +224,10 @@ void resolve(const Rgb* looked, int columns, int width, bool color, std::uint8_t
 
 }  // namespace
 
-void paint(const std::vector<Face>& faces, Rgb background, const Lens& lens, int width, int height, bool color,
+void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& lens, int width, int height, bool color,
            std::vector<std::uint8_t>& pixels) {
     const int columns = width * looks;
-    const Lens fine = of_looks(lens);
+    const Intrinsics fine = of_looks(lens);
     std::vector<SeenFace> seen;
     for (const Face& face : faces) {
         SeenFace now{};

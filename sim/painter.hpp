@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/camera.hpp"
+#include "engine/devices/camera.hpp"
 #include "sim/picture.hpp"
 #include "sim/vec.hpp"
 
@@ -23,7 +23,7 @@ struct Face {
 
 /// Paints faces, in any order, over a background. Writes 3 bytes a pixel (red, green, blue), or 1 (grey), row by row.
 /// What is nearer than 1 cm is cut off.
-void paint(const std::vector<Face>& faces, Rgb background, const Lens& lens, int width, int height, bool color,
+void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& lens, int width, int height, bool color,
            std::vector<std::uint8_t>& pixels);
 
 }  // namespace nezumi::sim

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/robot_spec.hpp"
+#include "engine/world/robot_spec.hpp"
 #include "sim/ray_caster.hpp"
 #include "sim/shape.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/messages.hpp"
+#include "engine/ports/messages.hpp"
 #include "sim/painter.hpp"
 #include "sim/shape.hpp"
 

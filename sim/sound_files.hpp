@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/sound.hpp"
+#include "engine/world/sound.hpp"
 
 namespace nezumi::sim {
 

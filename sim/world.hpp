@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace nezumi::sim {
 

@@ -10,11 +10,11 @@
 
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
-#include "bindings/console/batch.hpp"
-#include "bindings/console/client.hpp"
-#include "bindings/console/input_history.hpp"
-#include "bindings/console/rendezvous.hpp"
-#include "bindings/console/terminal.hpp"
+#include "bindings/console/socket_directory.hpp"
+#include "bindings/terminal/batch.hpp"
+#include "bindings/terminal/client.hpp"
+#include "bindings/terminal/input_history.hpp"
+#include "bindings/terminal/terminal.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -16,7 +16,7 @@
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/json_text.hpp"
-#include "bindings/console/rendezvous.hpp"
+#include "bindings/console/socket_directory.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
 
 namespace nezumi::cli {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/error.hpp"
-#include "engine/messages.hpp"
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
 
 namespace nezumi::cli {
 

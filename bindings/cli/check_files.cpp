@@ -14,9 +14,9 @@
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
-#include "bindings/lua/scenario/scenario_file.hpp"
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "bindings/scenario/scenario_file.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bindings/cli/lua_kind.hpp"
-#include "bindings/lua/files/find_files.hpp"
 #include "bindings/lua/live/live_system.hpp"
-#include "engine/error.hpp"
+#include "bindings/lua/project/find_files.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi::cli {
 

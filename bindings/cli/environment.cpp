@@ -7,9 +7,9 @@
 #include <system_error>
 
 #include "bindings/cli/commands.hpp"
-#include "bindings/console/put_text.hpp"
-#include "engine/camera.hpp"
-#include "engine/joystick.hpp"
+#include "bindings/terminal/put_text.hpp"
+#include "engine/devices/camera.hpp"
+#include "engine/devices/joystick.hpp"
 #include "engine/vision/marker_detector.hpp"
 #include "sim/world.hpp"
 

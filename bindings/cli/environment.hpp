@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bindings/lua/live/live_system.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi::cli {
 

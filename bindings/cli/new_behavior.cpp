@@ -10,7 +10,8 @@
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_words.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/base/names.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi::cli {
 namespace {

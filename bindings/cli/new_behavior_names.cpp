@@ -9,7 +9,8 @@
 
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/lua/sandbox/lexer.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/base/names.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi::cli {
 namespace {

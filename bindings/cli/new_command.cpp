@@ -13,8 +13,8 @@
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
-#include "bindings/lua/files/project.hpp"
-#include "bindings/lua/scenario/test_plan.hpp"
+#include "bindings/lua/project/project.hpp"
+#include "bindings/scenario/test_plan.hpp"
 
 namespace nezumi::cli {
 namespace {

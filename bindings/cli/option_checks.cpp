@@ -6,7 +6,7 @@
 #include <charconv>
 #include <system_error>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi::cli {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bindings/cli/canvas.hpp"
-#include "engine/system.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/paths.hpp"
-#include "engine/error.hpp"
-#include "engine/robot_spec.hpp"
-#include "engine/world.hpp"
+#include "bindings/cli/trajectories.hpp"
+#include "engine/base/error.hpp"
+#include "engine/world/robot_spec.hpp"
+#include "engine/world/world.hpp"
 
 namespace nezumi::cli {
 

@@ -6,7 +6,7 @@
 #include <deque>
 #include <vector>
 
-#include "engine/log.hpp"
+#include "engine/base/log.hpp"
 
 namespace nezumi::cli {
 

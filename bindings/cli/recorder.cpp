@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/payload.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi::cli {
 namespace {

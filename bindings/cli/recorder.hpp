@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bindings/cli/file_writer.hpp"
-#include "engine/error.hpp"
-#include "engine/system.hpp"
+#include "engine/base/error.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi::cli {
 

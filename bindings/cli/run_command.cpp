@@ -17,7 +17,6 @@
 #include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
-#include "bindings/cli/paths.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/problems.hpp"
 #include "bindings/cli/recorder.hpp"
@@ -27,8 +26,9 @@
 #include "bindings/cli/screen.hpp"
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
-#include "bindings/console/put_text.hpp"
+#include "bindings/cli/trajectories.hpp"
 #include "bindings/lua/script/script_words.hpp"
+#include "bindings/terminal/put_text.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::cli {

@@ -11,7 +11,7 @@
 #include "bindings/cli/problems.hpp"
 #include "bindings/console/clock_control.hpp"
 #include "bindings/lua/live/live_system.hpp"
-#include "engine/pacer.hpp"
+#include "engine/system/pacer.hpp"
 
 namespace nezumi::cli {
 

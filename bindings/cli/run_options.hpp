@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/cli/paths.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/recorder.hpp"
+#include "bindings/cli/trajectories.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "bindings/lua/scenario/scenario_run.hpp"
+#include "bindings/scenario/scenario_run.hpp"
 
 namespace nezumi::cli {
 

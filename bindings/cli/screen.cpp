@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bindings/console/client.hpp"
+#include "bindings/terminal/client.hpp"
 
 namespace nezumi::cli {
 namespace {

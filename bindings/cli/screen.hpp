@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/log.hpp"
+#include "engine/base/log.hpp"
 
 namespace nezumi::cli {
 

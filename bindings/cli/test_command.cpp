@@ -17,9 +17,9 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/option_checks.hpp"
 #include "bindings/cli/scenario_files.hpp"
-#include "bindings/lua/scenario/failure_folder.hpp"
-#include "bindings/lua/scenario/reporter.hpp"
-#include "bindings/lua/scenario/test_session.hpp"
+#include "bindings/scenario/failure_folder.hpp"
+#include "bindings/scenario/reporter.hpp"
+#include "bindings/scenario/test_session.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/error.hpp"
-#include "engine/log.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/log.hpp"
 
 namespace nezumi {
 

@@ -7,6 +7,7 @@
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "engine/base/names.hpp"
 
 namespace nezumi {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bindings/console/session.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "engine/payload.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 namespace {

@@ -17,7 +17,7 @@
 #include "bindings/console/session.hpp"
 #include "bindings/console/transport.hpp"
 #include "bindings/lua/live/live_system.hpp"
-#include "engine/log.hpp"
+#include "engine/base/log.hpp"
 
 namespace nezumi {
 

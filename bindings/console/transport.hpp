@@ -18,7 +18,7 @@
 
 #include "bindings/console/file_handle.hpp"
 #include "bindings/console/protocol.hpp"
-#include "bindings/console/rendezvous.hpp"
+#include "bindings/console/socket_directory.hpp"
 
 namespace nezumi {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bindings/console/session_parts.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/error.hpp"
-#include "engine/messages.hpp"
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
 
 namespace nezumi {
 

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/system.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi {
 namespace {
@@ -23,7 +23,7 @@ struct Search {
     double size, yaw_from;
 };
 
-MarkerSight look(TagFinder& finder, const CameraImage& image, const Lens& lens, const Search& search) {
+MarkerSight look(TagFinder& finder, const CameraImage& image, const Intrinsics& lens, const Search& search) {
     auto gray = to_gray(image);
     if (!gray) return {.tag = {}, .complaint = gray.error().message};
     MarkerSight sight;
@@ -109,8 +109,8 @@ Expected<void> MarkerDetector::on_deactivated() {
     return {};
 }
 
-Lens MarkerDetector::lens_for(const CameraImage& image) const {
-    Lens lens = Lens::of(image.width, image.height, value<double>(parameters_, "field_of_view"));
+Intrinsics MarkerDetector::lens_for(const CameraImage& image) const {
+    Intrinsics lens = Intrinsics::of(image.width, image.height, value<double>(parameters_, "field_of_view"));
     const double fx = value<double>(parameters_, "fx");
     if (fx > 0) {
         const auto given = [&](std::string_view name, double otherwise) {
@@ -169,10 +169,11 @@ Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& 
     }
     auto detector = std::make_unique<MarkerDetector>(
         entry.name,
-        [&system, name = entry.name]() -> std::optional<Lens> {
+        [&system, name = entry.name]() -> std::optional<Intrinsics> {
             for (const Connection& connection : system.connections()) {
                 if (connection.to_component->name() != name) continue;
-                if (const auto* camera = dynamic_cast<const Camera*>(connection.from_component)) return camera->lens();
+                if (const auto* camera = dynamic_cast<const Camera*>(connection.from_component))
+                    return camera->intrinsics();
             }
             return std::nullopt;
         },

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "engine/camera.hpp"
-#include "engine/component.hpp"
-#include "engine/late_work.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/components/component.hpp"
+#include "engine/components/delayed_task.hpp"
+#include "engine/devices/camera.hpp"
+#include "engine/system/system_spec.hpp"
 #include "engine/vision/tag_finder.hpp"
 
 namespace nezumi {
@@ -23,7 +23,7 @@ struct MarkerSight {
 class MarkerDetector final : public Component {
 public:
     /// The lens of the camera that the pictures come from, when that is known.
-    using FindLens = std::function<std::optional<Lens>()>;
+    using FindLens = std::function<std::optional<Intrinsics>()>;
 
     /// `wait`: what was seen in the picture of t is published at t + latency exactly (simulation), else as soon as it
     /// is known (hardware).
@@ -35,7 +35,7 @@ private:
     Expected<void> on_activated() override;
     Expected<void> on_execute() override;
     Expected<void> on_deactivated() override;
-    Lens lens_for(const CameraImage& image) const;
+    Intrinsics lens_for(const CameraImage& image) const;
     void start();
     Expected<void> take_sight();
     void publish(const MarkerSight& sight);
@@ -49,7 +49,7 @@ private:
     std::optional<TagFinder> finder_;
     std::string family_;
     bool complained_ = false;
-    LateWork<MarkerSight> sight_;  // after finder_: it works with it
+    DelayedTask<MarkerSight> sight_;  // after finder_: it works with it
 };
 
 /// Makes the component `entry` for `system`, where it asks the Camera that is connected to it for its lens: what

@@ -106,7 +106,7 @@ TagFinder::~TagFinder() = default;
 TagFinder::TagFinder(TagFinder&&) noexcept = default;
 TagFinder& TagFinder::operator=(TagFinder&&) noexcept = default;
 
-std::vector<FoundTag> TagFinder::find(GrayImage& image, const Lens& lens, double size) {
+std::vector<FoundTag> TagFinder::find(GrayImage& image, const Intrinsics& lens, double size) {
     std::vector<FoundTag> tags;
     if (std::min(image.width, image.height) < least_side) return tags;
     image_u8_t view{image.width, image.height, image.width, image.pixels.data()};

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/camera.hpp"
-#include "engine/messages.hpp"
+#include "engine/devices/camera.hpp"
+#include "engine/ports/messages.hpp"
 #include "engine/vision/gray_image.hpp"
 
 namespace nezumi {
@@ -35,7 +35,7 @@ public:
 
     /// The tags of the family in sight, the nearest first (of two as near, the one with the smaller number). `size` [m]
     /// is the edge of their black border: a wrong one scales every position by wrong / right.
-    std::vector<FoundTag> find(GrayImage& image, const Lens& lens, double size);
+    std::vector<FoundTag> find(GrayImage& image, const Intrinsics& lens, double size);
 
 private:
     struct Detector;

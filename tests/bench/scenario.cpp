@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "bindings/lua/scenario/test_session.hpp"
+#include "bindings/scenario/test_session.hpp"
 #include "sim/world.hpp"
 #include "tests/bench/report.hpp"
 

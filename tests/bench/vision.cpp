@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "engine/camera.hpp"
+#include "engine/devices/camera.hpp"
 #include "engine/vision/tag_finder.hpp"
 #include "sim/world.hpp"
 #include "tests/bench/report.hpp"
@@ -85,7 +85,7 @@ std::vector<double> errors_at(double distance, const Flaws& flaws, int count, in
         const Point3D at{eye.x + from_eye.x, eye.y + from_eye.y, eye.z + from_eye.z};
         static_cast<void>(world->move_marker("marker0", {at, {.y = pi + bearing + draw(0.6)}}));
         GrayImage gray = shot.take();
-        const auto tags = finder.find(gray, Lens::of(width, height, field_of_view), 0.1);
+        const auto tags = finder.find(gray, Intrinsics::of(width, height, field_of_view), 0.1);
         if (tags.empty()) {
             ++missed;
             continue;
@@ -112,7 +112,7 @@ Cost cost_of(int markers, const Flaws& flaws, int rounds) {
         }));
         find.push_back(bench::time_of([&] {
             auto gray = to_gray(shot.image);
-            static_cast<void>(finder.find(*gray, Lens::of(width, height, field_of_view), 0.1));
+            static_cast<void>(finder.find(*gray, Intrinsics::of(width, height, field_of_view), 0.1));
         }));
     }
     return {bench::median(render), bench::median(find)};

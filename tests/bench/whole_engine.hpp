@@ -7,8 +7,8 @@
 
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
-#include "engine/build_system.hpp"
-#include "engine/trace_hash.hpp"
+#include "engine/system/build_system.hpp"
+#include "engine/trace/trace_hash.hpp"
 #include "sim/world.hpp"
 #include "tests/bench/report.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "bindings/console/client.hpp"
 #include "bindings/console/protocol.hpp"
-#include "bindings/console/tty_input.hpp"
+#include "bindings/terminal/client.hpp"
+#include "bindings/terminal/tty_input.hpp"
 
 using namespace nezumi;
 

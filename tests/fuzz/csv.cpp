@@ -5,8 +5,8 @@
 #include <limits>
 #include <string_view>
 
-#include "engine/arena_spec.hpp"
-#include "engine/robot_spec.hpp"
+#include "engine/world/arena_spec.hpp"
+#include "engine/world/robot_spec.hpp"
 
 using namespace nezumi;
 

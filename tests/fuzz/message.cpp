@@ -9,7 +9,7 @@
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/values/codec.hpp"
-#include "engine/payload.hpp"
+#include "engine/ports/payload.hpp"
 
 using namespace nezumi;
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "bindings/lua/files/robot_file.hpp"
-#include "engine/robot.hpp"
+#include "engine/robot/robot.hpp"
 
 using namespace nezumi;
 

@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "bindings/lua/files/system_file.hpp"
+#include "engine/base/names.hpp"
+#include "engine/base/schedule.hpp"
 
 using namespace nezumi;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bindings/lua/live/live_system.hpp"
-#include "engine/joystick.hpp"
+#include "engine/devices/joystick.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/system_words.hpp"
+#include "engine/base/names.hpp"
 
 namespace nezumi {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/files/file_value.hpp"
-#include "engine/error.hpp"
-#include "engine/messages.hpp"
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
 
 namespace nezumi {
 

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "engine/error.hpp"
-#include "engine/parameter.hpp"
+#include "engine/base/error.hpp"
+#include "engine/components/parameter.hpp"
 
 namespace nezumi {
 

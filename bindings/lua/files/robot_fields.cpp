@@ -6,8 +6,9 @@
 #include <algorithm>
 
 #include "bindings/lua/script/script_words.hpp"
-#include "engine/robot.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/base/names.hpp"
+#include "engine/robot/robot.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bindings/lua/files/file_fields.hpp"
-#include "engine/robot_spec.hpp"
+#include "engine/world/robot_spec.hpp"
 
 namespace nezumi {
 

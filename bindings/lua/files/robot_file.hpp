@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/files/project.hpp"
-#include "engine/robot_spec.hpp"
+#include "bindings/lua/project/project.hpp"
+#include "engine/world/robot_spec.hpp"
 
 namespace nezumi {
 

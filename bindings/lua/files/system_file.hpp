@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/files/project.hpp"
-#include "engine/system_spec.hpp"
+#include "bindings/lua/project/project.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/base/names.hpp"
+
 namespace nezumi {
 namespace {
 

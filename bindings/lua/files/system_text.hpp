@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/system_spec.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 

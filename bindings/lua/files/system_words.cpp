@@ -9,6 +9,8 @@
 #include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/files/robot_file.hpp"
+#include "engine/base/names.hpp"
+#include "engine/base/schedule.hpp"
 
 namespace nezumi {
 namespace {

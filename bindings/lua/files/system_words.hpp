@@ -13,8 +13,8 @@
 
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/files/file_value.hpp"
-#include "bindings/lua/files/project.hpp"
-#include "engine/system_spec.hpp"
+#include "bindings/lua/project/project.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 

@@ -10,8 +10,9 @@
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/sandbox/text.hpp"
-#include "engine/parameter.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/base/names.hpp"
+#include "engine/components/parameter.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/files/project.hpp"
+#include "bindings/lua/project/project.hpp"
 #include "bindings/lua/reload/live_reload.hpp"
 #include "bindings/lua/reload/reloader.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
-#include "engine/build_system.hpp"
-#include "engine/trace_hash.hpp"
+#include "engine/system/build_system.hpp"
+#include "engine/trace/trace_hash.hpp"
 
 namespace nezumi {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "bindings/lua/script/script_component.hpp"
-#include "engine/payload.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/messages.hpp"
-#include "engine/system.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi {
 

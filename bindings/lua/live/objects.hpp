@@ -26,7 +26,7 @@
 
 #include "bindings/lua/live/live_system.hpp"
 #include "bindings/lua/sandbox/state.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

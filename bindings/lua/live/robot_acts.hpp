@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bindings/lua/live/objects.hpp"
-#include "engine/error.hpp"
-#include "engine/messages.hpp"
-#include "engine/system.hpp"
-#include "engine/world.hpp"
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/system/system.hpp"
+#include "engine/world/world.hpp"
 
 namespace nezumi {
 

@@ -15,7 +15,7 @@
 #include <set>
 #include <utility>
 
-#include "bindings/lua/script/script_source.hpp"
+#include "bindings/lua/project/script_source.hpp"
 
 namespace nezumi {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bindings/lua/script/script_component.hpp"
-#include "engine/system.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi {
 

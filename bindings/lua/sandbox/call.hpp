@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "bindings/lua/sandbox/watchdog.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

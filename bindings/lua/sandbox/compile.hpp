@@ -9,7 +9,7 @@
 
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/globals_scan.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "bindings/lua/sandbox/random.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

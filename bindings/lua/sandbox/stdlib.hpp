@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/state.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "bindings/lua/files/project.hpp"
+#include "bindings/lua/project/project.hpp"
 #include "bindings/lua/script/script_component.hpp"
-#include "engine/build_system.hpp"
+#include "engine/system/build_system.hpp"
 
 namespace nezumi {
 

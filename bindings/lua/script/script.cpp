@@ -9,8 +9,9 @@
 #include "bindings/lua/script/script_config.hpp"
 #include "bindings/lua/script/script_ports.hpp"
 #include "bindings/lua/script/script_words.hpp"
-#include "engine/payload.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/base/names.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/script/script_chunk.hpp"
-#include "bindings/lua/script/script_source.hpp"
 #include "bindings/lua/values/plain_data.hpp"
-#include "engine/component.hpp"
+#include "engine/components/component.hpp"
 
 namespace nezumi {
 

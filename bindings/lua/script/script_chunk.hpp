@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
-#include "bindings/lua/script/script_source.hpp"
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 namespace nezumi {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bindings/lua/script/script.hpp"
-#include "engine/component.hpp"
+#include "engine/components/component.hpp"
 
 namespace nezumi {
 

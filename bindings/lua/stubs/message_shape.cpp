@@ -5,7 +5,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "engine/payload.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 namespace {

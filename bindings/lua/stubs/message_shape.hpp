@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/messages.hpp"
+#include "engine/ports/messages.hpp"
 
 namespace nezumi {
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
-#include "engine/error.hpp"
-#include "engine/messages.hpp"
-#include "engine/parameter.hpp"
-#include "engine/payload.hpp"
+#include "engine/base/error.hpp"
+#include "engine/components/parameter.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 

@@ -7,7 +7,8 @@
 #include <unordered_map>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/base/names.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/messages.hpp"
+#include "engine/ports/messages.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/console/client.hpp"
+#include "bindings/terminal/client.hpp"
 
 using namespace nezumi;
 using Incoming = Transport::Incoming;

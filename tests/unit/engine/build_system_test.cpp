@@ -1,5 +1,5 @@
 // From a system as data to one that runs: every reason why not, with the place of its line.
-#include "engine/build_system.hpp"
+#include "engine/system/build_system.hpp"
 
 #include <catch2/catch.hpp>
 

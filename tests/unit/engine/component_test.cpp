@@ -1,5 +1,5 @@
 // The life of a component: which hook runs when, and what its ports say on the way.
-#include "engine/component.hpp"
+#include "engine/components/component.hpp"
 
 #include <catch2/catch.hpp>
 

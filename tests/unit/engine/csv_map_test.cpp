@@ -1,7 +1,7 @@
 // Maps in CSV: what is taken, and what is said about a bad row.
 #include <catch2/catch.hpp>
 
-#include "engine/arena_spec.hpp"
+#include "engine/world/arena_spec.hpp"
 
 using namespace nezumi;
 

@@ -1,8 +1,8 @@
 // The same run gives the same trace: with any number of threads, and beside other systems.
 #include <catch2/catch.hpp>
 
-#include "engine/trace_hash.hpp"
-#include "engine/worker_pool.hpp"
+#include "engine/system/worker_pool.hpp"
+#include "engine/trace/trace_hash.hpp"
 #include "tests/unit/engine/try_component.hpp"
 
 using namespace nezumi;

@@ -1,5 +1,5 @@
 // What a person reads when something is wrong: the place, and the name they meant.
-#include "engine/error.hpp"
+#include "engine/base/error.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/system.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "engine/joystick.hpp"
-#include "engine/system.hpp"
+#include "engine/devices/joystick.hpp"
+#include "engine/system/system.hpp"
 
 using namespace nezumi;
 

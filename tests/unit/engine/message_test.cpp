@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "engine/payload.hpp"
-#include "engine/port.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/ports/port.hpp"
 
 using namespace nezumi;
 

@@ -1,5 +1,5 @@
 // Parameters: what may be set by whom, when it holds, and what is said when it may not.
-#include "engine/parameter.hpp"
+#include "engine/components/parameter.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,5 +1,5 @@
 // Ports: what is visible when, what gets through, and what is kept.
-#include "engine/port.hpp"
+#include "engine/ports/port.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/robot_spec.hpp"
+#include "engine/world/robot_spec.hpp"
 
 using namespace nezumi;
 

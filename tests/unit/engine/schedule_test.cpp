@@ -5,8 +5,9 @@
 #include <cstdio>
 #include <limits>
 
-#include "engine/pacer.hpp"
-#include "engine/system_spec.hpp"
+#include "engine/base/schedule.hpp"
+#include "engine/system/pacer.hpp"
+#include "engine/system/system_spec.hpp"
 
 using namespace nezumi;
 

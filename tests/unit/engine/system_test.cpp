@@ -1,9 +1,9 @@
 // A system: phases of a tick, wiring and its errors, several of them, with any number of threads.
-#include "engine/system.hpp"
+#include "engine/system/system.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "engine/trace_hash.hpp"
+#include "engine/trace/trace_hash.hpp"
 #include "tests/unit/engine/fake_world.hpp"
 #include "tests/unit/engine/try_component.hpp"
 

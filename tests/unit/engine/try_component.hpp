@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/component.hpp"
+#include "engine/components/component.hpp"
 
 namespace nezumi {
 

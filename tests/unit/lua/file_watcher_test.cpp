@@ -9,7 +9,7 @@
 #include <fstream>
 #include <thread>
 
-#include "bindings/lua/script/script_source.hpp"
+#include "bindings/lua/project/script_source.hpp"
 
 using namespace nezumi;
 

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "bindings/lua/reload/reloader.hpp"
-#include "engine/system.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi {
 

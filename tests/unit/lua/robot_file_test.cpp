@@ -4,7 +4,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "engine/robot.hpp"
+#include "engine/robot/robot.hpp"
 #include "tests/unit/lua/robot_reader.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 

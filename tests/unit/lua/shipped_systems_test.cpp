@@ -7,7 +7,7 @@
 
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/script/script_component.hpp"
-#include "engine/build_system.hpp"
+#include "engine/system/build_system.hpp"
 #include "sim/world.hpp"
 
 using namespace nezumi;

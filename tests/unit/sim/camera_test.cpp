@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/camera.hpp"
-#include "engine/system.hpp"
-#include "sim/flaws.hpp"
+#include "engine/devices/camera.hpp"
+#include "engine/system/system.hpp"
+#include "sim/image_noise.hpp"
 #include "sim/painter.hpp"
 #include "sim/picture.hpp"
 
@@ -80,7 +80,7 @@ TEST_CASE("an edge falls where the lens says", "[sim][camera]") {
     arena.boxes = {{.at = {1.05, 0.05, 0.5}, .size = {0.1, 0.1, 1.0}, .color = "#ff0000"}};  // from y = 0 to 0.1
     TryWorld w(arena);
     const CameraImage image = shoot(*w.world, {.at = {0, 0, 0.5}}, {.field_of_view = 1.0});
-    const Lens lens = Lens::of(640, 480, 1.0);
+    const Intrinsics lens = Intrinsics::of(640, 480, 1.0);
     const int edge = static_cast<int>(std::lround(lens.cx - lens.fx * 0.1));
     CHECK_FALSE(is_red(pixel(image, edge - 1, 240)));
     CHECK(is_red(pixel(image, edge + 1, 240)));

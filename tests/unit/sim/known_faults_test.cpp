@@ -9,7 +9,7 @@
 
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
-#include "engine/trace_hash.hpp"
+#include "engine/trace/trace_hash.hpp"
 #include "sim/world.hpp"
 
 using namespace nezumi;

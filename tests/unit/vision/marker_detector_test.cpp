@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "engine/system.hpp"
-#include "engine/trace_hash.hpp"
+#include "engine/system/system.hpp"
+#include "engine/trace/trace_hash.hpp"
 #include "engine/vision/marker_detector.hpp"
 
 using namespace nezumi;
@@ -97,7 +97,7 @@ TEST_CASE("the connected camera tells its lens; otherwise the detector's own cou
     wide.run(20);
     CHECK(wide.pos().position.x == Approx(0.6).margin(0.01));
 
-    Watch given(one_marker({0.6, 0, 0.1}), {{"fx", 2 * Lens::of(640, 480, field_of_view).fx}});
+    Watch given(one_marker({0.6, 0, 0.1}), {{"fx", 2 * Intrinsics::of(640, 480, field_of_view).fx}});
     given.run(20);
     CHECK(given.pos().position.x == Approx(1.2).margin(0.02));
 

@@ -1,0 +1,182 @@
+// Sockets are reached through their folder's descriptor, so that what was checked is what is used, however long its
+// path.
+#include "bindings/console/socket_directory.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace nezumi {
+namespace {
+
+constexpr std::string_view suffix = ".sock";
+
+std::string why() { return std::strerror(errno); }
+
+// Opens the folder if it is there, is a folder, ours, and closed to all others.
+Expected<FileHandle> open_folder(const std::filesystem::path& path) {
+    FileHandle folder(::open(path.c_str(), O_DIRECTORY | O_NOFOLLOW | O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    if (!folder || fstat(folder.get(), &status) != 0)
+        return failure("can't open the console's folder " + path.string() + ": " + why());
+    if (status.st_uid != geteuid())
+        return failure("the console's folder " + path.string() + " belongs to another user: remove it");
+    if ((status.st_mode & 077) != 0)
+        return failure("others can enter the console's folder " + path.string() + ": run chmod 700 on it");
+    return folder;
+}
+
+sockaddr_un address_in(const FileHandle& folder, std::string_view name) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::snprintf(address.sun_path, sizeof address.sun_path, "/proc/self/fd/%d/%.*s", folder.get(),
+                  static_cast<int>(name.size()), name.data());
+    return address;
+}
+
+FileHandle connect_in(const FileHandle& folder, std::string_view name) {
+    FileHandle socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    const sockaddr_un address = address_in(folder, name);
+    if (socket && connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+        const int error = errno;
+        socket.reset();
+        errno = error;
+    }
+    return socket;
+}
+
+// NAME-PID.sock; nothing for any other file.
+std::optional<RunningSystem> parse_name(std::string_view file) {
+    if (!file.ends_with(suffix)) return std::nullopt;
+    file.remove_suffix(suffix.size());
+    const std::size_t dash = file.rfind('-');
+    if (dash == std::string_view::npos || dash == 0 || file.front() == '.') return std::nullopt;
+    RunningSystem system{.name = std::string(file.substr(0, dash)), .path = {}};
+    const std::string_view number = file.substr(dash + 1);
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), system.process);
+    if (error != std::errc{} || end != number.data() + number.size() || system.process <= 0) return std::nullopt;
+    return system;
+}
+
+}  // namespace
+
+std::filesystem::path console_folder() {
+    const char* runtime = std::getenv("XDG_RUNTIME_DIR");
+    struct stat status {};
+    if (runtime != nullptr && runtime[0] == '/' && stat(runtime, &status) == 0 && S_ISDIR(status.st_mode) &&
+        status.st_uid == geteuid())
+        return std::filesystem::path(runtime) / "nezumi";
+    return "/tmp/nezumi-" + std::to_string(geteuid());
+}
+
+Expected<Listener> Listener::open(std::string_view name, const std::filesystem::path& path) {
+    if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST)
+        return failure("can't make the console's folder " + path.string() + ": " + why());
+    auto folder = open_folder(path);
+    if (!folder) return Unexpected(folder.error());
+
+    std::string plain;
+    for (const char letter : name.substr(0, 40)) {
+        const bool fits = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
+        plain += fits ? letter : '_';
+    }
+    if (plain.empty()) plain = "system";
+    const std::string process = std::to_string(getpid());
+    const std::string file = plain + "-" + process + std::string(suffix);
+    // It gets its name once it listens: whoever looks before would take it for one that nobody listens at.
+    const std::string unready = "." + process;
+
+    FileHandle socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    const sockaddr_un address = address_in(*folder, unready);
+    unlinkat(folder->get(), unready.c_str(), 0);
+    if (!socket || bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+        fchmodat(folder->get(), unready.c_str(), 0600, 0) != 0 || listen(socket.get(), 16) != 0 ||
+        renameat(folder->get(), unready.c_str(), folder->get(), file.c_str()) != 0)
+        return failure("can't listen in the console's folder " + path.string() + ": " + why());
+    return Listener(std::move(*folder), std::move(socket), path / file);
+}
+
+Listener::~Listener() {
+    if (folder_) unlinkat(folder_.get(), path_.filename().c_str(), 0);
+}
+
+Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path& path) {
+    std::vector<RunningSystem> systems;
+    if (struct stat status{}; lstat(path.c_str(), &status) != 0 && errno == ENOENT) return systems;
+    const auto folder = open_folder(path);
+    if (!folder) return Unexpected(folder.error());
+    // The list owns the descriptor that it reads.
+    const std::unique_ptr<DIR, int (*)(DIR*)> list(fdopendir(dup(folder->get())), closedir);
+    if (list == nullptr) return failure("can't read the console's folder " + path.string() + ": " + why());
+    while (const dirent* entry = readdir(list.get())) {
+        auto system = parse_name(entry->d_name);
+        if (!system) continue;
+        const FileHandle socket = connect_in(*folder, entry->d_name);
+        if (!socket) {
+            if (errno == ECONNREFUSED) unlinkat(folder->get(), entry->d_name, 0);
+            continue;
+        }
+        system->path = path / entry->d_name;
+        systems.push_back(std::move(*system));
+    }
+    std::sort(systems.begin(), systems.end(), [](const RunningSystem& a, const RunningSystem& b) {
+        return std::pair(a.name, a.process) < std::pair(b.name, b.process);
+    });
+    return systems;
+}
+
+Expected<ReachedSystem> connect_to_system(std::string_view which, const std::filesystem::path& path) {
+    const auto systems = running_systems(path);
+    if (!systems) return Unexpected(systems.error());
+    if (systems->empty()) return failure("nothing is running: start a system with `nezumi run FILE`");
+
+    std::vector<RunningSystem> fitting;
+    for (const RunningSystem& system : *systems) {
+        if (which.empty() || system.name == which || std::to_string(system.process) == which) fitting.push_back(system);
+    }
+    if (fitting.empty()) {
+        std::vector<std::string_view> names;
+        for (const RunningSystem& system : *systems) names.emplace_back(system.name);
+        return failure("no system '" + shown(which) + "' is running" + did_you_mean(which, names) +
+                       "; running: " + list_of(*systems));
+    }
+    if (fitting.size() > 1)
+        return failure("several systems are running, say which by its name or its process: " + list_of(fitting));
+
+    const auto folder = open_folder(path);
+    if (!folder) return Unexpected(folder.error());
+    FileHandle socket = connect_in(*folder, fitting.front().path.filename().string());
+    if (!socket) return failure("can't reach " + list_of(fitting) + ": " + why());
+    if (!is_peer(socket.get(), geteuid())) return failure(list_of(fitting) + " belongs to another user");
+    return ReachedSystem{std::move(fitting.front()), std::move(socket)};
+}
+
+std::string list_of(const std::vector<RunningSystem>& systems) {
+    std::string text;
+    for (const RunningSystem& system : systems) {
+        if (!text.empty()) text += ", ";
+        text += system.name + " (process " + std::to_string(system.process) + ")";
+    }
+    return text;
+}
+
+bool is_peer(int socket, uid_t user) {
+    ucred peer{};
+    socklen_t size = sizeof peer;
+    return getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0 && peer.uid == user;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,159 @@
+// Looks for files, in the order that the places are documented.
+#include "bindings/lua/project/project.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <system_error>
+
+namespace nezumi {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{16} << 20;
+
+// A device or a pipe may never end: what a name stands for is a plain file.
+bool is_file(const fs::path& path) {
+    std::error_code problem;
+    return fs::is_regular_file(path, problem);
+}
+
+bool is_folder(const fs::path& path) {
+    std::error_code problem;
+    return fs::is_directory(path, problem);
+}
+
+std::string_view word(FileKind kind) {
+    switch (kind) {
+        case FileKind::script: return "script";
+        case FileKind::model: return "robot model";
+        case FileKind::module: return "module";
+        case FileKind::system: return "system file";
+        case FileKind::data: return "file";
+    }
+    return "file";
+}
+
+bool ends_in_lua(std::string_view name) { return name.size() > 4 && name.substr(name.size() - 4) == ".lua"; }
+
+// The name as a path with its ending.
+fs::path file_name(FileKind kind, std::string_view name) {
+    std::string text(name);
+    if (kind == FileKind::data) return text;
+    if (kind == FileKind::module) {
+        std::replace(text.begin(), text.end(), '.', '/');
+        return text + ".lua";
+    }
+    return ends_in_lua(text) ? text : text + ".lua";
+}
+
+// The names in a folder that could have been meant, as a person would write them.
+void collect_names(const fs::path& folder, FileKind kind, std::set<std::string>& names) {
+    std::error_code problem;
+    std::size_t seen = 0;
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end && ++seen < 10000;
+         entry.increment(problem)) {
+        const fs::path& path = entry->path();
+        if (kind == FileKind::data) {
+            names.insert(path.filename().string());
+        } else if (path.extension() == ".lua") {
+            names.insert(path.stem().string());
+        }
+    }
+}
+
+std::string nearest_name(const std::vector<fs::path>& folders, FileKind kind, std::string_view name) {
+    std::set<std::string> names;
+    const fs::path wanted =
+        kind == FileKind::module ? fs::path(file_name(kind, name)).replace_extension() : fs::path(name);
+    const bool written_out = kind != FileKind::data && kind != FileKind::module && ends_in_lua(name);
+    for (const fs::path& folder : folders) {
+        std::set<std::string> here;
+        collect_names(folder / wanted.parent_path(), kind, here);
+        for (const std::string& found : here) {
+            std::string text = (wanted.parent_path() / found).string();
+            if (kind == FileKind::module) std::replace(text.begin(), text.end(), '/', '.');
+            names.insert(text + (written_out ? ".lua" : ""));
+        }
+    }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    // A folder of that name, or the file that names it, is not what was meant.
+    if (std::find(candidates.begin(), candidates.end(), name) != candidates.end()) return "";
+    return did_you_mean(name, candidates);
+}
+
+}  // namespace
+
+Project Project::of(const fs::path& file, std::vector<fs::path> installed) {
+    std::error_code problem;
+    Project project;
+    project.working_ = fs::current_path(problem);
+    const auto whole = [&](const fs::path& path) { return (project.working_ / path).lexically_normal(); };
+    for (fs::path& root : installed) root = whole(root);
+    project.installed_ = std::move(installed);
+    for (fs::path folder = whole(file).parent_path();; folder = folder.parent_path()) {
+        if (is_folder(folder / "behaviors")) {
+            project.root_ = folder;
+            break;
+        }
+        if (folder == folder.parent_path()) break;
+    }
+    return project;
+}
+
+Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in) const {
+    if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
+    if (name.find('\0') != std::string_view::npos)
+        return failure(fmt::format("the name of a {} has a zero byte in it", word(kind)));
+    const fs::path naming = (working_ / named_in).lexically_normal();
+    std::vector<fs::path> folders{naming.parent_path()};
+    if (!root_.empty()) folders.push_back(root_ / "behaviors");
+    for (const fs::path& installed : installed_) {
+        if (kind == FileKind::model || kind == FileKind::data) folders.push_back(installed / "engine/robots");
+        folders.push_back(installed / "behaviors");
+    }
+    const fs::path file = file_name(kind, name);
+    std::vector<std::string> places;
+    for (const fs::path& folder : folders) {
+        const fs::path candidate = (folder / file).lexically_normal();
+        // Nobody means the file itself: a system may be called like the behaviour that it is for.
+        if (candidate == naming) continue;
+        if (is_file(candidate)) return candidate;
+        const std::string place = shown(candidate);
+        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+    }
+    return failure(fmt::format("there is no {} '{}'{}; looked for {}", word(kind), name,
+                               nearest_name(folders, kind, name), fmt::join(places, ", ")));
+}
+
+std::string Project::shown(const fs::path& path) const {
+    const fs::path whole = (working_ / path).lexically_normal();
+    const fs::path relative = whole.lexically_relative(working_);
+    const bool below = !relative.empty() && *relative.begin() != "..";
+    return below ? relative.string() : whole.string();
+}
+
+Expected<std::string> read_text_file(const fs::path& path, const std::string& shown) {
+    const auto refuse = [&](int code) {
+        return failure(fmt::format("can't be read: {}", std::strerror(code)), {shown});
+    };
+    if (is_folder(path)) return failure("is a folder, expected a file", {shown});
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!file) return errno == ENOENT ? failure("there is no such file", {shown}) : refuse(errno);
+    std::string text;
+    char buffer[65536];
+    for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
+        text.append(buffer, n);
+        if (text.size() > largest_file)
+            return failure(fmt::format("is larger than {} MB", largest_file >> 20), {shown});
+    }
+    if (std::ferror(file.get()) != 0) return refuse(errno);
+    return text;
+}
+
+}  // namespace nezumi

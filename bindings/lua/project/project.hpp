@@ -1,0 +1,53 @@
+// Where the files that a person names are found: beside the file that names them, in the project, among the installed
+// ones.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+/// What kind of file a name stands for: where it is looked for, and which ending may be left out.
+enum class FileKind {
+    script,  ///< a behaviour: `NAME.lua` in `behaviors/`
+    model,   ///< a robot: `NAME.lua` in `behaviors/` or, of the installed ones, `engine/robots/`
+    module,  ///< what `require "a.b"` names: `a/b.lua` in `behaviors/`
+    system,  ///< a system: `NAME.lua` in `behaviors/`
+    data,    ///< a map, a table, a picture: the name as it is, in `behaviors/` or, of the installed ones,
+             ///< `engine/robots/`
+};
+
+class Project {
+public:
+    /// The project of a file: the nearest folder above it that has `behaviors/`, or none. `installed` are folders laid
+    /// out as the sources are, with `behaviors/` and `engine/robots/`. Paths may be relative to the working directory.
+    static Project of(const std::filesystem::path& file, std::vector<std::filesystem::path> installed = {});
+
+    /// The folder that has `behaviors/`; empty when there is none.
+    const std::filesystem::path& root() const { return root_; }
+    const std::vector<std::filesystem::path>& installed() const { return installed_; }
+
+    /// Where the file called `name` is: beside the file `named_in`, then in `behaviors/`, then among the installed
+    /// ones; never that file itself. The error says the nearest name and every place that was looked at; it has no
+    /// place of its own.
+    Expected<std::filesystem::path> find(FileKind kind, std::string_view name,
+                                         const std::filesystem::path& named_in) const;
+
+    /// A path as a person would type it: relative to the working directory when it is below it.
+    std::string shown(const std::filesystem::path& path) const;
+
+private:
+    std::filesystem::path working_;
+    std::filesystem::path root_;
+    std::vector<std::filesystem::path> installed_;
+};
+
+/// The whole of a file, or why it can't be read: not there, a folder, no permission, larger than 16 MB. The error's
+/// place is the file, as `shown` shows it.
+Expected<std::string> read_text_file(const std::filesystem::path& path, const std::string& shown);
+
+}  // namespace nezumi

@@ -1,0 +1,135 @@
+// For people, and as TAP.
+#include "bindings/scenario/reporter.hpp"
+
+#include <fmt/format.h>
+
+namespace nezumi {
+namespace {
+
+class ConsoleReporter final : public Reporter {
+public:
+    ConsoleReporter(WriteText write, bool colour) : write_(std::move(write)), colour_(colour) {}
+
+    void begin(std::size_t) override {}
+
+    void add(const RunReport& report) override {
+        const RunResult& result = report.result;
+        const bool read = !report.scenario.empty();
+        switch (result.outcome) {
+            case RunOutcome::passed: paint("32", "ok    "); break;
+            case RunOutcome::failed: paint("31", "FAILED"); break;
+            case RunOutcome::could_not_run: paint("31", "could not run"); break;
+        }
+        std::string line = " ";
+        line += read ? report.name : report.file;
+        if (result.outcome == RunOutcome::passed)
+            line +=
+                fmt::format("  ({:.2f} s in {:.3f} s, hash {:016x})", result.seconds, result.wall_seconds, result.hash);
+        write_(line + "\n");
+        if (result.outcome != RunOutcome::passed) {
+            for (const std::string& each : failure_lines(report)) write_(each.empty() ? "\n" : "    " + each + "\n");
+        }
+        for (const std::string& margin : result.margins) write_("    " + margin + "\n");
+        for (const std::string& printed : result.printed) write_("    | " + printed + "\n");
+    }
+
+    void end(const SessionSummary& summary) override {
+        const std::size_t all = summary.passed + summary.failed + summary.could_not_run;
+        std::string text = fmt::format("{} run{}: {} passed", all, all == 1 ? "" : "s", summary.passed);
+        if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
+        if (summary.could_not_run > 0) text += fmt::format(", {} could not run", summary.could_not_run);
+        text += fmt::format(" (seed {}, {:.2f} s simulated in {:.2f} s with {} job{})\n", summary.seed, summary.seconds,
+                            summary.wall_seconds, summary.jobs, summary.jobs == 1 ? "" : "s");
+        write_(text);
+    }
+
+private:
+    void paint(std::string_view colour, std::string_view text) {
+        write_(colour_ ? fmt::format("\x1b[{}m{}\x1b[0m", colour, text) : std::string(text));
+    }
+
+    WriteText write_;
+    bool colour_;
+};
+
+// A text as YAML takes it on one line.
+std::string yaml_text(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            out += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+// A description must not contain what TAP takes for a directive or for escaping.
+std::string tap_name(std::string_view name) {
+    std::string out;
+    for (const char c : name) {
+        if (c == '#' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+class TapReporter final : public Reporter {
+public:
+    explicit TapReporter(WriteText write) : write_(std::move(write)) {}
+
+    void begin(std::size_t runs) override { write_(fmt::format("TAP version 13\n1..{}\n", runs)); }
+
+    void add(const RunReport& report) override {
+        const bool passed = report.result.outcome == RunOutcome::passed;
+        const std::string name = report.scenario.empty() ? report.file : report.file + ": " + report.name;
+        write_(fmt::format("{} {} - {}\n", passed ? "ok" : "not ok", ++number_, tap_name(name)));
+        if (passed) {
+            for (const std::string& margin : report.result.margins) write_("# " + margin + "\n");
+            return;
+        }
+        const Error& error = report.result.error;
+        write_("  ---\n");
+        write_(fmt::format("  message: {}\n", yaml_text(error.message)));
+        write_(fmt::format("  severity: {}\n", report.result.outcome == RunOutcome::failed ? "fail" : "error"));
+        write_(fmt::format("  at: {}\n", yaml_text(fmt::format("{}:{}", error.place.file, error.place.line))));
+        write_("  details:\n");
+        for (const std::string& line : failure_lines(report)) write_(fmt::format("    - {}\n", yaml_text(line)));
+        write_("  ...\n");
+    }
+
+    void end(const SessionSummary& summary) override {
+        write_(fmt::format("# seed {}, {} passed, {} failed, {} could not run\n", summary.seed, summary.passed,
+                           summary.failed, summary.could_not_run));
+    }
+
+private:
+    WriteText write_;
+    std::size_t number_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Reporter> console_reporter(WriteText write, bool colour) {
+    return std::make_unique<ConsoleReporter>(std::move(write), colour);
+}
+
+std::unique_ptr<Reporter> tap_reporter(WriteText write) { return std::make_unique<TapReporter>(std::move(write)); }
+
+std::vector<std::string> failure_lines(const RunReport& report) {
+    const RunResult& result = report.result;
+    std::vector<std::string> lines{describe(result.error)};
+    if (report.line > 0) lines.push_back(fmt::format("of the scenario at {}:{}", report.file, report.line));
+    lines.insert(lines.end(), result.facts.begin(), result.facts.end());
+    if (!result.folder.empty()) {
+        std::string files;
+        for (const std::string& file : result.files) files += (files.empty() ? "" : ", ") + file;
+        lines.push_back(fmt::format("files: {} ({})", result.folder, files));
+    }
+    if (!report.again.empty()) lines.push_back("repeat it with: " + report.again);
+    return lines;
+}
+
+}  // namespace nezumi

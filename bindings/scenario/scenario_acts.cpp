@@ -1,0 +1,231 @@
+// What a scenario does to its worlds: load, reload, faults.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "bindings/lua/live/robot_acts.hpp"
+#include "bindings/lua/values/codec.hpp"
+#include "bindings/scenario/scenario_methods.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr double for_ever = std::numeric_limits<double>::infinity();
+
+// Keys of faults: the system's address tells worlds apart.
+std::string key_of(const LiveSystem* live, std::string_view name) { return fmt::format("{} {}", fmt::ptr(live), name); }
+
+std::string_view text_or_empty(lua_State* lua, int index) {
+    if (lua_type(lua, index) != LUA_TSTRING) return {};
+    std::size_t length = 0;
+    const char* text = lua_tolstring(lua, index, &length);
+    return {text, length};
+}
+
+int copy_without_seconds(lua_State* lua) {
+    lua_newtable(lua);
+    for (lua_pushnil(lua); lua_next(lua, 1) != 0; lua_pop(lua, 1)) {
+        lua_pushvalue(lua, -2);
+        lua_pushvalue(lua, -2);
+        lua_rawset(lua, 2);
+    }
+    lua_pushnil(lua);
+    lua_setfield(lua, 2, "seconds");
+    return 1;
+}
+
+}  // namespace
+
+int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
+    if (lua_type(lua, 2) != LUA_TSTRING || lua_gettop(lua) > 2)
+        return raise(run, "expected the name of a system file, as in s:load \"systems/stop_at_wall.lua\"");
+    if (auto loaded = run.load(std::string(text_or_empty(lua, 2)), calling_place(lua)); !loaded) {
+        run.setup_error_ = loaded.error();
+        run.setup_error_->message = one_line(run.setup_error_->message);
+        return raise(run, describe(*run.setup_error_));
+    }
+    const auto pushed = protect(lua, condition_budget, [&run](lua_State* inside) {
+        run.objects_->push_system(inside, run.current());
+        return 1;
+    });
+    return pushed ? 1 : raise(run, pushed.error().message);
+}
+
+int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
+    if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "expected the name of a CSV file beside the scenario's");
+    const std::string name(text_or_empty(lua, 2));
+    double tolerance = 1e-9;
+    const bool has_options = lua_type(lua, 3) == LUA_TTABLE;
+    if (has_options && detail::push_raw_field(lua, 3, "tolerance")) {
+        Mismatch why;
+        if (!detail::read_number(lua, lua_gettop(lua), 1e300, tolerance, &why) || tolerance < 0)
+            return raise(run, fmt::format("'{}': option 'tolerance' expected a number from 0 on", name));
+        lua_pop(lua, 1);
+    }
+    std::vector<TraceTable::PortOf> ports;
+    for (int index = has_options ? 4 : 3; index <= lua_gettop(lua); ++index) {
+        const auto at = run.objects_->to_port(lua, index);
+        if (!at) return raise(run, fmt::format("'{}': {}", name, at.error().message));
+        ports.push_back({at->live, at->path()});
+    }
+    if (ports.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
+    Place place = calling_place(lua);
+    auto file = std::filesystem::path(place.file).parent_path() / name;
+    run.goldens_.push_back({std::move(file), name, tolerance, std::move(place), TraceTable(std::move(ports))});
+    return 0;
+}
+
+int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
+    const auto at = run.objects_->to_component(lua, 2);
+    if (!at) return raise(run, at.error().message);
+    auto* script = dynamic_cast<ScriptComponent*>(at->component);
+    if (script == nullptr)
+        return raise(run, fmt::format("{} has no script: only behaviours reload", at->component->name()));
+    const char* expected = "expected { file = \"NAME\" } or { text = \"...\" }";
+    if (lua_type(lua, 3) != LUA_TTABLE) return raise(run, expected);
+    std::string file;
+    std::string text;
+    std::size_t given = 0;
+    std::string wrong;
+    for (lua_pushnil(lua); lua_next(lua, 3) != 0; lua_pop(lua, 1)) {
+        const std::string_view key = lua_type(lua, -2) == LUA_TSTRING ? detail::key_text(lua) : "";
+        const bool known = (key == "file" || key == "text") && lua_type(lua, -1) == LUA_TSTRING;
+        if (known) (key == "file" ? file : text) = text_or_empty(lua, -1);
+        if (!known) wrong = key;
+        ++given;
+    }
+    if (given != 1 || !wrong.empty()) return raise(run, expected);
+    SourceText source{script->script().file().path, script->script().file().shown, text};
+    Expected<ReloadReport> report = failure("");
+    bool readable = true;
+    if (!file.empty()) {
+        const auto path = run.file_.project().find(FileKind::script, file, calling_place(lua).file);
+        auto read = path ? read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
+        readable = read.has_value();
+        if (readable) {
+            source.text = std::move(read->text);
+            source.shown = read->shown;
+        } else {
+            report = Unexpected(read.error());
+        }
+    }
+    if (readable) {
+        const CallPause pause;
+        report = at->live->reloader().reload(*script, source);
+        at->live->watch_again();
+    }
+    const std::string message = report ? fmt::format("version {} runs", report->version) : describe(report.error());
+    const bool ok = report.has_value();
+    const auto pushed = protect(lua, condition_budget, [&](lua_State* inside) {
+        lua_pushboolean(inside, ok ? 1 : 0);
+        lua_pushlstring(inside, message.data(), message.size());
+        return 2;
+    });
+    return pushed ? 2 : raise(run, pushed.error().message);
+}
+
+int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override kind) {
+    const auto at = run.objects_->to_port(lua, 2);
+    if (!at) return raise(run, at.error().message);
+    const auto duration = seconds(lua, 3, "the duration", &for_ever);
+    if (!duration) return raise(run, duration.error().message);
+    if (kind == Override::dropped) {
+        at->port->drop();
+    } else {
+        at->port->freeze();
+    }
+    run.faults_.begin(key_of(at->live, at->path()), run.worlds_.now(), *duration,
+                      [live = at->live, path = at->path(), kind] {
+                          const auto port = live->system().port(path);
+                          // Something else may have been put in its place meanwhile: s:hold.
+                          if (port && (*port)->override() == kind) (*port)->release();
+                      });
+    return 0;
+}
+
+int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
+    const auto at = run.objects_->to_component(lua, 2);
+    if (!at) return raise(run, at.error().message);
+    if (lua_type(lua, 3) != LUA_TTABLE) return raise(run, "expected a table { vx =, va =, seconds = }");
+    double duration = for_ever;
+    if (detail::push_raw_field(lua, 3, "seconds")) {
+        const auto value = seconds(lua, lua_gettop(lua), "field 'seconds'", nullptr);
+        lua_pop(lua, 1);
+        if (!value) return raise(run, value.error().message);
+        duration = *value;
+    }
+    // The speeds are read by what reads them everywhere, from a copy without the seconds.
+    lua_pushcfunction(lua, copy_without_seconds);
+    lua_pushvalue(lua, 3);
+    if (auto copied = protected_call(lua, 1, 1, condition_budget); !copied) return raise(run, copied.error().message);
+    const int copy = lua_gettop(lua);
+    const auto push = read_push(lua, copy);
+    if (!push) return raise(run, push.error().message);
+    if (auto ok = nezumi::disturb(at->live->system(), *at->component, *push); !ok)
+        return raise(run, ok.error().message);
+    const std::string name = at->component->name();
+    run.faults_.begin(key_of(at->live, name + " disturb"), run.worlds_.now(), duration, [live = at->live, name] {
+        if (Component* robot = live->system().find(name))
+            static_cast<void>(nezumi::disturb(live->system(), *robot, {}));
+    });
+    return 0;
+}
+
+int ScenarioRun::Methods::press(ScenarioRun& run, lua_State* lua) {
+    const auto at = run.objects_->to_component(lua, 2);
+    if (!at) return raise(run, at.error().message);
+    if (lua_type(lua, 3) != LUA_TSTRING) return raise(run, "expected the name of a button or touch sensor");
+    const std::string sensor(text_or_empty(lua, 3));
+    const auto duration = seconds(lua, 4, "the duration", &for_ever);
+    if (!duration) return raise(run, duration.error().message);
+    if (auto ok = nezumi::press(at->live->system(), *at->component, sensor, true); !ok)
+        return raise(run, ok.error().message);
+    const std::string name = at->component->name();
+    run.faults_.begin(key_of(at->live, name + " press " + sensor), run.worlds_.now(), *duration,
+                      [live = at->live, name, sensor] {
+                          if (Component* robot = live->system().find(name))
+                              static_cast<void>(nezumi::press(live->system(), *robot, sensor, false));
+                      });
+    return 0;
+}
+
+int ScenarioRun::Methods::teleport(ScenarioRun& run, lua_State* lua) {
+    auto ok = nezumi::teleport(*run.objects_, run.current().system(), lua, 2, 3);
+    return ok ? 0 : raise(run, ok.error().message);
+}
+
+int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
+    if (const auto component = run.objects_->to_component(lua, 2)) {
+        // A robot: what presses and pushes it. A component: what was done to its ports as well.
+        run.faults_.restore(key_of(component->live, component->component->name()));
+        for (const auto& port : component->component->in_ports())
+            run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));
+        for (const auto& port : component->component->out_ports())
+            run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));
+        return 0;
+    }
+    const auto at = run.objects_->to_port(lua, 2);
+    if (!at) return raise(run, at.error().message);
+    run.faults_.restore(key_of(at->live, at->path()));
+    at->port->release();
+    return 0;
+}
+
+const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts() {
+    static const std::vector<Method> methods{
+        {"load", load},
+        {"golden", golden},
+        {"reload", reload},
+        {"drop", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::dropped); }},
+        {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }},
+        {"disturb", disturb},
+        {"press", press},
+        {"teleport", teleport},
+        {"restore", restore},
+    };
+    return methods;
+}
+
+}  // namespace nezumi

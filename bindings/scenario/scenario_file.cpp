@@ -1,0 +1,285 @@
+// The two words of a scenario file, and strict reading of what they are given.
+#include "bindings/scenario/scenario_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bindings/lua/values/codec.hpp"
+
+namespace nezumi {
+namespace {
+
+// Keys of the registry: the table of functions, the metatable of ranges.
+constexpr char functions_key = 0;
+constexpr char range_key = 0;
+
+const SweepRange* to_range(lua_State* lua, int index) {
+    if (lua_type(lua, index) != LUA_TUSERDATA || lua_getmetatable(lua, index) == 0) return nullptr;
+    lua_rawgetp(lua, LUA_REGISTRYINDEX, &range_key);
+    const bool is_range = lua_rawequal(lua, -1, -2) != 0;
+    lua_pop(lua, 2);
+    return is_range ? static_cast<const SweepRange*>(lua_touserdata(lua, index)) : nullptr;
+}
+
+std::string type_at(lua_State* lua, int index) {
+    return lua_type(lua, index) <= LUA_TNIL ? "nothing" : luaL_typename(lua, index);
+}
+
+// Raw fields of the table at `index` (absolute) with names; an error for any other key.
+Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::string_view what) {
+    std::vector<std::string> names;
+    bool all_texts = true;
+    for (lua_pushnil(lua); lua_next(lua, index) != 0; lua_pop(lua, 1)) {
+        if (lua_type(lua, -2) != LUA_TSTRING) {
+            all_texts = false;
+        } else {
+            names.emplace_back(detail::key_text(lua));
+        }
+    }
+    if (!all_texts) return failure(fmt::format("{}: expected NAME = VALUE", what));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem::path& path,
+                                                           const ScenarioFileOptions& options,
+                                                           std::vector<Error>* errors) {
+    Project project = Project::of(path, options.installed);
+    std::string shown = project.shown(path);
+    std::unique_ptr<ScenarioFile> file(new ScenarioFile(std::move(project), std::move(shown)));
+    const auto give_up = [&](Error error) {
+        if (errors != nullptr && errors->empty()) errors->push_back(error);
+        return Unexpected(std::move(error));
+    };
+    auto text = read_text_file(path, file->shown_);
+    if (!text) return give_up(text.error());
+    file->text_ = std::move(*text);
+    auto data = DataFile::create(file->project_, {.seed = options.seed, .print = options.print});
+    if (!data) return give_up(data.error());
+    file->file_ = std::move(*data);
+    file->state().set_memory_limit(std::size_t{256} << 20);
+    const auto opened = protect(file->file_->lua(), Budget{10}, [](lua_State* lua) {
+        lua_newtable(lua);
+        lua_rawsetp(lua, LUA_REGISTRYINDEX, &functions_key);
+        lua_newtable(lua);
+        lua_pushliteral(lua, "range");
+        lua_setfield(lua, -2, "__name");
+        lua_pushboolean(lua, 0);
+        lua_setfield(lua, -2, "__metatable");
+        lua_rawsetp(lua, LUA_REGISTRYINDEX, &range_key);
+        return 0;
+    });
+    if (!opened) return give_up(file->file_->to_error(opened.error()));
+    auto ran = file->file_->run(file->text_, file->shown_,
+                                {{"scenario", scenario_word, file.get()}, {"range", range_word, file.get()}});
+    if (!ran) {
+        if (errors != nullptr) *errors = file->file_->errors();
+        return give_up(ran.error());
+    }
+    if (file->scenarios_.empty()) {
+        return give_up({"the file has no scenario: expected scenario(\"name\", function(s) ... end)", {file->shown_}});
+    }
+    lua_settop(file->file_->lua(), 0);
+    file->is_read_ = true;
+    return file;
+}
+
+const std::string* ScenarioFile::text(const std::string& shown) const { return shown == shown_ ? &text_ : nullptr; }
+
+void ScenarioFile::push_function(lua_State* lua, std::size_t scenario) const {
+    lua_rawgetp(lua, LUA_REGISTRYINDEX, &functions_key);
+    lua_rawgeti(lua, -1, static_cast<lua_Integer>(scenario + 1));
+    lua_remove(lua, -2);
+}
+
+int ScenarioFile::range_word(lua_State* lua) {
+    const auto read = [lua](int index, double& out) {
+        Mismatch why;
+        lua_settop(lua, std::max(index, lua_gettop(lua)));
+        return detail::read_number(lua, index, 1e300, out, &why);
+    };
+    SweepRange range;
+    const bool stepped = lua_type(lua, 3) > LUA_TNIL;
+    const bool fits = read(1, range.lo) && read(2, range.hi) && (!stepped || read(3, range.step));
+    if (!fits) return luaL_error(lua, "range: expected range(lo, hi) or range(lo, hi, step) with numbers");
+    if (range.hi < range.lo || (stepped && !(range.step > 0)) || lua_gettop(lua) > 3) {
+        return luaL_error(lua, "range: expected lo <= hi, and a step above 0");
+    }
+    range.whole = stepped && lua_isinteger(lua, 1) != 0 && lua_isinteger(lua, 3) != 0;
+    *static_cast<SweepRange*>(lua_newuserdatauv(lua, sizeof(SweepRange), 0)) = range;
+    lua_rawgetp(lua, LUA_REGISTRYINDEX, &range_key);
+    lua_setmetatable(lua, -2);
+    return 1;
+}
+
+int ScenarioFile::scenario_word(lua_State* lua) {
+    auto& file = *static_cast<ScenarioFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    luaL_checkstack(lua, 20, nullptr);
+    if (file.is_read_) return luaL_error(lua, "scenario: scenarios are declared by the file, not by one another");
+    const char* problem = file.add(lua);
+    if (problem != nullptr) {
+        lua_pushstring(lua, problem);
+        return lua_error(lua);
+    }
+    lua_rawgetp(lua, LUA_REGISTRYINDEX, &functions_key);
+    lua_pushvalue(lua, lua_isfunction(lua, 2) ? 2 : 3);
+    lua_rawseti(lua, -2, static_cast<lua_Integer>(file.scenarios_.size()));
+    return 0;
+}
+
+const char* ScenarioFile::add(lua_State* lua) {
+    const Place place = calling_place(lua);
+    auto scenario = read_call(lua, place);
+    if (scenario) {
+        scenarios_.push_back(std::move(*scenario));
+        return nullptr;
+    }
+    Error error = scenario.error();
+    if (error.place.file.empty()) error.place = place;
+    return file_->fail(std::move(error));
+}
+
+Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
+    Scenario scenario;
+    scenario.place = place;
+    if (lua_type(lua, 1) != LUA_TSTRING) {
+        return failure(fmt::format("scenario: expected a name, got {}", type_at(lua, 1)));
+    }
+    std::size_t length = 0;
+    const char* name = lua_tolstring(lua, 1, &length);
+    scenario.name.assign(name, length);
+    const bool one_line =
+        std::all_of(scenario.name.begin(), scenario.name.end(), [](unsigned char c) { return c >= 0x20 && c != 0x7f; });
+    if (scenario.name.empty() || !one_line)
+        return failure("scenario: expected a name of one line, without control characters");
+    const std::string what = fmt::format("scenario '{}'", nezumi::shown(scenario.name));
+    const bool has_options = !lua_isfunction(lua, 2);
+    if (has_options && lua_type(lua, 2) != LUA_TTABLE && lua_type(lua, 2) > LUA_TNIL) {
+        return failure(fmt::format("{}: expected options (a table) or a function, got {}", what, type_at(lua, 2)));
+    }
+    if (has_options && !lua_isfunction(lua, 3)) {
+        return failure(fmt::format("{}: expected a function after the {}, got {}", what,
+                                   lua_type(lua, 2) == LUA_TTABLE ? "options" : "name", type_at(lua, 3)));
+    }
+    if (lua_gettop(lua) > (has_options ? 3 : 2)) {
+        return failure(
+            fmt::format("{}: expected scenario(name, options, function), got {} arguments", what, lua_gettop(lua)));
+    }
+    for (const Scenario& other : scenarios_) {
+        if (other.name != scenario.name) continue;
+        return failure(
+            fmt::format("{}: the name is taken by the scenario of {}:{}", what, other.place.file, other.place.line));
+    }
+    if (has_options && lua_type(lua, 2) == LUA_TTABLE) {
+        if (auto ok = read_options(lua, 2, scenario); !ok) {
+            Error error = ok.error();
+            error.message = what + ": " + error.message;
+            return Unexpected(std::move(error));
+        }
+    }
+    return scenario;
+}
+
+Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& scenario) {
+    const auto place_of = [&](const FieldPath& path) {
+        const FileSource* source = file_->source(scenario.place.file);
+        return source != nullptr ? source->find("scenario", scenario.place, path) : scenario.place;
+    };
+    const auto names = names_of(lua, index, "options");
+    if (!names) return Unexpected(names.error());
+    const std::vector<std::string_view> known{"samples", "sweep", "timeout"};
+    for (const std::string& name : *names) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        return failure(fmt::format("unknown option '{}'{}", nezumi::shown(name), did_you_mean(name, known)),
+                       place_of({name}));
+    }
+    Mismatch why;
+    if (detail::push_raw_field(lua, index, "timeout")) {
+        if (!detail::read_number(lua, lua_gettop(lua), 1e9, scenario.timeout, &why) || !(scenario.timeout > 0)) {
+            return failure(fmt::format("option 'timeout' expected seconds above 0, got {}",
+                                       why.text.empty() ? fmt::format("{}", scenario.timeout) : type_at(lua, -1)),
+                           place_of({"timeout"}));
+        }
+        lua_pop(lua, 1);
+    }
+    std::int64_t samples = 0;
+    const bool has_samples = detail::push_raw_field(lua, index, "samples");
+    if (has_samples) {
+        if (!detail::read_integer(lua, lua_gettop(lua), 1, static_cast<std::int64_t>(most_runs), samples, &why)) {
+            return failure(fmt::format("option 'samples' expected a whole number from 1 to {}", most_runs),
+                           place_of({"samples"}));
+        }
+        lua_pop(lua, 1);
+    }
+    if (detail::push_raw_field(lua, index, "sweep")) {
+        if (auto ok = read_sweep(lua, lua_gettop(lua), scenario); !ok) {
+            return failure(ok.error().message, place_of({"sweep"}));
+        }
+        lua_pop(lua, 1);
+    } else if (has_samples) {
+        return failure("option 'samples' needs a sweep to draw from", place_of({"samples"}));
+    }
+    if (has_samples) scenario.sweep.samples = static_cast<std::size_t>(samples);
+    return {};
+}
+
+Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& scenario) {
+    if (lua_type(lua, index) != LUA_TTABLE)
+        return failure(fmt::format("option 'sweep' expected a table, as in {{ speed = {{ 0.1, 0.2 }} }}, got {}",
+                                   type_at(lua, index)));
+    const auto names = names_of(lua, index, "option 'sweep'");
+    if (!names) return Unexpected(names.error());
+    bool drawn = false;
+    double runs = 1;
+    for (const std::string& name : *names) {
+        const std::string what = fmt::format("option 'sweep': '{}'", nezumi::shown(name));
+        SweepKey key{name, {}};
+        detail::push_raw_field(lua, index, name);
+        const int values = lua_gettop(lua);
+        if (const SweepRange* range = to_range(lua, values)) {
+            key.values = *range;
+            drawn = true;
+        } else if (lua_type(lua, values) == LUA_TTABLE) {
+            Mismatch why;
+            const std::ptrdiff_t size = read_array_size(lua, values, &why);
+            if (size < 1)
+                return failure(fmt::format("{} expected a list of values, got {}", what,
+                                           size == 0 ? "an empty one" : "a table with other keys than 1, 2, ..."));
+            std::vector<SweepValue> list;
+            for (std::ptrdiff_t i = 1; i <= size; ++i) {
+                lua_rawgeti(lua, values, i);
+                std::vector<Dropped> dropped;
+                auto data = take_plain(lua, 1, file_->budget(), {"it"}, dropped);
+                lua_pop(lua, 1);
+                if (!data) return Unexpected(data.error());
+                if (!dropped.empty())
+                    return failure(fmt::format("{}: value {} is no plain data: {}", what, i, dropped.front().what));
+                SweepValue value = to_sweep_value(std::move(*data));
+                const auto same = [&value](const SweepValue& other) { return other.text == value.text; };
+                if (std::any_of(list.begin(), list.end(), same))
+                    return failure(fmt::format("{} has the value {} twice", what, value.text));
+                list.push_back(std::move(value));
+            }
+            runs *= static_cast<double>(size);
+            key.values = std::move(list);
+        } else {
+            return failure(
+                fmt::format("{} expected a list of values or range(lo, hi), got {}", what, type_at(lua, values)));
+        }
+        lua_pop(lua, 1);
+        scenario.sweep.keys.push_back(std::move(key));
+    }
+    if (drawn) {
+        scenario.sweep.samples = default_samples;
+    } else if (runs > static_cast<double>(most_runs)) {
+        return failure(fmt::format("option 'sweep' makes {} runs, more than {}", runs, most_runs));
+    }
+    return {};
+}
+
+}  // namespace nezumi

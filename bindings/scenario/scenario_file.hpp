@@ -1,0 +1,74 @@
+// A file of scenarios: `scenario(name, options, function)` collected from a `*_test.lua`, each ready to be run.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <lua.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/files/data_file.hpp"
+#include "bindings/lua/project/project.hpp"
+#include "bindings/scenario/sweep.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+/// Of simulated time, when a scenario says nothing else [s].
+inline constexpr double default_timeout = 60;
+/// How often a sweep with a range is drawn when it does not say.
+inline constexpr std::size_t default_samples = 20;
+
+struct Scenario {
+    std::string name;
+    Place place;
+    double timeout = default_timeout;  ///< [s] of simulated time
+    Sweep sweep;
+};
+
+struct ScenarioFileOptions {
+    std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
+    std::uint64_t seed = 0;                        ///< of `math.random`
+    std::function<void(std::string_view)> print;   ///< takes what the file prints, a line at a time; may be empty
+};
+
+class ScenarioFile {
+public:
+    /// Runs the file, which only declares. `errors` gets all that is wrong with it.
+    static Expected<std::unique_ptr<ScenarioFile>> read(const std::filesystem::path& path,
+                                                        const ScenarioFileOptions& options,
+                                                        std::vector<Error>* errors = nullptr);
+
+    const std::string& shown() const { return shown_; }
+    const Project& project() const { return project_; }
+    /// In the order of the file; at least one.
+    const std::vector<Scenario>& scenarios() const { return scenarios_; }
+    LuaState& state() const { return LuaState::of(file_->lua()); }
+    /// The text of the file, or of a module that it required; null when there is none of this name.
+    const std::string* text(const std::string& shown) const;
+    const FileSource* source(const std::string& shown) const { return file_->source(shown); }
+
+    /// Pushes the function of a scenario. May raise a Lua error.
+    void push_function(lua_State* lua, std::size_t scenario) const;
+
+private:
+    ScenarioFile(Project project, std::string shown) : project_(std::move(project)), shown_(std::move(shown)) {}
+
+    static int scenario_word(lua_State* lua);
+    static int range_word(lua_State* lua);
+    const char* add(lua_State* lua);
+    Expected<Scenario> read_call(lua_State* lua, const Place& place);
+    Expected<void> read_options(lua_State* lua, int index, Scenario& scenario);
+    Expected<void> read_sweep(lua_State* lua, int index, Scenario& scenario);
+
+    Project project_;
+    std::string shown_;
+    std::string text_;
+    std::vector<Scenario> scenarios_;
+    bool is_read_ = false;  // from then on it only runs
+    std::unique_ptr<DataFile> file_;
+};
+
+}  // namespace nezumi

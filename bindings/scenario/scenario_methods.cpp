@@ -1,0 +1,297 @@
+// How the methods of `s` are found and called, and those that let time pass.
+#include "bindings/scenario/scenario_methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bindings/lua/values/codec.hpp"
+
+namespace nezumi {
+namespace {
+
+// The address is the key of the metatable of `s` in the registry.
+constexpr char object_key = 0;
+
+std::string type_at(lua_State* lua, int index) {
+    return lua_type(lua, index) <= LUA_TNIL ? "nothing" : luaL_typename(lua, index);
+}
+
+bool is_object(lua_State* lua, int index) {
+    if (lua_type(lua, index) != LUA_TUSERDATA || lua_getmetatable(lua, index) == 0) return false;
+    lua_rawgetp(lua, LUA_REGISTRYINDEX, &object_key);
+    const bool same = lua_rawequal(lua, -1, -2) != 0;
+    lua_pop(lua, 2);
+    return same;
+}
+
+// Methods that need no world.
+bool is_early(std::string_view name) {
+    constexpr std::string_view others[] = {"check", "near", "now", "load"};
+    const auto& words = system_word_names();
+    return std::find(std::begin(others), std::end(others), name) != std::end(others) ||
+           std::find(words.begin(), words.end(), name) != words.end();
+}
+
+// Methods that let time pass, or wait for it.
+bool needs_time(std::string_view name) {
+    constexpr std::string_view all[] = {"always", "never", "wait_until", "eventually", "maintain", "run"};
+    return std::find(std::begin(all), std::end(all), name) != std::end(all);
+}
+
+}  // namespace
+
+void ScenarioRun::Methods::push_object(lua_State* lua, ScenarioRun& run) {
+    luaL_checkstack(lua, 20, nullptr);
+    lua_newuserdatauv(lua, 0, 0);
+    lua_newtable(lua);  // the metatable
+    lua_pushlightuserdata(lua, &run);
+    lua_newtable(lua);  // the methods
+    add_system_words(lua, run.word_host_, true);
+    run.objects_->add_port_words(lua, true);
+    for (const auto* methods : {&of_time(), &of_acts()}) {
+        for (const Method& method : *methods) {
+            lua_pushlightuserdata(lua, &run);
+            lua_pushlightuserdata(lua, const_cast<Method*>(&method));
+            lua_pushcclosure(lua, call, 2);
+            lua_setfield(lua, -2, method.name);
+        }
+    }
+    lua_pushcclosure(lua, index, 2);
+    lua_setfield(lua, -2, "__index");
+    lua_pushcfunction(lua, newindex);
+    lua_setfield(lua, -2, "__newindex");
+    lua_pushboolean(lua, 0);
+    lua_setfield(lua, -2, "__metatable");
+    lua_pushliteral(lua, "scenario");
+    lua_setfield(lua, -2, "__name");
+    lua_pushvalue(lua, -1);
+    lua_rawsetp(lua, LUA_REGISTRYINDEX, &object_key);
+    lua_setmetatable(lua, -2);
+}
+
+std::vector<std::string_view> ScenarioRun::Methods::names() {
+    std::vector<std::string_view> all{"hold", "inject", "release", "seed", "world"};
+    for (const char* name : system_word_names()) all.emplace_back(name);
+    for (const Method& method : of_time()) all.emplace_back(method.name);
+    for (const Method& method : of_acts()) all.emplace_back(method.name);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+int ScenarioRun::Methods::newindex(lua_State* lua) {
+    return luaL_error(lua, "s: nothing of it can be set: keep what you need in a local");
+}
+
+// Upvalues: the run, the table of methods.
+int ScenarioRun::Methods::index(lua_State* lua) {
+    auto& run = *static_cast<ScenarioRun*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    luaL_checkstack(lua, 20, nullptr);
+    const int answered = find_member(run, lua);
+    if (answered == end_run) end_call(lua);
+    if (answered != raise_text) return answered;
+    luaL_where(lua, 1);
+    lua_pushlstring(lua, run.raised_.data(), run.raised_.size());
+    lua_concat(lua, 2);
+    return lua_error(lua);
+}
+
+int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
+    if (run.stopped_) return end_run;
+    if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "s: expected the name of a method or component");
+    const std::string name(lua_tostring(lua, 2));
+    lua_pushvalue(lua, 2);
+    const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL;
+    if (is_method && is_early(name)) {
+        run.described();
+        return 1;
+    }
+    if (auto settled = run.settle(); !settled) {
+        run.setup_error_ = settled.error();
+        run.setup_error_->message = one_line(run.setup_error_->message);
+        return raise(run, describe(*run.setup_error_));
+    }
+    if (!run.has_world()) {
+        const auto known = names();
+        if (!is_method && name != "world")
+            return raise(run, fmt::format("s has no '{}'{}", shown(name), did_you_mean(name, known)));
+        return raise(run, fmt::format("s.{}: there is no world yet: s:load a system, or say s:robot, s:behavior ...",
+                                      shown(name)));
+    }
+    if (is_method) return 1;
+    lua_pop(lua, 1);
+    LiveSystem& world = run.current();
+    if (name != "world" && world.system().find(name) == nullptr) {
+        auto known = names();
+        for (const auto& component : world.system().components()) known.emplace_back(component->name());
+        return raise(run, fmt::format("s has no '{}'{}", shown(name), did_you_mean(name, known)));
+    }
+    const auto pushed = protect(lua, condition_budget, [&](lua_State* inside) {
+        if (name == "world") {
+            run.objects_->push_system(inside, world);
+        } else {
+            run.objects_->push_component(inside, world, name);
+        }
+        return 1;
+    });
+    return pushed ? 1 : raise(run, pushed.error().message);
+}
+
+// Upvalues: the run, the method.
+int ScenarioRun::Methods::call(lua_State* lua) {
+    auto& run = *static_cast<ScenarioRun*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    const auto& method = *static_cast<const Method*>(lua_touserdata(lua, lua_upvalueindex(2)));
+    if (!is_object(lua, 1)) return luaL_error(lua, "write s:%s(...) with a colon", method.name);
+    luaL_checkstack(lua, 20, nullptr);
+    const bool too_late = run.looking_ && needs_time(method.name);
+    const int answered = run.stopped_ ? end_run
+                         : too_late   ? raise(run, "a condition only looks: time and expectations are the scenario's")
+                                      : method.function(run, lua);
+    if (answered == end_run || run.stopped_) end_call(lua);
+    if (answered != raise_text) return answered;
+    luaL_where(lua, 1);
+    lua_pushfstring(lua, std::string_view(run.raised_).starts_with(method.name) ? "" : "%s: ", method.name);
+    lua_pushlstring(lua, run.raised_.data(), run.raised_.size());
+    lua_concat(lua, 3);
+    return lua_error(lua);
+}
+
+Expected<double> ScenarioRun::Methods::seconds(lua_State* lua, int index, std::string_view what,
+                                               const double* otherwise) {
+    if (lua_type(lua, index) <= LUA_TNIL && otherwise != nullptr) return *otherwise;
+    double value = 0;
+    Mismatch why;
+    if (lua_type(lua, index) <= LUA_TNIL || !detail::read_number(lua, index, 1e9, value, &why) || value < 0) {
+        return failure(fmt::format(
+            "{} expected seconds from 0 on, got {}", what,
+            lua_type(lua, index) == LUA_TNUMBER ? fmt::format("{}", lua_tonumber(lua, index)) : type_at(lua, index)));
+    }
+    return value;
+}
+
+// Stops the run because of something that the scenario itself found wrong, at its line.
+bool ScenarioRun::Methods::fails(ScenarioRun& run, lua_State* lua, std::string text) {
+    Place place = calling_place(lua);
+    if (place.file.empty()) place = run.scenario_.place;
+    run.stop(RunOutcome::failed, {one_line(std::move(text)), std::move(place)});
+    run.tell_ports(run.looked_);
+    return false;
+}
+
+int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::Kind kind) {
+    Expectation::Terms terms;
+    terms.kind = kind;
+    terms.place = calling_place(lua);
+    if (lua_type(lua, 2) != LUA_TSTRING)
+        return raise(run, fmt::format("expected a name (what should hold), got {}", type_at(lua, 2)));
+    terms.name = one_line(lua_tostring(lua, 2));
+    const bool has_options = lua_type(lua, 3) != LUA_TFUNCTION;
+    const int function = has_options ? 4 : 3;
+    if (has_options && lua_type(lua, 3) != LUA_TTABLE && lua_type(lua, 3) > LUA_TNIL)
+        return raise(
+            run, fmt::format("'{}': expected options (a table) or a function, got {}", terms.name, type_at(lua, 3)));
+    if (lua_type(lua, function) != LUA_TFUNCTION)
+        return raise(run, fmt::format("'{}': expected a function that says true or false, got {}", terms.name,
+                                      type_at(lua, function)));
+    const bool watches = kind == Expectation::Kind::always || kind == Expectation::Kind::never;
+    bool has_hold = false;
+    if (lua_type(lua, 3) == LUA_TTABLE) {
+        std::vector<std::string_view> known;
+        if (!watches) known.emplace_back("within");
+        if (kind == Expectation::Kind::maintain) known.emplace_back("hold");
+        std::vector<std::string> names;
+        for (lua_pushnil(lua); lua_next(lua, 3) != 0; lua_pop(lua, 1))
+            names.emplace_back(lua_type(lua, -2) == LUA_TSTRING ? detail::key_text(lua) : "[...]");
+        std::sort(names.begin(), names.end());
+        for (const std::string& name : names) {
+            if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+            return raise(
+                run, fmt::format("'{}': unknown option '{}'{}", terms.name, shown(name), did_you_mean(name, known)));
+        }
+        for (const auto& [name, target] : {std::pair{"within", &terms.within}, std::pair{"hold", &terms.hold}}) {
+            if (!detail::push_raw_field(lua, 3, name)) continue;
+            const auto value =
+                seconds(lua, lua_gettop(lua), fmt::format("'{}': option '{}'", terms.name, name), nullptr);
+            lua_pop(lua, 1);
+            if (!value) return raise(run, value.error().message);
+            *target = *value;
+            has_hold = has_hold || target == &terms.hold;
+        }
+    }
+    if (kind == Expectation::Kind::maintain && !has_hold)
+        return raise(run, fmt::format("'{}': expected an option 'hold', in seconds", terms.name));
+    if (lua_gettop(lua) > function)
+        return raise(run, fmt::format("'{}': expected nothing after the function", terms.name));
+
+    auto condition = Condition::take(lua, function, run.file_.text(terms.place.file));
+    if (!condition) return raise(run, condition.error().message);
+    auto watched =
+        std::make_unique<Watched>(Watched{Expectation(std::move(terms), run.worlds_.now()), std::move(*condition)});
+    auto& list = watches ? run.watches_ : run.waits_;
+    list.push_back(std::move(watched));
+    if (watches) return 0;
+    {
+        const CallPause pause;
+        if (!run.wait(lua, *list.back())) return end_run;
+    }
+    lua_pushboolean(lua, 1);
+    return 1;
+}
+
+int ScenarioRun::Methods::run_seconds(ScenarioRun& run, lua_State* lua) {
+    const auto value = seconds(lua, 2, "it", nullptr);
+    if (!value) return raise(run, value.error().message);
+    const CallPause pause;
+    return run.pass_time(lua, *value) ? 0 : static_cast<int>(end_run);
+}
+
+int ScenarioRun::Methods::check(ScenarioRun& run, lua_State* lua) {
+    if (lua_gettop(lua) < 2) return raise(run, "expected a value");
+    if (lua_toboolean(lua, 2) != 0) return lua_pushvalue(lua, 2), 1;
+    const bool is_text = lua_type(lua, 3) == LUA_TSTRING;
+    fails(run, lua, is_text ? fmt::format("check failed: {}", lua_tostring(lua, 3)) : "check failed");
+    return end_run;
+}
+
+int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
+    double values[3]{};
+    constexpr const char* names[] = {"the actual value", "the expected value", "the tolerance"};
+    for (int i = 0; i < 3; ++i) {
+        if (lua_type(lua, i + 2) != LUA_TNUMBER)
+            return raise(run, fmt::format("expected {} (a number), got {}", names[i], type_at(lua, i + 2)));
+        values[i] = lua_tonumber(lua, i + 2);
+    }
+    const auto [actual, expected, tolerance] = values;
+    if (!(tolerance >= 0)) return raise(run, "expected a tolerance from 0 on");
+    const double off = std::abs(actual - expected);
+    if (off <= tolerance) return 0;
+    std::string text = fmt::format("near failed: {} is off {} by {:.6g}, more than the tolerance of {}", actual,
+                                   expected, off, tolerance);
+    if (lua_type(lua, 5) == LUA_TSTRING) text += fmt::format(": {}", lua_tostring(lua, 5));
+    fails(run, lua, std::move(text));
+    return end_run;
+}
+
+int ScenarioRun::Methods::now(ScenarioRun& run, lua_State* lua) {
+    lua_pushnumber(lua, run.worlds_.now());
+    return 1;
+}
+
+const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_time() {
+    using Kind = Expectation::Kind;
+    static const std::vector<Method> methods{
+        {"always", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::always); }},
+        {"never", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::never); }},
+        {"wait_until", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::wait_until); }},
+        {"eventually", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::eventually); }},
+        {"maintain", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::maintain); }},
+        {"run", run_seconds},
+        {"check", check},
+        {"near", near},
+        {"now", now},
+    };
+    return methods;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,63 @@
+// The object `s` of a scenario in Lua.
+#pragma once
+
+#include <lua.hpp>
+
+#include "bindings/scenario/scenario_run.hpp"
+
+namespace nezumi {
+
+/// What a method's C++ part says to its Lua part.
+enum Answered : int {
+    raise_text = -1,  ///< `raised_` is to be raised as a Lua error
+    end_run = -2,     ///< the run has stopped: nothing of the script runs on
+    // 0 and more: so many results are on the stack
+};
+
+struct ScenarioRun::Methods {
+    /// Pushes the object. May raise a Lua error.
+    static void push_object(lua_State* lua, ScenarioRun& run);
+    /// The names of all methods, sorted.
+    static std::vector<std::string_view> names();
+
+    using Function = int (*)(ScenarioRun& run, lua_State* lua);
+    struct Method {
+        const char* name;
+        Function function;
+    };
+    /// Those of time and expectations, and those that act.
+    static const std::vector<Method>& of_time();
+    static const std::vector<Method>& of_acts();
+
+    // Tools of both.
+    static int raise(ScenarioRun& run, std::string text) {
+        run.raised_ = std::move(text);
+        return raise_text;
+    }
+    /// Seconds at `index`, or `otherwise` where there is nothing.
+    static Expected<double> seconds(lua_State* lua, int index, std::string_view what, const double* otherwise);
+    static bool fails(ScenarioRun& run, lua_State* lua, std::string text);
+
+private:
+    static int call(lua_State* lua);
+    static int index(lua_State* lua);
+    static int newindex(lua_State* lua);
+    static int find_member(ScenarioRun& run, lua_State* lua);
+
+    static int expect(ScenarioRun& run, lua_State* lua, Expectation::Kind kind);
+    static int run_seconds(ScenarioRun& run, lua_State* lua);
+    static int check(ScenarioRun& run, lua_State* lua);
+    static int near(ScenarioRun& run, lua_State* lua);
+    static int now(ScenarioRun& run, lua_State* lua);
+
+    static int golden(ScenarioRun& run, lua_State* lua);
+    static int load(ScenarioRun& run, lua_State* lua);
+    static int reload(ScenarioRun& run, lua_State* lua);
+    static int port_fault(ScenarioRun& run, lua_State* lua, Override kind);
+    static int disturb(ScenarioRun& run, lua_State* lua);
+    static int press(ScenarioRun& run, lua_State* lua);
+    static int teleport(ScenarioRun& run, lua_State* lua);
+    static int restore(ScenarioRun& run, lua_State* lua);
+};
+
+}  // namespace nezumi

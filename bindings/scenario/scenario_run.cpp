@@ -1,0 +1,124 @@
+// From the scenario's function to a result.
+#include "bindings/scenario/scenario_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "bindings/scenario/scenario_methods.hpp"
+#include "engine/ports/payload.hpp"
+
+namespace nezumi {
+namespace {
+
+// What the scenario's own code may take, apart from its conditions and from what it waits for.
+constexpr Budget scenario_budget{2.0};
+constexpr std::size_t most_printed = std::size_t{64} << 10;  // [bytes]
+
+}  // namespace
+
+std::uint64_t seed_of(std::uint64_t seed, std::string_view scenario) { return mix(seed, scenario); }
+
+ScenarioRun::ScenarioRun(ScenarioFile& file, std::size_t scenario, RunSettings settings)
+    : file_(file), scenario_(file.scenarios()[scenario]), index_(scenario), settings_(std::move(settings)) {}
+
+ScenarioRun::~ScenarioRun() = default;
+
+void ScenarioRun::print(std::string line) {
+    if (printed_bytes_ > most_printed) return;
+    printed_bytes_ += line.size() + 1;
+    if (printed_bytes_ > most_printed) line = "... (more is left out)";
+    result_.printed.push_back(std::move(line));
+}
+
+Expected<void> ScenarioRun::open() {
+    LuaState& state = file_.state();
+    state.set_print([this](std::string_view line) { print(std::string(line)); });
+    state.seed_random(seed_of(settings_.seed, scenario_.name));
+    word_host_.source = [this](const std::string& shown) { return file_.source(shown); };
+    word_host_.fail = [this](Error error) {
+        raised_ = describe(error);
+        setup_error_ = std::move(error);
+        return raised_.c_str();
+    };
+    auto objects = Objects::open(state, [this]() -> LiveSystem& { return current(); });
+    if (!objects) return Unexpected(objects.error());
+    objects_ = std::move(*objects);
+    objects_->on_look([this](const PortAt& port) {
+        constexpr std::size_t most = 32;
+        if (looked_.size() < most) looked_.push_back(port);
+    });
+    return {};
+}
+
+RunResult ScenarioRun::run() {
+    const auto began = std::chrono::steady_clock::now();
+    lua_State* lua = file_.state().lua();
+    if (auto ok = open(); !ok) {
+        stop(RunOutcome::could_not_run, ok.error());
+    } else {
+        auto called = protect(lua, Budget{10}, [this](lua_State* inside) {
+            file_.push_function(inside, index_);
+            Methods::push_object(inside, *this);
+            lua_createtable(inside, 0, static_cast<int>(settings_.point.size()));
+            for (const auto& [name, value] : settings_.point) {
+                lua_pushlstring(inside, name.data(), name.size());
+                push_plain(inside, value.data);
+                lua_rawset(inside, -3);
+            }
+            return 3;
+        });
+        if (called) called = protected_call(lua, 2, 0, scenario_budget);
+        take_outcome(called);
+    }
+    finish();
+    result_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return std::move(result_);
+}
+
+void ScenarioRun::take_outcome(const CallResult& called) {
+    if (stopped_) return;
+    if (!called) {
+        const CallError& error = called.error();
+        // The error of a word or of a system is the one that Lua raised, unless the scenario caught that.
+        if (setup_error_ && error.message.find(setup_error_->message) != std::string::npos)
+            return stop(RunOutcome::could_not_run, *setup_error_);
+        Error plain{one_line(error.message), error.place};
+        if (plain.place.file.empty()) plain.place = scenario_.place;
+        return stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
+    }
+    if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
+    // What no tick has come after is looked at once, now: it must be able to fail.
+    for (const auto& watch : watches_) {
+        if (!watch->looked && !look(file_.state().lua(), *watch)) return;
+    }
+    for (const Golden& golden : goldens_) {
+        if (auto same = golden.finish(settings_.update_goldens); !same) return stop(RunOutcome::failed, same.error());
+    }
+}
+
+std::string ScenarioRun::title() const {
+    const std::string values = text_of(settings_.point);
+    return values.empty() ? scenario_.name : scenario_.name + " " + values;
+}
+
+void ScenarioRun::finish() {
+    const auto tell = [this](const Watched& watched) {
+        if (!watched.margin) return;
+        const Margin& margin = *watched.margin;
+        result_.margins.push_back(fmt::format("{}: came within {} of the limit at {} ({})", watched.expectation.title(),
+                                              text_of_number(margin.distance, margin.comparison->unit),
+                                              text_of_time(watched.margin_at), text_of(*margin.comparison)));
+    };
+    for (const auto& watched : watches_) tell(*watched);
+    for (const auto& watched : waits_) tell(*watched);
+    result_.seconds = worlds_.now();
+    result_.hash = worlds_.trace_hash();
+    if (settings_.files == nullptr) return;
+    RunFiles::Kept kept = settings_.files->finish(title());
+    result_.files = std::move(kept.names);
+    for (const Error& problem : kept.problems) result_.facts.push_back(describe(problem));
+}
+
+}  // namespace nezumi

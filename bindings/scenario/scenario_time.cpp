@@ -1,0 +1,163 @@
+// How time passes in a run: tick, look at every condition, decide.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "bindings/lua/live/live_text.hpp"
+#include "bindings/scenario/scenario_run.hpp"
+#include "bindings/scenario/text_plot.hpp"
+
+namespace nezumi {
+
+bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
+    if (worlds_.next() > scenario_.timeout + time_tolerance) {
+        std::string text = fmt::format("timeout: the scenario takes longer than {} of simulated time",
+                                       text_of_time(scenario_.timeout));
+        if (waiting != nullptr) text += "; " + waiting->expectation.explain_open(worlds_.now());
+        stop(RunOutcome::failed, {text, waiting != nullptr ? waiting->expectation.terms().place : scenario_.place});
+        if (waiting != nullptr) tell_ports(looked_);
+        if (waiting != nullptr) tell_plot(*waiting);
+        return false;
+    }
+    faults_.end_due(worlds_.now());
+    const auto ticked = worlds_.step();
+    if (!ticked) {
+        stop(RunOutcome::could_not_run, ticked.error());
+        return false;
+    }
+    if (settings_.files != nullptr) {
+        for (const std::size_t world : *ticked) settings_.files->after_tick(world, worlds_[world].system());
+    }
+    for (Golden& golden : goldens_) golden.table.add(worlds_.now());
+    for (const auto& watch : watches_) {
+        if (!look(lua, *watch)) return false;
+    }
+    return true;
+}
+
+bool ScenarioRun::look(lua_State* lua, Watched& watched) {
+    looked_.clear();
+    watched.looked = true;
+    Condition& condition = *watched.condition;
+    looking_ = true;
+    const auto is_true = condition.look(lua);
+    looking_ = false;
+    if (stopped_) return false;
+    if (!is_true) {
+        fail(is_true.error(), watched);
+        return false;
+    }
+    const double now = worlds_.now();
+    const auto& comparisons = condition.comparisons();
+    if (settings_.keep_history) {
+        watched.history.resize(comparisons.size());
+        for (std::size_t i = 0; i < comparisons.size(); ++i) {
+            if (comparisons[i].looked)
+                watched.history[i].push_back({now, comparisons[i].left_value, comparisons[i].right_value});
+        }
+    }
+    const Verdict verdict = watched.expectation.look(*is_true, now);
+    if (verdict == Verdict::broken) {
+        fail(watched);
+        return false;
+    }
+    const Expectation::Kind kind = watched.expectation.terms().kind;
+    const bool as_expected = *is_true != (kind == Expectation::Kind::never);
+    if (as_expected && kind != Expectation::Kind::wait_until && kind != Expectation::Kind::eventually) {
+        const auto margin = margin_of(comparisons, *is_true);
+        if (margin && (!watched.margin || margin->distance < watched.margin->distance)) {
+            watched.margin = margin;
+            watched.margin_at = now;
+        }
+    }
+    return true;
+}
+
+bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
+    // What was asked for may have ended between two ticks: then the rest counts.
+    const double from = asked_until_ > worlds_.now() && asked_until_ < worlds_.next() ? asked_until_ : worlds_.now();
+    asked_until_ = from + seconds;
+    while (worlds_.next() <= asked_until_ + time_tolerance) {
+        if (!advance(lua, nullptr)) return false;
+    }
+    return true;
+}
+
+bool ScenarioRun::wait(lua_State* lua, Watched& watched) {
+    // What is so already needs no tick; before the first tick there is nothing to look at.
+    if (worlds_.ticks() > 0 && !look(lua, watched)) return false;
+    while (watched.expectation.verdict() == Verdict::open) {
+        if (!advance(lua, &watched) || !look(lua, watched)) return false;
+    }
+    return true;
+}
+
+void ScenarioRun::stop(RunOutcome outcome, Error error) {
+    if (stopped_) return;
+    stopped_ = true;
+    result_.outcome = outcome;
+    result_.error = std::move(error);
+    if (!worlds_.empty()) result_.facts.push_back(fmt::format("at {} of simulated time", text_of_time(worlds_.now())));
+}
+
+void ScenarioRun::fail(const Watched& watched) {
+    if (stopped_) return;
+    const Expectation& expectation = watched.expectation;
+    stop(RunOutcome::failed, {expectation.explain(), expectation.terms().place});
+    const bool was = expectation.terms().kind == Expectation::Kind::never;
+    const std::string reason = reason_of(watched.condition->comparisons(), was);
+    if (!reason.empty()) result_.facts.push_back(reason);
+    tell_ports(looked_);
+    tell_plot(watched);
+}
+
+void ScenarioRun::fail(const CallError& error, const Watched& watched) {
+    if (stopped_) return;
+    Error plain{watched.expectation.title() + ": " + error.message, error.place};
+    if (plain.place.file.empty()) plain.place = watched.expectation.terms().place;
+    stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
+    tell_ports(looked_);
+}
+
+void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
+    std::vector<const Port*> told;
+    const auto tell = [&](const System& system, const Component& component, const Port& port) {
+        constexpr std::size_t most = 12;
+        for (const Port* other : told) {
+            if (other == &port) return;
+        }
+        if (told.size() == most) return;
+        told.push_back(&port);
+        result_.facts.push_back("  " + port_text(system, component, port));
+    };
+    for (const PortAt& at : ports) tell(at.live->system(), *at.component, *at.port);
+    if (!told.empty()) return;
+    // It looked at no port: then all that is published says most.
+    for (std::size_t i = 0; i < worlds_.size(); ++i) {
+        const System& system = worlds_[i].system();
+        for (const auto& component : system.components()) {
+            for (const auto& port : component->out_ports()) tell(system, *component, *port);
+        }
+    }
+}
+
+void ScenarioRun::tell_plot(const Watched& watched) {
+    constexpr std::size_t width = 72;
+    constexpr std::size_t height = 8;
+    const auto& comparisons = watched.condition->comparisons();
+    for (std::size_t i = 0; i < watched.history.size(); ++i) {
+        const Comparison& comparison = comparisons[i];
+        PlotCurve limit{comparison.right, '-', {}, {}};
+        PlotCurve value{comparison.left, '*', {}, {}};
+        for (const Watched::Look& look : watched.history[i]) {
+            limit.times.push_back(look.time);
+            limit.values.push_back(look.right);
+            value.times.push_back(look.time);
+            value.values.push_back(look.left);
+        }
+        for (std::string& line : plot_text({limit, value}, width, height)) result_.facts.push_back("  " + line);
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,164 @@
+// The worlds of a run: from the system's words and loaded files to systems that tick.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bindings/lua/files/system_file.hpp"
+#include "bindings/scenario/scenario_run.hpp"
+
+namespace nezumi {
+namespace {
+
+std::size_t count_things(const ArenaSpec& arena) {
+    return arena.boxes.size() + arena.cylinders.size() + arena.markers.size() + (arena.floor ? 1 : 0) +
+           (arena.size ? 1 : 0);
+}
+
+bool says_anything(const SystemSpec& spec) {
+    return !spec.entries.empty() || !spec.connections.empty() || count_things(spec.arena) > 0;
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+// What words said before a file was loaded belongs to the world that it makes.
+void merge(SystemSpec& spec, const SystemSpec& more) {
+    append(spec.entries, more.entries);
+    append(spec.connections, more.connections);
+    append(spec.arena.boxes, more.arena.boxes);
+    append(spec.arena.cylinders, more.arena.cylinders);
+    append(spec.arena.markers, more.arena.markers);
+    if (more.arena.floor) spec.arena.floor = more.arena.floor;
+    if (more.arena.size) spec.arena.size = more.arena.size;
+    spec.models.insert(more.models.begin(), more.models.end());
+    if (!more.rate_place.file.empty()) {
+        spec.rate = more.rate;
+        spec.rate_place = more.rate_place;
+    }
+}
+
+}  // namespace
+
+ScenarioRun::Described& ScenarioRun::described() {
+    if (described_.empty()) {
+        Described first;
+        first.project = std::make_unique<Project>(file_.project());
+        first.words = std::make_unique<SystemWords>(*first.project);
+        first.words->spec().file = file_.shown();
+        described_.push_back(std::move(first));
+        word_host_.words = described_.back().words.get();
+    }
+    return described_.back();
+}
+
+Expected<void> ScenarioRun::settle() {
+    if (described_.empty()) return {};
+    Described& present = described_.back();
+    const SystemSpec& spec = present.words->spec();
+    if (present.live == nullptr) {
+        if (!says_anything(spec)) return {};
+        if (auto ok = present.words->finish(); !ok) return ok;
+        return build(present);
+    }
+    const bool arena_changed = count_things(spec.arena) != present.things;
+    if (!arena_changed && spec.entries.size() == present.entries && spec.connections.size() == present.connections)
+        return {};
+    if (auto ok = present.words->finish(); !ok) return ok;
+    return arena_changed ? change_arena(present) : add_new(present);
+}
+
+Expected<void> ScenarioRun::build(Described& described) {
+    LiveOptions options = settings_.systems();
+    options.build.seed = settings_.seed;
+    options.build.seed_wins = true;
+    options.build.out_of_time_is_fatal = true;
+    options.budget = headless_budget;
+    options.watch = false;
+    options.print = [this](std::string_view line) { print(std::string(line)); };
+    options.build.log = [this](const LogLine& line) {
+        if (line.level == LogLevel::debug) return;
+        const std::string who = line.component.empty() ? "" : line.component + ": ";
+        print(fmt::format("[{:8.3f}] {} {}{}", line.seconds, to_text(line.level), who, line.text));
+    };
+    const SystemSpec& spec = described.words->spec();
+    auto live = LiveSystem::make(spec, *described.project, std::move(options));
+    if (!live) return Unexpected(live.error());
+    (*live)->activate();
+    described.entries = spec.entries.size();
+    described.connections = spec.connections.size();
+    described.things = count_things(spec.arena);
+    described.live = &worlds_.add(std::move(*live));
+    if (settings_.files == nullptr) return {};
+    return settings_.files->begin(worlds_.size() - 1, described.live->system());
+}
+
+Expected<void> ScenarioRun::change_arena(Described& described) {
+    const auto world = static_cast<std::size_t>(&described - described_.data());
+    if (worlds_.ticks(world) > 0)
+        return failure("arena: can't change once time has moved: say it before s:run and all that waits");
+    // The world is built anew; parameters that the scenario has set stay.
+    std::vector<std::pair<std::string, Parameters>> settings;
+    for (const auto& component : described.live->system().components())
+        settings.emplace_back(component->name(), component->parameters());
+    const SystemSpec& spec = described.words->spec();
+    if (auto ok = described.live->restart_as(spec); !ok) return ok;
+    for (const auto& [name, parameters] : settings) {
+        if (Component* component = described.live->system().find(name)) component->parameters() = parameters;
+    }
+    described.entries = spec.entries.size();
+    described.connections = spec.connections.size();
+    described.things = count_things(spec.arena);
+    return {};
+}
+
+Expected<void> ScenarioRun::add_new(Described& described) {
+    const SystemSpec& spec = described.words->spec();
+    System& system = described.live->system();
+    while (described.entries < spec.entries.size()) {
+        const Entry& entry = spec.entries[described.entries++];
+        const auto added = described.live->add(entry, spec);
+        if (!added) return Unexpected(added.error());
+        // A component that can't be activated is in ERROR, as at the start of a system.
+        if (std::visit([](const auto& e) { return e.active; }, entry))
+            static_cast<void>((*added)->activate(system.now()));
+    }
+    while (described.connections < spec.connections.size()) {
+        const ConnectionSpec& connection = spec.connections[described.connections++];
+        if (auto ok = system.connect(connection.from, connection.to); !ok)
+            return failure(ok.error().message, connection.place);
+    }
+    return {};
+}
+
+Expected<void> ScenarioRun::load(const std::string& name, const Place& place) {
+    SystemSpec before;
+    if (!described_.empty()) {
+        if (described_.back().live != nullptr) {
+            if (auto ok = settle(); !ok) return ok;
+        } else {
+            before = described_.back().words->spec();
+        }
+    }
+    const auto path = file_.project().find(FileKind::system, name, place.file);
+    if (!path) return failure("load: " + path.error().message, place);
+    // A system of another project is read as that project's; what the scenario adds is its own.
+    const Project theirs = Project::of(*path, file_.project().installed());
+    auto spec = read_system_file(
+        *path, theirs, {.seed = settings_.seed, .print = [this](std::string_view line) { print(std::string(line)); }});
+    if (!spec) return Unexpected(spec.error());
+    merge(*spec, before);
+    if (!described_.empty() && described_.back().live == nullptr) described_.pop_back();
+    Described next;
+    next.project = std::make_unique<Project>(file_.project().root().empty() ? theirs : file_.project());
+    next.words = std::make_unique<SystemWords>(*next.project, std::move(*spec));
+    if (auto ok = next.words->finish(); !ok) return ok;
+    if (auto ok = build(next); !ok) return ok;
+    described_.push_back(std::move(next));
+    word_host_.words = described_.back().words.get();
+    return {};
+}
+
+}  // namespace nezumi

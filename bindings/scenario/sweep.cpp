@@ -1,0 +1,237 @@
+// Combinations, draws and simpler points.
+#include "bindings/scenario/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "bindings/lua/sandbox/random.hpp"
+#include "engine/base/names.hpp"
+#include "engine/system/system_spec.hpp"
+
+namespace nezumi {
+namespace {
+
+std::string text_of_number(double number) {
+    std::string text = fmt::format("{}", number);
+    if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
+    return text;
+}
+
+bool is_plain_word(const std::string& text) {
+    return !text.empty() && text.find_first_of("[]{}=,\"'\\ ") == std::string::npos &&
+           std::all_of(text.begin(), text.end(), [](unsigned char c) { return c > 0x20 && c != 0x7f; });
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            out += fmt::format("\\{:03}", static_cast<int>(static_cast<unsigned char>(c)));
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+std::string text_of(const PlainData& data, const PlainData::Value& value, int depth) {
+    struct Visitor {
+        const PlainData& data;
+        int depth;
+        std::string operator()(std::monostate) const { return "nil"; }
+        std::string operator()(bool value) const { return value ? "true" : "false"; }
+        std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
+        std::string operator()(double value) const { return text_of_number(value); }
+        std::string operator()(const std::string& value) const { return is_plain_word(value) ? value : quoted(value); }
+        std::string operator()(PlainData::TableRef ref) const {
+            if (depth > 4) return "{...}";
+            std::string out = "{";
+            std::int64_t next = 1;
+            for (const auto& [key, element] : data.tables[ref.index]) {
+                if (out.size() > 1) out += ", ";
+                const auto* index = std::get_if<std::int64_t>(&key);
+                if (index != nullptr && *index == next) {
+                    ++next;
+                } else if (const auto* name = std::get_if<std::string>(&key); name != nullptr && is_identifier(*name)) {
+                    out += *name + "=";
+                } else {
+                    out += "[" + text_of(data, key, depth + 1) + "]=";
+                }
+                out += text_of(data, element, depth + 1);
+            }
+            return out + "}";
+        }
+    };
+    return std::visit(Visitor{data, depth}, value);
+}
+
+SweepValue number_value(const SweepRange& range, double number) {
+    PlainData data;
+    if (range.whole) {
+        data.values.emplace_back(static_cast<std::int64_t>(std::llround(number)));
+    } else {
+        data.values.emplace_back(number);
+    }
+    return to_sweep_value(std::move(data));
+}
+
+double number_of(const SweepValue& value) {
+    const PlainData::Value& held = value.data.values.front();
+    if (const auto* whole = std::get_if<std::int64_t>(&held)) return static_cast<double>(*whole);
+    return std::get<double>(held);
+}
+
+// The number of the range that is nearest to this.
+double within(const SweepRange& range, double number) {
+    if (range.step > 0) {
+        const double most = std::floor((range.hi - range.lo) / range.step + 1e-9);
+        number = range.lo + std::clamp(std::round((number - range.lo) / range.step), 0.0, most) * range.step;
+    }
+    return std::clamp(number, range.lo, range.hi);
+}
+
+SweepValue draw(const SweepRange& range, Random& random) {
+    if (range.step > 0) {
+        const double most = std::floor((range.hi - range.lo) / range.step + 1e-9);
+        return number_value(range, within(range, range.lo + range.step * static_cast<double>(random.next_up_to(
+                                                                             static_cast<std::uint64_t>(most)))));
+    }
+    return number_value(range, range.lo + (range.hi - range.lo) * random.next_fraction());
+}
+
+// Simplest first.
+std::vector<double> simpler_numbers(const SweepRange& range, double number) {
+    const double target = within(range, 0.0);
+    std::vector<double> all{target};
+    for (const double digits : {1.0, 10.0, 100.0, 1000.0}) {
+        all.push_back(within(range, std::trunc(number * digits) / digits));
+        all.push_back(within(range, std::round(number * digits) / digits));
+    }
+    for (const double share : {0.5, 0.75, 0.875}) {
+        const double between = target + (number - target) * share;
+        all.push_back(within(range, std::trunc(between)));
+        all.push_back(within(range, between));
+    }
+    all.push_back(within(range, number > target ? number - 1 : number + 1));
+    // Simpler means nearer to the target or shorter: anything else would let shrinking go round in circles.
+    const auto length = [](double value) { return fmt::format("{}", value).size(); };
+    std::vector<double> out;
+    for (const double candidate : all) {
+        const bool nearer = std::abs(candidate - target) < std::abs(number - target);
+        const bool no_longer = length(candidate) <= length(number);
+        const bool shorter = length(candidate) < length(number);
+        if (candidate == number || !((nearer && no_longer) || shorter)) continue;
+        if (std::find(out.begin(), out.end(), candidate) == out.end()) out.push_back(candidate);
+    }
+    return out;
+}
+
+const SweepValue* find_value(const std::vector<SweepValue>& values, std::string_view text) {
+    const auto found = std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.text == text; });
+    return found == values.end() ? nullptr : &*found;
+}
+
+// Finds the point from key `at` on; each value's text is what the sweep itself would write, so no grammar is needed.
+bool find_from(const Sweep& sweep, std::size_t at, std::string_view text, SweepPoint& point) {
+    if (at == sweep.keys.size()) return text.empty();
+    const SweepKey& key = sweep.keys[at];
+    const std::string prefix = (at > 0 ? ", " : "") + key.name + "=";
+    if (!text.starts_with(prefix)) return false;
+    text.remove_prefix(prefix.size());
+    if (const auto* range = std::get_if<SweepRange>(&key.values)) {
+        double number = 0;
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (problem != std::errc{} || !(number >= range->lo && number <= range->hi)) return false;
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        point.emplace_back(key.name, number_value(*range, number));
+        return find_from(sweep, at + 1, text, point);
+    }
+    for (const SweepValue& value : std::get<std::vector<SweepValue>>(key.values)) {
+        if (!text.starts_with(value.text)) continue;
+        point.emplace_back(key.name, value);
+        if (find_from(sweep, at + 1, text.substr(value.text.size()), point)) return true;
+        point.pop_back();
+    }
+    return false;
+}
+
+}  // namespace
+
+SweepValue to_sweep_value(PlainData data) {
+    std::string text = text_of(data, data.values.front(), 0);
+    return {std::move(data), std::move(text)};
+}
+
+std::string text_of(const SweepPoint& point) {
+    if (point.empty()) return "";
+    std::string out = "[";
+    for (const auto& [name, value] : point) {
+        if (out.size() > 1) out += ", ";
+        out += name + "=" + value.text;
+    }
+    return out + "]";
+}
+
+std::vector<SweepPoint> combinations(const Sweep& sweep) {
+    std::vector<SweepPoint> all{{}};
+    for (const SweepKey& key : sweep.keys) {
+        const auto& values = std::get<std::vector<SweepValue>>(key.values);
+        std::vector<SweepPoint> next;
+        next.reserve(all.size() * values.size());
+        for (const SweepPoint& point : all) {
+            for (const SweepValue& value : values) {
+                next.push_back(point);
+                next.back().emplace_back(key.name, value);
+            }
+        }
+        all = std::move(next);
+    }
+    return all;
+}
+
+SweepPoint draw(const Sweep& sweep, std::uint64_t seed, std::size_t index) {
+    Random random(seed, index + 1);
+    SweepPoint point;
+    for (const SweepKey& key : sweep.keys) {
+        if (const auto* range = std::get_if<SweepRange>(&key.values)) {
+            point.emplace_back(key.name, draw(*range, random));
+        } else {
+            const auto& values = std::get<std::vector<SweepValue>>(key.values);
+            point.emplace_back(key.name, values[random.next_up_to(values.size() - 1)]);
+        }
+    }
+    return point;
+}
+
+std::optional<SweepPoint> find_point(const Sweep& sweep, std::string_view text) {
+    SweepPoint point;
+    if (text.empty()) return sweep.keys.empty() ? std::optional(point) : std::nullopt;
+    if (!text.starts_with('[') || !text.ends_with(']')) return std::nullopt;
+    if (!find_from(sweep, 0, text.substr(1, text.size() - 2), point)) return std::nullopt;
+    return point;
+}
+
+std::vector<SweepPoint> simpler(const Sweep& sweep, const SweepPoint& point) {
+    std::vector<SweepPoint> all;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+        const auto add = [&](const SweepValue& value) {
+            all.push_back(point);
+            all.back()[i].second = value;
+        };
+        if (const auto* range = std::get_if<SweepRange>(&sweep.keys[i].values)) {
+            for (const double number : simpler_numbers(*range, number_of(point[i].second)))
+                add(number_value(*range, number));
+        } else {
+            const auto& values = std::get<std::vector<SweepValue>>(sweep.keys[i].values);
+            const SweepValue* present = find_value(values, point[i].second.text);
+            for (const SweepValue* value = values.data(); value != present; ++value) add(*value);
+        }
+    }
+    return all;
+}
+
+}  // namespace nezumi

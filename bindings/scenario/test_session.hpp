@@ -1,0 +1,48 @@
+// A session of scenarios: plans, runs each in a process of its own, simplifies random failures, reports.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/scenario/reporter.hpp"
+#include "bindings/scenario/scenario_run.hpp"
+#include "bindings/scenario/test_plan.hpp"
+
+namespace nezumi {
+
+struct SessionOptions {
+    std::uint64_t seed = 124;
+    std::size_t repeat = 1;                        ///< how often each run is made; all must have the same hash
+    std::size_t jobs = 1;                          ///< processes at a time
+    std::filesystem::path folder = "nezumi-test";  ///< failures leave their files in folders of it
+    bool update_goldens = false;                   ///< write them in place of comparing with them
+    std::vector<std::filesystem::path> installed;
+    std::function<LiveOptions()> systems;  ///< how systems are made
+    /// Keeps the files of a run that failed, in a folder that is there; may be empty.
+    std::function<std::unique_ptr<RunFiles>(const std::filesystem::path& folder)> files;
+};
+
+/// What a session came to.
+struct SessionEnd {
+    SessionSummary summary;
+    std::vector<RunReport> reports;
+    bool interrupted = false;
+
+    /// 0: all passed, 1: a scenario failed, 2: something could not be run.
+    int status() const {
+        if (interrupted || summary.could_not_run > 0) return 2;
+        return summary.failed > 0 ? 1 : 0;
+    }
+};
+
+/// Makes all runs of a plan and tells the reporter of each, in order. The result does not depend on the jobs.
+SessionEnd run_tests(const TestPlan& plan, const SessionOptions& options, Reporter& reporter);
+
+/// One run in this process; when it fails, once more to keep its files and plots (unless `quick`).
+RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick);
+
+}  // namespace nezumi

@@ -1,0 +1,51 @@
+// The common clock goes from tick to tick, whoever's it is.
+#include "bindings/scenario/worlds.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "bindings/scenario/expectation.hpp"
+#include "engine/ports/payload.hpp"
+
+namespace nezumi {
+
+LiveSystem& Worlds::add(std::unique_ptr<LiveSystem> world) {
+    worlds_.push_back({std::move(world), now_, 0});
+    return *worlds_.back().live;
+}
+
+double Worlds::next() const {
+    double soonest = std::numeric_limits<double>::infinity();
+    for (const World& world : worlds_) soonest = std::min(soonest, world.next());
+    return soonest;
+}
+
+Expected<std::vector<std::size_t>> Worlds::step() {
+    const double then = next();
+    std::vector<std::size_t> ticked;
+    for (std::size_t i = 0; i < worlds_.size(); ++i) {
+        World& world = worlds_[i];
+        if (world.next() > then + time_tolerance) continue;
+        world.live->tick();
+        ++world.ticks;
+        ticked.push_back(i);
+        if (const auto& error = world.live->system().fatal_error()) return Unexpected(*error);
+    }
+    now_ = then;
+    return ticked;
+}
+
+std::int64_t Worlds::ticks() const {
+    std::int64_t all = 0;
+    for (const World& world : worlds_) all += world.ticks;
+    return all;
+}
+
+std::uint64_t Worlds::trace_hash() const {
+    if (worlds_.size() == 1) return worlds_.front().live->trace_hash();
+    std::uint64_t hash = 0;
+    for (const World& world : worlds_) hash = mix(hash, world.live->trace_hash());
+    return hash;
+}
+
+}  // namespace nezumi

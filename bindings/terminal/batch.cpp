@@ -1,0 +1,159 @@
+// The next command is sent when the one before is answered, so that what is said has the order of the commands.
+#include "bindings/terminal/batch.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "bindings/terminal/put_text.hpp"
+
+namespace nezumi {
+namespace {
+
+class Batch {
+public:
+    Batch(ConsoleClient& client, const BatchFiles& files) : client_(client), files_(files) {}
+
+    bool run_all();
+    /// `line`: of the file, the first of the text; 0 when it is from none.
+    bool run(const std::string& text, int line);
+
+private:
+    std::optional<std::string> read_line();
+    bool is_complete(const std::string& text);
+    std::optional<Event> wait_for_answer(std::int64_t id);
+    void show(const Event& event);
+    void tell(const std::string& text) const { put_text(files_.error, text + "\n"); }
+    std::string place(std::string_view message) const;
+
+    ConsoleClient& client_;
+    BatchFiles files_;
+    LineReader reader_;
+    bool ended_ = false;  // the input
+    bool lost_ = false;   // nobody takes the output any more
+    bool fed_ = false;    // the reader may have another line
+    std::string rest_;    // of the input that no end of line has ended
+    int first_line_ = 0;  // of the command that runs
+};
+
+bool Batch::run_all() {
+    bool well = true;
+    std::string text;
+    int first = 1;
+    for (int line = 1; client_.is_open() && !lost_; ++line) {
+        auto next = read_line();
+        if (next) text += (text.empty() ? "" : "\n") + *next;
+        if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+            text.clear();
+        } else if (!next || is_complete(text)) {
+            well = run(std::exchange(text, {}), first) && well;
+        } else {
+            continue;
+        }
+        if (!next) break;
+        first = line + 1;
+    }
+    return well && !lost_;
+}
+
+bool Batch::run(const std::string& text, int line) {
+    first_line_ = line;
+    const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::eval, .text = text}));
+    if (answer) return answer->ok;
+    if (!files_.own) tell(place("the system has ended"));
+    return files_.own;
+}
+
+bool Batch::is_complete(const std::string& text) {
+    const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::is_complete, .text = text}));
+    return !answer || answer->ok;
+}
+
+std::optional<std::string> Batch::read_line() {
+    for (;;) {
+        if (fed_) {
+            auto line = reader_.next();
+            fed_ = line.has_value();
+            if (line && *line) return std::move(**line);
+            if (line) return "error('" + line->error().message + "', 0)";
+        }
+        if (ended_ || !client_.is_open()) return std::nullopt;
+        std::array<pollfd, 2> polled{{{.fd = files_.input, .events = POLLIN, .revents = 0},
+                                      {.fd = client_.file(), .events = POLLIN, .revents = 0}}};
+        if (poll(polled.data(), polled.size(), -1) < 0 && errno != EINTR) return std::nullopt;
+        if (polled[1].revents != 0) {
+            while (const auto event = client_.next(0)) show(*event);
+        }
+        if (polled[0].revents == 0) continue;
+        std::array<char, 65536> piece{};
+        const ssize_t got = read(files_.input, piece.data(), piece.size());
+        if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+        ended_ = got <= 0;
+        // The last line may lack its end.
+        reader_.feed(ended_ ? "\n" : std::string_view(piece.data(), static_cast<std::size_t>(got)));
+        fed_ = true;
+    }
+}
+
+std::optional<Event> Batch::wait_for_answer(std::int64_t id) {
+    for (;;) {
+        auto event = client_.next(-1);
+        if (!event && client_.is_open()) continue;  // a signal
+        if (!event) return std::nullopt;
+        if (event->kind == Event::Kind::answer && event->id == id) return event;
+        show(*event);
+    }
+}
+
+void Batch::show(const Event& event) {
+    switch (event.kind) {
+        case Event::Kind::output:
+            lost_ = !put_text(files_.out, event.text + "\n") || std::fflush(files_.out) != 0 || lost_;
+            return;
+        case Event::Kind::error: tell(place(event.text)); return;
+        case Event::Kind::log: tell(event.text); return;
+        case Event::Kind::lost: tell(fmt::format("({} more were left out)", event.count)); return;
+        case Event::Kind::answer:
+        case Event::Kind::completions:
+        case Event::Kind::keys:
+        case Event::Kind::status:
+        case Event::Kind::bye: return;
+    }
+}
+
+// Lines of a command are counted from its own first; a reader wants those of the file.
+std::string Batch::place(std::string_view message) const {
+    if (first_line_ == 0) return std::string(message);
+    static constexpr std::string_view word = "line ";
+    int within = 1;
+    if (message.starts_with(word)) {
+        int line = 0;
+        const char* const end = message.data() + message.size();
+        const auto [rest, error] = std::from_chars(message.data() + word.size(), end, line);
+        if (error == std::errc{} && std::string_view(rest, static_cast<std::size_t>(end - rest)).starts_with(": ")) {
+            within = line;
+            message = std::string_view(rest + 2, static_cast<std::size_t>(end - rest - 2));
+        }
+    }
+    return fmt::format("line {}: {}", first_line_ + within - 1, message);
+}
+
+}  // namespace
+
+bool run_batch(ConsoleClient& client, const BatchFiles& files) {
+    client.send({.kind = Request::Kind::hello, .text = {}, .log = true});
+    return Batch(client, files).run_all();
+}
+
+bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files) {
+    return Batch(client, files).run(text, 0);
+}
+
+}  // namespace nezumi

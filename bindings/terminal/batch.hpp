@@ -1,0 +1,26 @@
+// Commands from a file or a pipe instead of a terminal.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "bindings/terminal/client.hpp"
+
+namespace nezumi {
+
+/// Where commands come from and what is said goes.
+struct BatchFiles {
+    bool own = false;      ///< the system runs for these commands: that it ends, by `quit()`, is no failure of the next
+    int input = 0;         ///< commands; an input of several lines is taken whole
+    FILE* out = stdout;    ///< results, and what commands print and watch
+    FILE* error = stderr;  ///< errors, with the line that they are from, and the log
+};
+
+/// Runs one command after the other until there are no more or the system ends. An error costs its command and no more.
+/// Returns whether all went well.
+bool run_batch(ConsoleClient& client, const BatchFiles& files);
+
+/// Runs one. Returns whether it went well.
+bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files);
+
+}  // namespace nezumi

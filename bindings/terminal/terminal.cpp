@@ -1,0 +1,251 @@
+// Waits for the terminal and for the system at once: whichever speaks, the other is not kept waiting.
+#include "bindings/terminal/terminal.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/terminal/input_history.hpp"
+#include "bindings/terminal/line_editor.hpp"
+#include "bindings/terminal/tty_input.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::string_view prompt = "nezumi> ";
+constexpr std::string_view paused_prompt = "nezumi (paused)> ";
+constexpr std::string_view more_prompt = "     >> ";
+
+// A lone Escape is one when nothing follows it for so long [ms].
+constexpr int escape_wait = 50;
+
+class Prompt {
+public:
+    Prompt(ConsoleClient& client, const TerminalOptions& options)
+        : client_(client), options_(options), history_(options.history) {}
+
+    Expected<PromptEnd> run();
+
+private:
+    enum class Came { typed, event, nothing, end };
+
+    bool read_input(std::string& input);
+    void evaluate(const std::string& input);
+    bool is_complete(const std::string& input);
+    Completion complete(const std::string& text, std::size_t cursor);
+    void keep(const std::string& input);
+    std::optional<Event> wait_for_answer(std::int64_t id);
+    Came wait(int timeout);
+    void take_keys(bool alone);
+    void interrupt();
+    void show_events();
+    void show(const Event& event, std::string& text);
+    std::string coloured(const Event& event) const;
+    std::string_view prompt_of(bool begun) const { return begun ? more_prompt : paused_ ? paused_prompt : prompt; }
+    bool ended() const { return ended_ || !client_.is_open(); }
+
+    ConsoleClient& client_;
+    const TerminalOptions& options_;
+    HistoryFile history_;
+    std::unique_ptr<LineEditor> editor_;
+    std::string latest_;           // input
+    std::optional<Event> answer_;  // that came last
+    bool begun_ = false;           // the input has lines already
+    bool paused_ = false;
+    bool keys_ = false;     // `drive` takes them
+    bool ended_ = false;    // the system
+    bool hung_up_ = false;  // the terminal
+    bool history_fails_ = false;
+};
+
+Expected<PromptEnd> Prompt::run() {
+    auto editor = LineEditor::create(
+        options_.input, options_.output, options_.attached,
+        {.wait =
+             [this](std::string&) {
+                 while (true) {
+                     const Came came = wait(-1);
+                     if (came == Came::typed) return true;
+                     if (came == Came::end) return false;
+                 }
+             },
+         .complete = [this](const std::string& text, std::size_t cursor) { return complete(text, cursor); }});
+    if (!editor) return Unexpected(editor.error());
+    editor_ = std::move(*editor);
+    for (const std::string& input : history_.read()) editor_->remember(latest_ = input);
+    client_.send({.kind = Request::Kind::hello, .text = {}, .log = true, .keys = true});
+    if (!options_.greeting.empty()) editor_->print(options_.greeting + "\n");
+
+    std::string input;
+    while (read_input(input)) {
+        if (input.find_first_not_of(" \t\n") == std::string::npos) continue;
+        keep(input);
+        evaluate(input);
+    }
+    return ended() ? PromptEnd::ended : PromptEnd::left;
+}
+
+// False when there is nothing more to read.
+bool Prompt::read_input(std::string& input) {
+    input.clear();
+    begun_ = false;
+    while (!ended() && !hung_up_) {
+        editor_->set_prompt(std::string(prompt_of(begun_)));
+        std::string line;
+        switch (editor_->read(input, line)) {
+            case LineEditor::Outcome::interrupted:
+                interrupt();
+                input.clear();
+                begun_ = false;
+                continue;
+            case LineEditor::Outcome::end:
+                if (!begun_ || ended() || hung_up_) return false;
+                // Ctrl-D within an input of several lines only drops it.
+                input.clear();
+                begun_ = false;
+                continue;
+            case LineEditor::Outcome::input: break;
+        }
+        input += line;
+        if (is_complete(input)) return !ended();
+        input += "\n";
+        begun_ = true;
+    }
+    return false;
+}
+
+void Prompt::keep(const std::string& input) {
+    if (input == latest_ || input.front() == ' ') return;
+    latest_ = input;
+    editor_->remember(input);
+    const auto kept = history_.append(input);
+    if (!kept && !std::exchange(history_fails_, true)) editor_->print(kept.error().message + "\n");
+}
+
+void Prompt::evaluate(const std::string& input) {
+    wait_for_answer(client_.send({.kind = Request::Kind::eval, .text = input}));
+}
+
+bool Prompt::is_complete(const std::string& input) {
+    if (input.find_first_not_of(" \t\n") == std::string::npos) return true;
+    const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::is_complete, .text = input}));
+    return !answer || answer->ok;
+}
+
+Completion Prompt::complete(const std::string& text, std::size_t cursor) {
+    const auto answer =
+        wait_for_answer(client_.send({.kind = Request::Kind::complete, .text = text, .cursor = cursor}));
+    if (!answer) return {};
+    return {.from = answer->from, .candidates = answer->items};
+}
+
+std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
+    answer_.reset();
+    while (!(answer_ && answer_->id == id) || keys_) {
+        // The rest of an arrow key comes at once; an Escape that stands alone is known by that nothing comes.
+        const bool undecided = keys_ && !editor_->typed().empty();
+        const Came came = wait(undecided ? escape_wait : -1);
+        if (came == Came::end) return std::nullopt;
+        if (keys_) take_keys(came == Came::nothing && undecided);
+        const std::size_t interrupted = editor_->typed().find('\x03');
+        if (interrupted == std::string::npos) continue;
+        // What was typed ahead of it was meant for another outcome.
+        editor_->typed().erase(0, interrupted + 1);
+        interrupt();
+    }
+    return answer_;
+}
+
+void Prompt::interrupt() { client_.send({.kind = Request::Kind::interrupt, .text = {}}); }
+
+void Prompt::take_keys(bool alone) {
+    static constexpr std::array<std::string_view, 6> names{"up", "down", "left", "right", "space", "escape"};
+    std::string& typed = editor_->typed();
+    while (!typed.empty() && typed.front() != '\x03') {
+        const TypedKey key = next_key(typed, alone);
+        if (key.size == 0) return;
+        typed.erase(0, key.size);
+        if (key.key)
+            client_.send({.kind = Request::Kind::key, .text = std::string(names[static_cast<std::size_t>(*key.key)])});
+    }
+}
+
+Prompt::Came Prompt::wait(int timeout) {
+    if (ended()) return Came::end;
+    std::array<pollfd, 2> files{{{.fd = options_.input, .events = POLLIN, .revents = 0},
+                                 {.fd = client_.file(), .events = POLLIN, .revents = 0}}};
+    const int found = poll(files.data(), files.size(), timeout);
+    if (found == 0) return Came::nothing;
+    if (found < 0) return errno == EINTR ? Came::event : Came::end;
+    if (files[1].revents != 0) {
+        show_events();
+        if (ended()) return Came::end;
+    }
+    if (files[0].revents == 0) return Came::event;
+    std::array<char, 4096> piece{};
+    const ssize_t got = read(options_.input, piece.data(), piece.size());
+    if (got > 0) {
+        editor_->typed().append(piece.data(), static_cast<std::size_t>(got));
+        return Came::typed;
+    }
+    if (got < 0 && (errno == EINTR || errno == EAGAIN)) return Came::event;
+    hung_up_ = true;
+    return Came::end;
+}
+
+void Prompt::show_events() {
+    // All that is there, as one: the line being edited is drawn again only once.
+    std::string text;
+    while (auto event = client_.next(0)) show(*event, text);
+    if (!text.empty()) editor_->print(text);
+    editor_->set_prompt(std::string(prompt_of(begun_)));
+}
+
+void Prompt::show(const Event& event, std::string& text) {
+    switch (event.kind) {
+        case Event::Kind::answer:
+        case Event::Kind::completions: answer_ = event; return;
+        case Event::Kind::output:
+        case Event::Kind::error:
+        case Event::Kind::log: text += coloured(event) + "\n"; return;
+        case Event::Kind::lost:
+            text += "(" + std::to_string(event.count) + " more came faster than this terminal shows them)\n";
+            return;
+        case Event::Kind::keys: keys_ = event.ok; return;
+        case Event::Kind::status:
+            paused_ = !event.ok;
+            editor_->set_title(without_controls(event.text));
+            return;
+        case Event::Kind::bye:
+            ended_ = true;
+            if (options_.attached && !event.text.empty()) text += without_controls(event.text) + "\n";
+            return;
+    }
+}
+
+std::string Prompt::coloured(const Event& event) const {
+    std::string plain = without_controls(event.text);
+    const char* none = std::getenv("NO_COLOR");
+    if (editor_->is_plain() || (none != nullptr && none[0] != '\0')) return plain;
+    const bool wrong = event.kind == Event::Kind::error || event.level == "error";
+    if (wrong) return "\x1b[31m" + plain + "\x1b[0m";
+    if (event.level == "warn") return "\x1b[33m" + plain + "\x1b[0m";
+    if (event.level == "debug") return "\x1b[2m" + plain + "\x1b[0m";
+    return plain;
+}
+
+}  // namespace
+
+Expected<PromptEnd> run_prompt(ConsoleClient& client, const TerminalOptions& options) {
+    return Prompt(client, options).run();
+}
+
+}  // namespace nezumi

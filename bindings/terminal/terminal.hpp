@@ -1,0 +1,31 @@
+// The prompt on a terminal: a client of the console's protocol, the same in `nezumi run` and `nezumi attach`.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bindings/console/file_handle.hpp"
+#include "bindings/terminal/client.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+struct TerminalOptions {
+    int input = 0;                  ///< a terminal; read by nobody else meanwhile
+    int output = 1;                 ///< the same terminal
+    std::string greeting;           ///< the first line; "" for none
+    std::filesystem::path history;  ///< where inputs are kept; empty: nowhere
+    bool attached = false;          ///< the system runs elsewhere: Ctrl-Z may stop this process
+};
+
+/// Why the prompt went away.
+enum class PromptEnd {
+    left,   ///< Ctrl-D, or the terminal is gone
+    ended,  ///< the system has ended
+};
+
+/// Reads inputs, runs them and shows what comes, until somebody leaves. The terminal is as before afterwards. An error
+/// when this is no terminal.
+Expected<PromptEnd> run_prompt(ConsoleClient& client, const TerminalOptions& options);
+
+}  // namespace nezumi

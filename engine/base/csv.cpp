@@ -1,0 +1,163 @@
+// Splits CSV into fields and reads them as numbers.
+#include "engine/base/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace nezumi {
+namespace {
+
+// No length, angle or sensor value of a robot comes near it; beyond it physics loses its footing.
+constexpr double largest = 1e6;
+
+std::string_view trim(std::string_view text) {
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+// What a message shows of a field: short, and on one line.
+std::string shown(std::string_view field) {
+    std::string text;
+    for (const char c : field.substr(0, 40)) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+    return field.size() > 40 ? text + "..." : text;
+}
+
+// The fields of one line, without blanks and quotes around them; nothing when a quote is not closed.
+std::optional<std::vector<std::string>> split(std::string_view line) {
+    std::vector<std::string> fields;
+    std::size_t at = 0;
+    for (;;) {
+        while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
+        std::string field;
+        if (at < line.size() && line[at] == '"') {
+            do {  // two quotes within quotes are one
+                if (!field.empty()) field += '"';
+                const std::size_t quote = line.find('"', ++at);
+                if (quote == std::string_view::npos) return std::nullopt;
+                field += line.substr(at, quote - at);
+                at = quote + 1;
+            } while (at < line.size() && line[at] == '"');
+        }
+        const std::size_t comma = std::min(line.find(',', at), line.size());
+        field += trim(line.substr(at, comma - at));
+        fields.emplace_back(trim(field));
+        if (comma == line.size()) return fields;
+        at = comma + 1;
+    }
+}
+
+std::optional<double> to_number(std::string_view text) {
+    if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+    double value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::string list_of(const std::vector<CsvColumn>& columns) {
+    std::string list;
+    for (const CsvColumn& column : columns) list += (list.empty() ? "" : ",") + std::string(column.name);
+    return list;
+}
+
+// For each field of the header row, its place among the columns.
+Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& fields,
+                                               const std::vector<CsvColumn>& columns, const Place& place) {
+    const std::string expected = "expected a header row " + list_of(columns);
+    if (to_number(fields.front()))
+        return failure(fmt::format("{}, got the numbers '{}, ...'", expected, shown(fields.front())), place);
+    if (fields.size() == 1 && fields.front().find_first_of(";\t") != std::string::npos) {
+        return failure(expected + ", got columns that are not separated by commas", place);
+    }
+    std::vector<std::string_view> names;
+    names.reserve(columns.size());
+    for (const CsvColumn& column : columns) names.push_back(column.name);
+    std::vector<std::size_t> order;
+    for (const std::string& field : fields) {
+        const auto found = std::find(names.begin(), names.end(), field);
+        if (found == names.end()) {
+            return failure(fmt::format("unknown column '{}'{}; {}", shown(field), did_you_mean(field, names), expected),
+                           place);
+        }
+        const auto index = static_cast<std::size_t>(found - names.begin());
+        if (std::find(order.begin(), order.end(), index) != order.end()) {
+            return failure(fmt::format("column '{}' is there twice", field), place);
+        }
+        order.push_back(index);
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (std::find(order.begin(), order.end(), i) == order.end()) {
+            return failure(fmt::format("column '{}' is missing; {}", columns[i].name, expected), place);
+        }
+    }
+    return order;
+}
+
+Expected<double> read_field(const std::string& field, const CsvColumn& column, const Place& place) {
+    const auto value = to_number(field);
+    const bool allowed = value && (column.range == CsvColumn::Range::any || *value > 0 ||
+                                   (*value == 0 && column.range == CsvColumn::Range::not_negative));
+    if (!allowed) {
+        const std::string_view expected = column.range == CsvColumn::Range::any            ? "a number"
+                                          : column.range == CsvColumn::Range::not_negative ? "a number from 0 on"
+                                                                                           : "a positive number";
+        return failure(fmt::format("column '{}': expected {}, got '{}'", column.name, expected, shown(field)), place);
+    }
+    if (std::abs(*value) > largest) {
+        return failure(
+            fmt::format("column '{}': expected a number up to {}, got '{}'", column.name, largest, shown(field)),
+            place);
+    }
+    return *value;
+}
+
+}  // namespace
+
+Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string& file,
+                                       const std::vector<CsvColumn>& columns) {
+    if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
+    std::optional<std::vector<std::size_t>> order;
+    std::vector<CsvRow> rows;
+    for (int number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trim(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.empty() || line.front() == '#') continue;
+
+        const Place place{file, number};
+        auto fields = split(line);
+        if (!fields) return failure("a quote is not closed", place);
+        // Spreadsheets fill rows up with empty fields.
+        while (fields->size() > (order ? order->size() : 0) && fields->back().empty()) fields->pop_back();
+        if (std::all_of(fields->begin(), fields->end(), [](const std::string& field) { return field.empty(); }))
+            continue;
+        if (!order) {
+            auto header = read_header(*fields, columns, place);
+            if (!header) return Unexpected(header.error());
+            order = std::move(*header);
+            continue;
+        }
+        if (fields->size() != order->size()) {
+            return failure(
+                fmt::format("expected {} values ({}), got {}", order->size(), list_of(columns), fields->size()), place);
+        }
+        CsvRow row{std::vector<double>(columns.size()), number};
+        for (std::size_t i = 0; i < fields->size(); ++i) {
+            const std::size_t column = (*order)[i];
+            const auto value = read_field((*fields)[i], columns[column], place);
+            if (!value) return Unexpected(value.error());
+            row.values[column] = *value;
+        }
+        rows.push_back(std::move(row));
+    }
+    if (!order) return failure(fmt::format("is empty: expected a header row {}", list_of(columns)), {file});
+    return rows;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,95 @@
+// Error texts and the nearest name to a slip.
+#include "engine/base/error.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+
+namespace nezumi {
+namespace {
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+// Optimal string alignment distance (Damerau-Levenshtein without overlapping swaps).
+std::size_t distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        current[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = previous[j - 1] + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
+            current[j] = std::min({previous[j] + 1, current[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1])) {
+                current[j] = std::min(current[j], before[j - 2] + 1);
+            }
+        }
+        std::swap(before, previous);
+        std::swap(previous, current);
+    }
+    return previous[b.size()];
+}
+
+// Whether one of two names is a whole part of the other, case not counted: "velocity" of "TimedVelocity2D".
+bool contains(std::string_view whole, std::string_view part) {
+    const auto same = [](char a, char b) { return lower(a) == lower(b); };
+    return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();
+}
+
+}  // namespace
+
+std::string describe(const Error& error) {
+    if (error.place.file.empty()) return error.message;
+    std::string text = error.place.file;
+    if (error.place.line > 0) text += ":" + std::to_string(error.place.line);
+    if (error.place.line > 0 && error.place.column > 0) text += ":" + std::to_string(error.place.column);
+    return text + ": " + error.message;
+}
+
+std::string shown(std::string_view name) {
+    constexpr std::size_t most = 60;
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (text.size() >= most) return text + "...";
+        if (byte >= 0x20 && byte != 0x7f) {
+            text += c;
+        } else {
+            text += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+        }
+    }
+    return text;
+}
+
+std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
+    std::string_view best;
+    constexpr std::size_t longest = 200;  // whoever writes such a name has made no slip, and comparing takes its time
+    if (name.size() > longest) return best;
+    std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
+    for (const std::string_view candidate : candidates) {
+        const std::size_t d = distance(name, candidate);
+        // A name of which no character stays is no slip.
+        if (d < best_distance && d < std::max(name.size(), candidate.size())) {
+            best_distance = d;
+            best = candidate;
+        }
+    }
+    if (!best.empty()) return best;
+    constexpr std::size_t least = 4;  // a shorter name is part of anything
+    std::size_t least_difference = static_cast<std::size_t>(-1);
+    for (const std::string_view candidate : candidates) {
+        const auto [shorter, longer] = std::minmax(name, candidate, [](auto a, auto b) { return a.size() < b.size(); });
+        if (shorter.size() < least || longer.size() - shorter.size() >= least_difference) continue;
+        if (!contains(longer, shorter)) continue;
+        least_difference = longer.size() - shorter.size();
+        best = candidate;
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates) {
+    const std::string_view near = nearest(name, candidates);
+    return near.empty() ? std::string() : " (did you mean '" + std::string(near) + "'?)";
+}
+
+}  // namespace nezumi

@@ -1,0 +1,48 @@
+// Arithmetic of rates, exact.
+#include "engine/base/schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nezumi {
+namespace {
+
+constexpr double most_steps = 1e6;  // of physics in a tick
+
+// Wide enough for a tick number times a rate; not of ISO C++, which -Wpedantic wants to hear.
+__extension__ using Wide = __int128;
+
+// Rates as whole micro-hertz, so that "due" is exact.
+Wide micro(double rate) { return static_cast<Wide>(std::llround(rate * 1e6)); }
+
+}  // namespace
+
+Expected<int> steps_per_tick(double rate, double physics_step) {
+    if (!std::isfinite(rate) || rate <= 0) return failure(fmt::format("rate: {} Hz is not a positive number", rate));
+    if (!std::isfinite(physics_step) || physics_step <= 0) {
+        return failure(fmt::format("physics: a step of {} s is not a positive number", physics_step));
+    }
+    const double steps = 1.0 / (rate * physics_step);
+    const double whole = std::round(steps);
+    if (whole >= 1 && whole <= most_steps && std::abs(steps - whole) < 1e-9 * whole) return static_cast<int>(whole);
+    // In full: a person may copy it.
+    const auto rate_of = [&](double n) { return fmt::format("{}", 1.0 / (n * physics_step)); };
+    const double slower = std::clamp(std::ceil(steps), 1.0, most_steps);
+    const double faster = std::clamp(std::floor(steps), 1.0, most_steps);
+    const std::string nearest =
+        slower == faster ? fmt::format("the nearest rate is {} Hz", rate_of(slower))
+                         : fmt::format("the nearest rates are {} or {} Hz", rate_of(slower), rate_of(faster));
+    return failure(fmt::format("rate: a tick of {} Hz is no whole number of physics steps of {} s{}; {}", rate,
+                               physics_step, steps > most_steps ? fmt::format(" up to {}", most_steps) : "", nearest));
+}
+
+bool is_due(std::int64_t k, double rate, double tick_rate) {
+    if (rate <= 0 || rate >= tick_rate || k == 0) return true;
+    const Wide component = micro(rate);
+    const Wide tick = micro(tick_rate);
+    return (k * component) / tick > ((k - 1) * component) / tick;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,172 @@
+// The life cycle: which state follows which, and what is safe on the way.
+#include "engine/components/component.hpp"
+
+#include <fmt/format.h>
+
+namespace nezumi {
+
+std::string_view to_text(LogLevel level) {
+    constexpr std::string_view names[] = {"debug", "info", "warn", "error"};
+    return names[static_cast<int>(level)];
+}
+
+std::string_view to_text(LifeState state) {
+    constexpr std::string_view names[] = {"INACTIVE", "ACTIVE", "ERROR"};
+    return names[static_cast<int>(state)];
+}
+
+std::string_view to_text(Hook hook) {
+    constexpr std::string_view names[] = {
+        "", "on_activated", "on_execute", "on_deactivated", "on_aborting", "on_error", "on_reset", "on_reload", ""};
+    return names[static_cast<int>(hook)];
+}
+
+InPortBase* Component::find_in_port(std::string_view name) const {
+    for (const auto& port : in_ports_) {
+        if (port->name() == name) return port.get();
+    }
+    return nullptr;
+}
+
+OutPortBase* Component::find_out_port(std::string_view name) const {
+    for (const auto& port : out_ports_) {
+        if (port->name() == name) return port.get();
+    }
+    return nullptr;
+}
+
+Port* Component::find_port(std::string_view name) const {
+    if (Port* port = find_in_port(name)) return port;
+    return find_out_port(name);
+}
+
+Expected<void> Component::use(std::string_view set) {
+    const auto found = sets.find(set);
+    if (found == sets.end()) {
+        std::vector<std::string_view> names;
+        for (const auto& [name, values] : sets) names.push_back(name);
+        return failure(fmt::format("{} has no parameter set '{}'{}", name_, set, did_you_mean(set, names)));
+    }
+    ParameterValues values = found->second;
+    values.insert(configured.begin(), configured.end());
+    if (auto ok = parameters_.set_all(values); !ok)
+        return failure(fmt::format("set '{}': {}", set, ok.error().message));
+    for (const auto& [name, other] : sets) {
+        for (const auto& [parameter, value] : other) {
+            if (!values.contains(parameter)) parameters_.follow_default(parameter);
+        }
+    }
+    set_in_use_ = found->first;
+    return {};
+}
+
+void Component::log(LogLevel level, std::string text) const {
+    if (log_) log_({level, now_.seconds, name_, std::move(text)});
+}
+
+Expected<void> Component::activate(const Time& now) {
+    if (state_ == LifeState::active) return {};
+    if (state_ == LifeState::error) return failure(fmt::format("{} is in ERROR: reset it first", name_));
+    now_ = now;
+    for (const auto& port : in_ports_) port->clear();
+    parameters_.take_staged();
+    executed_at_ = -1;
+    state_ = LifeState::active;
+    auto ok = run(Hook::on_activated, [this] { return on_activated(); });
+    if (!ok) {
+        abort(ok.error());
+        return failure(fmt::format("{} went to ERROR: {}", name_, describe(ok.error())));
+    }
+    return {};
+}
+
+Expected<void> Component::deactivate(const Time& now) {
+    if (state_ == LifeState::inactive) return {};
+    if (state_ == LifeState::error) return failure(fmt::format("{} is in ERROR: reset it first", name_));
+    now_ = now;
+    parameters_.take_staged();
+    for (const auto& port : out_ports_) port->discard();
+    auto ok = run(Hook::on_deactivated, [this] { return on_deactivated(); });
+    if (!ok) {
+        abort(ok.error());
+        return failure(fmt::format("{} went to ERROR: {}", name_, describe(ok.error())));
+    }
+    state_ = LifeState::inactive;
+    for (const auto& port : out_ports_) {
+        if (!port->written()) port->write_safe();
+    }
+    return {};
+}
+
+Expected<void> Component::reset(const Time& now) {
+    if (state_ != LifeState::error)
+        return failure(fmt::format("{} is {}: only a component in ERROR can be reset", name_, to_text(state_)));
+    now_ = now;
+    auto ok = run(Hook::on_reset, [this] { return on_reset(); });
+    if (!ok) {
+        last_error_ = ok.error();
+        return failure(fmt::format("{} stays in ERROR: {}", name_, describe(ok.error())));
+    }
+    for (const auto& port : in_ports_) port->clear();
+    error_hook_failed_ = false;
+    state_ = LifeState::inactive;
+    return {};
+}
+
+void Component::execute(const Time& now) {
+    if (state_ == LifeState::inactive) return;
+    now_ = now;
+    if (state_ == LifeState::error) {
+        if (error_hook_failed_) return;
+        if (auto ok = run_without_velocities(Hook::on_error); !ok) {
+            error_hook_failed_ = true;  // said once; it has nothing to lose but our patience
+            last_error_ = ok.error();
+            log(LogLevel::error,
+                fmt::format("on_error failed and is not called again before a reset: {}", describe(ok.error())));
+        }
+        return;
+    }
+    parameters_.take_staged();
+    dt_ = executed_at_ < 0 ? 1.0 / (rate > 0 ? rate : tick_rate_) : now.seconds - executed_at_;
+    executed_at_ = now.seconds;
+    ++executions_;
+    if (auto ok = run(Hook::on_execute, [this] { return on_execute(); }); !ok) abort(std::move(ok.error()));
+}
+
+void Component::latch_inputs(const Time& now) {
+    for (const auto& port : in_ports_) {
+        const bool overflowed = port->dropped() > 0;
+        port->latch(now);
+        if (!overflowed && port->dropped() > 0) {
+            log(LogLevel::warn,
+                fmt::format("input '{}': its queue of {} is full, the oldest message was dropped (said once)",
+                            port->name(), port->queue()));
+        }
+    }
+}
+
+void Component::abort(Error error) {
+    for (const auto& port : out_ports_) port->discard();
+    state_ = LifeState::error;
+    error_hook_failed_ = false;
+    log(LogLevel::error, describe(error));
+    last_error_ = std::move(error);
+    if (auto ok = run_without_velocities(Hook::on_aborting); !ok) {
+        for (const auto& port : out_ports_) port->discard();
+        log(LogLevel::error, fmt::format("on_aborting failed: {}", describe(ok.error())));
+    }
+    for (const auto& port : out_ports_) port->write_safe();
+}
+
+// The safe value that a failure between two ticks left to be published must not go with them.
+Expected<void> Component::run_without_velocities(Hook hook) {
+    std::vector<std::size_t> before;
+    for (const auto& port : out_ports_) before.push_back(port->pending());
+    auto ok = run(hook, [&] { return hook == Hook::on_aborting ? on_aborting() : on_error(); });
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (out_ports_[i]->type() == type_index<Velocity2D>()) out_ports_[i]->discard_after(before[i]);
+    }
+    return ok;
+}
+
+}  // namespace nezumi

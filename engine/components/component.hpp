@@ -1,0 +1,177 @@
+// A component: ports, parameters and OpenRTM's life cycle, the same for C++ and for scripts.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/base/log.hpp"
+#include "engine/components/parameter.hpp"
+#include "engine/ports/port.hpp"
+
+namespace nezumi {
+
+enum class LifeState { inactive, active, error };
+
+/// "INACTIVE", "ACTIVE", "ERROR".
+std::string_view to_text(LifeState state);
+
+/// The hook of the life cycle that is running.
+enum class Hook { none, on_activated, on_execute, on_deactivated, on_aborting, on_error, on_reset, on_reload, command };
+
+/// Every hook's name as scripts spell it; Hook::none and Hook::command have none.
+std::string_view to_text(Hook hook);
+
+class Component {
+public:
+    Component(std::string name, std::string type) : name_(std::move(name)), type_(std::move(type)) {}
+    Component(const Component&) = delete;
+    Component& operator=(const Component&) = delete;
+    virtual ~Component() = default;
+
+    const std::string& name() const { return name_; }
+    /// The component type, for example "RobotController".
+    const std::string& type() const { return type_; }
+    LifeState state() const { return state_; }
+    /// Counts the versions of a script; 1 for a native component.
+    virtual int version() const { return 1; }
+    /// What sent it to ERROR, or went wrong last.
+    const Error& last_error() const { return last_error_; }
+    /// The hook or command that ran out of its time, once one did: what came after depends on the machine. A reload
+    /// that did is refused instead.
+    const std::optional<Error>& out_of_time() const { return out_of_time_; }
+    /// Executions since the start.
+    std::int64_t executions() const { return executions_; }
+
+    Parameters& parameters() { return parameters_; }
+    const Parameters& parameters() const { return parameters_; }
+    /// Named sets of parameter values, as the system file gives them.
+    std::map<std::string, ParameterValues, std::less<>> sets;
+    /// The values the system file gave; what a set leaves out has these.
+    ParameterValues configured;
+    /// Switches to a named set, whole or not at all. Call it between ticks.
+    Expected<void> use(std::string_view set);
+    /// The set in use; "" when none is.
+    const std::string& set_in_use() const { return set_in_use_; }
+
+    const std::vector<std::unique_ptr<InPortBase>>& in_ports() const { return in_ports_; }
+    const std::vector<std::unique_ptr<OutPortBase>>& out_ports() const { return out_ports_; }
+    /// nullptr when there is no port of this name and direction.
+    InPortBase* find_in_port(std::string_view name) const;
+    OutPortBase* find_out_port(std::string_view name) const;
+    /// nullptr when there is no port of this name.
+    Port* find_port(std::string_view name) const;
+
+    /// Ticks a second in which it is due; 0: every tick.
+    double rate = 0;
+    /// Where the system file names it.
+    Place place;
+
+    /// INACTIVE to ACTIVE. In-ports start empty. An error says why not (it is in ERROR, or `on_activated` failed).
+    Expected<void> activate(const Time& now);
+    /// ACTIVE to INACTIVE; safe values are written.
+    Expected<void> deactivate(const Time& now);
+    /// ERROR to INACTIVE.
+    Expected<void> reset(const Time& now);
+    /// One execution when ACTIVE, `on_error` when in ERROR. An error of it sends the component to ERROR.
+    void execute(const Time& now);
+    /// Lets the in-ports take what has arrived.
+    void latch_inputs(const Time& now);
+    /// Publishes what was written.
+    void latch_outputs(const Time& now) {
+        for (const auto& port : out_ports_) port->latch(now);
+    }
+    /// ACTIVE to ERROR because of this: nothing of the execution is published, `on_aborting` runs, safe values are
+    /// written.
+    void abort(Error error);
+
+    /// Time as the hook that runs sees it.
+    const Time& now() const { return now_; }
+    /// [s] between this execution and the one before; a period at the first.
+    double dt() const { return dt_; }
+    /// The hook that runs now.
+    Hook hook() const { return hook_; }
+
+    /// Where log lines go; set when a system takes the component.
+    void set_log(LogSink sink) { log_ = std::move(sink); }
+    void log(LogLevel level, std::string text) const;
+    /// Ticks a second [Hz] of its system; set when a system takes the component.
+    void set_tick_rate(double hertz) { tick_rate_ = hertz; }
+    double tick_rate() const { return tick_rate_; }
+
+protected:
+    virtual Expected<void> on_activated() { return {}; }
+    virtual Expected<void> on_execute() { return {}; }
+    virtual Expected<void> on_deactivated() { return {}; }
+    virtual Expected<void> on_aborting() { return {}; }
+    virtual Expected<void> on_error() { return {}; }
+    virtual Expected<void> on_reset() { return {}; }
+
+    /// Adds a port; the reference stays valid as long as the component keeps the port.
+    template <Payload T>
+    InPort<T>& add_in_port(std::string name, std::string doc = "", std::size_t queue = 0) {
+        auto port = std::make_unique<InPort<T>>(std::move(name), std::move(doc), queue);
+        InPort<T>& reference = *port;
+        in_ports_.push_back(std::move(port));
+        return reference;
+    }
+    template <Payload T>
+    OutPort<T>& add_out_port(std::string name, std::string doc = "") {
+        auto port = std::make_unique<OutPort<T>>(std::move(name), std::move(doc));
+        OutPort<T>& reference = *port;
+        out_ports_.push_back(std::move(port));
+        return reference;
+    }
+
+    /// What `now` is between ticks, when something runs that is no part of the life cycle.
+    void set_now(const Time& now) { now_ = now; }
+    /// Runs `hook` as the hook that is running now.
+    template <class Function>
+    auto run(Hook hook, Function&& function) {
+        const Hook before = std::exchange(hook_, hook);
+        auto result = function();
+        hook_ = before;
+        if (!result && result.error().kind == Error::Kind::out_of_time && hook != Hook::on_reload)
+            out_of_time_ = result.error();
+        return result;
+    }
+
+    std::vector<std::unique_ptr<InPortBase>> in_ports_;
+    std::vector<std::unique_ptr<OutPortBase>> out_ports_;
+    Parameters parameters_;
+
+private:
+    /// Forgets the velocities that `hook` wrote; what was written before it stays.
+    Expected<void> run_without_velocities(Hook hook);
+
+    std::string name_;
+    std::string type_;
+    std::string set_in_use_;
+    LogSink log_;
+    Error last_error_;
+    std::optional<Error> out_of_time_;
+    Time now_;
+    double dt_ = 0;
+    double tick_rate_ = 100;
+    double executed_at_ = -1;
+    std::int64_t executions_ = 0;
+    LifeState state_ = LifeState::inactive;
+    Hook hook_ = Hook::none;
+    bool error_hook_failed_ = false;
+};
+
+/// A component at the edge: it senses before the behaviours of a tick and acts after them.
+class Device : public Component {
+public:
+    using Component::Component;
+    /// Writes the out-ports from what the outside is like now. Called every tick, whatever the state.
+    virtual void sense(const Time& now) = 0;
+    /// Acts on what its in-ports hold. Called every tick, whatever the state: when it is not ACTIVE it must be still.
+    virtual void actuate(const Time& now) = 0;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,168 @@
+// Exposes at the frame rate, develops beside the tick.
+#include "engine/devices/camera.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "engine/base/schedule.hpp"
+#include "engine/system/system.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr double usual_field_of_view = 1.0472;  // [rad] 60 degrees, a common webcam
+
+std::uint64_t seed_of(std::uint64_t run_seed, const std::string& name) { return mix(run_seed, name); }
+
+template <class T>
+const T& value(const Parameters& parameters, std::string_view name) {
+    return std::get<T>(parameters.find(name)->value);
+}
+
+}  // namespace
+
+Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open open, bool wait)
+    : Device(std::move(name), "Camera"),
+      mount_(std::move(mount)),
+      seed_(seed),
+      open_(std::move(open)),
+      wait_(wait),
+      out_(add_out_port<CameraImage>("out", "the picture")) {
+    const auto declare = [this](ParameterSpec spec) {
+        const auto ok = parameters_.declare(std::move(spec));
+        assert(ok);
+        static_cast<void>(ok);
+    };
+    using Integer = std::int64_t;
+    declare({.name = "device", .initial = std::string(), .doc = "a real camera's device; empty: the first there is"});
+    declare({.name = "width", .initial = Integer{640}, .min = least_picture, .max = largest_picture, .unit = "px"});
+    declare({.name = "height", .initial = Integer{480}, .min = least_picture, .max = largest_picture, .unit = "px"});
+    declare(
+        {.name = "frame_rate", .initial = 30.0, .min = 0.01, .max = 1000, .unit = "Hz", .doc = "pictures a second"});
+    declare({.name = "format",
+             .initial = std::string("rgb8"),
+             .doc = "how a pixel is stored",
+             .choices = {std::string("rgb8"), std::string("gray8")}});
+    declare({.name = "field_of_view",
+             .initial = usual_field_of_view,
+             .min = 0.05,
+             .max = 2.8,
+             .unit = "rad",
+             .doc = "angle between the picture's left and right edge"});
+    declare({.name = "pitch", .initial = 0.0, .min = -1.58, .max = 1.58, .unit = "rad", .doc = "positive looks down"});
+    declare({.name = "noise",
+             .initial = 0.0,
+             .min = 0,
+             .max = 100,
+             .doc = "standard deviation of a pixel's value, which goes from 0 to 255"});
+    declare({.name = "blur",
+             .initial = 0.0,
+             .min = 0,
+             .max = 10,
+             .unit = "px",
+             .doc = "standard deviation of the blur; 0: sharp"});
+    declare({.name = "latency",
+             .initial = 0.02,
+             .min = 0,
+             .max = 10,
+             .unit = "s",
+             .doc = "from exposure to publication, in simulated time"});
+}
+
+Intrinsics Camera::intrinsics() const {
+    const CameraSettings now = settings();
+    return Intrinsics::of(now.width, now.height, now.field_of_view);
+}
+
+CameraSettings Camera::settings() const {
+    return {.device = value<std::string>(parameters_, "device"),
+            .width = static_cast<int>(value<std::int64_t>(parameters_, "width")),
+            .height = static_cast<int>(value<std::int64_t>(parameters_, "height")),
+            .frame_rate = value<double>(parameters_, "frame_rate"),
+            .field_of_view = value<double>(parameters_, "field_of_view"),
+            .color = value<std::string>(parameters_, "format") == "rgb8",
+            .noise = value<double>(parameters_, "noise"),
+            .blur = value<double>(parameters_, "blur"),
+            .seed = seed_of(seed_, name())};
+}
+
+Expected<void> Camera::open() {
+    picture_.finish();
+    const CameraSettings wanted = settings();
+    if (wanted.frame_rate > tick_rate()) {
+        return failure(fmt::format("frame_rate {} Hz is above the tick's {} Hz", wanted.frame_rate, tick_rate()),
+                       place);
+    }
+    CameraMount mount = mount_;
+    mount.pitch = value<double>(parameters_, "pitch");
+    auto source = open_(mount, wanted);
+    if (!source) return Unexpected(source.error());
+    source_ = std::move(*source);
+    parameters_version_ = parameters_.version();
+    frame_rate_ = wanted.frame_rate;
+    latency_ = value<double>(parameters_, "latency");
+    return {};
+}
+
+Expected<void> Camera::on_activated() { return open(); }
+
+Expected<void> Camera::on_deactivated() {
+    picture_.finish();
+    source_.reset();
+    return {};
+}
+
+void Camera::sense(const Time& now) {
+    if (state() != LifeState::active) return;
+    set_now(now);
+    parameters_.take_staged();
+    if (parameters_.version() != parameters_version_) {
+        if (auto ok = open(); !ok) {
+            abort(ok.error());
+            return;
+        }
+    }
+    take_picture(now);
+    if (state() != LifeState::active || !is_due(now.tick, frame_rate_, tick_rate()) || picture_.busy()) return;
+    source_->expose(now);
+    picture_.start(now, latency_, [source = source_.get()] {
+        CameraImage image;
+        source->develop(image);
+        return image;
+    });
+    take_picture(now);
+}
+
+void Camera::take_picture(const Time& now) {
+    auto picture = picture_.take(now, wait_);
+    if (!picture) return;
+    if (!*picture) {
+        abort({"no picture could be made: " + picture->error().message});
+        return;
+    }
+    out_.next_pending() = std::move(**picture);
+}
+
+Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system) {
+    if (system.world() == nullptr)
+        return failure(fmt::format("component '{}': a Camera needs a world to look at", entry.name), entry.place);
+    if (!entry.on.empty() && system.find_robot(entry.on) == nullptr) {
+        std::vector<std::string_view> names;
+        for (const Robot* robot : system.robots()) names.push_back(robot->name());
+        return failure(fmt::format("component '{}': on: there is no robot '{}' before it{}", entry.name, entry.on,
+                                   did_you_mean(entry.on, names)),
+                       entry.place);
+    }
+    return std::make_unique<Camera>(
+        entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw}, system.settings().seed,
+        [world = system.world()](const CameraMount& mount, const CameraSettings& settings) {
+            return world->open_camera(mount, settings);
+        },
+        true);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,55 @@
+// A camera: a component that publishes pictures at its frame rate, whatever takes them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "engine/components/component.hpp"
+#include "engine/components/delayed_task.hpp"
+#include "engine/system/system_spec.hpp"
+#include "engine/world/camera_source.hpp"
+
+namespace nezumi {
+
+class System;
+
+class Camera final : public Device {
+public:
+    using Open = std::function<Expected<std::unique_ptr<CameraSource>>(const CameraMount&, const CameraSettings&)>;
+
+    /// `open` is called on activation, and again when a parameter has changed. `wait`: the picture exposed at t is
+    /// published at t + latency exactly (simulation), else as soon as it is there (hardware).
+    Camera(std::string name, CameraMount mount, std::uint64_t seed, Open open, bool wait);
+
+    /// The lens that its parameters give.
+    Intrinsics intrinsics() const;
+
+    void sense(const Time& now) override;
+    void actuate(const Time& /*now*/) override {}
+
+private:
+    Expected<void> on_activated() override;
+    Expected<void> on_deactivated() override;
+    CameraSettings settings() const;
+    Expected<void> open();
+    void take_picture(const Time& now);
+
+    CameraMount mount_;
+    std::uint64_t seed_;
+    Open open_;
+    bool wait_;
+    OutPort<CameraImage>& out_;
+    std::unique_ptr<CameraSource> source_;
+    std::uint64_t parameters_version_ = 0;
+    double frame_rate_ = 0;
+    double latency_ = 0;
+    DelayedTask<CameraImage> picture_;  // after source_: it works with it
+};
+
+/// Makes the component `entry`, a camera in the world of `system`; what `Makers::components` wants for "Camera". An
+/// error when the system has no world, the world shows no pictures, or it has no robot `on`.
+Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system);
+
+}  // namespace nezumi

@@ -1,0 +1,297 @@
+// The message types: what can travel between ports, with OpenRTM-aist's names, each declared once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "engine/ports/describe.hpp"
+
+namespace nezumi {
+
+struct Point2D {
+    double x = 0;
+    double y = 0;
+    bool operator==(const Point2D&) const = default;
+};
+
+struct Point3D {
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    bool operator==(const Point3D&) const = default;
+};
+
+struct Orientation3D {
+    double r = 0;
+    double p = 0;
+    double y = 0;
+    bool operator==(const Orientation3D&) const = default;
+};
+
+struct Size3D {
+    double l = 0;
+    double w = 0;
+    double h = 0;
+    bool operator==(const Size3D&) const = default;
+};
+
+/// A velocity in the robot's own frame. The zero value means "stand still".
+struct Velocity2D {
+    double vx = 0;
+    double vy = 0;
+    double va = 0;
+    bool operator==(const Velocity2D&) const = default;
+};
+
+struct Pose2D {
+    Point2D position;
+    double heading = 0;
+    bool operator==(const Pose2D&) const = default;
+};
+
+struct Pose3D {
+    Point3D position;
+    Orientation3D orientation;
+    bool operator==(const Pose3D&) const = default;
+};
+
+struct RangerElement {
+    Pose3D pose;
+    Size3D size;
+    bool operator==(const RangerElement&) const = default;
+};
+
+struct RangerGeometry {
+    Pose3D pose;
+    Size3D size;
+    std::vector<RangerElement> elements;
+    bool operator==(const RangerGeometry&) const = default;
+};
+
+struct RangerConfig {
+    double minAngle = 0;
+    double maxAngle = 0;
+    double angularRes = 0;
+    double minRange = 0;
+    double maxRange = 0;
+    double rangeRes = 0;
+    double frequency = 0;
+    bool operator==(const RangerConfig&) const = default;
+};
+
+struct RangeData {
+    std::vector<double> ranges;
+    RangerGeometry geometry;
+    RangerConfig config;
+    bool operator==(const RangeData&) const = default;
+};
+
+/// Raw bytes; a string in Lua.
+using Octets = std::vector<std::uint8_t>;
+
+struct CameraImage {
+    std::uint16_t width = 0;
+    std::uint16_t height = 0;
+    std::uint16_t bpp = 0;
+    std::string format;
+    double fDiv = 0;
+    Octets pixels;
+    bool operator==(const CameraImage&) const = default;
+};
+
+template <>
+struct Describe<Point2D> {
+    static constexpr std::string_view name = "Point2D";
+    static constexpr std::tuple fields{Field{"x", &Point2D::x, "m", ""}, Field{"y", &Point2D::y, "m", ""}};
+};
+
+template <>
+struct Describe<Point3D> {
+    static constexpr std::string_view name = "Point3D";
+    static constexpr std::tuple fields{Field{"x", &Point3D::x, "m", ""}, Field{"y", &Point3D::y, "m", ""},
+                                       Field{"z", &Point3D::z, "m", ""}};
+};
+
+template <>
+struct Describe<Orientation3D> {
+    static constexpr std::string_view name = "Orientation3D";
+    static constexpr std::tuple fields{
+        Field{"r", &Orientation3D::r, "rad", "roll about x"},
+        Field{"p", &Orientation3D::p, "rad", "pitch about y"},
+        Field{"y", &Orientation3D::y, "rad", "yaw about z, counter-clockwise"},
+    };
+};
+
+template <>
+struct Describe<Size3D> {
+    static constexpr std::string_view name = "Size3D";
+    static constexpr std::tuple fields{Field{"l", &Size3D::l, "m", "along x"}, Field{"w", &Size3D::w, "m", "along y"},
+                                       Field{"h", &Size3D::h, "m", "along z"}};
+};
+
+template <>
+struct Describe<Velocity2D> {
+    static constexpr std::string_view name = "Velocity2D";
+    static constexpr std::tuple fields{
+        Field{"vx", &Velocity2D::vx, "m/s", "speed along the robot's x axis (forward)"},
+        Field{"vy", &Velocity2D::vy, "m/s", "speed along the robot's y axis (left); 0 for two wheels that don't skid"},
+        Field{"va", &Velocity2D::va, "rad/s", "yaw rate, counter-clockwise"},
+    };
+};
+
+template <>
+struct Describe<Pose2D> {
+    static constexpr std::string_view name = "Pose2D";
+    static constexpr std::tuple fields{
+        Field{"position", &Pose2D::position, "", "where"},
+        Field{"heading", &Pose2D::heading, "rad", "which way, counter-clockwise from the x axis"},
+    };
+};
+
+template <>
+struct Describe<Pose3D> {
+    static constexpr std::string_view name = "Pose3D";
+    static constexpr std::tuple fields{
+        Field{"position", &Pose3D::position, "", "where"},
+        Field{"orientation", &Pose3D::orientation, "", "roll, pitch and yaw"},
+    };
+};
+
+template <>
+struct Describe<RangerElement> {
+    static constexpr std::string_view name = "RangerElement";
+    static constexpr std::tuple fields{
+        Field{"pose", &RangerElement::pose, "", "relative to the ranger"},
+        Field{"size", &RangerElement::size, "", "extent of the element"},
+    };
+};
+
+template <>
+struct Describe<RangerGeometry> {
+    static constexpr std::string_view name = "RangerGeometry";
+    static constexpr std::tuple fields{
+        Field{"pose", &RangerGeometry::pose, "", "in the robot's frame"},
+        Field{"size", &RangerGeometry::size, "", "extent of the device"},
+        Field{"elements", &RangerGeometry::elements, "", "its single transducers"},
+    };
+};
+
+template <>
+struct Describe<RangerConfig> {
+    static constexpr std::string_view name = "RangerConfig";
+    static constexpr std::tuple fields{
+        Field{"minAngle", &RangerConfig::minAngle, "rad", "first scan angle"},
+        Field{"maxAngle", &RangerConfig::maxAngle, "rad", "last scan angle"},
+        Field{"angularRes", &RangerConfig::angularRes, "rad", "angle between two scans"},
+        Field{"minRange", &RangerConfig::minRange, "m", "shortest distance it measures"},
+        Field{"maxRange", &RangerConfig::maxRange, "m", "longest distance it measures"},
+        Field{"rangeRes", &RangerConfig::rangeRes, "m", "resolution of a distance"},
+        Field{"frequency", &RangerConfig::frequency, "Hz", "scans per second"},
+    };
+};
+
+template <>
+struct Describe<RangeData> {
+    static constexpr std::string_view name = "RangeData";
+    static constexpr std::tuple fields{
+        Field{"ranges", &RangeData::ranges, "m", "distances, one per scan angle"},
+        Field{"geometry", &RangeData::geometry, "", "where the ranger sits"},
+        Field{"config", &RangeData::config, "", "what it can measure"},
+    };
+};
+
+template <>
+struct Describe<CameraImage> {
+    static constexpr std::string_view name = "CameraImage";
+    static constexpr std::tuple fields{
+        Field{"width", &CameraImage::width, "px", ""},
+        Field{"height", &CameraImage::height, "px", ""},
+        Field{"bpp", &CameraImage::bpp, "bit", "bits per pixel"},
+        Field{"format", &CameraImage::format, "", "how a pixel is stored, for example \"rgb8\" or \"gray8\""},
+        Field{"fDiv", &CameraImage::fDiv, "", "scale factor of a compressed image"},
+        Field{"pixels", &CameraImage::pixels, "", "the bytes, row by row from the top left; a string in Lua"},
+    };
+};
+
+/// A message type: its name on ports, and the payload it carries beside its stamp `tm`.
+template <class T>
+struct MessageType {
+    using Payload = T;
+    std::string_view name;
+    std::string_view doc;
+};
+
+/// Every message type there is: the one list from which bindings, checks, docs, stubs and recordings are made.
+inline constexpr std::tuple message_types{
+    MessageType<bool>{"TimedBoolean", "one truth value"},
+    MessageType<std::int16_t>{"TimedShort", "one 16-bit integer"},
+    MessageType<std::int32_t>{"TimedLong", "one 32-bit integer"},
+    MessageType<float>{"TimedFloat", "one 32-bit number"},
+    MessageType<double>{"TimedDouble", "one 64-bit number"},
+    MessageType<std::string>{"TimedString", "one text"},
+    MessageType<std::vector<bool>>{"TimedBooleanSeq", "a sequence of truth values"},
+    MessageType<std::vector<std::int16_t>>{"TimedShortSeq", "a sequence of 16-bit integers"},
+    MessageType<std::vector<std::int32_t>>{"TimedLongSeq", "a sequence of 32-bit integers"},
+    MessageType<std::vector<float>>{"TimedFloatSeq", "a sequence of 32-bit numbers"},
+    MessageType<std::vector<double>>{"TimedDoubleSeq", "a sequence of 64-bit numbers"},
+    MessageType<std::vector<std::string>>{"TimedStringSeq", "a sequence of texts"},
+    MessageType<Velocity2D>{"TimedVelocity2D", "a velocity in the robot's own frame"},
+    MessageType<Pose2D>{"TimedPose2D", "a place and heading on the floor"},
+    MessageType<Pose3D>{"TimedPose3D", "a place and orientation in space"},
+    MessageType<RangeData>{"RangeData", "distances measured by a ranger"},
+    MessageType<CameraImage>{"CameraImage", "a picture"},
+};
+
+inline constexpr std::size_t message_type_count = std::tuple_size_v<decltype(message_types)>;
+
+namespace detail {
+template <class Types>
+struct VariantOf;
+template <class... T>
+struct VariantOf<const std::tuple<MessageType<T>...>> {
+    using type = std::variant<T...>;
+};
+}  // namespace detail
+
+/// A payload of any message type; `index()` is its place in `message_types`.
+using AnyPayload = detail::VariantOf<decltype(message_types)>::type;
+
+/// The place of payload T in `message_types`.
+template <class T>
+constexpr std::size_t type_index() {
+    return []<std::size_t... I>(std::index_sequence<I...>) {
+        std::size_t found = message_type_count;
+        ((std::is_same_v<std::variant_alternative_t<I, AnyPayload>, T> ? (found = I, 0) : 0), ...);
+        return found;
+    }
+    (std::make_index_sequence<message_type_count>{});
+}
+
+/// A payload that some message type carries.
+template <class T>
+concept Payload = type_index<T>()
+< message_type_count;
+
+/// The names of all message types, in the order of `message_types`.
+inline constexpr auto message_type_names =
+    std::apply([](const auto&... type) { return std::array{type.name...}; }, message_types);
+
+/// Calls `make.template operator()<T>()` for the payload type with this index; all calls must return the same type.
+template <class Make>
+decltype(auto) with_payload_type(std::size_t index, Make&& make) {
+    using Result = decltype(make.template operator()<bool>());
+    using Entry = Result (*)(Make&);
+    static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
+        return std::array<Entry, message_type_count>{
+            [](Make& m) -> Result { return m.template operator()<std::variant_alternative_t<I, AnyPayload>>(); }...};
+    }
+    (std::make_index_sequence<message_type_count>{});
+    return table[index](make);
+}
+
+}  // namespace nezumi

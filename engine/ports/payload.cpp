@@ -1,0 +1,24 @@
+// Hashing of bytes, and payloads whose type is only known at run time.
+#include "engine/ports/payload.hpp"
+
+#include <cstring>
+
+namespace nezumi {
+
+std::uint64_t mix(std::uint64_t seed, std::string_view bytes) {
+    seed = mix(seed, bytes.size());
+    while (!bytes.empty()) {
+        std::uint64_t word = 0;
+        const std::size_t n = bytes.size() < sizeof word ? bytes.size() : sizeof word;
+        std::memcpy(&word, bytes.data(), n);
+        seed = mix(seed, word);
+        bytes.remove_prefix(n);
+    }
+    return seed;
+}
+
+bool is_finite(const AnyPayload& value) {
+    return std::visit([](const auto& payload) { return is_finite(payload); }, value);
+}
+
+}  // namespace nezumi

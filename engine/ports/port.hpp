@@ -1,0 +1,300 @@
+// Typed in- and out-ports: a write is invisible until the out-port is latched, a value arrives when the in-port is
+// latched.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/ports/port_base.hpp"
+
+namespace nezumi {
+
+/// A message: a payload and its stamp.
+template <class T>
+struct Message {
+    T data{};
+    double tm = 0;  ///< [s]
+};
+
+template <Payload T>
+class OutPort final : public OutPortBase {
+public:
+    explicit OutPort(std::string name, std::string doc = "", std::optional<T> safe = default_safe())
+        : OutPortBase(std::move(name), type_index<T>(), Direction::out, std::move(doc)), safe_(std::move(safe)) {}
+
+    /// Writes a message. Invisible until the port is latched, then: a queue gets every one of a tick, the others the
+    /// last.
+    void write(const T& value) { next_pending() = value; }
+    /// A slot to fill in place instead of `write`; it holds some old payload.
+    T& next_pending() {
+        if (pending_ == pending_slots_.size()) pending_slots_.emplace_back();
+        return pending_slots_[pending_++].data;
+    }
+    /// What `next_pending` gives first in a tick begins as a copy of this. Before anything is published.
+    void prepare(const T& value) {
+        assert(sequence_ == 0 && pending_ == 0);
+        pending_slots_.assign(1, {value});
+        latched_slots_.assign(1, {value});
+    }
+    /// The value published last; T{} before.
+    const T& read() const { return latched_ > 0 ? latched_slots_[latched_ - 1].data : zero(); }
+    /// The messages of the last publication, oldest first.
+    const Message<T>* begin() const { return latched_slots_.data(); }
+    const Message<T>* end() const { return latched_slots_.data() + latched_; }
+
+    bool latch(const Time& now) override {
+        if (override_ != Override::none) apply_override();
+        if (pending_ == 0) return false;
+        std::swap(pending_slots_, latched_slots_);
+        latched_ = std::exchange(pending_, 0);
+        for (std::size_t i = 0; i < latched_; ++i) latched_slots_[i].tm = now.seconds;
+        tm_ = now.seconds;
+        latched_tick_ = now.tick;
+        count_ += latched_;
+        ++sequence_;
+        return true;
+    }
+    void discard() override { pending_ = 0; }
+    void write_any(const AnyPayload& value) override { write(std::get<T>(value)); }
+    bool has_safe() const override { return safe_.has_value(); }
+    void set_safe_any(const AnyPayload* safe) override {
+        safe_ = safe != nullptr ? std::optional<T>(std::get<T>(*safe)) : default_safe();
+    }
+    void write_safe() override {
+        if (safe_) write(*safe_);
+    }
+    /// Replaces the value that is safe when its component stops.
+    void set_safe(std::optional<T> safe) { safe_ = std::move(safe); }
+
+    AnyPayload value() const override { return read(); }
+    void hold(AnyPayload value) override {
+        held_ = std::make_unique<T>(std::get<T>(std::move(value)));
+        override_ = Override::held;
+    }
+    void freeze() override {
+        held_ = std::make_unique<T>(read());
+        override_ = Override::frozen;
+    }
+    /// The value that it is held at; nullptr when it is not.
+    AnyPayload override_value() const override { return *held_; }
+    const T* held() const { return override_ == Override::held ? held_.get() : nullptr; }
+    void for_each_latched(const std::function<void(const AnyPayload&)>& visit) const override {
+        for (const Message<T>& message : *this) visit(message.data);
+    }
+    std::uint64_t hash_latched(std::uint64_t seed) const override {
+        for (const Message<T>& message : *this) seed = mix_payload(seed, message.data);
+        return seed;
+    }
+
+private:
+    /// A velocity command falls back to standing still.
+    static std::optional<T> default_safe() {
+        if constexpr (std::is_same_v<T, Velocity2D>) {
+            return Velocity2D{};
+        } else {
+            return std::nullopt;
+        }
+    }
+    static const T& zero() {
+        static const T value{};
+        return value;
+    }
+    void apply_override() {
+        pending_ = 0;
+        if (override_ != Override::dropped) write(*held_);
+    }
+
+    std::vector<Message<T>> pending_slots_;
+    std::vector<Message<T>> latched_slots_;
+    std::size_t latched_ = 0;
+    std::optional<T> safe_;
+    std::unique_ptr<T> held_;
+};
+
+template <Payload T>
+class InPort final : public InPortBase {
+public:
+    explicit InPort(std::string name, std::string doc = "", std::size_t queue = 0)
+        : InPortBase(std::move(name), type_index<T>(), std::move(doc), queue) {}
+
+    /// The latest message, or with a queue the oldest unread one (the last one read when none waits). Only the owner
+    /// reads.
+    const Message<T>& take() {
+        if (unread_ > 0) {
+            --unread_;
+            if (capacity_ > 0) {
+                if constexpr (holds_heap) queued_bytes_ -= heap_bytes(queue_[head_].data);
+                taken_ = std::move(queue_[head_]);
+                head_ = (head_ + 1) % capacity_;
+            }
+        }
+        return current();
+    }
+    /// The payload of `take()`.
+    const T& read() { return take().data; }
+    /// The message that `take` gave last; without a queue the latest.
+    const Message<T>& current() const { return capacity_ > 0 ? taken_ : latest_; }
+    /// The latest message that arrived. Consumes nothing.
+    const Message<T>& latest() const { return latest_; }
+
+    void latch(const Time& now) override {
+        if (override_ != Override::none) {
+            skip();
+            if (override_ != Override::dropped) deliver({*held_, now.seconds}, now.tick);
+            return;
+        }
+        take_published(now);
+        // Last, as the newest connection would: a port that a sensor feeds every tick has it for one tick.
+        if (!injected_.empty()) take_injected(now);
+    }
+    void clear() override {
+        unread_ = 0;
+        queued_bytes_ = 0;
+        skip();
+        latest_ = {};
+        taken_ = {};
+        tm_ = 0;
+        arrival_tick_ = -1;
+    }
+    void inject(const AnyPayload& value) override { injected_.push_back({std::get<T>(value), 0.0}); }
+    void set_queue(std::size_t queue) override {
+        if (queue == capacity_) return;
+        std::vector<Message<T>> unread;
+        for (std::size_t i = 0; i < unread_; ++i) {
+            unread.push_back(capacity_ > 0 ? std::move(queue_[(head_ + i) % capacity_]) : latest_);
+        }
+        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{} : latest_;
+        const std::size_t kept = queue > 0 ? queue : 1;
+        if (unread.size() > kept) unread.erase(unread.begin(), unread.end() - static_cast<std::ptrdiff_t>(kept));
+        capacity_ = queue;
+        head_ = 0;
+        unread_ = unread.size();
+        queue_ = queue > 0 ? std::move(unread) : std::vector<Message<T>>{};
+        queued_bytes_ = 0;
+        for (const Message<T>& message : queue_) queued_bytes_ += heap_bytes(message.data);
+        queue_.resize(queue);
+    }
+
+    AnyPayload value() const override { return latest_.data; }
+    void hold(AnyPayload value) override {
+        held_ = std::make_unique<T>(std::get<T>(std::move(value)));
+        override_ = Override::held;
+    }
+    void freeze() override {
+        held_ = std::make_unique<T>(latest_.data);
+        override_ = Override::frozen;
+    }
+    AnyPayload override_value() const override { return *held_; }
+
+    void connect(OutPortBase& source) override {
+        assert(source.type() == type());
+        sources_.push_back({static_cast<OutPort<T>*>(&source), source.sequence()});
+        connections_ = sources_.size();
+    }
+    void disconnect(const OutPortBase& source) override {
+        disconnections_ += std::erase_if(sources_, [&](const Source& s) { return s.port == &source; });
+        connections_ = sources_.size();
+    }
+    std::vector<const OutPortBase*> sources() const override {
+        std::vector<const OutPortBase*> all;
+        for (const Source& source : sources_) all.push_back(source.port);
+        return all;
+    }
+
+private:
+    struct Source {
+        OutPort<T>* port;
+        std::uint64_t seen;  // the sequence number of the publication taken last
+    };
+
+    void take_published(const Time& now) {
+        // A source that published in an earlier tick (a behaviour) comes before one of this tick (a sensor).
+        bool any_of_this_tick = false;
+        for (Source& source : sources_) {
+            if (source.port->sequence() == source.seen) continue;
+            if (source.port->latched_tick() == now.tick) {
+                any_of_this_tick = true;
+            } else {
+                take_from(source, now);
+            }
+        }
+        if (!any_of_this_tick) return;
+        for (Source& source : sources_) {
+            if (source.port->sequence() != source.seen) take_from(source, now);
+        }
+    }
+    void take_from(Source& source, const Time& now) {
+        source.seen = source.port->sequence();
+        for (const Message<T>& message : *source.port) deliver(message, now.tick);
+    }
+    void take_injected(const Time& now) {
+        for (Message<T>& message : injected_) {
+            message.tm = now.seconds;
+            deliver(message, now.tick);
+        }
+        injected_.clear();
+    }
+    void skip() {
+        for (Source& source : sources_) source.seen = source.port->sequence();
+        injected_.clear();
+    }
+    void deliver(const Message<T>& message, std::int64_t tick) {
+        latest_ = message;
+        tm_ = message.tm;
+        arrival_tick_ = tick;
+        ++count_;
+        if (capacity_ == 0) {
+            unread_ = 1;
+            return;
+        }
+        if (queue_.empty()) queue_.resize(capacity_);
+        if (unread_ == capacity_) drop_oldest();
+        if constexpr (holds_heap) {
+            queued_bytes_ += heap_bytes(message.data);
+            while (unread_ > 0 && queued_bytes_ > most_queued_bytes) drop_oldest();
+        }
+        queue_[(head_ + unread_) % capacity_] = message;
+        ++unread_;
+    }
+    void drop_oldest() {
+        if constexpr (holds_heap) {
+            constexpr std::size_t large = 1 << 16;  // what is smaller keeps its memory for the next one
+            const std::size_t bytes = heap_bytes(queue_[head_].data);
+            queued_bytes_ -= bytes;
+            if (bytes > large) {
+                T gone = std::move(queue_[head_].data);  // assigning an empty one would keep the memory
+            }
+        }
+        head_ = (head_ + 1) % capacity_;
+        --unread_;
+        ++overflow_;
+    }
+
+    static constexpr bool holds_heap = !std::is_trivially_copyable_v<T>;
+
+    std::vector<Source> sources_;
+    Message<T> latest_;
+    Message<T> taken_;               // with a queue: what was read last
+    std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
+    std::size_t head_ = 0;
+    std::size_t queued_bytes_ = 0;  // of texts and sequences in the queue
+    std::vector<Message<T>> injected_;
+    std::unique_ptr<T> held_;
+};
+
+/// Makes a port of the message type at this index of `message_types`.
+std::unique_ptr<InPortBase> make_in_port(std::size_t type, std::string name, std::string doc, std::size_t queue);
+std::unique_ptr<OutPortBase> make_out_port(std::size_t type, std::string name, std::string doc,
+                                           std::optional<AnyPayload> safe = std::nullopt);
+
+/// The index of a message type by name, or an error that names the nearest.
+Expected<std::size_t> find_message_type(std::string_view name);
+
+}  // namespace nezumi

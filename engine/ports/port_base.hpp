@@ -1,0 +1,173 @@
+// What all ports share, whatever they carry.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/ports/payload.hpp"
+
+namespace nezumi {
+
+/// Time as components see it: a count of ticks, and the same in seconds since the start.
+struct Time {
+    std::int64_t tick = 0;
+    double seconds = 0;
+};
+
+enum class Direction { in, out };
+
+/// What a person or a scenario may put between a port and its traffic.
+enum class Override {
+    none,
+    held,     ///< one value is sent every tick and nothing else gets through
+    dropped,  ///< nothing gets through
+    frozen,   ///< the value it had is sent every tick and nothing else gets through
+};
+
+class Component;
+
+/// What all ports share, whatever they carry.
+class Port {
+public:
+    Port(const Port&) = delete;
+    Port& operator=(const Port&) = delete;
+    virtual ~Port() = default;
+
+    const std::string& name() const { return name_; }
+    const std::string& doc() const { return doc_; }
+    void set_doc(std::string doc) { doc_ = std::move(doc); }
+    Direction direction() const { return direction_; }
+    /// Place of its message type in `message_types`.
+    std::size_t type() const { return type_; }
+    std::string_view type_name() const { return message_type_names[type_]; }
+    Override override() const { return override_; }
+    /// What a person should know about it, for example that its values are clamped; "" for nothing.
+    const std::string& note() const { return note_; }
+    void set_note(std::string note) { note_ = std::move(note); }
+
+    /// A copy of the value a look shows: of an in-port the latest that arrived, of an out-port the latest that was
+    /// latched; the type's zero value before.
+    virtual AnyPayload value() const = 0;
+    /// The stamp [s] of that value, 0 before any.
+    double tm() const { return tm_; }
+    /// Messages that passed since the start.
+    std::uint64_t count() const { return count_; }
+
+    /// From now on this value, once a tick, and nothing else. It must be of the port's type.
+    virtual void hold(AnyPayload value) = 0;
+    /// From now on nothing gets through.
+    void drop() { override_ = Override::dropped; }
+    /// From now on the present value, once a tick, and nothing else.
+    virtual void freeze() = 0;
+    /// What `hold` or `freeze` sends; one of them must be on.
+    virtual AnyPayload override_value() const = 0;
+    /// Ends `hold`, `drop` and `freeze`.
+    void release() { override_ = Override::none; }
+
+protected:
+    Port(std::string name, std::size_t type, Direction direction, std::string doc)
+        : name_(std::move(name)), doc_(std::move(doc)), type_(type), direction_(direction) {}
+
+    std::string name_;
+    std::string doc_;
+    std::string note_;
+    double tm_ = 0;
+    std::uint64_t count_ = 0;
+    std::size_t type_;
+    Direction direction_;
+    Override override_ = Override::none;
+};
+
+/// An out-port of any type. One component writes it, any number of in-ports listen.
+class OutPortBase : public Port {
+public:
+    /// Publishes what was written since the last time, stamped with `now`. Returns whether there was anything.
+    virtual bool latch(const Time& now) = 0;
+    /// Forgets what was written and not yet published.
+    virtual void discard() = 0;
+    /// Writes the value that is safe when its component stops, if it has one.
+    virtual void write_safe() = 0;
+    /// Writes a value of the port's type.
+    virtual void write_any(const AnyPayload& value) = 0;
+    /// Whether something was written that is not published yet.
+    bool written() const { return pending_ > 0; }
+    /// How many messages were written that are not published yet.
+    std::size_t pending() const { return pending_; }
+    /// Forgets all but the first `count` of them.
+    void discard_after(std::size_t count) { pending_ = pending_ < count ? pending_ : count; }
+    /// Whether a stop of its component writes a safe value.
+    virtual bool has_safe() const = 0;
+    /// Replaces the value that is safe when its component stops; for null it is the type's own, if that has one.
+    virtual void set_safe_any(const AnyPayload* safe) = 0;
+    /// The tick in which it published last, -1 before.
+    std::int64_t latched_tick() const { return latched_tick_; }
+    /// How often it has published.
+    std::uint64_t sequence() const { return sequence_; }
+    /// Calls `visit(payload)` as an AnyPayload copy for every message of the last publication, oldest first.
+    virtual void for_each_latched(const std::function<void(const AnyPayload&)>& visit) const = 0;
+    /// Mixes the last publication into a hash.
+    virtual std::uint64_t hash_latched(std::uint64_t seed) const = 0;
+
+protected:
+    using Port::Port;
+    std::size_t pending_ = 0;  // how many of the pending slots are filled
+    std::int64_t latched_tick_ = -1;
+    std::uint64_t sequence_ = 0;
+};
+
+/// An in-port of any type, fed by any number of out-ports of that type.
+class InPortBase : public Port {
+public:
+    /// Takes what its sources have published: in tick order, then in the order of the connections.
+    virtual void latch(const Time& now) = 0;
+    /// Forgets everything that has arrived: the port is as it was before anything came.
+    virtual void clear() = 0;
+    /// Sends one value as if it came from a connection; it arrives at the next latch, after what its sources published.
+    virtual void inject(const AnyPayload& value) = 0;
+    /// Gives it a queue of another length (0: the latest value only). What is unread stays, the newest of it if it is
+    /// too much.
+    virtual void set_queue(std::size_t queue) = 0;
+
+    /// Something unread waits.
+    bool is_new() const { return unread_ > 0; }
+    /// Messages a full queue has dropped.
+    std::uint64_t dropped() const { return overflow_; }
+    /// Length of the queue; 0: only the latest value is kept.
+    std::size_t queue() const { return capacity_; }
+    /// The tick in which something arrived last; -1 before.
+    std::int64_t arrival_tick() const { return arrival_tick_; }
+    bool connected() const { return connections_ > 0; }
+    /// How often it was disconnected from a source.
+    std::uint64_t disconnections() const { return disconnections_; }
+
+    virtual void connect(OutPortBase& source) = 0;
+    virtual void disconnect(const OutPortBase& source) = 0;
+    virtual std::vector<const OutPortBase*> sources() const = 0;
+
+    /// How long [s] without a message until `stale`: as long as a robot waits for a velocity.
+    static constexpr double stale_after = 0.5;
+    /// Texts, sequences and pictures that wait in a queue are no more than these bytes: beyond them the oldest is
+    /// dropped as when the queue is full.
+    static constexpr std::size_t most_queued_bytes = std::size_t{64} << 20;
+
+protected:
+    InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)
+        : Port(std::move(name), type, Direction::in, std::move(doc)), capacity_(queue) {}
+
+    std::size_t capacity_;
+    std::size_t unread_ = 0;
+    std::size_t connections_ = 0;
+    std::uint64_t overflow_ = 0;
+    std::uint64_t disconnections_ = 0;
+    std::int64_t arrival_tick_ = -1;
+};
+
+}  // namespace nezumi

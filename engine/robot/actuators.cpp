@@ -1,0 +1,143 @@
+// Messages become lights, tones, angles, pictures and sounds.
+#include "engine/robot/actuators.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/world/sound.hpp"
+
+namespace nezumi {
+namespace {
+
+using Kind = ActuatorSpec::Kind;
+
+// The value of a port whose type `Actuators::type_for` has fixed.
+template <class T>
+const T& take(InPortBase& port) {
+    return static_cast<InPort<T>&>(port).read();
+}
+
+}  // namespace
+
+Actuators::Actuators(const RobotSpec& spec) : spec_(spec) {
+    for (const ActuatorSpec& actuator : spec.actuators) {
+        if (actuator.kind == Kind::leds) leds_.assign(static_cast<std::size_t>(actuator.count), false);
+    }
+}
+
+std::string_view Actuators::type_for(Kind kind) {
+    switch (kind) {
+        case Kind::leds: return "TimedBooleanSeq";
+        case Kind::buzzer: return "TimedShort";
+        case Kind::servo: return "TimedDouble";
+        case Kind::screen: return "CameraImage";
+        case Kind::speaker: return "TimedString";
+    }
+    return "";
+}
+
+Expected<void> Actuators::add(std::size_t index, InPortBase& port, bool off_when_silent) {
+    const ActuatorSpec& actuator = spec_.actuators[index];
+    for (const Channel& channel : channels_) {
+        if (channel.actuator == index)
+            return failure(
+                fmt::format("actuator '{}' has the in-port '{}' already", actuator.name, channel.port->name()));
+    }
+    if (off_when_silent && actuator.kind != Kind::leds && actuator.kind != Kind::buzzer) {
+        const auto [kind, why] = actuator.kind == Kind::servo    ? std::pair("servo", "it holds its angle")
+                                 : actuator.kind == Kind::screen ? std::pair("screen", "it keeps its picture")
+                                                                 : std::pair("speaker", "it is silent after each text");
+        return failure(fmt::format("silence = \"off\" means nothing to the {} '{}': {}", kind, actuator.name, why));
+    }
+    channels_.push_back({.actuator = index, .port = &port, .off_when_silent = off_when_silent});
+    return {};
+}
+
+void Actuators::act(RobotBody& body, const Time& now, double tick_rate, const std::function<void(std::string)>& warn) {
+    for (Channel& channel : channels_) {
+        InPortBase& port = *channel.port;
+        const auto arrived_at = static_cast<double>(port.arrival_tick()) / tick_rate;
+        constexpr double rounding = 1e-9;
+        const bool off = channel.off_when_silent && now.seconds - arrived_at >= silence - rounding;
+        switch (spec_.actuators[channel.actuator].kind) {
+            case Kind::leds:
+                if (port.is_new()) set_leds(body, take<std::vector<bool>>(port));
+                if (off) set_leds(body, std::vector<bool>(leds_.size(), false));
+                break;
+            case Kind::buzzer:
+                if (port.is_new()) set_buzzer(body, take<std::int16_t>(port));
+                if (off) set_buzzer(body, 0);
+                break;
+            case Kind::servo:
+                if (port.is_new()) aim_servo(channel, take<double>(port));
+                turn_servo(body, channel, 1 / tick_rate);
+                break;
+            case Kind::screen:
+                while (port.is_new()) show(body, channel, warn);
+                break;
+            case Kind::speaker:
+                while (port.is_new()) play(body, take<std::string>(port));
+                break;
+        }
+    }
+}
+
+double Actuators::servo_angle(std::size_t index) const {
+    const auto drives = [index](const Channel& channel) { return channel.actuator == index; };
+    const auto found = std::find_if(channels_.begin(), channels_.end(), drives);
+    return found != channels_.end() ? found->angle : 0;
+}
+
+void Actuators::be_still(RobotBody& body) { set_buzzer(body, 0); }
+
+void Actuators::set_leds(RobotBody& body, const std::vector<bool>& wanted) {
+    const std::vector<bool> before = leds_;
+    for (std::size_t i = 0; i < leds_.size() && i < wanted.size(); ++i) leds_[i] = wanted[i];
+    if (leds_ != before) body.set_leds(leds_);
+}
+
+void Actuators::set_buzzer(RobotBody& body, int hertz) {
+    hertz = std::max(0, hertz);
+    if (hertz != std::exchange(buzzer_hertz_, hertz)) body.set_buzzer(hertz);
+}
+
+// An angle that is not finite is none.
+void Actuators::aim_servo(Channel& channel, double angle) const {
+    const ActuatorSpec& servo = spec_.actuators[channel.actuator];
+    if (!std::isfinite(angle)) return;
+    channel.wanted = servo.minimum < servo.maximum ? std::clamp(angle, servo.minimum, servo.maximum) : angle;
+}
+
+void Actuators::turn_servo(RobotBody& body, Channel& channel, double period) {
+    if (channel.angle == channel.wanted) return;
+    const double rate = spec_.actuators[channel.actuator].max_rate;
+    const double way = channel.wanted - channel.angle;
+    const bool arrives = rate <= 0 || std::abs(way) <= rate * period;
+    channel.angle = arrives ? channel.wanted : channel.angle + std::copysign(rate * period, way);
+    body.set_servo(channel.actuator, channel.angle);
+}
+
+void Actuators::show(RobotBody& body, Channel& channel, const std::function<void(std::string)>& warn) {
+    const CameraImage& picture = take<CameraImage>(*channel.port);
+    const std::size_t bits = std::size_t{picture.width} * picture.height * picture.bpp;
+    const std::size_t bytes = (bits + 7) / 8;
+    if (bits > 0 && picture.pixels.size() == bytes) {
+        body.show(channel.actuator, picture);
+    } else if (!std::exchange(channel.has_warned, true)) {
+        warn(fmt::format(
+            "input '{}': a picture of {} x {} pixels of {} bits with {} bytes is not shown (said once): "
+            "expected {} bytes, and not none",
+            channel.port->name(), picture.width, picture.height, picture.bpp, picture.pixels.size(), bytes));
+    }
+}
+
+void Actuators::play(RobotBody& body, const std::string& text) {
+    said_.push_back(text);
+    if (said_.size() > most_said) said_.pop_front();
+    if (const Sound sound = read_sound(text); sound.kind != Sound::Kind::nothing) body.play(sound);
+}
+
+}  // namespace nezumi

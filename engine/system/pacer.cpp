@@ -1,0 +1,42 @@
+// Every deadline is counted from the start, not from the tick before.
+#include "engine/system/pacer.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <thread>
+
+namespace nezumi {
+
+Pacer::Pacer(double rate, double speed, Clock::time_point start) : rate_(rate), speed_(speed), start_(start) {
+    assert(rate > 0 && speed > 0);
+}
+
+Pacer::Clock::time_point Pacer::due() const {
+    const double seconds = static_cast<double>(ticks_) / (rate_ * speed_);
+    return start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+void Pacer::restart(Clock::time_point now) {
+    start_ = now;
+    ticks_ = 0;
+}
+
+void Pacer::wait() {
+    std::this_thread::sleep_until(due());
+    begin_tick(Clock::now());
+}
+
+void Pacer::begin_tick(Clock::time_point now) {
+    const std::chrono::duration<double> behind = now - due();
+    const double period = 1.0 / (rate_ * speed_);
+    lateness_ = std::max(0.0, behind.count());
+    worst_ = std::max(worst_, lateness_);
+    if (lateness_ > period / 10) ++late_;
+    if (lateness_ > longest_burst * period) {
+        skipped_ += static_cast<std::uint64_t>(lateness_ / period);
+        restart(now);
+    }
+    ++ticks_;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,141 @@
+// A system: components, their wiring, and the tick that runs them.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/components/component.hpp"
+#include "engine/robot/robot.hpp"
+#include "engine/system/system_spec.hpp"
+#include "engine/world/world.hpp"
+
+namespace nezumi {
+
+class WorkerPool;
+
+/// Is told of every port that published something, in the order of components and ports.
+class PortObserver {
+public:
+    virtual ~PortObserver() = default;
+    virtual void latched(const Component& component, const OutPortBase& port, const Time& now) = 0;
+};
+
+/// A connection between two ports.
+struct Connection {
+    Component* from_component;
+    OutPortBase* from;
+    Component* to_component;
+    InPortBase* to;
+};
+
+class System {
+public:
+    struct Settings {
+        double rate = 100;            ///< [Hz] of the tick
+        double physics_step = 0.005;  ///< [s]
+        std::uint64_t seed = 0;
+        int threads = 1;                    ///< that sense and execute; the result is the same with any number
+        bool out_of_time_is_fatal = false;  ///< a script that ran out of time ends the run instead of going to ERROR
+    };
+
+    /// `settings` must have passed `steps_per_tick`.
+    System(const Settings& settings, LogSink log);
+    ~System();
+    System(const System&) = delete;
+    System& operator=(const System&) = delete;
+
+    /// The world that robots live in and that a tick advances; given once, before any robot.
+    void take_world(std::unique_ptr<World> world) { world_ = std::move(world); }
+    World* world() { return world_.get(); }
+    const World* world() const { return world_.get(); }
+
+    /// Adds a component; an error when the name is taken or no name. It is INACTIVE until it is activated.
+    Expected<Component*> add(std::unique_ptr<Component> component);
+    /// Deactivates a component, lets its safe values through, disconnects and destroys it.
+    Expected<void> remove(std::string_view name);
+
+    const std::vector<std::unique_ptr<Component>>& components() const { return components_; }
+    const std::vector<Robot*>& robots() const { return robots_; }
+    const std::vector<Connection>& connections() const { return connections_; }
+    /// What the world will call the robot that is added next.
+    RobotId next_robot_id() const { return robots_.size() + removed_robots_; }
+    /// nullptr when there is none of this name.
+    Component* find(std::string_view name) const;
+    Robot* find_robot(std::string_view name) const;
+    /// The component of this name, or an error that names the nearest.
+    Expected<Component*> component(std::string_view name) const;
+    /// The port "name.port", or an error that names the nearest.
+    Expected<Port*> port(std::string_view path) const;
+
+    /// Connects "name.port" to "name.port", or says why not.
+    Expected<void> connect(std::string_view from, std::string_view to);
+    Expected<void> disconnect(std::string_view from, std::string_view to);
+    /// "name.port" of the ports at the other ends.
+    std::vector<std::string> peers(const Port& port) const;
+    /// Drops every connection of a port, which is about to go. Returns the peers.
+    std::vector<std::string> disconnect_all(const Port& port);
+
+    /// One tick.
+    void tick();
+    /// The tick that comes next: what conditions and the console call now.
+    const Time& now() const { return now_; }
+    const Settings& settings() const { return settings_; }
+    /// Deactivates everything, last first, and lets the robots brake: `brake_ticks` ticks in which only devices act.
+    void stop(int brake_ticks);
+    /// What ended the run, when something did.
+    const std::optional<Error>& fatal_error() const { return fatal_error_; }
+
+    /// Tells an observer of every publication from now on. It must outlive the system or be removed.
+    void observe(PortObserver& observer) { observers_.push_back(&observer); }
+    void stop_observing(PortObserver& observer) { std::erase(observers_, &observer); }
+
+    void log(LogLevel level, std::string text) const;
+
+private:
+    // Components that are wired to each other, directly or over others. Within a tick no group can tell what another
+    // one does: each goes through the phases on its own, while its memory is near.
+    struct Group {
+        std::vector<Device*> devices;  // both in the order of components_
+        std::vector<Component*> behaviors;
+        std::size_t size() const { return devices.size() + behaviors.size(); }
+    };
+
+    bool is_due(const Component& component) const;
+    void group_components();
+    template <class ForEach>
+    void run_phases(const Group& group, const ForEach& for_each);
+    void run_groups();
+    template <class Action>
+    void share_out(std::size_t count, const Action& action);
+    void notify_observers();
+    void flush_logs();
+    void end_when_out_of_time();
+    Expected<std::pair<Component*, std::string>> split(std::string_view path) const;
+
+    Settings settings_;
+    int steps_per_tick_;
+    LogSink log_;
+    Time now_;
+    std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
+    std::vector<std::unique_ptr<Component>> components_;
+    std::unordered_map<std::string_view, Component*> by_name_;
+    std::vector<Robot*> robots_;      // in the order of components_
+    std::size_t removed_robots_ = 0;  // whose bodies the world still counts
+    std::vector<Connection> connections_;
+    std::vector<Group> groups_;  // the large ones first, otherwise in the order of their first components
+    bool grouped_ = false;       // whether groups_ are those of components_ and connections_
+    std::atomic<bool> out_of_time_ = false;
+    std::vector<PortObserver*> observers_;
+    std::unique_ptr<WorkerPool> workers_;
+    mutable std::vector<std::vector<LogLine>> worker_logs_;
+    std::optional<Error> fatal_error_;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,83 @@
+// A system as data: what there is, how it is set and how it is wired, as a system file says it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/components/parameter.hpp"
+#include "engine/world/arena_spec.hpp"
+#include "engine/world/robot_spec.hpp"
+
+namespace nezumi {
+
+/// `robot NAME { model, pose, limits, backend }`.
+struct RobotEntry {
+    std::string name;
+    std::string model;  ///< key of `SystemSpec::models`
+    Pose2D pose;
+    /// What the file sets of the limits; the rest is the model's.
+    std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
+    std::string backend;  ///< "" or "sim" or a driver's name
+    bool active = true;
+    Place place;
+};
+
+/// `behavior NAME { script, config, sets, set, rate, active }`.
+struct BehaviorEntry {
+    std::string name;
+    std::string script;  ///< as the file says it
+    std::string path;    ///< where it was found
+    ParameterValues config;
+    std::map<std::string, ParameterValues, std::less<>> sets;
+    std::string set;  ///< "" for none
+    double rate = 0;  ///< [Hz]; 0: the tick's
+    bool active = true;
+    Place place;
+};
+
+/// `component NAME { type, config, rate, ... }` for native components.
+struct ComponentEntry {
+    std::string name;
+    std::string type;
+    ParameterValues config;
+    double rate = 0;  ///< [Hz]; 0: the type's own
+    std::string on;   ///< the robot that carries it; "" for none
+    Point3D at{};     ///< [m] in that robot's body frame
+    double yaw = 0;   ///< [rad]
+    bool active = true;
+    Place place;
+};
+
+using Entry = std::variant<RobotEntry, BehaviorEntry, ComponentEntry>;
+
+/// The name of any entry, and its place.
+const std::string& name_of(const Entry& entry);
+const Place& place_of(const Entry& entry);
+
+/// `connect(from, to)`, each "name.port".
+struct ConnectionSpec {
+    std::string from;
+    std::string to;
+    Place place;
+
+    bool operator==(const ConnectionSpec& other) const { return from == other.from && to == other.to; }
+};
+
+struct SystemSpec {
+    std::string file;   ///< as it was given
+    double rate = 100;  ///< [Hz] of the tick
+    Place rate_place;
+    double physics_step = 0.005;  ///< [s]
+    std::optional<std::uint64_t> seed;
+    ArenaSpec arena;
+    std::map<std::string, RobotSpec> models;  ///< by the name that entries use
+    std::vector<Entry> entries;               ///< in the order of the file
+    std::vector<ConnectionSpec> connections;
+    std::vector<std::string> files;  ///< every file it was read from: system, models, maps
+};
+
+}  // namespace nezumi

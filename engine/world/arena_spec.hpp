@@ -1,0 +1,66 @@
+// An arena as data: what stands in it when a system starts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
+
+namespace nezumi {
+
+/// A box, standing still or movable; walls and the rows of a CSV map become boxes too.
+struct BoxSpec {
+    Point3D at{};      ///< [m] centre
+    Point3D size{};    ///< [m] along its own x, y, z; all positive
+    double yaw = 0;    ///< [rad]
+    double mass = 0;   ///< [kg]; 0: it never moves
+    double pitch = 0;  ///< [rad] before the yaw; positive: its front goes down. Makes a ramp
+    std::string color = "#8a8f98";
+    Place place;
+};
+
+/// An upright cylinder.
+struct CylinderSpec {
+    Point3D at{};       ///< [m] centre
+    double radius = 0;  ///< [m]
+    double height = 0;  ///< [m]
+    double mass = 0;    ///< [kg]; 0: it never moves
+    std::string color = "#8a8f98";
+    Place place;
+};
+
+/// A square fiducial marker (AprilTag 36h11) without thickness.
+struct MarkerSpec {
+    std::string name;
+    int id = 0;
+    double size = 0.1;  ///< [m] edge of the black border
+    Point3D at{};       ///< [m] centre
+    double facing = 0;  ///< [rad] yaw of its outward normal
+    Place place;
+};
+
+/// A picture on the floor, centred on the origin.
+struct FloorSpec {
+    std::string image;  ///< resolved path
+    Point2D size{};     ///< [m]
+    Place place;
+};
+
+struct ArenaSpec {
+    std::optional<Point2D> size;     ///< [m] inner length and width, centred on the origin; none: unbounded
+    bool border = true;              ///< walls around `size`
+    double border_thickness = 0.02;  ///< [m]
+    double border_height = 0.1;      ///< [m]
+    std::vector<BoxSpec> boxes;
+    std::vector<CylinderSpec> cylinders;
+    std::vector<MarkerSpec> markers;
+    std::optional<FloorSpec> floor;
+};
+
+/// The boxes of a CSV map: a header row and rows `x,y,z,lx,ly,lz,yaw` (centre [m], size [m], yaw [rad]). `file` is
+/// named in errors, which say the line, the column's name and what was found.
+Expected<std::vector<BoxSpec>> read_csv_map(std::string_view text, const std::string& file);
+
+}  // namespace nezumi

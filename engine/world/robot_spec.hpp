@@ -1,0 +1,154 @@
+// A robot as data: geometry, wheels, limits, sensors, actuators and ports, filled from a robot file.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
+
+namespace nezumi {
+
+/// What a velocity command may ask of a robot. All values are magnitudes and positive.
+struct Limits {
+    double speed = 0.5;              ///< [m/s] along x, both ways
+    double yaw_rate = 6.0;           ///< [rad/s]
+    double acceleration = 2.0;       ///< [m/s^2]
+    double yaw_acceleration = 12.0;  ///< [rad/s^2]
+
+    bool operator==(const Limits&) const = default;
+};
+
+/// The robot's hull. The body frame has x forward, y left, z up, its origin on the wheels' axis on the floor.
+struct BodySpec {
+    enum class Shape { box, cylinder };
+    Shape shape = Shape::box;
+    Point3D size{0.1, 0.1, 0.06};  ///< [m] a box: length, width, height; a cylinder: diameter, diameter, height
+    Point3D at{0, 0, 0.04};        ///< [m] the hull's centre in the body frame
+};
+
+/// Two driven wheels on one axis, and skids before and behind.
+struct DriveSpec {
+    double radius = 0.024;                ///< [m] wheel radius
+    double track = 0.0925;                ///< [m] distance between the wheels' contact points
+    double pulses_per_turn = 0;           ///< encoder pulses a wheel turn; 0: the encoder is continuous
+    double skid = 0.04;                   ///< [m] distance of the skids before and behind the axis
+    bool coasts_until_commanded = false;  ///< the wheels roll freely until the first command after activation
+    Limits limits{};                      ///< in simulation
+    Limits hardware_limits{};             ///< on hardware, until it is calibrated
+};
+
+/// From a distance to a sensor's value: samples joined by straight lines.
+class ResponseTable {
+public:
+    struct Point {
+        double distance;  ///< [m]
+        double value;
+    };
+
+    /// Points in ascending order of distance, at least two; their values are met exactly. `minimum` and `maximum` bound
+    /// every value; beyond the last point the value goes straight to `nothing` at `range`; before the first it goes on
+    /// as a power law through the first two points (or straight, where a power law can't). With a `range` nearer than
+    /// the last point the sensor sees nothing beyond it. Returns an error when the points are too few, not in order or
+    /// not finite.
+    static Expected<ResponseTable> from_points(std::vector<Point> points, double range, double nothing, double minimum,
+                                               double maximum);
+
+    /// Values at 0, h, 2h, ... range (at least two, all finite); `nothing` is the value with nothing in sight.
+    static ResponseTable from_samples(std::vector<double> samples, double range, double nothing);
+
+    /// The value at this distance [m]; infinity, or anything past the range, means nothing in sight.
+    double operator()(double distance) const;
+
+    /// A value brought back between `minimum` and `maximum`, for a value with noise on it.
+    double clamp(double value) const { return value < minimum_ ? minimum_ : value > maximum_ ? maximum_ : value; }
+
+    double range() const { return range_; }      ///< [m] from here on there is nothing in sight
+    double nothing() const { return nothing_; }  ///< the value with nothing in sight
+
+private:
+    std::vector<Point> points_;    // for a table of points
+    std::vector<double> samples_;  // for even samples
+    double range_ = 0;
+    double nothing_ = 0;
+    double minimum_ = -std::numeric_limits<double>::infinity();
+    double maximum_ = std::numeric_limits<double>::infinity();
+    double exponent_ = 0;  // of the power law before the first point; 0: a straight line
+    double samples_per_metre_ = 0;
+};
+
+/// The points of a response table in CSV: columns `distance_m` (ascending, not negative) and `value`. `file` is named
+/// in errors.
+Expected<std::vector<ResponseTable::Point>> read_csv_response(std::string_view text, const std::string& file);
+
+/// One sensor. `kind` decides which of the fields count.
+struct SensorSpec {
+    enum class Kind {
+        range,    ///< a ray (or a cone of rays) that measures a distance
+        button,   ///< a switch that a finger presses
+        touch,    ///< a bumper that closes by contact
+        gyro,     ///< yaw angle [rad]
+        color,    ///< the colour of the floor, a `FloorColor`
+        reflect,  ///< light reflected by the floor, 0 to 100
+    };
+
+    std::string name;
+    Kind kind = Kind::range;
+    Point3D at{};               ///< [m] in the body frame
+    double yaw = 0;             ///< [rad] direction of the ray in the body frame
+    double range = 0.6;         ///< [m] a range sensor sees no farther
+    double minimum = 0;         ///< [m] a range sensor sees no nearer
+    double cone = 0;            ///< [rad] full opening angle; 0: a single ray
+    int rays = 1;               ///< rays spread evenly over the cone, the nearest counts
+    double noise = 0;           ///< standard deviation, in units of the value
+    double drift = 0;           ///< gyro: [rad/s]
+    double max_rate = 0;        ///< gyro: [rad/s] it can follow; 0: any
+    double travel = 0;          ///< touch: [m] until it closes
+    std::string on;             ///< the actuator that carries it, or "" for the hull
+    ResponseTable response;     ///< range: from distance to value
+    bool has_response = false;  ///< without a response the value is the distance itself
+};
+
+/// One actuator beside the wheels.
+struct ActuatorSpec {
+    enum class Kind { leds, buzzer, servo, screen, speaker };
+    std::string name;
+    Kind kind = Kind::leds;
+    int count = 1;                    ///< leds: how many
+    double max_rate = 0;              ///< servo: [rad/s]
+    double minimum = 0, maximum = 0;  ///< servo: [rad]; equal: unlimited
+    Point3D at{};                     ///< servo: [m] its axis in the body frame
+};
+
+/// One port of the robot and what it stands for.
+struct PortSpec {
+    std::string name;
+    bool is_input = false;
+    std::string type;  ///< a message type's name
+    std::vector<std::string>
+        items;  ///< what it carries: sensors' or an actuator's names, or one of "velocity", "odometry", "drive"
+    enum class Quantity { value, distance } quantity = Quantity::value;
+    double rate = 0;               ///< [Hz] of an out-port; 0: every tick
+    std::size_t queue = 0;         ///< length of an in-port's queue; 0: the latest value
+    bool off_when_silent = false;  ///< in-port of an actuator: it goes off when nothing came for `silence` seconds
+    std::string doc;
+};
+
+/// Everything about a model of robot. Frame and units as in `BodySpec`.
+struct RobotSpec {
+    std::string model;
+    std::string doc;
+    double mass = 0.5;  ///< [kg]
+    BodySpec body;
+    DriveSpec drive;
+    std::vector<SensorSpec> sensors;
+    std::vector<ActuatorSpec> actuators;
+    std::vector<PortSpec> ports;
+    Place place;  ///< the file it came from
+};
+
+}  // namespace nezumi

@@ -1,0 +1,36 @@
+// Tells tones from speech.
+#include "engine/world/sound.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace nezumi {
+namespace {
+
+// A whole number of decimal digits, `most` if it is larger; nothing for any other text.
+std::optional<int> read_number(std::string_view text, int most) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (text.empty() || !std::all_of(text.begin(), text.end(), is_digit)) return std::nullopt;
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} ? std::min(value, most) : most;
+}
+
+}  // namespace
+
+Sound read_sound(std::string_view text) {
+    if (text.find_first_not_of(std::string_view(" \t\r\n\v\f\0", 7)) == std::string_view::npos) return {};
+    if (text == "beep") return {Sound::Kind::tone, 440, 0.2, {}};
+    constexpr std::string_view tone = "tone,";
+    if (text.substr(0, tone.size()) == tone) {
+        const std::string_view numbers = text.substr(tone.size());
+        const auto comma = std::min(numbers.find(','), numbers.size());
+        const auto hertz = read_number(numbers.substr(0, comma), highest_tone);
+        const auto milliseconds = read_number(numbers.substr(std::min(comma + 1, numbers.size())), longest_tone);
+        if (hertz && milliseconds) return {Sound::Kind::tone, static_cast<double>(*hertz), *milliseconds / 1000.0, {}};
+    }
+    return {Sound::Kind::speech, 0, 0, std::string(text)};
+}
+
+}  // namespace nezumi

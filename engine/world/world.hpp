@@ -1,0 +1,167 @@
+// The world behind the robots, as the engine and scenarios see it: a simulation, or the real one with next to no
+// answers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
+#include "engine/world/arena_spec.hpp"
+#include "engine/world/floor_color.hpp"
+#include "engine/world/robot_spec.hpp"
+#include "engine/world/sound.hpp"
+
+namespace nezumi {
+
+class CameraSource;
+struct CameraMount;
+struct CameraSettings;
+
+/// One value for the left wheel and one for the right.
+struct Wheels {
+    double left = 0;
+    double right = 0;
+    bool operator==(const Wheels&) const = default;
+};
+
+/// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,
+/// safety and odometry. Called once or more a tick; several robots at once on as many threads, some sensing while
+/// others act: what is set takes effect in the world's next step, and nobody else sees it before.
+class RobotBody {
+public:
+    virtual ~RobotBody() = default;
+
+    /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
+    virtual Wheels wheel_angles() const = 0;
+    /// Distances [m] seen by the range sensors of the spec, in its order, one for each; infinity: nothing in sight.
+    virtual void read_ranges(std::span<double> distances) const = 0;
+    /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
+    virtual bool is_pressed(std::size_t index) const = 0;
+    /// Yaw rate [rad/s] of the hull, as a gyro feels it.
+    virtual double yaw_rate() const = 0;
+    /// The colour that sensor `index` of the spec sees on the floor.
+    virtual FloorColor floor_color(std::size_t /*index*/) const { return FloorColor::none; }
+    /// How much light the floor gives back to sensor `index` of the spec: 0 (none) to 100 (as white paper).
+    virtual double reflected_light(std::size_t /*index*/) const { return 0; }
+
+    /// Surface speed [m/s] of each wheel to hold from now on, already limited.
+    virtual void set_wheel_speeds(Wheels speeds) = 0;
+    /// Lets the wheels roll freely until the next `set_wheel_speeds`.
+    virtual void coast() = 0;
+    /// Angle [rad] of servo `index` of the spec's actuators, already limited.
+    virtual void set_servo(std::size_t index, double angle) = 0;
+    /// Lights, in order; called when one changes.
+    virtual void set_leds(const std::vector<bool>& /*on*/) {}
+    /// Tone of the buzzer [Hz], 0 for silence; called when it changes.
+    virtual void set_buzzer(int /*hertz*/) {}
+    /// Shows a picture, whole and not empty, on screen `index` of the spec's actuators.
+    virtual void show(std::size_t /*index*/, const CameraImage& /*picture*/) {}
+    /// Plays a sound after those that came before. Must not wait until it has been played.
+    virtual void play(const Sound& /*sound*/) {}
+};
+
+/// A robot of the world, in the order of adding, from 0.
+using RobotId = std::size_t;
+
+/// What a world knows of a robot and no sensor tells.
+struct Truth {
+    Pose2D pose;
+    Velocity2D velocity;  ///< in the robot's frame
+    double height = 0;    ///< [m] of the body frame's origin over the floor
+    double tilt = 0;      ///< [rad] between the body's z axis and the vertical
+};
+
+/// A thing of the arena where it is now: for pictures and cameras.
+struct ThingPose {
+    enum class Shape { box, cylinder };
+    Shape shape = Shape::box;
+    Point3D size{};  ///< [m] a box's edges, or diameter, diameter, height
+    Pose3D pose;     ///< of its centre
+    std::string color;
+};
+
+/// A marker where it is now. Its yaw is that of the outward normal, as `MarkerSpec::facing`; a pitch turns the normal
+/// down, a roll turns the marker about it.
+struct MarkerPose {
+    std::string name;
+    int id = 0;
+    double size = 0;  ///< [m] edge of the black border
+    Pose3D pose;      ///< of its centre
+};
+
+/// What a range sensor's ray goes through: for pictures.
+struct Ray {
+    Point3D from{};  ///< [m] in the world
+    Point3D to{};    ///< [m] where it hits or ends
+    bool hit = false;
+};
+
+/// Speeds that a hand forces on a robot; what is not set stays free.
+struct Push {
+    std::optional<double> vx;  ///< [m/s] along the robot's x axis
+    std::optional<double> vy;  ///< [m/s]
+    std::optional<double> va;  ///< [rad/s]
+};
+
+class World {
+public:
+    virtual ~World() = default;
+
+    /// Puts a robot on the floor. The spec must outlive the world. The body must not outlive the world; destroying it
+    /// takes the robot out of the world. An error when it overlaps a robot or a thing that is already there, naming
+    /// both.
+    virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
+                                                           Pose2D pose) = 0;
+
+    /// Advances by this many physics steps.
+    virtual void step(int count) = 0;
+    /// Why it can't go on, once it can't: nothing moves any more.
+    virtual const Error* breakdown() const { return nullptr; }
+
+    /// The truth about a robot.
+    virtual Truth truth(RobotId robot) const = 0;
+    /// Whether the robot touched anything but the floor during the last `step` call.
+    virtual bool collided(RobotId robot) const = 0;
+    /// What the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty when nothing.
+    virtual std::string collided_with(RobotId robot) const = 0;
+
+    /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken.
+    virtual Expected<void> teleport(RobotId robot, Pose2D pose) = 0;
+    /// A hand forces these speeds until the next call; an empty push lets go.
+    virtual void disturb(RobotId robot, const Push& push) = 0;
+    /// Presses or lets go of a button or touch sensor, by its index in the spec's sensors.
+    virtual void press(RobotId robot, std::size_t sensor, bool pressed) = 0;
+
+    /// Walls, boxes and cylinders where they are now.
+    virtual std::vector<ThingPose> things() const = 0;
+    /// The arena's markers where they are now, in the order of the arena.
+    virtual std::vector<MarkerPose> markers() const { return {}; }
+    /// Carries a marker elsewhere, wherever that is: a marker touches nothing. An error when there is none of this
+    /// name, which names the nearest, or when the pose is not finite.
+    virtual Expected<void> move_marker(std::string_view name, const Pose3D& pose);
+    /// A camera that looks at this world; must not outlive it. An error when there is nothing that can be looked at, or
+    /// no such robot.
+    virtual Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,
+                                                                const CameraSettings& settings);
+    /// The rays of the robot's range sensors as they are now.
+    virtual std::vector<Ray> rays(RobotId robot) const = 0;
+};
+
+/// How the physics of a world runs.
+struct PhysicsSpec {
+    double step = 0.005;     ///< [s] fixed, independent of every rate
+    std::uint64_t seed = 0;  ///< decides everything that is drawn at random
+};
+
+/// Makes a world with this arena in it. Warnings go to `warn`.
+using WorldFactory = std::function<Expected<std::unique_ptr<World>>(const ArenaSpec& arena, const PhysicsSpec& physics,
+                                                                    std::function<void(const std::string&)> warn)>;
+
+}  // namespace nezumi

@@ -1,0 +1,137 @@
+// Systems are found by those who may attach to them, and by nobody else.
+#include "bindings/console/socket_directory.hpp"
+
+#include <catch2/catch.hpp>
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace nezumi;
+
+namespace {
+
+class Folder {
+public:
+    Folder() : path_(mkdtemp(name_)) {}
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    char name_[32] = "/tmp/nezumi-meet-XXXXXX";
+    std::filesystem::path path_;
+};
+
+std::string refusal(std::string_view which, const std::filesystem::path& folder) {
+    const auto socket = connect_to_system(which, folder);
+    return socket ? "none" : socket.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("a system that listens is found, by its name, its process or as the only one", "[console][attach]") {
+    const Folder folder;
+    const std::string process = std::to_string(getpid());
+    CHECK(refusal("", folder.path() / "none") == "nothing is running: start a system with `nezumi run FILE`");
+    {
+        const auto listener = Listener::open("stop_at_wall", folder.path());
+        REQUIRE(listener);
+        CHECK(refusal("", folder.path()) == "none");
+        CHECK(refusal("stop_at_wall", folder.path()) == "none");
+        CHECK(refusal(process, folder.path()) == "none");
+        CHECK(refusal("stop_at_wal", folder.path()) ==
+              "no system 'stop_at_wal' is running (did you mean 'stop_at_wall'?); running: stop_at_wall (process " +
+                  process + ")");
+        const auto other = Listener::open("line follower", folder.path());
+        REQUIRE(other);
+        CHECK(refusal("", folder.path()) ==
+              "several systems are running, say which by its name or its process: line_follower (process " + process +
+                  "), stop_at_wall (process " + process + ")");
+        CHECK(refusal("line_follower", folder.path()) == "none");
+    }
+    CHECK(std::filesystem::is_empty(folder.path()));
+    CHECK(refusal("", folder.path()) == "nothing is running: start a system with `nezumi run FILE`");
+}
+
+TEST_CASE("sockets that nobody listens at are removed, other files are not", "[console][attach]") {
+    const Folder folder;
+    const auto living = Listener::open("living", folder.path());
+    REQUIRE(living);
+    {
+        // What a process leaves that was killed.
+        auto killed = Listener::open("killed", folder.path());
+        REQUIRE(killed);
+        std::filesystem::rename(killed->path(), folder.path() / "dead-12345.sock");
+    }
+    std::ofstream(folder.path() / "notes.txt") << "mine";
+    CHECK(refusal("", folder.path()) == "none");
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "dead-12345.sock"));
+    CHECK(std::filesystem::exists(folder.path() / "notes.txt"));
+    CHECK(std::filesystem::exists(living->path()));
+}
+
+TEST_CASE("the folder is made for its user alone, and one that is not is refused", "[console][attach]") {
+    const Folder parent;
+    const std::filesystem::path folder = parent.path() / "nezumi";
+    {
+        const auto listener = Listener::open("a", folder);
+        REQUIRE(listener);
+        struct stat status {};
+        REQUIRE(stat(folder.c_str(), &status) == 0);
+        CHECK((status.st_mode & 0777) == 0700);
+        REQUIRE(stat(listener->path().c_str(), &status) == 0);
+        CHECK((status.st_mode & 0777) == 0600);
+    }
+    std::filesystem::permissions(folder, std::filesystem::perms(0755));
+    const auto open_to_all = Listener::open("a", folder);
+    REQUIRE_FALSE(open_to_all);
+    CHECK(open_to_all.error().message ==
+          "others can enter the console's folder " + folder.string() + ": run chmod 700 on it");
+    CHECK(refusal("", folder) == open_to_all.error().message);
+
+    std::filesystem::permissions(folder, std::filesystem::perms(0700));
+    std::filesystem::create_directory_symlink(folder, parent.path() / "link");
+    const auto link = Listener::open("a", parent.path() / "link");
+    REQUIRE_FALSE(link);
+    CHECK(link.error().message ==
+          "can't open the console's folder " + (parent.path() / "link").string() + ": Not a directory");
+}
+
+TEST_CASE("a folder's path may be longer than a socket's address", "[console][attach]") {
+    const Folder parent;
+    const std::filesystem::path deep = parent.path() / std::string(100, 'a') / std::string(100, 'b');
+    std::filesystem::create_directories(deep);
+    const auto listener = Listener::open(std::string(300, 'n') + "/../x", deep / "nezumi");
+    REQUIRE(listener);
+    CHECK(refusal("", deep / "nezumi") == "none");
+}
+
+TEST_CASE("the other end's user is known", "[console][attach]") {
+    int ends[2] = {-1, -1};
+    REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
+    const FileHandle one(ends[0]);
+    const FileHandle other(ends[1]);
+    CHECK(is_peer(one.get(), geteuid()));
+    CHECK_FALSE(is_peer(one.get(), geteuid() + 1));
+}
+
+TEST_CASE("the folder lies where sessions of a user have theirs, or in /tmp", "[console][attach]") {
+    const char* before = std::getenv("XDG_RUNTIME_DIR");
+    const std::string kept = before != nullptr ? before : "";
+    const Folder runtime;
+    setenv("XDG_RUNTIME_DIR", runtime.path().c_str(), 1);
+    CHECK(console_folder() == runtime.path() / "nezumi");
+    const std::string own = "/tmp/nezumi-" + std::to_string(geteuid());
+    setenv("XDG_RUNTIME_DIR", "/nowhere", 1);
+    CHECK(console_folder() == own);
+    unsetenv("XDG_RUNTIME_DIR");
+    CHECK(console_folder() == own);
+    if (before != nullptr) setenv("XDG_RUNTIME_DIR", kept.c_str(), 1);
+}

@@ -1,0 +1,85 @@
+// Goldens: traces that are written once, committed, and compared within a tolerance.
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/unit/scenario/scenario_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+constexpr const char* drive =
+    "scenario('it', function(s)\n"
+    "  s:load 'systems/stop_at_wall.lua'\n"
+    "  s:golden('it.csv', { tolerance = 1e-6 }, 'mouse.current_pose_out', 'mouse.ir_sensor_out')\n"
+    "  s:run(0.1)\n"
+    "end)\n";
+
+std::string text_of_file(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+// The rig with a golden that has been written.
+void write_golden(ScenarioRig& rig) {
+    rig.options.update_goldens = true;
+    REQUIRE(outcome_of(rig.run()) == "passed");
+    rig.options.update_goldens = false;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("a golden that is not there fails and says how to write it", "[lua][scenario][golden]") {
+    ScenarioRig rig(drive);
+    CHECK(outcome_of(rig.run()).starts_with("failed: it_test.lua:3: golden 'it.csv': "));
+    CHECK(outcome_of(rig.run()).ends_with("; nezumi test --update-goldens writes it"));
+}
+
+TEST_CASE("a run agrees with the golden that it wrote", "[lua][scenario][golden]") {
+    ScenarioRig rig(drive);
+    write_golden(rig);
+    CHECK(outcome_of(rig.run()) == "passed");
+    const std::string text = text_of_file(rig.folder().path("it.csv"));
+    CHECK(
+        text.starts_with("time,mouse.current_pose_out.position.x,mouse.current_pose_out.position.y,"
+                         "mouse.current_pose_out.heading,mouse.ir_sensor_out[1],"));
+    CHECK(std::count(text.begin(), text.end(), '\n') == 11);
+}
+
+TEST_CASE("a value beyond the tolerance is named with its line and time", "[lua][scenario][golden]") {
+    ScenarioRig rig(drive);
+    write_golden(rig);
+    const std::string text = text_of_file(rig.folder().path("it.csv"));
+    static_cast<void>(rig.folder().write("it.csv", replaced(text, "\n0.01,0,0,0", "\n0.01,0,0.0000005,0")));
+    CHECK(outcome_of(rig.run()) == "passed");
+    static_cast<void>(rig.folder().write("it.csv", replaced(text, "\n0.01,0,0,0", "\n0.01,0,0.5,0")));
+    CHECK(outcome_of(rig.run()) ==
+          "failed: it_test.lua:3: golden 'it.csv': line 2, at 0.01 s: mouse.current_pose_out.position.y is 0, off 0.5 "
+          "by 0.5, more than the tolerance of 1e-06");
+    static_cast<void>(rig.folder().write("it.csv", replaced(text, "\n0.01,0,0,0", "\n0.01,0,,0")));
+    CHECK(outcome_of(rig.run()) ==
+          "failed: it_test.lua:3: golden 'it.csv': line 2, at 0.01 s: mouse.current_pose_out.position.y is 0, not "
+          "nothing");
+}
+
+TEST_CASE("a golden of another length or of other ports differs", "[lua][scenario][golden]") {
+    ScenarioRig rig(drive);
+    write_golden(rig);
+    const std::string text = text_of_file(rig.folder().path("it.csv"));
+    static_cast<void>(rig.folder().write("it.csv", text.substr(0, text.rfind('\n', text.size() - 2) + 1)));
+    CHECK(outcome_of(rig.run()) == "failed: it_test.lua:3: golden 'it.csv': the run has 10 rows, the file 9");
+    static_cast<void>(rig.folder().write("it.csv", replaced(text, "position.y", "position.z")));
+    CHECK(outcome_of(rig.run()) ==
+          "failed: it_test.lua:3: golden 'it.csv': the file has no column 'mouse.current_pose_out.position.y'");
+    static_cast<void>(rig.folder().write("it.csv", ""));
+    CHECK(outcome_of(rig.run()) == "failed: it_test.lua:3: golden 'it.csv': the file is empty");
+}

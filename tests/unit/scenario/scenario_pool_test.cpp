@@ -1,0 +1,123 @@
+// Tasks in processes of their own, what they send back, and how results are told to machines.
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <unistd.h>
+
+#include "bindings/scenario/faults.hpp"
+#include "bindings/scenario/process_pool.hpp"
+#include "bindings/scenario/reporter.hpp"
+#include "bindings/scenario/text_plot.hpp"
+
+using namespace nezumi;
+
+TEST_CASE("answers come in the order of the tasks, however long each takes", "[lua][scenario][pool]") {
+    std::string all;
+    PoolTasks tasks;
+    tasks.count = 6;
+    tasks.run = [](std::size_t task) {
+        usleep(static_cast<useconds_t>((6 - task) * 5000));
+        return std::to_string(task) + std::string(200'000, '.');
+    };
+    tasks.take = [&](std::size_t, const Expected<std::string>& answer) {
+        REQUIRE(answer);
+        REQUIRE(answer->size() == 200'001);
+        all += answer->front();
+    };
+    CHECK(run_in_processes(tasks, 3) == PoolEnd::done);
+    CHECK(all == "012345");
+}
+
+TEST_CASE("a process that crashes costs its task and no other", "[lua][scenario][pool]") {
+    std::vector<std::string> all;
+    PoolTasks tasks;
+    tasks.count = 3;
+    tasks.run = [](std::size_t task) -> std::string {
+        if (task == 1) kill(getpid(), SIGKILL);
+        return "fine";
+    };
+    tasks.take = [&](std::size_t, const Expected<std::string>& answer) {
+        all.push_back(answer ? *answer : answer.error().message);
+    };
+    CHECK(run_in_processes(tasks, 2) == PoolEnd::done);
+    CHECK(all == std::vector<std::string>{"fine", "its process was ended by signal 9 (Killed)", "fine"});
+}
+
+TEST_CASE("an interruption ends all processes at once", "[lua][scenario][pool]") {
+    PoolTasks tasks;
+    tasks.count = 4;
+    tasks.run = [](std::size_t task) -> std::string {
+        if (task == 1) kill(getppid(), SIGTERM);
+        for (;;) pause();
+    };
+    tasks.take = [&](std::size_t, const Expected<std::string>&) { FAIL("nothing was to be done"); };
+    CHECK(run_in_processes(tasks, 2) == PoolEnd::interrupted);
+}
+
+TEST_CASE("a result travels as bytes, and half of it is an error", "[lua][scenario][pool]") {
+    RunResult result{.outcome = RunOutcome::failed,
+                     .error = {"no", {"a.lua", 3, 4}},
+                     .facts = {"one", "", std::string("\0\n", 2)},
+                     .margins = {"m"},
+                     .folder = "x",
+                     .seconds = 1.5,
+                     .hash = 0x1234567890abcdef};
+    const std::string bytes = to_bytes(result);
+    const auto back = from_bytes(bytes);
+    REQUIRE(back);
+    CHECK(*back == result);
+    for (std::size_t size = 0; size < bytes.size(); ++size) CHECK_FALSE(from_bytes(bytes.substr(0, size)));
+}
+
+TEST_CASE("JUnit's text holds whatever a scenario says", "[lua][scenario][report]") {
+    RunReport report{.file = "a_test.lua", .line = 3, .scenario = "x", .name = "x [a=\"<&\x01\xff\xc3\xa9]"};
+    report.result.outcome = RunOutcome::failed;
+    report.result.error = {"a < b & \"c\"", {"a_test.lua", 4}};
+    report.result.printed = {"]]>", "two\x1b[0m"};
+    const std::string text = junit_text({report}, {.failed = 1, .seed = 124});
+    CHECK(text.find("tests=\"1\" failures=\"1\" errors=\"0\"") != std::string::npos);
+    CHECK(text.find("name=\"x [a=&quot;&lt;&amp;??\xc3\xa9]\"") != std::string::npos);
+    CHECK(text.find("<failure message=\"a &lt; b &amp; &quot;c&quot;\" type=\"failed\">") != std::string::npos);
+    CHECK(text.find("<system-out>]]&gt;&#10;two?[0m&#10;</system-out>") != std::string::npos);
+}
+
+TEST_CASE("TAP counts all, and escapes what it would take for a directive", "[lua][scenario][report]") {
+    std::string text;
+    const auto reporter = tap_reporter([&](std::string_view more) { text += more; });
+    reporter->begin(2);
+    RunReport report{.file = "a_test.lua", .line = 3, .scenario = "x # SKIP", .name = "x # SKIP"};
+    reporter->add(report);
+    report.result.outcome = RunOutcome::could_not_run;
+    report.result.error = {"no \"file\"", {"a_test.lua", 4}};
+    reporter->add(report);
+    CHECK(
+        text.starts_with("TAP version 13\n1..2\nok 1 - a_test.lua: x \\# SKIP\nnot ok 2 - a_test.lua: x \\# SKIP\n"
+                         "  ---\n  message: \"no \\\"file\\\"\"\n  severity: error\n  at: \"a_test.lua:4\"\n"));
+    CHECK(text.ends_with("  ...\n"));
+}
+
+TEST_CASE("faults end in their time, and a later one replaces the one before", "[lua][scenario][faults]") {
+    std::string ended;
+    Faults faults;
+    faults.begin("w mouse press a", 0, 1, [&] { ended += 'a'; });
+    faults.begin("w mouse press b", 0, 2, [&] { ended += 'b'; });
+    faults.begin("w mouse.port", 0, 5, [&] { ended += 'x'; });
+    faults.begin("w mouse.port", 0, 3, [&] { ended += 'p'; });
+    faults.begin("w mouser press a", 0, 9, [&] { ended += 'm'; });
+    faults.end_due(0.99);
+    CHECK(ended.empty());
+    faults.end_due(1);
+    CHECK(ended == "a");
+    CHECK(faults.restore("w mouse") == 1);
+    CHECK(ended == "ab");
+    faults.end_due(5);
+    CHECK(ended == "abp");
+}
+
+TEST_CASE("a plot shows its curves between the least and the greatest value", "[lua][scenario][report]") {
+    const auto lines =
+        plot_text({{"limit", '-', {0, 1, 2, 3}, {1, 1, 1, 1}}, {"x", '*', {0, 1, 2, 3}, {0, 1, 2, 3}}}, 20, 4);
+    CHECK(lines == std::vector<std::string>{"3 |                *", "  |           *", "  |-    *     -    -", "0 |*",
+                                            "   0 s           3 s", "   - limit   * x"});
+    CHECK(plot_text({{"none", '*', {}, {}}}, 20, 4).empty());
+}

@@ -1,0 +1,78 @@
+// Runs scenario files in this process, with simulated worlds.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/scenario/test_session.hpp"
+#include "sim/world.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+namespace nezumi {
+
+inline SessionOptions simulated_session() {
+    SessionOptions options;
+    options.installed = {NEZUMI_SOURCE_ROOT};
+    options.systems = [] { return LiveOptions{.installed = {NEZUMI_SOURCE_ROOT}, .world = sim::make_world}; };
+    return options;
+}
+
+/// A project of one file of scenarios.
+class ScenarioRig {
+public:
+    explicit ScenarioRig(std::string_view text) : file_(folder_.write("it_test.lua", text)) {
+        folder_.write("behaviors/none.lua", "param('x', 1)");
+        options.folder = folder_.path("failures");
+    }
+
+    TestPlan plan(const std::string& filter = "") {
+        auto planned =
+            plan_tests({.paths = {file_}, .filter = filter, .seed = options.seed, .installed = options.installed});
+        return planned ? std::move(*planned) : TestPlan{};
+    }
+    /// The result of its first run, without the files of a failure.
+    RunResult run(const std::string& filter = "") {
+        const TestPlan planned = plan(filter);
+        if (planned.runs.empty()) return {.outcome = RunOutcome::could_not_run, .error = {"no run"}};
+        RunResult result = run_planned(planned, planned.runs.front(), options, true);
+        // Messages name the file by its whole path, which is another one each time.
+        const std::string path = file_.string();
+        for (std::string* text : {&result.error.message, &result.error.place.file}) {
+            for (std::size_t at = text->find(path); at != std::string::npos; at = text->find(path))
+                text->replace(at, path.size(), "it_test.lua");
+        }
+        return result;
+    }
+    SessionEnd session(const std::string& filter = "") {
+        std::string text;
+        const auto reporter = console_reporter([&text](std::string_view more) { text += more; }, false);
+        SessionEnd end = run_tests(plan(filter), options, *reporter);
+        said = std::move(text);
+        return end;
+    }
+
+    const Scratch& folder() const { return folder_; }
+    SessionOptions options = simulated_session();
+    std::string said;  ///< of the last session
+
+private:
+    Scratch folder_;
+    std::filesystem::path file_;
+};
+
+/// "passed", "failed: it_test.lua:3: ..." or "could not run: ...".
+inline std::string outcome_of(const RunResult& result) {
+    switch (result.outcome) {
+        case RunOutcome::passed: return "passed";
+        case RunOutcome::failed: return "failed: " + describe(result.error);
+        case RunOutcome::could_not_run: break;
+    }
+    return "could not run: " + describe(result.error);
+}
+
+inline std::string outcome_of(std::string_view body) {
+    return outcome_of(ScenarioRig("scenario('it', function(s)\n" + std::string(body) + "\nend)").run());
+}
+
+}  // namespace nezumi

@@ -1,0 +1,206 @@
+// One run: time, outcomes, what can't be caught, and what is said of each way to end.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/scenario/scenario_rig.hpp"
+
+using namespace nezumi;
+
+TEST_CASE("time moves by run and by waiting, and by nothing else", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:check(s:now() == 0) s:run(1.5) s:near(s:now(), 1.5, 1e-9)\n"
+                     "s:run(0.005) s:near(s:now(), 1.5, 1e-9) s:run(0.005) s:near(s:now(), 1.51, 1e-9)\n"
+                     "s:wait_until('so already', { within = 0 }, function() return true end)\n"
+                     "s:near(s:now(), 1.51, 1e-9)\n"
+                     "s:maintain('a second', { hold = 1, within = 0 }, function() return true end)\n"
+                     "s:near(s:now(), 2.51, 1e-9)") == "passed");
+}
+
+TEST_CASE("conditions are looked at after every tick", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "local looks = 0\n"
+                     "s:always('counts', function() looks = looks + 1; return true end)\n"
+                     "s:check(looks == 0) s:run(1) s:check(looks == 100, tostring(looks))") == "passed");
+}
+
+TEST_CASE("an always that no tick comes after is looked at once, at the end", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:run(1) s:always('no', function() return false end)") ==
+          "failed: it_test.lua:3: always 'no' did not hold at its first look, at 1.00 s");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:never('yes', function() return true end)") ==
+          "failed: it_test.lua:3: never 'yes' happened at 0.00 s");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:always('yes', function() return s:now() == 0 end)") == "passed");
+}
+
+TEST_CASE("a scenario can't declare another one", "[lua][scenario][run]") {
+    CHECK(outcome_of("scenario('inner', function() end)") ==
+          "failed: it_test.lua:2: scenario: scenarios are declared by the file, not by one another");
+}
+
+TEST_CASE("a robot that drives against a wall is no news to be warned of", "[lua][scenario][run]") {
+    const RunResult result = ScenarioRig(
+                                 "scenario('it', function(s)\n"
+                                 "  s:load 'systems/stop_at_wall.lua'\n"
+                                 "  s:freeze('mouse.ir_sensor_out')\n"
+                                 "  s:run(15) s:check(s.mouse.collided)\n"
+                                 "end)")
+                                 .run();
+    CHECK(outcome_of(result) == "passed");
+    CHECK(result.printed.empty());
+}
+
+TEST_CASE("worlds of different rates tick when they are due", "[lua][scenario][run]") {
+    ScenarioRig rig(
+        "scenario('it', function(s)\n"
+        "  local slow, fast = s:load 'slow.lua', s:load 'fast.lua'\n"
+        "  local looks = 0\n"
+        "  s:always('counts', function() looks = looks + 1; return true end)\n"
+        "  s:run(1)\n"
+        "  s:check(looks == 100 + 8 - 4, tostring(looks))\n"  // every fourth of the slow ones is one of the fast
+        "end)");
+    static_cast<void>(rig.folder().write("slow.lua", "rate(8) physics { step = 0.005 } arena { size = { 1, 1 } }"));
+    static_cast<void>(rig.folder().write("fast.lua", "rate(100) arena { size = { 1, 1 } }"));
+    CHECK(outcome_of(rig.run()) == "passed");
+}
+
+TEST_CASE("a broken always ends the scenario at once, whatever tries to catch it", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:always('rests', function() return s:now() < 0.5 end)\n"
+                     "pcall(function() coroutine.wrap(function() pcall(s.run, s, 1) end)() end)\n"
+                     "while true do pcall(error) end") ==
+          "failed: it_test.lua:3: always 'rests' held until 0.49 s and ceased at 0.50 s");
+}
+
+TEST_CASE("a scenario that takes longer than its timeout fails", "[lua][scenario][run]") {
+    ScenarioRig rig(
+        "scenario('it', { timeout = 2 }, function(s)\n"
+        "  s:load 'systems/stop_at_wall.lua'\n"
+        "  s:run(2)\n"
+        "  s:wait_until('more', function() return false end)\n"
+        "end)");
+    CHECK(outcome_of(rig.run()) ==
+          "failed: it_test.lua:4: timeout: the scenario takes longer than 2.00 s of simulated time; "
+          "wait_until 'more' had not happened since 2.00 s");
+}
+
+TEST_CASE("an endless loop ends with its line, and the scenario could not be run", "[lua][scenario][run]") {
+    CHECK(outcome_of("while true do end") ==
+          "could not run: it_test.lua:2: ran for more than 2 s: is there an endless loop?");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:always('it', function()\n while true do end end)\n"
+                     "pcall(s.run, s, 1)") ==
+          "could not run: it_test.lua:4: always 'it': ran for more than 2 s: is there an endless loop?");
+}
+
+TEST_CASE("what the worlds and conditions use does not count for the scenario", "[lua][scenario][run]") {
+    // Each condition takes a while; together they take longer than the scenario's own budget.
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:always('slow', function() for i = 1, 3000000 do end return true end)\n"
+                     "s:run(1)") == "passed");
+}
+
+TEST_CASE("errors of a scenario name its line", "[lua][scenario][run]") {
+    CHECK(outcome_of("error('so')") == "failed: it_test.lua:2: so");
+    CHECK(outcome_of("local w = s:load 'systems/stop_at_wall.lua'\nreturn w.mouze") ==
+          "failed: it_test.lua:3: there is no component 'mouze' (did you mean 'mouse'?)");
+    CHECK(outcome_of("s:rum(1)") == "failed: it_test.lua:2: s has no 'rum' (did you mean 'run'?)");
+    CHECK(outcome_of("s:run(1)") ==
+          "failed: it_test.lua:2: s.run: there is no world yet: s:load a system, or say s:robot, s:behavior ...");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns.run(1)") ==
+          "failed: it_test.lua:3: write s:run(...) with a colon");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns:run(-1)") ==
+          "failed: it_test.lua:3: run: it expected seconds from 0 on, got -1");
+    CHECK(outcome_of("s:check(1 == 2, 'no')") == "failed: it_test.lua:2: check failed: no");
+    CHECK(outcome_of("s:near(1, 2, 0.5)") ==
+          "failed: it_test.lua:2: near failed: 1 is off 2 by 1, more than the tolerance of 0.5");
+}
+
+TEST_CASE("options of an expectation are checked", "[lua][scenario][run]") {
+    const auto with = [](const std::string& line) { return outcome_of("s:load 'systems/stop_at_wall.lua'\n" + line); };
+    CHECK(with("s:maintain('m', { within = 1 }, function() return true end)") ==
+          "failed: it_test.lua:3: maintain: 'm': expected an option 'hold', in seconds");
+    CHECK(with("s:eventually('e', { witin = 1 }, function() return true end)") ==
+          "failed: it_test.lua:3: eventually: 'e': unknown option 'witin' (did you mean 'within'?)");
+    CHECK(with("s:eventually('e', { within = 'x' }, function() return true end)") ==
+          "failed: it_test.lua:3: eventually: 'e': option 'within' expected seconds from 0 on, got string");
+    CHECK(with("s:always('a', true)") ==
+          "failed: it_test.lua:3: always: 'a': expected options (a table) or a function, got boolean");
+    CHECK(with("s:always(function() return true end)") ==
+          "failed: it_test.lua:3: always: expected a name (what should hold), got function");
+}
+
+TEST_CASE("a system that can't be built could not be run, unless the scenario expects that", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'no_such'")
+              .starts_with("could not run: it_test.lua:2: load: there is no system file 'no_such'"));
+    CHECK(outcome_of("s:robot 'mouse' { model = 'raspimous' }\ns:run(1)")
+              .starts_with("could not run: it_test.lua:2:19: robot 'mouse': there is no robot model 'raspimous'"));
+    CHECK(
+        outcome_of("s:robot 'mouse' { model = 'raspimouse' }\ns:connect('mouse.nothing', 'mouse.target_velocity_in')\n"
+                   "s:run(1)")
+            .starts_with("could not run: it_test.lua:3: "));
+    CHECK(outcome_of("s:check(not pcall(s.load, s, 'no_such'))") == "passed");
+}
+
+TEST_CASE("words add to a world that runs, and an arena to one that does not yet", "[lua][scenario][run]") {
+    CHECK(outcome_of("local w = s:load 'systems/stop_at_wall.lua'\n"
+                     "w.controller.config.speed_x = 0.3\n"
+                     "s:arena { s:box { at = { 0.4, 0, 0.15 }, size = { 0.1, 1, 0.3 } } }\n"
+                     "s:run(0.2) s:near(w.controller.out.value.vx, 0.3, 0)\n"
+                     "s:robot 'second' { model = 'raspimouse', pose = { y = 1 } }\n"
+                     "s:connect('controller.out', 'second.target_velocity_in')\n"
+                     "s:run(9)\n"
+                     "s:check(w.mouse.truth.pose.position.x < 0.35) s:check(s.second.truth.pose.position.x > 0.01)") ==
+          "passed");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns:run(1)\n"
+                     "s:arena { s:box { at = { 0.4, 0, 0.15 }, size = { 0.1, 1, 0.3 } } }\ns:run(1)")
+              .find("arena: can't change once time has moved") != std::string::npos);
+}
+
+TEST_CASE("a failure tells by how much, the ports it looked at and the time", "[lua][scenario][run]") {
+    ScenarioRig rig(
+        "scenario('it', function(s)\n"
+        "  local w = s:load 'systems/stop_at_wall.lua'\n"
+        "  s:never('turns', function() return w.controller.out.value.vx >= 0.1 end)\n"
+        "  s:run(1)\n"
+        "end)");
+    const RunResult result = rig.run();
+    CHECK(outcome_of(result) == "failed: it_test.lua:3: never 'turns' happened at 0.01 s");
+    REQUIRE(result.facts.size() == 3);
+    CHECK(result.facts[0] == "at 0.01 s of simulated time");
+    CHECK(result.facts[1] == "w.controller.out.value.vx >= 0.1: w.controller.out.value.vx was 0.1 m/s");
+    CHECK(result.facts[2].starts_with("  controller.out  TimedVelocity2D"));
+}
+
+TEST_CASE("a run tells how near its conditions came to their limits", "[lua][scenario][run]") {
+    ScenarioRig rig(
+        "scenario('it', function(s)\n"
+        "  s:load 'systems/stop_at_wall.lua'\n"
+        "  s:always('early', function() return s:now() < 1.25 end)\n"
+        "  s:run(1)\n"
+        "end)");
+    CHECK(rig.run().margins ==
+          std::vector<std::string>{"always 'early': came within 0.25 of the limit at 1.00 s (s:now() < 1.25)"});
+}
+
+TEST_CASE("a condition looks, and lets no time pass", "[lua][scenario][run]") {
+    for (const std::string inner : {"s:run(0.1)", "s:always('b', function() return true end)"}) {
+        const std::string outcome = outcome_of(
+            "s:load 'systems/stop_at_wall.lua'\n"
+            "s:always('a', function() " +
+            inner + " return true end)\ns:run(1)");
+        CHECK(outcome.starts_with("failed: it_test.lua:3: always 'a': "));
+        CHECK(outcome.ends_with(": a condition only looks: time and expectations are the scenario's"));
+    }
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "s:always('a', function() s:check(s:now() < 0.05, 'late') return true end)\n"
+                     "s:run(1)") == "failed: it_test.lua:3: check failed: late");
+}
+
+TEST_CASE("time passes from within coroutines, protected calls and sorting alike", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
+                     "local step = coroutine.wrap(function() s:run(0.5) coroutine.yield() s:run(0.5) end)\n"
+                     "step() step() pcall(s.run, s, 1)\n"
+                     "table.sort({ 2, 1 }, function(a, b) s:run(0.5) return a < b end)\n"
+                     "s:check(s:now() >= 2.5, tostring(s:now()))") == "passed");
+}
