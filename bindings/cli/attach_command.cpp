@@ -10,9 +10,9 @@
 
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/console/client.hpp"
 #include "bindings/console/socket_directory.hpp"
 #include "bindings/terminal/batch.hpp"
-#include "bindings/terminal/client.hpp"
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/terminal.hpp"
 

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "bindings/cli/commands.hpp"
-#include "bindings/terminal/put_text.hpp"
+#include "bindings/console/put_text.hpp"
 #include "engine/devices/camera.hpp"
 #include "engine/devices/joystick.hpp"
 #include "engine/vision/marker_detector.hpp"

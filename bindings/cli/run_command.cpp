@@ -27,8 +27,8 @@
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
 #include "bindings/cli/trajectories.hpp"
+#include "bindings/console/put_text.hpp"
 #include "bindings/lua/script/script_words.hpp"
-#include "bindings/terminal/put_text.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::cli {

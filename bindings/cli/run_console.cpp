@@ -7,10 +7,10 @@
 #include <chrono>
 #include <utility>
 
+#include "bindings/console/client.hpp"
+#include "bindings/console/put_text.hpp"
 #include "bindings/terminal/batch.hpp"
-#include "bindings/terminal/client.hpp"
 #include "bindings/terminal/input_history.hpp"
-#include "bindings/terminal/put_text.hpp"
 #include "bindings/terminal/terminal.hpp"
 
 namespace nezumi::cli {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bindings/terminal/client.hpp"
+#include "bindings/console/client.hpp"
 
 namespace nezumi::cli {
 namespace {

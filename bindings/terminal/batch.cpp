@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bindings/terminal/put_text.hpp"
+#include "bindings/console/put_text.hpp"
 
 namespace nezumi {
 namespace {

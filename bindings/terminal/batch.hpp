@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "bindings/terminal/client.hpp"
+#include "bindings/console/client.hpp"
 
 namespace nezumi {
 

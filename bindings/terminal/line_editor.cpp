@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/terminal/put_text.hpp"
+#include "bindings/console/put_text.hpp"
 #include "bindings/terminal/text_layout.hpp"
 #include "bindings/terminal/tty_input.hpp"
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "bindings/console/client.hpp"
 #include "bindings/console/file_handle.hpp"
-#include "bindings/terminal/client.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "bindings/console/client.hpp"
 #include "bindings/console/protocol.hpp"
-#include "bindings/terminal/client.hpp"
 #include "bindings/terminal/tty_input.hpp"
 
 using namespace nezumi;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/terminal/client.hpp"
+#include "bindings/console/client.hpp"
 #include "tests/unit/console/session_rig.hpp"
 
 using namespace nezumi;

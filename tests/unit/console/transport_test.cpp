@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/terminal/client.hpp"
+#include "bindings/console/client.hpp"
 
 using namespace nezumi;
 using Incoming = Transport::Incoming;

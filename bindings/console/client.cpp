@@ -1,5 +1,5 @@
 // Blocking reads and writes: a client has nothing else to do.
-#include "bindings/terminal/client.hpp"
+#include "bindings/console/client.hpp"
 
 #include <poll.h>
 #include <sys/socket.h>
