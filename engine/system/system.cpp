@@ -1,12 +1,10 @@
-// The phases of a tick, and wiring with errors that name the nearest.
+// The phases of a tick, and who is in the system.
 #include "engine/system/system.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <numeric>
 
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
@@ -21,52 +19,6 @@ constexpr std::size_t worth_threads = 256;
 // The worker that runs this thread's share; 0 on the thread that ticks.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a thread's own number, not shared state
 thread_local std::size_t current_worker = 0;
-
-std::vector<std::string_view> port_names(const Component& component, Direction direction) {
-    std::vector<std::string_view> names;
-    if (direction == Direction::in) {
-        for (const auto& port : component.in_ports()) names.push_back(port->name());
-    } else {
-        for (const auto& port : component.out_ports()) names.push_back(port->name());
-    }
-    return names;
-}
-
-std::string path(const Component& component, const Port& port) { return component.name() + "." + port.name(); }
-
-// Why a connection to a port that is not there can't be, with the nearest name or else all that there are.
-std::string no_port(const Component& component, Direction direction, std::string_view name) {
-    const std::string_view kind = direction == Direction::in ? "in-port" : "out-port";
-    const auto names = port_names(component, direction);
-    std::string hint = did_you_mean(name, names);
-    if (hint.empty() && !names.empty()) hint = fmt::format("; it has {}", fmt::join(names, ", "));
-    return fmt::format("{} has no {} '{}'{}", component.name(), kind, name, hint);
-}
-
-// The first port at either end that would make the types equal, as the end of a sentence.
-std::string fitting_port(const Component& from, const Port& out, const Component& to, const Port& in) {
-    for (const auto& port : to.in_ports()) {
-        if (port.get() != &in && port->type() == out.type())
-            return fmt::format(" (did you mean '{}'?)", path(to, *port));
-    }
-    for (const auto& port : from.out_ports()) {
-        if (port.get() != &out && port->type() == in.type())
-            return fmt::format(" (did you mean '{}'?)", path(from, *port));
-    }
-    return "";
-}
-
-std::string wrong_direction(const Component& from, const Port& first, const Component& to, const Port& second) {
-    const auto told = [](const Component& component, const Port& port) {
-        return fmt::format("{} ({}) is an {}", path(component, port), port.type_name(),
-                           port.direction() == Direction::in ? "in-port" : "out-port");
-    };
-    std::string hint = fitting_port(from, first, to, second);
-    if (first.direction() == Direction::in && second.direction() == Direction::out)
-        hint = fmt::format(" (did you mean connect(\"{}\", \"{}\")?)", path(to, second), path(from, first));
-    return fmt::format("connect goes from an out-port to an in-port: {}, {}{}", told(from, first), told(to, second),
-                       hint);
-}
 
 }  // namespace
 
@@ -131,13 +83,7 @@ Expected<void> System::remove(std::string_view name) {
         if (auto ok = gone->deactivate(now_); !ok) log(LogLevel::warn, describe(ok.error()));
     }
     gone->latch_outputs(now_);
-    for (const Connection& connection : connections_) {
-        if (connection.from_component == gone) connection.to->latch(now_);
-        if (connection.from_component == gone || connection.to_component == gone)
-            connection.to->disconnect(*connection.from);
-    }
-    std::erase_if(connections_,
-                  [&](const Connection& c) { return c.from_component == gone || c.to_component == gone; });
+    wiring_.disconnect_all(*gone, now_);
     by_name_.erase(gone->name());
     grouped_ = false;
     std::erase_if(robots_, [&](const Robot* robot) {
@@ -192,32 +138,14 @@ Expected<void> System::connect(std::string_view from, std::string_view to) {
     if (!source) return Unexpected(source.error());
     const auto sink = split(to);
     if (!sink) return Unexpected(sink.error());
-    const auto& [from_component, from_name] = *source;
-    const auto& [to_component, to_name] = *sink;
-
-    OutPortBase* out = from_component->find_out_port(from_name);
-    InPortBase* in = to_component->find_in_port(to_name);
-    const Port* first = from_component->find_port(from_name);
-    const Port* second = to_component->find_port(to_name);
-    if (first == nullptr) return failure(no_port(*from_component, Direction::out, from_name));
-    if (second == nullptr) return failure(no_port(*to_component, Direction::in, to_name));
-    if (out == nullptr || in == nullptr)
-        return failure(wrong_direction(*from_component, *first, *to_component, *second));
-    if (out->type() != in->type()) {
-        return failure(fmt::format("types differ: {} is {}, {} is {}{}", from, out->type_name(), to, in->type_name(),
-                                   fitting_port(*from_component, *out, *to_component, *in)));
-    }
-    const std::vector<const OutPortBase*> sources = in->sources();
-    if (std::find(sources.begin(), sources.end(), out) != sources.end())
-        return failure(fmt::format("{} is connected to {} already", from, to));
-    if (sources.size() == 1 && dynamic_cast<Device*>(to_component) != nullptr) {
+    const auto made = wiring_.connect(*source->first, source->second, *sink->first, sink->second);
+    if (!made) return Unexpected(made.error());
+    if (made->to->sources().size() == 2 && dynamic_cast<Device*>(made->to_component) != nullptr) {
         log(LogLevel::warn,
             fmt::format(
                 "{} is fed by several connections: the last one in the order of the connect lines wins (said once)",
                 to));
     }
-    in->connect(*out);
-    connections_.push_back({from_component, out, to_component, in});
     grouped_ = false;
     return {};
 }
@@ -227,72 +155,20 @@ Expected<void> System::disconnect(std::string_view from, std::string_view to) {
     if (!source) return Unexpected(source.error());
     const auto sink = port(to);
     if (!sink) return Unexpected(sink.error());
-    const auto found = std::find_if(connections_.begin(), connections_.end(),
-                                    [&](const Connection& c) { return c.from == *source && c.to == *sink; });
-    if (found == connections_.end()) return failure(fmt::format("{} is not connected to {}", from, to));
-    found->to->disconnect(*found->from);
-    connections_.erase(found);
+    if (!wiring_.disconnect(**source, **sink)) return failure(fmt::format("{} is not connected to {}", from, to));
     grouped_ = false;
     return {};
 }
 
-std::vector<std::string> System::peers(const Port& port) const {
-    std::vector<std::string> all;
-    for (const Connection& connection : connections_) {
-        if (connection.from == &port) all.push_back(path(*connection.to_component, *connection.to));
-        if (connection.to == &port) all.push_back(path(*connection.from_component, *connection.from));
-    }
-    return all;
-}
-
 std::vector<std::string> System::disconnect_all(const Port& port) {
     std::vector<std::string> all = peers(port);
-    for (const Connection& connection : connections_) {
-        if (connection.from == &port) connection.to->latch(now_);  // what was published still arrives
-        if (connection.from == &port || connection.to == &port) connection.to->disconnect(*connection.from);
-    }
-    std::erase_if(connections_, [&](const Connection& c) { return c.from == &port || c.to == &port; });
+    wiring_.disconnect_all(port, now_);
     grouped_ = false;
     return all;
 }
 
 bool System::is_due(const Component& component) const {
     return nezumi::is_due(now_.tick, component.rate, settings_.rate);
-}
-
-void System::group_components() {
-    // Each component names one before it in its group, or itself: the first.
-    std::vector<std::size_t> earlier(components_.size());
-    std::iota(earlier.begin(), earlier.end(), std::size_t{0});
-    const auto first_of = [&](std::size_t i) {
-        while (earlier[i] != i) i = earlier[i] = earlier[earlier[i]];
-        return i;
-    };
-    std::unordered_map<const Component*, std::size_t> index;
-    for (std::size_t i = 0; i < components_.size(); ++i) index.emplace(components_[i].get(), i);
-    for (const Connection& connection : connections_) {
-        const std::size_t from = first_of(index.at(connection.from_component));
-        const std::size_t to = first_of(index.at(connection.to_component));
-        earlier[std::max(from, to)] = std::min(from, to);
-    }
-
-    groups_.clear();
-    std::vector<std::size_t> group(components_.size());
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-        const std::size_t first = first_of(i);
-        if (first == i) {
-            group[i] = groups_.size();
-            groups_.emplace_back();
-        }
-        Group& its = groups_[group[first]];
-        if (auto* device = dynamic_cast<Device*>(components_[i].get())) {
-            its.devices.push_back(device);
-        } else {
-            its.behaviors.push_back(components_[i].get());
-        }
-    }
-    std::stable_partition(groups_.begin(), groups_.end(), [](const Group& g) { return g.size() >= worth_threads; });
-    grouped_ = true;
 }
 
 template <class Action>
@@ -370,7 +246,10 @@ void System::run_groups() {
 }
 
 void System::tick() {
-    if (!grouped_) group_components();
+    if (!grouped_) {
+        groups_ = group_components(components_, wiring_.connections(), worth_threads);
+        grouped_ = true;
+    }
     out_of_time_ = false;
     run_groups();
     if (out_of_time_ && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();

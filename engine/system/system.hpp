@@ -13,7 +13,9 @@
 
 #include "engine/components/component.hpp"
 #include "engine/robot/robot.hpp"
+#include "engine/system/groups.hpp"
 #include "engine/system/system_spec.hpp"
+#include "engine/system/wiring.hpp"
 #include "engine/world/world.hpp"
 
 namespace nezumi {
@@ -25,14 +27,6 @@ class PortObserver {
 public:
     virtual ~PortObserver() = default;
     virtual void latched(const Component& component, const OutPortBase& port, const Time& now) = 0;
-};
-
-/// A connection between two ports.
-struct Connection {
-    Component* from_component;
-    OutPortBase* from;
-    Component* to_component;
-    InPortBase* to;
 };
 
 class System {
@@ -63,7 +57,7 @@ public:
 
     const std::vector<std::unique_ptr<Component>>& components() const { return components_; }
     const std::vector<Robot*>& robots() const { return robots_; }
-    const std::vector<Connection>& connections() const { return connections_; }
+    const std::vector<Connection>& connections() const { return wiring_.connections(); }
     /// What the world will call the robot that is added next.
     RobotId next_robot_id() const { return robots_.size() + removed_robots_; }
     /// nullptr when there is none of this name.
@@ -78,7 +72,7 @@ public:
     Expected<void> connect(std::string_view from, std::string_view to);
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
-    std::vector<std::string> peers(const Port& port) const;
+    std::vector<std::string> peers(const Port& port) const { return wiring_.peers(port); }
     /// Drops every connection of a port, which is about to go. Returns the peers.
     std::vector<std::string> disconnect_all(const Port& port);
 
@@ -99,16 +93,7 @@ public:
     void log(LogLevel level, std::string text) const;
 
 private:
-    // Components that are wired to each other, directly or over others. Within a tick no group can tell what another
-    // one does: each goes through the phases on its own, while its memory is near.
-    struct Group {
-        std::vector<Device*> devices;  // both in the order of components_
-        std::vector<Component*> behaviors;
-        std::size_t size() const { return devices.size() + behaviors.size(); }
-    };
-
     bool is_due(const Component& component) const;
-    void group_components();
     template <class ForEach>
     void run_phases(const Group& group, const ForEach& for_each);
     void run_groups();
@@ -128,9 +113,9 @@ private:
     std::unordered_map<std::string_view, Component*> by_name_;
     std::vector<Robot*> robots_;      // in the order of components_
     std::size_t removed_robots_ = 0;  // whose bodies the world still counts
-    std::vector<Connection> connections_;
-    std::vector<Group> groups_;  // the large ones first, otherwise in the order of their first components
-    bool grouped_ = false;       // whether groups_ are those of components_ and connections_
+    Wiring wiring_;
+    std::vector<Group> groups_;
+    bool grouped_ = false;  // whether groups_ are those of components_ and wiring_
     std::atomic<bool> out_of_time_ = false;
     std::vector<PortObserver*> observers_;
     std::unique_ptr<WorkerPool> workers_;

@@ -1,0 +1,50 @@
+// Who is connected to whom: the connections between ports of a system's components.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/components/component.hpp"
+
+namespace nezumi {
+
+/// A connection between two ports.
+struct Connection {
+    Component* from_component;
+    OutPortBase* from;
+    Component* to_component;
+    InPortBase* to;
+};
+
+/// "name.port".
+std::string path(const Component& component, const Port& port);
+
+/// The names of a component's ports of one direction, in the order of declaration.
+std::vector<std::string_view> port_names(const Component& component, Direction direction);
+
+class Wiring {
+public:
+    /// In the order in which they were made.
+    const std::vector<Connection>& connections() const { return connections_; }
+
+    /// Connects an out-port to an in-port, by their names. An error says why not, with the nearest name or the port
+    /// that would fit.
+    Expected<Connection> connect(Component& from, std::string_view out, Component& to, std::string_view in);
+    /// Takes a connection away. Returns whether there was one.
+    bool disconnect(const Port& from, const Port& to);
+    /// Drops every connection of a port. What it has published still arrives.
+    void disconnect_all(const Port& port, const Time& now);
+    /// Drops every connection of a component. What it has published still arrives.
+    void disconnect_all(const Component& component, const Time& now);
+    /// "name.port" of the ports at the other ends.
+    std::vector<std::string> peers(const Port& port) const;
+
+private:
+    template <class Leaves, class Meets>
+    void drop(const Time& now, const Leaves& leaves, const Meets& meets);
+
+    std::vector<Connection> connections_;
+};
+
+}  // namespace nezumi
