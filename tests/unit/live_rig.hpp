@@ -12,6 +12,7 @@
 #include "engine/devices/joystick.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/source_root.hpp"
 
 namespace nezumi {
 
@@ -49,7 +50,7 @@ struct LiveRig {
         for (const auto& [name, text] : behaviors) folder.write("behaviors/" + name + ".lua", text);
         file = folder.write("system.lua", system);
         LiveOptions options;
-        options.installed = {NEZUMI_SOURCE_ROOT};
+        options.installed = {source_root()};
         options.world = sim::make_world;
         options.components = {{"Joystick", make_joystick}};
         options.build.log = [this](const LogLine& line) { log.push_back(line); };

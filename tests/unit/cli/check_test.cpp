@@ -8,6 +8,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/json_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 using namespace nezumi::cli;
@@ -145,7 +146,7 @@ TEST_CASE("robot files, modules of systems and scenarios are checked", "[cli][ch
 }
 
 TEST_CASE("what is shipped has nothing wrong with it", "[cli][check]") {
-    const std::string root = NEZUMI_SOURCE_ROOT;
+    const std::string root = source_root();
     const auto files = lua_files({root + "/behaviors", root + "/engine/robots"});
     REQUIRE(files.errors.empty());
     CHECK(files.files.size() >= 8);

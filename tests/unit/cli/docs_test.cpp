@@ -12,6 +12,7 @@
 
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
@@ -128,7 +129,7 @@ void run_console(Terminal& terminal, const Block& block) {
 }
 
 void follow(const std::string& name, const std::string& folder = "") {
-    const std::string page = read(fs::path(NEZUMI_SOURCE_ROOT) / "docs" / name);
+    const std::string page = read(fs::path(source_root()) / "docs" / name);
     REQUIRE_FALSE(page.empty());
     Terminal terminal;
     if (!folder.empty()) terminal.run("cd '" + folder + "'");
@@ -154,7 +155,7 @@ TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("e
 TEST_CASE("the page about the console does what it says", "[cli][docs]") { follow("console.md"); }
 
 TEST_CASE("the page about the seminar's systems does what it says", "[cli][docs]") {
-    follow("seminar.md", NEZUMI_SOURCE_ROOT);
+    follow("seminar.md", source_root());
 }
 
 TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("tutorial.md"); }

@@ -10,6 +10,7 @@
 #include "bindings/lua/script/script_words.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/type_table.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
@@ -74,7 +75,7 @@ TEST_CASE("the table of types has every message type", "[cli][types]") {
 
 TEST_CASE("the annotations are the committed ones", "[cli][types]") {
     // After a change that is meant: nezumi types --lua > tests/golden/nezumi.lua
-    const bool same = annotations() == read(std::string(NEZUMI_SOURCE_ROOT) + "/tests/golden/nezumi.lua");
+    const bool same = annotations() == read(source_root() + "/tests/golden/nezumi.lua");
     CHECK(same);
 }
 

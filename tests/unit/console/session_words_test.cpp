@@ -6,6 +6,7 @@
 
 #include "bindings/lua/files/system_file.hpp"
 #include "tests/unit/console/session_rig.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 using Catch::Matchers::Contains;
@@ -234,7 +235,7 @@ TEST_CASE("what was added while the system ran is saved with the rest", "[consol
     it.type("connect(other.out, second.target_velocity_in)");
     const std::string file = it.folder.path("saved.lua").string();
     CHECK(it.type("save '" + file + "'") == "saved " + file + ": 4 components, 3 connections");
-    const auto saved = read_system_file(file, Project::of(file, {NEZUMI_SOURCE_ROOT}));
+    const auto saved = read_system_file(file, Project::of(file, {source_root()}));
     REQUIRE(saved.has_value());
     REQUIRE(saved->entries.size() == 4);
     CHECK(std::get<RobotEntry>(saved->entries[2]).pose.position.y == 0.5);
@@ -246,7 +247,7 @@ TEST_CASE("the present wiring and configuration is saved as a system file", "[co
     const std::string file = it.folder.path("saved.lua").string();
     it.type("controller.config.stop_d = 99 disconnect(mouse.ir_sensor_out)");
     CHECK(it.type("save '" + file + "'") == "saved " + file + ": 2 components, 1 connection");
-    const auto spec = read_system_file(file, Project::of(file, {NEZUMI_SOURCE_ROOT}));
+    const auto spec = read_system_file(file, Project::of(file, {source_root()}));
     REQUIRE(spec.has_value());
     CHECK(spec->connections.size() == 1);
     const auto& controller = std::get<BehaviorEntry>(spec->entries[1]);

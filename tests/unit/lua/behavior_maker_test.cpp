@@ -1,5 +1,6 @@
 // Behaviours from files, in a system, with modules that the project has.
 #include "bindings/lua/script/behavior_maker.hpp"
+#include "tests/unit/source_root.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -24,7 +25,7 @@ struct Folder {
 }  // namespace
 
 TEST_CASE("the tutorial's controller drives until something is near", "[lua][behavior]") {
-    const std::string root = NEZUMI_SOURCE_ROOT;
+    const std::string root = source_root();
     SystemSpec spec;
     BehaviorEntry entry{
         .name = "controller", .script = "robot_controller", .path = root + "/behaviors/robot_controller.lua"};

@@ -5,12 +5,13 @@
 
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
 namespace {
 
-const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+const std::filesystem::path root = source_root();
 
 // The Lua examples of a page.
 std::vector<std::string> examples(const std::string& page) {

@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "bindings/lua/files/robot_file.hpp"
+#include "tests/unit/source_root.hpp"
 
 namespace nezumi::robot_files {
 
-inline const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+inline const std::filesystem::path root = source_root();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline Expected<RobotSpec> read(std::string_view text) {

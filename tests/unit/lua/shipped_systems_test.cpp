@@ -9,12 +9,13 @@
 #include "bindings/lua/script/script_component.hpp"
 #include "engine/system/build_system.hpp"
 #include "sim/world.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
 namespace {
 
-const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+const std::filesystem::path root = source_root();
 
 Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context) {
     auto source = read_source(entry.path);

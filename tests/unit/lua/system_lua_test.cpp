@@ -6,6 +6,7 @@
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
@@ -14,8 +15,7 @@ namespace {
 // A Lua state with the words as methods of `s`, and the arena's things as globals.
 struct Methods {
     Methods()
-        : project(
-              Project::of(std::filesystem::path(NEZUMI_SOURCE_ROOT) / "tests/scenarios/t.lua", {NEZUMI_SOURCE_ROOT})),
+        : project(Project::of(std::filesystem::path(source_root()) / "tests/scenarios/t.lua", {source_root()})),
           words(project) {
         host.words = &words;
         state = std::move(*create_sandbox());

@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "bindings/lua/files/system_file.hpp"
+#include "tests/unit/source_root.hpp"
 
 namespace nezumi::system_files {
 
-inline const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+inline const std::filesystem::path root = source_root();
 
 // Reads a text as the file behaviors/systems/s.lua of the project's own sources.
 inline Expected<SystemSpec> read(std::string_view text, const SystemFileOptions& options = {}) {

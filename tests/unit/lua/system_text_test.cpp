@@ -4,13 +4,14 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/lua/files/system_file.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
 namespace {
 
 SystemSpec read(const std::string& text) {
-    const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+    const std::filesystem::path root = source_root();
     const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
     auto spec = read_system_text(text, "behaviors/systems/s.lua", project);
     INFO(text);

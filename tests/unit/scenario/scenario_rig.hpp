@@ -8,13 +8,14 @@
 #include "bindings/scenario/test_session.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/source_root.hpp"
 
 namespace nezumi {
 
 inline SessionOptions simulated_session() {
     SessionOptions options;
-    options.installed = {NEZUMI_SOURCE_ROOT};
-    options.systems = [] { return LiveOptions{.installed = {NEZUMI_SOURCE_ROOT}, .world = sim::make_world}; };
+    options.installed = {source_root()};
+    options.systems = [] { return LiveOptions{.installed = {source_root()}, .world = sim::make_world}; };
     return options;
 }
 

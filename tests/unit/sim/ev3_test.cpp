@@ -8,6 +8,7 @@
 
 #include "bindings/lua/files/robot_file.hpp"
 #include "tests/unit/sim/try_world.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 using namespace nezumi::sim;
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 RobotSpec ev3() {
-    const fs::path file = NEZUMI_SOURCE_ROOT "/engine/robots/ev3.lua";
+    const fs::path file = source_root() + "/engine/robots/ev3.lua";
     auto spec = read_robot_file(file, Project::of(file));
     INFO((spec ? "" : describe(spec.error())));
     REQUIRE(spec);

@@ -11,12 +11,13 @@
 #include "bindings/lua/script/behavior_maker.hpp"
 #include "engine/trace/trace_hash.hpp"
 #include "sim/world.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
 namespace {
 
-const std::filesystem::path root = NEZUMI_SOURCE_ROOT;
+const std::filesystem::path root = source_root();
 
 // A system of this text (or of a shipped file), ACTIVE, without clock and window.
 struct Run {

@@ -4,6 +4,7 @@
 
 #include "bindings/lua/files/robot_file.hpp"
 #include "tests/unit/sim/try_world.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 using namespace nezumi::sim;
@@ -20,7 +21,7 @@ RobotSpec read(const fs::path& file) {
 
 std::vector<fs::path> shipped() {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(NEZUMI_SOURCE_ROOT "/engine/robots")) {
+    for (const auto& entry : fs::directory_iterator(source_root() + "/engine/robots")) {
         if (entry.path().extension() == ".lua") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
@@ -99,7 +100,7 @@ TEST_CASE("robots of odd shapes and weights keep their manners", "[sim][robot]")
 }
 
 TEST_CASE("the mouse's sensors see a wall where its table was measured", "[sim][robot][sensor]") {
-    const RobotSpec mouse = read(NEZUMI_SOURCE_ROOT "/engine/robots/raspimouse.lua");
+    const RobotSpec mouse = read(source_root() + "/engine/robots/raspimouse.lua");
     for (const double distance : {0.02, 0.05, 0.30}) {
         ArenaSpec arena;
         arena.boxes.push_back({.at = {0.035 + distance + 0.05, 0, 0.15}, .size = {0.1, 1, 0.3}});
