@@ -34,7 +34,7 @@ std::string unknown_command(const CLI::App& app, int count, char** words) {
 }
 
 int run(int count, char** words) {
-    CLI::App app{"nezumi runs what small robots do: Lua behaviours, in simulation and on the robot"};
+    CLI::App app{"nezumi runs what small robots do: Lua behaviours, in simulation"};
     app.name("nezumi");
     app.set_version_flag("--version", "nezumi " NEZUMI_VERSION);
     int status = cli::kDone;
