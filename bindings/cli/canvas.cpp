@@ -82,6 +82,19 @@ void Canvas::text(double x, double y, const std::string& words, double size, con
     cairo_show_text(context(), words.c_str());
 }
 
+void Canvas::image(const std::string& file, double x, double y, double width, double height) {
+    const std::unique_ptr<cairo_surface_t, Release> surface(cairo_image_surface_create_from_png(file.c_str()));
+    if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return;
+    const double scale = width / cairo_image_surface_get_width(surface.get());
+    cairo_save(context());
+    cairo_translate(context(), x, y);
+    cairo_scale(context(), scale, height / cairo_image_surface_get_height(surface.get()));
+    cairo_set_source_surface(context(), surface.get(), 0, 0);
+    if (scale > 1) cairo_pattern_set_filter(cairo_get_source(context()), CAIRO_FILTER_NEAREST);
+    cairo_paint(context());
+    cairo_restore(context());
+}
+
 Expected<void> Canvas::write() {
     cairo_status_t status = cairo_status(context());
     if (!svg_ && status == CAIRO_STATUS_SUCCESS)

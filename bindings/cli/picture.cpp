@@ -95,6 +95,11 @@ Bounds bounds_of(const PictureOf& picture) {
                        std::hypot(robot.body.size.x, robot.body.size.y) / 2);
         for (const Point2D& point : robot.path) bounds.include(point.x, point.y, robot.body.size.y / 2);
     }
+    if (picture.floor) {
+        const Point2D half{picture.floor->size.x / 2, picture.floor->size.y / 2};
+        bounds.include(half.x, half.y, 0);
+        bounds.include(-half.x, -half.y, 0);
+    }
     if (bounds.left > bounds.right) bounds.include(0, 0, 0.5);
     return bounds;
 }
@@ -181,6 +186,9 @@ private:
             }
             cairo_stroke(context());
         }
+        if (!picture_.floor) return;
+        const auto& [image, size, place] = *picture_.floor;
+        canvas_.image(image, x(-size.x / 2), y(size.y / 2), size.x * scale_, size.y * scale_);
     }
 
     void trace(const ThingPose& thing, double shift) {
@@ -356,8 +364,9 @@ private:
 
 }  // namespace
 
-PictureOf look_at(const System& system, const Paths& paths, std::string title) {
-    PictureOf picture{.title = std::move(title), .seconds = system.now().seconds};
+PictureOf look_at(const LiveSystem& live, const Paths& paths, std::string title) {
+    const System& system = live.system();
+    PictureOf picture{.title = std::move(title), .seconds = system.now().seconds, .floor = live.spec().arena.floor};
     const World* world = system.world();
     if (world == nullptr) return picture;
     picture.things = world->things();

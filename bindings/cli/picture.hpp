@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/cli/trajectories.hpp"
+#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/world/robot_spec.hpp"
 #include "engine/world/world.hpp"
@@ -25,12 +26,13 @@ struct PictureOf {
 
     std::string title;
     double seconds = 0;  ///< simulated time
+    std::optional<FloorSpec> floor;
     std::vector<ThingPose> things;
     std::vector<Robot> robots;
 };
 
 /// Takes what there is to be seen now.
-PictureOf look_at(const System& system, const Paths& paths, std::string title);
+PictureOf look_at(const LiveSystem& live, const Paths& paths, std::string title);
 
 /// Draws it to a file that ends in .png or .svg; what lies at no finite place is left out. An error says why it can't
 /// be written; then there is no file.

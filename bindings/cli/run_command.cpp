@@ -95,6 +95,7 @@ public:
         if (!live) return Unexpected(why_no_system(live.error()));
         live_ = std::move(*live);
         const StopSignals stop_signals;
+        live_->trace().remember_ports();
         if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
 
         live_->activate();
@@ -112,12 +113,14 @@ public:
         const std::string how = summary(loop, Pacer::Clock::now() - begin);
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
 
-        // A run of a given length shows the world as it is then; one that was ended shows it when the robots stand.
-        const bool to_the_end = live_->system().now().seconds >= options_.duration - 1e-9;
-        if (to_the_end) take_results();
+        // A run of a given length shows the world as it is then, whether --duration or commands said how long it is;
+        // one that was ended shows it when the robots stand.
+        const bool of_given_length =
+            !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9);
+        if (of_given_length) take_results();
         stop(loop);
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
-        if (!to_the_end) take_results();
+        if (!of_given_length) take_results();
         console_->close();
         return finish(how);
     }
@@ -157,7 +160,7 @@ private:
             if (auto ok = check_can_write(options_.picture); !ok) return ok;
         }
         if (options_.record.empty()) return {};
-        auto recorder = Recorder::open(options_.record, live_->system(), options_.ports);
+        auto recorder = Recorder::open(options_.record, live_->trace(), live_->system(), options_.ports);
         if (!recorder) return Unexpected(recorder.error());
         recorder_.emplace(std::move(*recorder));
         return {};
@@ -165,7 +168,7 @@ private:
 
     void keep_trace(RunLoop& loop) {
         if (recorder_) {
-            recorder_->add_row(live_->system());
+            recorder_->add_rows(live_->system());
             if (recorder_->error()) loop.quit();
         }
         if (options_.picture.empty()) return;
@@ -178,7 +181,7 @@ private:
         if (recorder_) recorder_->seal();
         hash_ = live_->trace_hash();
         if (!options_.picture.empty())
-            picture_ = look_at(live_->system(), paths_, std::filesystem::path(options_.file).stem().string());
+            picture_ = look_at(*live_, paths_, std::filesystem::path(options_.file).stem().string());
     }
 
     // The run is none: no file is left that could be taken for its result.

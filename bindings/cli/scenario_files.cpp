@@ -19,25 +19,24 @@ class ScenarioFiles final : public RunFiles {
 public:
     explicit ScenarioFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    Expected<void> begin(std::size_t world, const System&) override {
+    void begin(std::size_t world, LiveSystem& live) override {
         const std::string number = world == 0 ? "" : fmt::format("_{}", world + 1);
-        worlds_.push_back({"trace" + number + ".csv", "picture" + number + ".png", {}, {}, nullptr});
-        return {};
+        worlds_.push_back({"trace" + number + ".csv", "picture" + number + ".png", live});
     }
 
     // The trace begins with the first tick: until then words add to the world.
-    void after_tick(std::size_t world, const System& system) override {
+    void after_tick(std::size_t world) override {
         World& kept = worlds_[world];
-        if (kept.system == nullptr) {
-            kept.system = &system;
-            auto opened = Recorder::open((folder_ / kept.trace).string(), system, {});
+        const System& system = kept.live.system();
+        if (!std::exchange(kept.begun, true)) {
+            auto opened = Recorder::open((folder_ / kept.trace).string(), kept.live.trace(), system, {});
             if (opened) {
                 kept.recorder.emplace(std::move(*opened));
             } else if (!problem_) {
                 problem_ = opened.error();
             }
         }
-        if (kept.recorder) kept.recorder->add_row(system);
+        if (kept.recorder) kept.recorder->add_rows(system);
         kept.paths.look(system);
     }
 
@@ -54,9 +53,9 @@ public:
         for (World& world : worlds_) {
             if (world.recorder) take(world.trace, world.recorder->finish());
             // Without robots there is nothing to be seen.
-            if (world.system == nullptr || world.system->robots().empty()) continue;
+            if (!world.begun || world.live.system().robots().empty()) continue;
             take(world.picture,
-                 draw_picture(look_at(*world.system, world.paths, title), (folder_ / world.picture).string()));
+                 draw_picture(look_at(world.live, world.paths, title), (folder_ / world.picture).string()));
         }
         return kept;
     }
@@ -65,9 +64,10 @@ private:
     struct World {
         std::string trace;
         std::string picture;
-        std::optional<Recorder> recorder;
-        Paths paths;
-        const System* system;  // null before its first tick
+        LiveSystem& live;
+        std::optional<Recorder> recorder{};
+        Paths paths{};
+        bool begun = false;  // it has ticked
     };
 
     std::filesystem::path folder_;

@@ -162,7 +162,6 @@ bool Session::advance(std::chrono::microseconds slice) {
 
 void Session::after_tick() {
     Parts& parts = *parts_;
-    parts.history.after_tick(parts.live);
     std::erase_if(parts.watches, [&parts](Watch& watch) {
         if (look(parts, watch)) return false;
         parts.show(fmt::format("{} is gone: no longer watched", watch.path));

@@ -66,7 +66,7 @@ public:
     bool is_waiting() const;
     /// Runs for about `slice` of real time, or until there is nothing to do. Returns whether there is more to do now.
     bool advance(std::chrono::microseconds slice = std::chrono::microseconds(1000));
-    /// After every tick: watches show what is new, plots remember it, `drive` sends.
+    /// After every tick: watches show what is new, `drive` sends.
     void after_tick();
     /// Ctrl-C: ends what runs, drops what was handed in and not begun, and ends `drive` and every `watch`.
     void interrupt();

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bindings/console/drive.hpp"
-#include "bindings/console/history.hpp"
 #include "bindings/console/session.hpp"
 #include "bindings/lua/live/objects.hpp"
 #include "bindings/lua/sandbox/sliced_call.hpp"
@@ -43,7 +42,6 @@ struct Session::Parts {
     std::string input;               ///< that runs
     bool waiting = false;            ///< for the ticks of an `advance` of the clock
     std::vector<Watch> watches;
-    History history;
     Drive drive;
     double number = 0;       ///< what a word returns
     std::int64_t ticks = 0;  ///< that a word waits for

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "bindings/console/plot_text.hpp"
 #include "bindings/console/words.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
+#include "engine/trace/text_plot.hpp"
 
 namespace nezumi {
 namespace {
@@ -51,14 +51,11 @@ Expected<WordEnd> word_plot(Session::Parts& parts, const WordArguments& argument
         if (!(*given > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *given));
         seconds = *given;
     }
-    parts.history.follow(*port);
+    const auto series = parts.live.trace().remember(*port);
+    if (!series) return Unexpected(series.error());
     const double now = parts.live.system().now().seconds;
-    const Series* series = parts.history.find(*port);
     std::string text;
-    if (series != nullptr && !series->samples.empty() && series->samples.front().seconds <= now) {
-        const double from = std::max(series->samples.front().seconds, now - seconds);
-        text = plot_text(*series, from, now);
-    }
+    if ((*series)->size() > 0) text = braille_plot(**series, std::max((*series)->seconds(0), now - seconds), now);
     parts.show(text.empty() ? fmt::format("{} has carried no numbers in this time", *port)
                             : fmt::format("{}\n{}", *port, text));
     return WordEnd::done;

@@ -96,8 +96,9 @@ Expected<WordEnd> word_errors(Session::Parts& parts, const WordArguments&) {
     std::string text;
     const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
     for (const LogLine& line : parts.clock.problems()) {
-        add(fmt::format("[{:.3f}] {}{}{}: {}", line.seconds, to_text(line.level), line.component.empty() ? "" : " ",
-                        line.component, line.text));
+        const std::string start = line.start == parts.live.starts() ? "" : fmt::format("start {}, ", line.start);
+        add(fmt::format("[{}{:.3f}] {}{}{}: {}", start, line.seconds, to_text(line.level),
+                        line.component.empty() ? "" : " ", line.component, line.text));
     }
     for (const auto& component : parts.live.system().components()) {
         if (component->state() == LifeState::error)

@@ -8,52 +8,26 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <type_traits>
-#include <variant>
+#include <sstream>
 
 #include "bindings/lua/project/project.hpp"
-#include "engine/ports/payload.hpp"
+#include "engine/base/csv.hpp"
 
 namespace nezumi {
 namespace {
 
-template <class T>
-std::string text_of_cell(const T& value) {
-    if constexpr (std::is_same_v<T, std::string>) {
-        std::string text = "\"";
-        for (const char c : value) {
-            if (c == '"') text += '"';
-            text += c == '\n' || c == '\r' ? ' ' : c;
-        }
-        return text + "\"";
-    } else if constexpr (std::is_same_v<T, bool>) {
-        return value ? "1" : "0";
-    } else {
-        return fmt::format("{}", value);
-    }
-}
+constexpr std::size_t time_column = ~std::size_t{0};
 
-std::vector<std::string> split(std::string_view line) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (const char c : line) {
-        if (c == '"') quoted = !quoted;
-        if (c == ',' && !quoted) {
-            cells.emplace_back();
-        } else {
-            cells.back() += c;
-        }
-    }
-    return cells;
-}
+using Fields = std::vector<std::string>;
 
-std::vector<std::vector<std::string>> read_rows(std::string_view csv) {
-    std::vector<std::vector<std::string>> rows;
-    while (!csv.empty()) {
-        const std::size_t end = std::min(csv.find('\n'), csv.size());
-        if (end > 0) rows.push_back(split(csv.substr(0, end)));
-        csv.remove_prefix(std::min(end + 1, csv.size()));
+// As they are written, so that a text is no number.
+std::vector<Fields> read_rows(const std::string& csv) {
+    std::istringstream in(csv);
+    std::vector<Fields> rows;
+    for (std::string row; read_csv_row(in, row);) {
+        if (row.ends_with('\r')) row.pop_back();
+        const auto fields = split_csv_row(row);
+        if (fields && !row.empty()) rows.emplace_back(fields->begin(), fields->end());
     }
     return rows;
 }
@@ -69,70 +43,52 @@ std::string shown_cell(const std::string& text) { return text.empty() ? "nothing
 
 }  // namespace
 
-std::size_t TraceTable::column(const std::string& name) {
-    const auto [found, is_new] = places_.try_emplace(name, columns_.size());
-    if (is_new) columns_.push_back(name);
-    return found->second;
+void Golden::add(double now) {
+    table_.read([&](const std::vector<std::string>& cells) { rows_.push_back({fmt::format("{:.9g}", now), cells}); });
 }
 
-void TraceTable::add(double now) {
-    Row row{{0, fmt::format("{:.9g}", now)}};
-    for (const PortOf& port : ports_) {
-        const auto found = port.live->system().port(port.path);
-        if (!found || (*found)->count() == 0) continue;
-        std::visit(
-            [&](const auto& payload) {
-                for_each_leaf(payload, [&](const std::string& path, const auto& value) {
-                    if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(value)>, Octets>) {
-                        const bool nested = !path.empty() && path.front() != '[';
-                        row[column(port.path + (nested ? "." : "") + path)] = text_of_cell(value);
-                    }
-                });
-            },
-            (*found)->value());
-    }
-    rows_.push_back(std::move(row));
-}
-
-std::string TraceTable::cell(const Row& row, std::size_t column) const {
-    const auto found = row.find(column);
-    return found == row.end() ? "" : found->second;
-}
-
-std::string TraceTable::text() const {
-    std::string out = fmt::format("{}\n", fmt::join(columns_, ","));
+std::string Golden::text() const {
+    std::string out = "time" + table_.header() + "\n";
+    const std::vector<std::size_t> order = table_.order();
     for (const Row& row : rows_) {
-        for (std::size_t i = 0; i < columns_.size(); ++i) out += (i > 0 ? "," : "") + cell(row, i);
+        out += row.time;
+        for (const std::size_t id : order) out += "," + cell(row, id);
         out += '\n';
     }
     return out;
 }
 
-Expected<void> TraceTable::compare(std::string_view csv, double tolerance) const {
+Expected<void> Golden::compare(const std::string& csv) const {
     const auto golden = read_rows(csv);
     if (golden.empty()) return failure("the file is empty");
-    const std::vector<std::string>& names = golden.front();
-    for (const std::string& name : columns_) {
-        if (std::find(names.begin(), names.end(), name) == names.end())
+    const Fields& names = golden.front();
+    for (const std::size_t id : table_.order()) {
+        const std::string& name = table_.names()[id];
+        if (std::none_of(names.begin(), names.end(), [&](const std::string& each) { return csv_text(each) == name; }))
             return failure(fmt::format("the file has no column '{}'", name));
     }
+    std::vector<std::size_t> ids;
+    for (const std::string& field : names) {
+        const auto known = std::find(table_.names().begin(), table_.names().end(), csv_text(field));
+        if (field != "time" && known == table_.names().end())
+            return failure(fmt::format("'{}' is only in the file", field));
+        ids.push_back(field == "time" ? time_column : static_cast<std::size_t>(known - table_.names().begin()));
+    }
     for (std::size_t row = 0; row < std::min(rows_.size(), golden.size() - 1); ++row) {
-        const std::vector<std::string>& expected = golden[row + 1];
+        const Fields& expected = golden[row + 1];
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const auto place = places_.find(names[i]);
-            if (place == places_.end()) return failure(fmt::format("'{}' is only in the file", names[i]));
-            const std::string actual = cell(rows_[row], place->second);
+            const std::string actual = ids[i] == time_column ? rows_[row].time : cell(rows_[row], ids[i]);
             const std::string wanted = i < expected.size() ? expected[i] : "";
             if (actual == wanted) continue;
-            const std::string where = fmt::format("line {}, at {} s: {}", row + 2, cell(rows_[row], 0), names[i]);
+            const std::string where = fmt::format("line {}, at {} s: {}", row + 2, rows_[row].time, names[i]);
             const auto a = number_of(actual);
             const auto b = number_of(wanted);
             if (!a || !b)
                 return failure(fmt::format("{} is {}, not {}", where, shown_cell(actual), shown_cell(wanted)));
             const double off = std::abs(*a - *b);
-            if (off <= tolerance) continue;
+            if (off <= tolerance_) continue;
             return failure(fmt::format("{} is {}, off {} by {:.6g}, more than the tolerance of {}", where, actual,
-                                       wanted, off, tolerance));
+                                       wanted, off, tolerance_));
         }
     }
     if (rows_.size() + 1 != golden.size())
@@ -142,18 +98,19 @@ Expected<void> TraceTable::compare(std::string_view csv, double tolerance) const
 
 Expected<void> Golden::finish(bool update) const {
     if (update) {
-        std::ofstream out(file, std::ios::binary);
-        out << table.text();
+        std::ofstream out(file_, std::ios::binary);
+        out << text();
         out.close();
-        return out ? Expected<void>() : failure(fmt::format("golden '{}': can't be written", name), place);
+        return out ? Expected<void>() : failure(fmt::format("golden '{}': can't be written", name_), place_);
     }
-    const auto text = read_text_file(file, name);
+    const auto text = read_text_file(file_, name_);
     if (!text) {
         return failure(
-            fmt::format("golden '{}': {}; nezumi test --update-goldens writes it", name, text.error().message), place);
+            fmt::format("golden '{}': {}; nezumi test --update-goldens writes it", name_, text.error().message),
+            place_);
     }
-    if (auto same = table.compare(*text, tolerance); !same)
-        return failure(fmt::format("golden '{}': {}", name, same.error().message), place);
+    if (auto same = compare(*text); !same)
+        return failure(fmt::format("golden '{}': {}", name_, same.error().message), place_);
     return {};
 }
 

@@ -2,56 +2,48 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/trace/trace_table.hpp"
 
 namespace nezumi {
 
-/// The values of some ports after every tick, as a table: the first column is the time [s], then one for each number,
-/// truth value (0 or 1) and text of each port.
-class TraceTable {
+/// What `s:golden` asked for: a table as `TraceTable` makes it, with the time [s] before it.
+class Golden {
 public:
-    struct PortOf {
-        LiveSystem* live;
-        std::string path;  ///< "name.port"
-    };
-    explicit TraceTable(std::vector<PortOf> ports) : ports_(std::move(ports)) {}
+    /// `name` is the file's as the scenario gives it. The channels must outlive this.
+    Golden(std::filesystem::path file, std::string name, double tolerance, Place place,
+           std::vector<const Channel*> channels)
+        : file_(std::move(file)),
+          name_(std::move(name)),
+          tolerance_(tolerance),
+          place_(std::move(place)),
+          table_(std::move(channels)) {}
 
-    /// Adds a row for this time.
+    /// Adds what the step brought that led to this time.
     void add(double now);
-    /// As CSV.
-    std::string text() const;
-    /// Whether the CSV text says the same, its numbers within the tolerance. The error names the first cell that
-    /// differs.
-    Expected<void> compare(std::string_view csv, double tolerance) const;
+    /// Compares with the file, or writes it. The error names the first cell that differs.
+    Expected<void> finish(bool update) const;
 
 private:
-    using Row = std::map<std::size_t, std::string>;  // cells by column; what is not there is empty
+    struct Row {
+        std::string time;
+        std::vector<std::string> cells;  // by the table's ids
+    };
 
-    std::size_t column(const std::string& name);
-    std::string cell(const Row& row, std::size_t column) const;
+    std::string cell(const Row& row, std::size_t id) const { return id < row.cells.size() ? row.cells[id] : ""; }
+    std::string text() const;
+    Expected<void> compare(const std::string& csv) const;
 
-    std::vector<PortOf> ports_;
-    std::vector<std::string> columns_{"time"};
-    std::map<std::string, std::size_t, std::less<>> places_{{"time", 0}};
+    std::filesystem::path file_;
+    std::string name_;
+    double tolerance_;
+    Place place_;
+    TraceTable table_;
     std::vector<Row> rows_;
-};
-
-/// What `s:golden` asked for.
-struct Golden {
-    std::filesystem::path file;
-    std::string name;  ///< as the scenario gives it
-    double tolerance = 0;
-    Place place{};
-    TraceTable table;
-
-    /// Compares with the file, or writes it.
-    Expected<void> finish(bool update) const;
 };
 
 }  // namespace nezumi

@@ -64,16 +64,16 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
             return raise(run, fmt::format("'{}': option 'tolerance' expected a number from 0 on", name));
         lua_pop(lua, 1);
     }
-    std::vector<TraceTable::PortOf> ports;
+    std::vector<const Channel*> channels;
     for (int index = has_options ? 4 : 3; index <= lua_gettop(lua); ++index) {
         const auto at = run.objects_->to_port(lua, index);
         if (!at) return raise(run, fmt::format("'{}': {}", name, at.error().message));
-        ports.push_back({at->live, at->path()});
+        channels.push_back(at->live->trace().follow(at->path()).value());
     }
-    if (ports.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
+    if (channels.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
     Place place = calling_place(lua);
     auto file = std::filesystem::path(place.file).parent_path() / name;
-    run.goldens_.push_back({std::move(file), name, tolerance, std::move(place), TraceTable(std::move(ports))});
+    run.goldens_.emplace_back(std::move(file), name, tolerance, std::move(place), std::move(channels));
     return 0;
 }
 

@@ -28,9 +28,9 @@ class RunFiles {
 public:
     virtual ~RunFiles() = default;
     /// A world begins; it is called `name` in names of files ("" when there is but one so far).
-    virtual Expected<void> begin(std::size_t world, const System& system) = 0;
+    virtual void begin(std::size_t world, LiveSystem& live) = 0;
     /// A world has made a tick.
-    virtual void after_tick(std::size_t world, const System& system) = 0;
+    virtual void after_tick(std::size_t world) = 0;
     /// What has been written whole, and what kept the rest from it.
     struct Kept {
         std::vector<std::string> names{};

@@ -6,7 +6,7 @@
 
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/scenario/scenario_run.hpp"
-#include "bindings/scenario/text_plot.hpp"
+#include "engine/trace/text_plot.hpp"
 
 namespace nezumi {
 
@@ -27,9 +27,9 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
         return false;
     }
     if (settings_.files != nullptr) {
-        for (const std::size_t world : *ticked) settings_.files->after_tick(world, worlds_[world].system());
+        for (const std::size_t world : *ticked) settings_.files->after_tick(world);
     }
-    for (Golden& golden : goldens_) golden.table.add(worlds_.now());
+    for (Golden& golden : goldens_) golden.add(worlds_.now());
     for (const auto& watch : watches_) {
         if (!look(lua, *watch)) return false;
     }
@@ -143,20 +143,17 @@ void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
 }
 
 void ScenarioRun::tell_plot(const Watched& watched) {
-    constexpr std::size_t width = 72;
-    constexpr std::size_t height = 8;
+    constexpr PlotSize size{.columns = 64, .rows = 8};
     const auto& comparisons = watched.condition->comparisons();
     for (std::size_t i = 0; i < watched.history.size(); ++i) {
         const Comparison& comparison = comparisons[i];
-        PlotCurve limit{comparison.right, '-', {}, {}};
-        PlotCurve value{comparison.left, '*', {}, {}};
+        Curve limit{.name = comparison.right, .mark = '-'};
+        Curve value{.name = comparison.left};
         for (const Watched::Look& look : watched.history[i]) {
-            limit.times.push_back(look.time);
-            limit.values.push_back(look.right);
-            value.times.push_back(look.time);
-            value.values.push_back(look.left);
+            limit.points.emplace_back(look.time, look.right);
+            value.points.emplace_back(look.time, look.left);
         }
-        for (std::string& line : plot_text({limit, value}, width, height)) result_.facts.push_back("  " + line);
+        for (const std::string& line : plain_plot({limit, value}, size)) result_.facts.push_back("  " + line);
     }
 }
 

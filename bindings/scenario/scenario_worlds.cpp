@@ -91,8 +91,8 @@ Expected<void> ScenarioRun::build(Described& described) {
     described.connections = spec.connections.size();
     described.things = count_things(spec.arena);
     described.live = &worlds_.add(std::move(*live));
-    if (settings_.files == nullptr) return {};
-    return settings_.files->begin(worlds_.size() - 1, described.live->system());
+    if (settings_.files != nullptr) settings_.files->begin(worlds_.size() - 1, *described.live);
+    return {};
 }
 
 Expected<void> ScenarioRun::change_arena(Described& described) {

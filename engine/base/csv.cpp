@@ -1,4 +1,4 @@
-// Splits CSV into fields and reads them as numbers.
+// A quote counts only where a field begins.
 #include "engine/base/csv.hpp"
 
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
+#include <istream>
 
 namespace nezumi {
 namespace {
@@ -14,11 +14,23 @@ namespace {
 // No length, angle or sensor value of a robot comes near it; beyond it physics loses its footing.
 constexpr double largest = 1e6;
 
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
 std::string_view trim(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
     return text;
+}
+
+// The end of the field that begins at `at`: its comma, or the row's end. npos when a quote is not closed.
+std::size_t end_of_field(std::string_view row, std::size_t at) {
+    while (at < row.size() && is_blank(row[at])) ++at;
+    while (at < row.size() && row[at] == '"') {  // two quotes within quotes are one
+        at = row.find('"', at + 1);
+        if (at == std::string_view::npos) return at;
+        ++at;
+    }
+    return std::min(row.find(',', at), row.size());
 }
 
 // What a message shows of a field: short, and on one line.
@@ -26,30 +38,6 @@ std::string shown(std::string_view field) {
     std::string text;
     for (const char c : field.substr(0, 40)) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
     return field.size() > 40 ? text + "..." : text;
-}
-
-// The fields of one line, without blanks and quotes around them; nothing when a quote is not closed.
-std::optional<std::vector<std::string>> split(std::string_view line) {
-    std::vector<std::string> fields;
-    std::size_t at = 0;
-    for (;;) {
-        while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
-        std::string field;
-        if (at < line.size() && line[at] == '"') {
-            do {  // two quotes within quotes are one
-                if (!field.empty()) field += '"';
-                const std::size_t quote = line.find('"', ++at);
-                if (quote == std::string_view::npos) return std::nullopt;
-                field += line.substr(at, quote - at);
-                at = quote + 1;
-            } while (at < line.size() && line[at] == '"');
-        }
-        const std::size_t comma = std::min(line.find(',', at), line.size());
-        field += trim(line.substr(at, comma - at));
-        fields.emplace_back(trim(field));
-        if (comma == line.size()) return fields;
-        at = comma + 1;
-    }
 }
 
 std::optional<double> to_number(std::string_view text) {
@@ -119,6 +107,41 @@ Expected<double> read_field(const std::string& field, const CsvColumn& column, c
 
 }  // namespace
 
+std::string csv_quoted(std::string_view text) {
+    std::string all = "\"";
+    for (const char c : text) all.append(c == '"' ? 2 : 1, c);
+    return all + '"';
+}
+
+std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row) {
+    std::vector<std::string_view> fields;
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = end_of_field(row, begin);
+        if (end == std::string_view::npos) return std::nullopt;
+        fields.push_back(row.substr(begin, end - begin));
+        if (end == row.size()) return fields;
+        begin = end + 1;
+    }
+}
+
+std::string csv_text(std::string_view field) {
+    field = trim(field);
+    std::string text;
+    for (bool again = false; field.starts_with('"'); again = true) {
+        if (again) text += '"';
+        const std::size_t quote = std::min(field.find('"', 1), field.size() - 1);
+        text += field.substr(1, quote - 1);
+        field.remove_prefix(quote + 1);
+    }
+    return text.append(trim(field));
+}
+
+bool read_csv_row(std::istream& in, std::string& row) {
+    if (!std::getline(in, row)) return false;
+    for (std::string more; !split_csv_row(row) && std::getline(in, more);) row.append("\n").append(more);
+    return true;
+}
+
 Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string& file,
                                        const std::vector<CsvColumn>& columns) {
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
@@ -131,26 +154,27 @@ Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string&
         if (line.empty() || line.front() == '#') continue;
 
         const Place place{file, number};
-        auto fields = split(line);
-        if (!fields) return failure("a quote is not closed", place);
+        const auto written = split_csv_row(line);
+        if (!written) return failure("a quote is not closed", place);
+        std::vector<std::string> fields;
+        for (const std::string_view field : *written) fields.emplace_back(trim(csv_text(field)));
         // Spreadsheets fill rows up with empty fields.
-        while (fields->size() > (order ? order->size() : 0) && fields->back().empty()) fields->pop_back();
-        if (std::all_of(fields->begin(), fields->end(), [](const std::string& field) { return field.empty(); }))
-            continue;
+        while (fields.size() > (order ? order->size() : 0) && fields.back().empty()) fields.pop_back();
+        if (std::all_of(fields.begin(), fields.end(), [](const std::string& field) { return field.empty(); })) continue;
         if (!order) {
-            auto header = read_header(*fields, columns, place);
+            auto header = read_header(fields, columns, place);
             if (!header) return Unexpected(header.error());
             order = std::move(*header);
             continue;
         }
-        if (fields->size() != order->size()) {
+        if (fields.size() != order->size()) {
             return failure(
-                fmt::format("expected {} values ({}), got {}", order->size(), list_of(columns), fields->size()), place);
+                fmt::format("expected {} values ({}), got {}", order->size(), list_of(columns), fields.size()), place);
         }
         CsvRow row{std::vector<double>(columns.size()), number};
-        for (std::size_t i = 0; i < fields->size(); ++i) {
+        for (std::size_t i = 0; i < fields.size(); ++i) {
             const std::size_t column = (*order)[i];
-            const auto value = read_field((*fields)[i], columns[column], place);
+            const auto value = read_field((fields)[i], columns[column], place);
             if (!value) return Unexpected(value.error());
             row.values[column] = *value;
         }

@@ -1,6 +1,8 @@
-// Tables of numbers in CSV files: a header row that names the columns, then rows of numbers.
+// CSV: how its rows and fields are written and taken apart, and tables of numbers.
 #pragma once
 
+#include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +10,16 @@
 #include "engine/base/error.hpp"
 
 namespace nezumi {
+
+/// A text as a field: in quotes, those within it doubled.
+std::string csv_quoted(std::string_view text);
+/// The fields of a row as they stand there, with their quotes and blanks: commas within quotes separate nothing.
+/// Nothing when a quote is not closed.
+std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row);
+/// What such a field says: without its quotes and the blanks around it.
+std::string csv_text(std::string_view field);
+/// Reads the next row, which goes on over ends of line within quotes, without its last end of line. False at the end.
+bool read_csv_row(std::istream& in, std::string& row);
 
 /// A column that a table must have, and which numbers may stand in it.
 struct CsvColumn {

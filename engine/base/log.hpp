@@ -17,6 +17,7 @@ struct LogLine {
     double seconds = 0;     ///< simulated time
     std::string component;  ///< its name, or "" for the system itself
     std::string text;
+    int start = 1;  ///< of the system: 1, and one more with each restart
 };
 
 /// Where log lines go. Called from the thread that ticks.

@@ -66,6 +66,10 @@ public:
     /// nullptr when there is no port of this name.
     Port* find_port(std::string_view name) const;
 
+    /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, as a script's
+    /// "state". Returns whether it has such a member.
+    virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) { return false; }
+
     /// Ticks a second in which it is due; 0: every tick.
     double rate = 0;
     /// Where the system file names it.

@@ -1,9 +1,17 @@
-// Hashing of bytes, and payloads whose type is only known at run time.
+// Names of leaves, hashing of bytes, and payloads whose type is only known at run time.
 #include "engine/ports/payload.hpp"
 
 #include <cstring>
 
 namespace nezumi {
+
+std::string LeafPath::text() const {
+    if (parent_ == nullptr) return "";
+    std::string text = parent_->text();
+    if (index_ > 0) return text + "[" + std::to_string(index_) + "]";
+    if (!text.empty() && !name_.starts_with('[')) text += '.';
+    return text.append(name_);
+}
 
 std::uint64_t mix(std::uint64_t seed, std::string_view bytes) {
     seed = mix(seed, bytes.size());

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "engine/ports/messages.hpp"
@@ -25,22 +27,62 @@ struct IsSequence<std::vector<T>> : std::bool_constant<!std::is_same_v<T, std::u
 template <class T>
 concept Sequence = detail::IsSequence<T>::value;
 
-/// Calls `visit(path, leaf)` for every number, truth value, text and `Octets` in a payload, in order. Paths look like
-/// "position.x" and "ranges[2]" (elements from 1), "" for a single value.
+/// Where a leaf is in a value: a chain of fields and elements, made into text only when somebody asks. Each refers to
+/// the one before it, which must live as long.
+class LeafPath {
+public:
+    LeafPath() = default;
+    LeafPath field(std::string_view name) const { return {this, name, 0}; }
+    /// `index`: from 1.
+    LeafPath element(std::size_t index) const { return {this, {}, index}; }
+
+    /// "position.x", "ranges[2]", "" for a single value.
+    std::string text() const;
+
+private:
+    LeafPath(const LeafPath* parent, std::string_view name, std::size_t index)
+        : parent_(parent), name_(name), index_(index) {}
+
+    const LeafPath* parent_ = nullptr;
+    std::string_view name_;
+    std::size_t index_ = 0;
+};
+
+/// Calls `visit(path, leaf)` for every number, truth value, text and `Octets` in a payload, in order.
 template <class T, class Visit>
-void for_each_leaf(const T& value, Visit&& visit, const std::string& path = "") {
+void for_each_leaf(const T& value, Visit&& visit, const LeafPath& path = {}) {
     if constexpr (Described<T>) {
         for_each_field(value, [&](const auto& field, const auto& member) {
-            for_each_leaf(member, visit, (path.empty() ? "" : path + ".") + std::string(field.name));
+            for_each_leaf(member, visit, path.field(field.name));
         });
     } else if constexpr (Sequence<T>) {
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            for_each_leaf(static_cast<typename T::value_type>(value[i]), visit,
-                          path + "[" + std::to_string(i + 1) + "]");
-        }
+        for (std::size_t i = 0; i < value.size(); ++i)
+            for_each_leaf(static_cast<typename T::value_type>(value[i]), visit, path.element(i + 1));
     } else {
         visit(path, value);
     }
+}
+
+/// A leaf whose type is only known at run time. Texts are valid as long as what holds them.
+using Leaf = std::variant<bool, std::int64_t, float, double, std::string_view>;
+using LeafVisitor = std::function<void(const LeafPath& path, const Leaf& leaf)>;
+
+/// The same as `for_each_leaf`, without `Octets`: what can stand in a table.
+template <class T>
+void visit_leaves(const T& value, const LeafVisitor& visit, const LeafPath& path = {}) {
+    for_each_leaf(
+        value,
+        [&](const LeafPath& at, const auto& leaf) {
+            using Type = std::remove_cvref_t<decltype(leaf)>;
+            if constexpr (std::is_same_v<Type, Octets>) {
+                return;
+            } else if constexpr (std::is_integral_v<Type> && !std::is_same_v<Type, bool>) {
+                visit(at, static_cast<std::int64_t>(leaf));
+            } else {
+                visit(at, leaf);
+            }
+        },
+        path);
 }
 
 /// Whether every number in a payload is finite.

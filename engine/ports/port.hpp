@@ -4,9 +4,9 @@
 
 #include <cassert>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,8 +46,7 @@ public:
     /// The value published last; T{} before.
     const T& read() const { return latched_ > 0 ? latched_slots_[latched_ - 1].data : zero(); }
     /// The messages of the last publication, oldest first.
-    const Message<T>* begin() const { return latched_slots_.data(); }
-    const Message<T>* end() const { return latched_slots_.data() + latched_; }
+    std::span<const Message<T>> messages() const { return {latched_slots_.data(), latched_}; }
 
     bool latch(const Time& now) override {
         if (override_ != Override::none) apply_override();
@@ -85,11 +84,8 @@ public:
     /// The value that it is held at; nullptr when it is not.
     AnyPayload override_value() const override { return *held_; }
     const T* held() const { return override_ == Override::held ? held_.get() : nullptr; }
-    void for_each_latched(const std::function<void(const AnyPayload&)>& visit) const override {
-        for (const Message<T>& message : *this) visit(message.data);
-    }
     std::uint64_t hash_latched(std::uint64_t seed) const override {
-        for (const Message<T>& message : *this) seed = mix_payload(seed, message.data);
+        for (const Message<T>& message : messages()) seed = mix_payload(seed, message.data);
         return seed;
     }
 
@@ -143,6 +139,8 @@ public:
     const Message<T>& current() const { return capacity_ > 0 ? taken_ : latest_; }
     /// The latest message that arrived. Consumes nothing.
     const Message<T>& latest() const { return latest_; }
+    /// All that came in the tick `arrival_tick()`, oldest first; empty when nobody follows the port.
+    std::span<const Message<T>> messages() const { return arrived_; }
 
     void latch(const Time& now) override {
         if (override_ != Override::none) {
@@ -161,6 +159,7 @@ public:
         latest_ = {};
         taken_ = {};
         tm_ = 0;
+        arrived_.clear();
         arrival_tick_ = -1;
     }
     void inject(const AnyPayload& value) override { injected_.push_back({std::get<T>(value), 0.0}); }
@@ -232,7 +231,7 @@ private:
     }
     void take_from(Source& source, const Time& now) {
         source.seen = source.port->sequence();
-        for (const Message<T>& message : *source.port) deliver(message, now.tick);
+        for (const Message<T>& message : source.port->messages()) deliver(message, now.tick);
     }
     void take_injected(const Time& now) {
         for (Message<T>& message : injected_) {
@@ -246,6 +245,10 @@ private:
         injected_.clear();
     }
     void deliver(const Message<T>& message, std::int64_t tick) {
+        if (followed_) {
+            if (arrival_tick_ != tick) arrived_.clear();
+            arrived_.push_back(message);
+        }
         latest_ = message;
         tm_ = message.tm;
         arrival_tick_ = tick;
@@ -286,6 +289,7 @@ private:
     std::size_t head_ = 0;
     std::size_t queued_bytes_ = 0;  // of texts and sequences in the queue
     std::vector<Message<T>> injected_;
+    std::vector<Message<T>> arrived_;  // in the tick `arrival_tick_`, when it is followed
     std::unique_ptr<T> held_;
 };
 

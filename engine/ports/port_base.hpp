@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -111,8 +110,6 @@ public:
     std::int64_t latched_tick() const { return latched_tick_; }
     /// How often it has published.
     std::uint64_t sequence() const { return sequence_; }
-    /// Calls `visit(payload)` as an AnyPayload copy for every message of the last publication, oldest first.
-    virtual void for_each_latched(const std::function<void(const AnyPayload&)>& visit) const = 0;
     /// Mixes the last publication into a hash.
     virtual std::uint64_t hash_latched(std::uint64_t seed) const = 0;
 
@@ -152,6 +149,9 @@ public:
     virtual void disconnect(const OutPortBase& source) = 0;
     virtual std::vector<const OutPortBase*> sources() const = 0;
 
+    /// From now on it keeps all messages of its latest arrival, for those who record it.
+    void follow() { followed_ = true; }
+
     /// How long [s] without a message until `stale`: as long as a robot waits for a velocity.
     static constexpr double stale_after = 0.5;
     /// Texts, sequences and pictures that wait in a queue are no more than these bytes: beyond them the oldest is
@@ -168,6 +168,7 @@ protected:
     std::uint64_t overflow_ = 0;
     std::uint64_t disconnections_ = 0;
     std::int64_t arrival_tick_ = -1;
+    bool followed_ = false;
 };
 
 }  // namespace nezumi

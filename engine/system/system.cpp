@@ -70,6 +70,7 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
     Component* added = component.get();
     if (auto* robot = dynamic_cast<Robot*>(added)) robots_.push_back(robot);
     grouped_ = false;
+    change_layout();
     by_name_.emplace(added->name(), added);
     components_.push_back(std::move(component));
     return added;
@@ -86,6 +87,7 @@ Expected<void> System::remove(std::string_view name) {
     wiring_.disconnect_all(*gone, now_);
     by_name_.erase(gone->name());
     grouped_ = false;
+    change_layout();
     std::erase_if(robots_, [&](const Robot* robot) {
         if (robot == gone && robot->has_body()) ++removed_robots_;
         return robot == gone;
@@ -191,15 +193,6 @@ void System::flush_logs() {
     }
 }
 
-void System::notify_observers() {
-    for (const auto& component : components_) {
-        for (const auto& port : component->out_ports()) {
-            if (port->latched_tick() != now_.tick) continue;
-            for (PortObserver* observer : observers_) observer->latched(*component, *port, now_);
-        }
-    }
-}
-
 void System::end_when_out_of_time() {
     // Not only those that are due: a hook that ran between two ticks counts too.
     const auto found = std::find_if(components_.begin(), components_.end(),
@@ -253,7 +246,7 @@ void System::tick() {
     out_of_time_ = false;
     run_groups();
     if (out_of_time_ && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
-    if (!observers_.empty()) notify_observers();
+    for (PortObserver* observer : observers_) observer->latched(*this);
     if (world_ != nullptr) {
         world_->step(steps_per_tick_);
         if (const Error* why = world_->breakdown(); why != nullptr && !fatal_error_) fatal_error_ = *why;

@@ -22,11 +22,14 @@ namespace nezumi {
 
 class WorkerPool;
 
-/// Is told of every port that published something, in the order of components and ports.
+class System;
+
+/// Looks at what ports carry.
 class PortObserver {
 public:
     virtual ~PortObserver() = default;
-    virtual void latched(const Component& component, const OutPortBase& port, const Time& now) = 0;
+    /// All ports have latched for the tick `system.now()`, and the world is still as it was sensed.
+    virtual void latched(const System& system) = 0;
 };
 
 class System {
@@ -86,9 +89,15 @@ public:
     /// What ended the run, when something did.
     const std::optional<Error>& fatal_error() const { return fatal_error_; }
 
-    /// Tells an observer of every publication from now on. It must outlive the system or be removed.
+    /// Tells an observer of every tick from now on, in the order of these calls. It must outlive the system or be
+    /// removed.
     void observe(PortObserver& observer) { observers_.push_back(&observer); }
     void stop_observing(PortObserver& observer) { std::erase(observers_, &observer); }
+
+    /// Changes whenever a component or a port comes or goes: tells a cache that it is out of date.
+    std::uint64_t layout() const { return layout_; }
+    /// To be called before ports of a component change.
+    void change_layout() { ++layout_; }
 
     void log(LogLevel level, std::string text) const;
 
@@ -99,7 +108,6 @@ private:
     void run_groups();
     template <class Action>
     void share_out(std::size_t count, const Action& action);
-    void notify_observers();
     void flush_logs();
     void end_when_out_of_time();
     Expected<std::pair<Component*, std::string>> split(std::string_view path) const;
@@ -115,6 +123,7 @@ private:
     std::size_t removed_robots_ = 0;  // whose bodies the world still counts
     Wiring wiring_;
     std::vector<Group> groups_;
+    std::uint64_t layout_ = 0;
     bool grouped_ = false;  // whether groups_ are those of components_ and wiring_
     std::atomic<bool> out_of_time_ = false;
     std::vector<PortObserver*> observers_;

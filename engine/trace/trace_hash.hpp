@@ -12,7 +12,7 @@ namespace nezumi {
 /// file names its behaviours in another order is the same.
 class TraceHash final : public PortObserver {
 public:
-    void latched(const Component& component, const OutPortBase& port, const Time& now) override;
+    void latched(const System& system) override;
     std::uint64_t value() const { return hash_; }
 
 private:

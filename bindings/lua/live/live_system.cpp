@@ -59,7 +59,12 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
             const BehaviorEntry& entry, const MakerContext& context) {
             return make_behavior(entry, context, settings);
         };
-    auto system = build_system(next->spec, next->makers, options_.build);
+    BuildOptions options = options_.build;
+    options.log = [log = options_.build.log, start = starts_ + 1](LogLine line) {
+        line.start = start;
+        if (log) log(line);
+    };
+    auto system = build_system(next->spec, next->makers, options);
     if (!system) return Unexpected(system.error());
     next->system = std::move(*system);
     next->reloader.emplace(*next->system);
@@ -69,7 +74,7 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
 void LiveSystem::take(std::unique_ptr<Running> running) {
     running_ = std::move(running);
     running_->system->observe(running_->hash);
-    for (PortObserver* observer : observers_) running_->system->observe(*observer);
+    trace_.start(*running_->system);
     if (options_.watch) running_->live_reload.emplace(*running_->system, *running_->reloader, running_->spec.files);
     ++starts_;
 }
@@ -124,16 +129,6 @@ std::uint64_t LiveSystem::trace_hash() const { return running_->hash.value(); }
 
 void LiveSystem::watch_again() {
     if (running_->live_reload) running_->live_reload->watch_again();
-}
-
-void LiveSystem::observe(PortObserver& observer) {
-    observers_.push_back(&observer);
-    running_->system->observe(observer);
-}
-
-void LiveSystem::stop_observing(PortObserver& observer) {
-    std::erase(observers_, &observer);
-    running_->system->stop_observing(observer);
 }
 
 }  // namespace nezumi

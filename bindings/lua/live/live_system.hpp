@@ -13,6 +13,7 @@
 #include "bindings/lua/reload/reloader.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
 #include "engine/system/build_system.hpp"
+#include "engine/trace/trace.hpp"
 #include "engine/trace/trace_hash.hpp"
 
 namespace nezumi {
@@ -63,12 +64,10 @@ public:
     const LiveOptions& options() const { return options_; }
     /// Of everything since the start.
     std::uint64_t trace_hash() const;
+    /// What it carries, over restarts.
+    Trace& trace() { return trace_; }
     /// What is to be watched has changed other than by saving: after a reload or rollback by hand.
     void watch_again();
-
-    /// Tells an observer of every publication, over restarts. It must outlive this or be removed.
-    void observe(PortObserver& observer);
-    void stop_observing(PortObserver& observer);
 
 private:
     struct Running;
@@ -80,7 +79,7 @@ private:
     std::filesystem::path file_;  // empty: from none
     Project project_;
     LiveOptions options_;
-    std::vector<PortObserver*> observers_;
+    Trace trace_;
     std::unique_ptr<Running> running_;
     int starts_ = 0;
 };

@@ -174,6 +174,7 @@ Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
 }
 
 void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ReloadReport& report) {
+    system_.change_layout();
     for (Port* port : component.ports_going(next)) {
         const std::string path = component.name() + "." + port->name();
         const bool in = port->direction() == Direction::in;

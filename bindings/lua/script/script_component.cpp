@@ -90,6 +90,12 @@ Expected<PlainData> ScriptComponent::copy_state() {
     return script_->take_state(dropped);
 }
 
+bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& visit) {
+    if (member != "state") return false;
+    if (const auto state = copy_state()) visit_plain(*state, visit);
+    return true;
+}
+
 Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& source, Budget budget, const Time& now,
                                                             std::vector<ScriptFile>& required) {
     Version next;

@@ -29,6 +29,7 @@ public:
     Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now);
     /// A copy of the script's `state`, for a look at it; what is no plain data is left out.
     Expected<PlainData> copy_state();
+    bool visit_member(std::string_view member, const LeafVisitor& visit) override;
 
     // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
 

@@ -210,6 +210,40 @@ Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std
     return std::move(taker.data);
 }
 
+void visit_plain(const PlainData& data, const LeafVisitor& visit) {
+    constexpr int deepest = 16;
+    int entries_left = 5000;
+    const auto visit_table = [&](const auto& self, std::size_t table, const LeafPath& path, int depth) -> void {
+        for (const auto& [key, value] : data.tables[table]) {
+            if (--entries_left < 0) return;
+            std::string name;
+            const auto* index = std::get_if<std::int64_t>(&key);
+            if (const auto* text = std::get_if<std::string>(&key)) {
+                name = *text;
+            } else if (const auto* truth = std::get_if<bool>(&key)) {
+                name = *truth ? "[true]" : "[false]";
+            } else {
+                name = index != nullptr ? fmt::format("[{}]", *index) : fmt::format("[{}]", std::get<double>(key));
+            }
+            const LeafPath at = path.field(name);
+            if (const auto* within = std::get_if<PlainData::TableRef>(&value)) {
+                if (depth < deepest) self(self, within->index, at, depth + 1);
+            } else if (const auto* text = std::get_if<std::string>(&value)) {
+                visit(at, std::string_view(*text));
+            } else if (const auto* truth = std::get_if<bool>(&value)) {
+                visit(at, *truth);
+            } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+                visit(at, *whole);
+            } else if (const auto* number = std::get_if<double>(&value)) {
+                visit(at, *number);
+            }
+        }
+    };
+    if (data.values.empty()) return;
+    if (const auto* first = std::get_if<PlainData::TableRef>(&data.values.front()))
+        visit_table(visit_table, first->index, LeafPath{}, 1);
+}
+
 void push_plain(lua_State* L, const PlainData& data) {
     luaL_checkstack(L, static_cast<int>(data.values.size()) + 6, nullptr);
     const auto push = [&](const Value& value, int tables) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/call.hpp"
+#include "engine/ports/payload.hpp"
 
 namespace nezumi {
 
@@ -43,6 +44,10 @@ struct Dropped {
 /// budget runs out.
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped);
+
+/// Visits the numbers, truth values and texts in the table that is the first value: "count", "list[2].deep". Tables
+/// that lie too deep, as those within themselves, and what is beyond some thousand entries are left out.
+void visit_plain(const PlainData& data, const LeafVisitor& visit);
 
 /// Pushes fresh copies of all values. May raise a Lua error: use it within a protected call.
 void push_plain(lua_State* L, const PlainData& data);

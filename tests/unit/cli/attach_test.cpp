@@ -160,3 +160,17 @@ TEST_CASE("another user does not get in", "[cli][attach]") {
     REQUIRE(seteuid(0) == 0);
     CHECK(error == std::errc::permission_denied);
 }
+
+TEST_CASE("a plot shows the time before anybody attached", "[cli][attach]") {
+    const Place place;
+    place.scratch.write("behaviors/it.lua", R"(
+local out = output("out", "TimedDouble", "a number that grows")
+function on_execute() out:write(now()) end
+)");
+    const Program program({"run", place.system, "--headless"});
+    const auto attach = [](const std::string& text) { return run_nezumi({"attach", "--eval", text}); };
+    for (int tries = 0; tries < 300 && attach("step(100)").status != 0; ++tries) usleep(100'000);
+    const Outcome plot = attach("plot(it.out, 5)");
+    CHECK(plot.status == 0);
+    CHECK_THAT(plot.out, Catch::StartsWith("it.out\nvalue\n") && Catch::Contains(" 0 │⣀"));
+}

@@ -1,9 +1,11 @@
 // Pictures and plots: odd contents draw as well as usual ones, and errors leave no file.
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
 
@@ -51,6 +53,33 @@ TEST_CASE("a picture's scale follows what there is to be seen", "[cli][picture]"
     REQUIRE(draw_picture(picture, file));
     CHECK(size_of_png(contents(file)).first < 2000);
     CHECK(size_of_png(contents(file)).second < 2000);
+}
+
+TEST_CASE("a picture shows the floor's image, its top where y is largest", "[cli][picture]") {
+    const Scratch scratch;
+    // Two pixels, red over blue.
+    const std::string image = scratch.path("floor.png").string();
+    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> floor(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 2), cairo_surface_destroy);
+    unsigned char* const pixels = cairo_image_surface_get_data(floor.get());
+    const int stride = cairo_image_surface_get_stride(floor.get());
+    for (int i = 0; i < 4; ++i) pixels[i] = i == 2 ? 255 : 0, pixels[stride + i] = i == 0 ? 255 : 0;
+    cairo_surface_mark_dirty(floor.get());
+    REQUIRE(cairo_surface_write_to_png(floor.get(), image.c_str()) == CAIRO_STATUS_SUCCESS);
+
+    const std::string file = scratch.path("a.png").string();
+    REQUIRE(draw_picture({.title = "floor", .floor = FloorSpec{image, {1, 1}, {}}}, file));
+    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> drawn(
+        cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy);
+    const int width = cairo_image_surface_get_width(drawn.get()), height = cairo_image_surface_get_height(drawn.get());
+    const auto colour_at = [&](double x, double y) {
+        const unsigned char* const pixel = cairo_image_surface_get_data(drawn.get()) +
+                                           std::lround(y * height) * cairo_image_surface_get_stride(drawn.get()) +
+                                           std::lround(x * width) * 4;
+        return std::vector<int>{pixel[2], pixel[1], pixel[0]};
+    };
+    CHECK(colour_at(0.5, 0.3) == std::vector<int>{255, 0, 0});
+    CHECK(colour_at(0.5, 0.7) == std::vector<int>{0, 0, 255});
 }
 
 TEST_CASE("a plot is drawn whatever its values", "[cli][plot]") {

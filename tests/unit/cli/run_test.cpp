@@ -123,6 +123,78 @@ end
     CHECK_FALSE(std::filesystem::exists(file + ".part"));
 }
 
+TEST_CASE("a recording has each of several messages of one tick, in rows of the same time", "[cli][run]") {
+    const Project project(R"(local out = output("out", "TimedLong", "a number")
+local half = output("half", "TimedDouble", "another one")
+function on_execute()
+  local tick = math.floor(now() * 100 + 0.5)
+  for i = 1, tick do out:write(10 * tick + i) end
+  half:write(tick / 2)
+end
+)");
+    const std::string file = project.scratch.path("trace.csv").string();
+    REQUIRE(project.run({"--duration", "0.04", "--record", file}).status == 0);
+    CHECK(contents(file) ==
+          "time,it.out,it.half\n0,,0\n0.01,11,0.5\n0.02,21,1\n0.02,22,1\n0.03,31,1.5\n0.03,32,1.5\n0.03,33,1.5\n");
+}
+
+TEST_CASE("the option --ports takes truth, parameters and state as a console names them", "[cli][run]") {
+    const Project project(R"(local speed = output("speed", "TimedVelocity2D", "how fast")
+param("vx", 0.25, { max = 1.0 })
+state.count = 0
+state.seen = { near = false }
+function on_execute()
+  state.count = state.count + 1
+  if state.count == 2 then config.vx = 0.5 end
+  speed:write { vx = config.vx }
+end
+)",
+                          "robot \"mouse\" { model = \"raspimouse\", pose = { x = 1, y = 0, heading = 0 } }\n"
+                          "behavior \"it\" { script = \"it\" }\n"
+                          "connect(\"it.speed\", \"mouse.target_velocity_in\")\n");
+    const std::string file = project.scratch.path("trace.csv").string();
+    const auto recorded = [&](const std::string& names) {
+        REQUIRE(project.run({"--duration", "0.03", "--record", file, "--ports", names}).status == 0);
+        return contents(file);
+    };
+    CHECK(recorded("it.state.count,it.config.vx,it.speed.vx,it.state.seen") ==
+          "time,it.state.count,it.config.vx,it.speed.vx,it.state.seen.near\n"
+          "0,1,0.25,0.25,0\n0.01,2,0.25,0.25,0\n0.02,3,0.5,0.5,0\n");
+    const auto lines = lines_of(recorded("mouse.truth"));
+    REQUIRE(lines.size() == 4);
+    CHECK(
+        lines[0] ==
+        "time,mouse.truth.pose.position.x,mouse.truth.pose.position.y,mouse.truth.pose.heading,mouse.truth.velocity.vx,"
+        "mouse.truth.velocity.vy,mouse.truth.velocity.va,mouse.truth.height,mouse.truth.tilt");
+    // As its sensors saw it in this tick: before the first one nothing has moved.
+    CHECK(lines[1].substr(0, 9) == "0,1,0,0,0");
+    CHECK(recorded("mouse.truth.pose.position").substr(0, 65) ==
+          "time,mouse.truth.pose.position.x,mouse.truth.pose.position.y\n0,1,");
+    const Outcome refused = project.run({"--record", file, "--ports", "it.truth"});
+    CHECK(refused.status == 2);
+    CHECK(refused.error == "nezumi: --ports: it has no truth: it is no robot\n");
+}
+
+TEST_CASE("the same simulated time gives the same files and hash, whether --duration or commands say it",
+          "[cli][run]") {
+    const Scratch scratch;
+    const auto results = [&](const std::string& name, const std::vector<std::string>& how, const std::string& input) {
+        const std::string csv = scratch.path(name + ".csv").string(), png = scratch.path(name + ".png").string();
+        std::vector<std::string> words{"run", stop_at_wall, "--trace-hash", "--record", csv, "--picture", png};
+        words.insert(words.end(), how.begin(), how.end());
+        const Outcome outcome = run_nezumi(words, "", scratch.write("commands", input).string());
+        REQUIRE(outcome.status == 0);
+        return std::vector<std::string>{outcome.out, contents(csv), contents(png)};
+    };
+    const auto said = results("said", {"--headless", "--speed", "max", "--duration", "3"}, "");
+    CHECK(lines_of(said[1]).size() == 301);
+    const auto compare = [&](const std::vector<std::string>& other) {
+        for (std::size_t i = 0; i < said.size(); ++i) CHECK((said[i] == other[i]));
+    };
+    compare(results("run", {"--batch"}, "run(3)\n"));
+    compare(results("step", {"--batch"}, "step(120)\nrun(1.8)\nquit()\n"));
+}
+
 TEST_CASE("a disk that is full ends the run with one line", "[cli][run]") {
     const Outcome outcome =
         run_nezumi({"run", stop_at_wall, "--headless", "--speed", "max", "--duration", "100", "--record", "/dev/full"});

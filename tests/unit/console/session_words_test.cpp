@@ -135,6 +135,19 @@ TEST_CASE("ls, find, help and errors show what there is", "[console][session]") 
     CHECK_THAT(it.type("errors()"), Contains("controller: it broke") && Contains("controller is in ERROR: it broke"));
 }
 
+TEST_CASE("errors of an earlier start say so: their clock is another", "[console][session]") {
+    SessionRig it;
+    it.type("step(12)");
+    it.component("controller").abort(Error{"it broke", {}});
+    CHECK_THAT(it.type("errors()"), StartsWith("[0.110] error controller: it broke\n"));
+    it.type("restart() step(2)");
+    CHECK(it.type("errors()") == "[start 1, 0.110] error controller: it broke");
+    it.component("controller").abort(Error{"again", {}});
+    CHECK(it.type("errors()") ==
+          "[start 1, 0.110] error controller: it broke\n[0.010] error controller: again\n"
+          "controller is in ERROR: again");
+}
+
 TEST_CASE("a watch shows changes as they come", "[console][session]") {
     SessionOptions every;
     every.watch_period = 0;

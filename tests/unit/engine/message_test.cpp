@@ -24,7 +24,7 @@ std::string fields_of() {
 template <class T>
 std::vector<std::string> leaves_of(const T& value) {
     std::vector<std::string> paths;
-    for_each_leaf(value, [&](const std::string& path, const auto&) { paths.push_back(path); });
+    for_each_leaf(value, [&](const LeafPath& path, const auto&) { paths.push_back(path.text()); });
     return paths;
 }
 

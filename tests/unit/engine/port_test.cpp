@@ -344,6 +344,6 @@ TEST_CASE("a publication is hashed message by message", "[engine][port]") {
     two.latch(at(1));
     CHECK(one.hash_latched(5) != two.hash_latched(5));
     Values told;
-    one.for_each_latched([&](const AnyPayload& value) { told.push_back(std::get<std::int32_t>(value)); });
+    for (const auto& message : one.messages()) told.push_back(message.data);
     CHECK(told == Values{1, 2});
 }

@@ -2,6 +2,7 @@
 #include "bindings/lua/values/plain_data.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
@@ -85,4 +86,20 @@ TEST_CASE("data that does not fit into the other state's memory is an error", "[
     });
     REQUIRE_FALSE(pushed);
     CHECK(pushed.error().message.substr(0, 17) == "not enough memory");
+}
+
+TEST_CASE("the leaves of a table are visited by their paths, and a table within itself ends", "[lua][plain]") {
+    std::string told;
+    visit_plain(take("local t = { 7, { deep = true }, count = 2, ['a b'] = 'x', [-1] = 0.5, [true] = 1 } return t"),
+                [&](const LeafPath& path, const Leaf& leaf) {
+                    std::visit([&](const auto& value) { told += fmt::format("{}={} ", path.text(), value); }, leaf);
+                });
+    CHECK(told == "[-1]=0.5 [1]=7 [2].deep=true a b=x count=2 [true]=1 ");
+    int leaves = 0;
+    const auto count = [&](const LeafPath&, const Leaf&) { ++leaves; };
+    visit_plain(take("local t = { 1 } t.own, t.again = t, t return t"), count);
+    CHECK(leaves > 1);
+    CHECK(leaves < 5000);
+    visit_plain(take("return 3"), count);
+    visit_plain(take("return"), count);
 }

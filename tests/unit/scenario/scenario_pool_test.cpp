@@ -7,7 +7,7 @@
 #include "bindings/scenario/faults.hpp"
 #include "bindings/scenario/process_pool.hpp"
 #include "bindings/scenario/reporter.hpp"
-#include "bindings/scenario/text_plot.hpp"
+#include "engine/trace/text_plot.hpp"
 
 using namespace nezumi;
 
@@ -115,9 +115,9 @@ TEST_CASE("faults end in their time, and a later one replaces the one before", "
 }
 
 TEST_CASE("a plot shows its curves between the least and the greatest value", "[lua][scenario][report]") {
-    const auto lines =
-        plot_text({{"limit", '-', {0, 1, 2, 3}, {1, 1, 1, 1}}, {"x", '*', {0, 1, 2, 3}, {0, 1, 2, 3}}}, 20, 4);
-    CHECK(lines == std::vector<std::string>{"3 |                *", "  |           *", "  |-    *     -    -", "0 |*",
-                                            "   0 s           3 s", "   - limit   * x"});
-    CHECK(plot_text({{"none", '*', {}, {}}}, 20, 4).empty());
+    const Curve limit{"limit", {{0, 1}, {3, 1}}, '-'}, x{"x", {{0, 0}, {1, 1}, {2, 2}, {3, 3}}, '*'};
+    CHECK(plain_plot({limit, x}, {.columns = 17, .rows = 4}) ==
+          std::vector<std::string>{"3 |                *", "  |           ******", "  |-----*******-----", "0 |******",
+                                   "   0 s           3 s", "   - limit   * x"});
+    CHECK(plain_plot({{"none"}}, {}).empty());
 }

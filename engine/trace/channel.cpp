@@ -1,0 +1,268 @@
+// Ports are read in place: nothing is copied until somebody looks.
+#include "engine/trace/channel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <vector>
+
+#include "engine/trace/series.hpp"
+
+namespace nezumi {
+
+template <>
+struct Describe<Truth> {
+    static constexpr std::string_view name = "Truth";
+    static constexpr std::tuple fields{
+        Field{"pose", &Truth::pose, "", "where it is"},
+        Field{"velocity", &Truth::velocity, "", "in the robot's frame"},
+        Field{"height", &Truth::height, "m", "of the body frame's origin over the floor"},
+        Field{"tilt", &Truth::tilt, "rad", "between the body's z axis and the vertical"},
+    };
+};
+
+namespace {
+
+constexpr std::uint64_t no_version = ~std::uint64_t{0};
+
+bool is_within(std::string_view path, std::string_view part) {
+    return path.starts_with(part) &&
+           (path.size() == part.size() || path[part.size()] == '.' || path[part.size()] == '[');
+}
+
+// Where the first name of a path ends.
+std::size_t end_of_name(std::string_view path) { return std::min(path.find_first_of(".["), path.size()); }
+
+// Why values of type T, called `whole`, have no part ".name", "[2]" or "[2].name"; "" when they have.
+template <class T>
+std::string no_such_part(std::string_view part, const std::string& whole) {
+    if (part.empty()) return "";
+    if constexpr (Described<T>) {
+        if (part.front() == '.') part.remove_prefix(1);
+        const std::string_view head = part.substr(0, end_of_name(part));
+        std::vector<std::string_view> names;
+        std::optional<std::string> answer;
+        const T value{};
+        for_each_field(value, [&](const auto& field, const auto& member) {
+            names.push_back(field.name);
+            if (field.name != head) return;
+            using Member = std::remove_cvref_t<decltype(member)>;
+            answer = no_such_part<Member>(part.substr(head.size()), fmt::format("{}.{}", whole, head));
+        });
+        return answer ? *answer : fmt::format("{} has no '{}'{}", whole, shown(head), did_you_mean(head, names));
+    } else if constexpr (Sequence<T>) {
+        const std::size_t close = part.find(']');
+        std::size_t index = 0;
+        if (part.front() == '[' && close != std::string_view::npos)
+            std::from_chars(part.data() + 1, part.data() + close, index);
+        if (index == 0) return fmt::format("{} is a list: {}[1] is its first element", whole, whole);
+        return no_such_part<typename T::value_type>(part.substr(close + 1),
+                                                    whole + std::string(part.substr(0, close + 1)));
+    } else {
+        return fmt::format("{} is a single value: it has no '{}'", whole, shown(part));
+    }
+}
+
+void visit_parameters(const Parameters& parameters, const LeafVisitor& visit) {
+    for (const auto& parameter : parameters.all()) {
+        const LeafPath root, path = root.field(parameter.spec.name);
+        std::visit([&](const auto& value) { visit_leaves(value, visit, path); }, parameter.value);
+    }
+}
+
+// The messages of the tick in which it carried something last.
+template <class T>
+std::span<const Message<T>> messages_of(const Port& port) {
+    return port.direction() == Direction::out ? static_cast<const OutPort<T>&>(port).messages()
+                                              : static_cast<const InPort<T>&>(port).messages();
+}
+
+}  // namespace
+
+Channel::Channel(std::string_view owner, std::string_view member, std::string_view part)
+    : owner_(owner), member_(member), part_(part) {
+    name_ = owner_ + "." + member_;
+    if (!part_.empty()) name_ += part_.front() == '[' ? part_ : "." + part_;
+}
+
+Expected<Channel> Channel::find(const System& system, std::string_view name) {
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    std::string_view rest = name.substr(std::min(dot + 1, name.size()));
+    const std::string_view member = rest.substr(0, end_of_name(rest));
+    rest.remove_prefix(member.size());
+    if (rest.starts_with('.')) rest.remove_prefix(1);
+    if (dot == 0 || member.empty()) return Unexpected(system.port(name).error());
+    const Component* owner = system.find(name.substr(0, dot));
+    if (owner == nullptr) return Unexpected(system.port(name).error());
+    Channel channel(owner->name(), member, rest);
+    channel.resolve(system);
+    if (auto ok = channel.check(system, *owner); !ok) return Unexpected(ok.error());
+    // What a tick that has passed left can still be read.
+    if (system.now().tick > 0) channel.latch(system, system.now().tick - 1);
+    return channel;
+}
+
+Expected<void> Channel::check(const System& system, const Component& owner) const {
+    const std::string whole = owner_ + "." + member_;
+    const std::string part = part_.empty() || part_.front() == '[' ? part_ : "." + part_;
+    switch (kind_) {
+        case Kind::out_port:
+        case Kind::in_port: {
+            std::string why = with_payload_type(port_->type(), [&]<class T>() { return no_such_part<T>(part, whole); });
+            return why.empty() ? Expected<void>() : failure(std::move(why));
+        }
+        case Kind::truth: {
+            std::string why = no_such_part<Truth>(part, whole);
+            return why.empty() ? Expected<void>() : failure(std::move(why));
+        }
+        case Kind::config: {
+            const std::string_view parameter = std::string_view(part_).substr(0, end_of_name(part_));
+            std::vector<std::string_view> names;
+            for (const auto& each : owner.parameters().all()) names.push_back(each.spec.name);
+            if (parameter.empty() || std::find(names.begin(), names.end(), parameter) != names.end()) return {};
+            return failure(
+                fmt::format("{}: unknown parameter '{}'{}", owner_, shown(parameter), did_you_mean(parameter, names)));
+        }
+        case Kind::member: return {};
+        case Kind::none: break;
+    }
+    if (member_ == "truth" && dynamic_cast<const Robot*>(&owner) == nullptr)
+        return failure(fmt::format("{} has no truth: it is no robot", owner_));
+    if (member_ == "truth") return failure(fmt::format("{} has no truth: it is not simulated", owner_));
+    std::vector<std::string_view> names;
+    for (const auto& port : owner.in_ports()) names.push_back(port->name());
+    for (const auto& port : owner.out_ports()) names.push_back(port->name());
+    for (const std::string_view other : {"config", "state", "truth"}) {
+        Channel tried(owner_, other, "");
+        tried.resolve(system);
+        if (tried.kind_ != Kind::none) names.push_back(other);
+    }
+    return failure(fmt::format("{} has no port '{}'{}", owner_, shown(member_), did_you_mean(member_, names)));
+}
+
+std::string Channel::name_of(const LeafPath& path) const {
+    const std::string leaf = path.text();
+    const bool joined = leaf.empty() || leaf.front() == '[';
+    return owner_ + "." + member_ + (joined ? "" : ".") + leaf;
+}
+
+void Channel::resolve(const System& system) {
+    component_ = system.find(owner_);
+    port_ = component_ != nullptr ? component_->find_port(member_) : nullptr;
+    kind_ = Kind::none;
+    has_value_ = false;
+    fresh_ = 0;
+    config_version_ = no_version;
+    if (component_ == nullptr) return;
+    if (port_ != nullptr) {
+        kind_ = port_->direction() == Direction::out ? Kind::out_port : Kind::in_port;
+        has_value_ = port_->count() > 0;
+        if (kind_ == Kind::in_port) static_cast<InPortBase*>(port_)->follow();
+    } else if (member_ == "truth") {
+        const auto* robot = dynamic_cast<const Robot*>(component_);
+        if (robot != nullptr && robot->has_body() && system.world() != nullptr) kind_ = Kind::truth;
+    } else if (member_ == "config") {
+        kind_ = Kind::config;
+    } else if (component_->visit_member(member_, [](const LeafPath&, const Leaf&) {})) {
+        kind_ = Kind::member;
+    }
+}
+
+void Channel::latch(const System& system, std::int64_t tick) {
+    fresh_ = 0;
+    switch (kind_) {
+        case Kind::none: return;
+        case Kind::out_port:
+        case Kind::in_port: {
+            const std::int64_t latest = kind_ == Kind::out_port ? static_cast<OutPortBase*>(port_)->latched_tick()
+                                                                : static_cast<InPortBase*>(port_)->arrival_tick();
+            if (latest != tick) return;
+            fresh_ = with_payload_type(port_->type(), [&]<class T>() { return messages_of<T>(*port_).size(); });
+            break;
+        }
+        case Kind::truth:
+            truth_ = system.world()->truth(static_cast<const Robot*>(component_)->id());
+            fresh_ = 1;
+            break;
+        case Kind::config:
+            if (component_->parameters().version() == config_version_) return;
+            config_version_ = component_->parameters().version();
+            fresh_ = 1;
+            break;
+        case Kind::member: fresh_ = 1; break;
+    }
+    if (fresh_ == 0) return;  // an in-port that is followed only since then
+    has_value_ = true;
+    ++turn_;
+}
+
+void Channel::visit(std::size_t message, const LeafVisitor& given) const {
+    const LeafVisitor within = [&](const LeafPath& path, const Leaf& leaf) {
+        if (is_within(path.text(), part_)) given(path, leaf);
+    };
+    const LeafVisitor& visit = part_.empty() ? given : within;
+    switch (kind_) {
+        case Kind::none: return;
+        case Kind::out_port:
+        case Kind::in_port:
+            return with_payload_type(port_->type(),
+                                     [&]<class T>() { visit_leaves(messages_of<T>(*port_)[message].data, visit); });
+        case Kind::truth: return visit_leaves(truth_, visit);
+        case Kind::config: return visit_parameters(component_->parameters(), visit);
+        case Kind::member: component_->visit_member(member_, visit); return;
+    }
+}
+
+void Channel::visit_latest(const LeafVisitor& given) const {
+    if (port_ == nullptr || fresh_ > 0) return visit(fresh_ > 0 ? fresh_ - 1 : 0, given);
+    std::visit(
+        [&](const auto& payload) {
+            visit_leaves(payload, [&](const LeafPath& path, const Leaf& leaf) {
+                if (part_.empty() || is_within(path.text(), part_)) given(path, leaf);
+            });
+        },
+        port_->value());
+}
+
+bool Channel::has_pictures() const { return port_ != nullptr && port_->type() == type_index<CameraImage>(); }
+
+void Channel::append_to(Series& series, double seconds) const {
+    if (fresh_ == 0) return;
+    std::array<double, Series::most_values> values;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
+    std::size_t count = 0;
+    const auto take = [&](const auto& leaf) {
+        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(leaf)>>) {
+            if (count < values.size()) values[count++] = static_cast<double>(leaf);
+        }
+    };
+    const auto add = [&](std::size_t message, double at) {
+        if (count > series.labels().size()) {
+            std::vector<std::string> labels;
+            visit(message, [&](const LeafPath& path, const Leaf& leaf) {
+                if (!std::holds_alternative<std::string_view>(leaf) && labels.size() < values.size())
+                    labels.push_back(path.text());
+            });
+            series.set_labels(std::move(labels));
+        }
+        series.add(at, {values.data(), count});
+        count = 0;
+    };
+    if (port_ != nullptr && part_.empty()) {
+        return with_payload_type(port_->type(), [&]<class T>() {
+            const auto messages = messages_of<T>(*port_);
+            for (std::size_t i = 0; i < messages.size(); ++i) {
+                for_each_leaf(messages[i].data, [&](const LeafPath&, const auto& leaf) { take(leaf); });
+                add(i, messages[i].tm);
+            }
+        });
+    }
+    for (std::size_t i = 0; i < fresh_; ++i) {
+        visit(i, [&](const LeafPath&, const Leaf& leaf) { std::visit(take, leaf); });
+        add(i, seconds);
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,71 @@
+// What can be recorded of a system, by the name that a console calls it: a port, a robot's truth, parameters, state.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "engine/base/error.hpp"
+#include "engine/system/system.hpp"
+
+namespace nezumi {
+
+class Series;
+
+/// One thing that is followed, or a part of it. It is known by name: it outlives its port, a reload and a restart.
+///
+/// What each kind has in a tick: an out-port all that it published, an in-port all that arrived (of connections, of
+/// `inject` and of `hold`), `truth` the robot as its sensors saw it, `config` the parameters in the tick in which one
+/// changed, any other member of a component (a script's `state`) what it is after the execution.
+class Channel {
+public:
+    /// The channel "mouse.truth.pose" of this system. An error says what is not there, and names the nearest.
+    static Expected<Channel> find(const System& system, std::string_view name);
+
+    const std::string& name() const { return name_; }
+    /// What a leaf of it is called: "mouse.truth.pose.heading", "mouse.ir_sensor_out[1]".
+    std::string name_of(const LeafPath& path) const;
+
+    /// It has carried something since the start.
+    bool has_value() const { return has_value_; }
+    /// Messages of the tick that latched last; what is no port has one when it is new.
+    std::size_t fresh() const { return fresh_; }
+    /// Ticks with fresh messages: for those who look later than once a tick.
+    std::uint64_t turn() const { return turn_; }
+    /// Visits the numbers, truth values and texts of one of these, the oldest is 0.
+    void visit(std::size_t message, const LeafVisitor& visit) const;
+    /// Visits those of the latest message, or zeros when there was none: what it has.
+    void visit_latest(const LeafVisitor& visit) const;
+
+    /// To be called when the system's layout has changed.
+    void resolve(const System& system);
+    /// Takes a tick's messages: between this and the next tick they can be visited.
+    void latch(const System& system, std::int64_t tick);
+    /// Adds the numbers of these messages; `seconds` is the stamp of what carries none.
+    void append_to(Series& series, double seconds) const;
+    /// It carries pictures.
+    bool has_pictures() const;
+
+private:
+    enum class Kind { none, out_port, in_port, truth, config, member };
+
+    Channel(std::string_view owner, std::string_view member, std::string_view part);
+    Expected<void> check(const System& system, const Component& owner) const;
+
+    std::string name_;    // all of these
+    std::string owner_;   // "mouse"
+    std::string member_;  // "truth"
+    std::string part_;    // "pose"; "" for all
+
+    Kind kind_ = Kind::none;
+    Component* component_ = nullptr;
+    Port* port_ = nullptr;
+    Truth truth_;
+    std::uint64_t config_version_ = 0;
+    std::uint64_t turn_ = 0;
+    std::size_t fresh_ = 0;
+    bool has_value_ = false;
+};
+
+}  // namespace nezumi

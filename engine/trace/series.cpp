@@ -1,0 +1,43 @@
+// Rows of one length in one block: a new sample costs no allocation once the ring is full.
+#include "engine/trace/series.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace nezumi {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void Series::set_labels(std::vector<std::string> labels) {
+    assert(labels.size() >= labels_.size());
+    std::vector<double> rows;
+    rows.reserve(size_ * (labels.size() + 1));
+    for (std::size_t i = 0; i < size_; ++i) {
+        rows.insert(rows.end(), row(i), row(i) + stride());
+        rows.resize((i + 1) * (labels.size() + 1), nothing);
+    }
+    rows_ = std::move(rows);
+    labels_ = std::move(labels);
+    first_ = 0;
+}
+
+void Series::add(double seconds, std::span<const double> values) {
+    assert(values.size() <= labels_.size());
+    std::size_t place = 0;
+    if (size_ < most_samples) {
+        place = size_++ * stride();
+        rows_.resize(place + stride());
+    } else {
+        place = first_ * stride();
+        first_ = (first_ + 1) % most_samples;
+    }
+    rows_[place] = seconds;
+    const auto rest = std::copy(values.begin(), values.end(), rows_.begin() + static_cast<std::ptrdiff_t>(place) + 1);
+    std::fill(rest, rows_.begin() + static_cast<std::ptrdiff_t>(place + stride()), nothing);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,66 @@
+// Channels keep pointers into the system, and find them anew when its layout has changed.
+#include "engine/trace/trace.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace nezumi {
+
+void Trace::start(System& system) {
+    system_ = &system;
+    system.observe(*this);
+    for (auto& [name, followed] : followed_) followed.series.clear();
+    follow_layout();
+}
+
+Expected<Trace::Followed*> Trace::find(std::string_view name) {
+    if (const auto known = followed_.find(name); known != followed_.end()) return &known->second;
+    auto channel = Channel::find(*system_, name);
+    if (!channel) return Unexpected(channel.error());
+    std::string key = channel->name();
+    return &followed_.emplace(std::move(key), Followed{std::move(*channel), {}}).first->second;
+}
+
+Expected<const Channel*> Trace::follow(std::string_view name) {
+    const auto found = find(name);
+    if (!found) return Unexpected(found.error());
+    return &(*found)->channel;
+}
+
+Expected<const Series*> Trace::remember(std::string_view name) {
+    const auto found = find(name);
+    if (!found) return Unexpected(found.error());
+    (*found)->remembered = true;
+    return &(*found)->series;
+}
+
+void Trace::remember_ports() {
+    remembers_ports_ = true;
+    follow_layout();
+}
+
+void Trace::follow_layout() {
+    layout_ = system_->layout();
+    for (auto& [name, followed] : followed_) followed.channel.resolve(*system_);
+    if (!remembers_ports_) return;
+    std::vector<std::string> names;
+    for (const auto& component : system_->components()) {
+        for (const auto& port : component->in_ports()) names.push_back(component->name() + "." + port->name());
+        for (const auto& port : component->out_ports()) names.push_back(component->name() + "." + port->name());
+    }
+    if (names.size() > most_ports) return;
+    for (const std::string& name : names) {
+        const auto found = find(name);
+        if (found && !(*found)->channel.has_pictures()) (*found)->remembered = true;
+    }
+}
+
+void Trace::latched(const System& system) {
+    if (layout_ != system.layout()) follow_layout();
+    for (auto& [name, followed] : followed_) {
+        followed.channel.latch(system, system.now().tick);
+        if (followed.remembered) followed.channel.append_to(followed.series, system.now().seconds);
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,105 @@
+// Values come in the same order each time, so that a column is found where the one before it was.
+#include "engine/trace/trace_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/csv.hpp"
+
+namespace nezumi {
+namespace {
+
+std::string cell_of(const Leaf& leaf) {
+    return std::visit(
+        [](const auto& value) {
+            using Type = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<Type, std::string_view>) {
+                return csv_quoted(value);
+            } else if constexpr (std::is_same_v<Type, bool>) {
+                return std::string(value ? "1" : "0");
+            } else {
+                return fmt::format("{}", value);
+            }
+        },
+        leaf);
+}
+
+}  // namespace
+
+TraceTable::TraceTable(std::vector<const Channel*> channels) {
+    for (const Channel* channel : channels) {
+        Source& source = sources_.emplace_back(Source{channel});
+        // Columns are there before anything was carried.
+        std::size_t at = 0;
+        channel->visit_latest([&](const LeafPath& path, const Leaf&) { set_cell(source, at, path, ""); });
+    }
+}
+
+void TraceTable::set_cell(Source& source, std::size_t& at, const LeafPath& path, std::string text) {
+    auto& columns = source.columns;
+    std::string name = path.text();
+    std::size_t found = at;
+    while (found < columns.size() && columns[found].path != name) ++found;
+    if (found == columns.size()) {
+        if (fixed_) return;
+        found = at;
+        columns.insert(columns.begin() + static_cast<std::ptrdiff_t>(at), {std::move(name), cells_.size()});
+        cells_.emplace_back();
+        names_.push_back(source.channel->name_of(path));
+    }
+    cells_[columns[found].id] = std::move(text);
+    at = found + 1;
+}
+
+// From this message, or from the latest.
+void TraceTable::fill(Source& source, std::optional<std::size_t> message) {
+    for (const Column& column : source.columns) cells_[column.id].clear();
+    std::size_t at = 0;
+    const LeafVisitor set = [&](const LeafPath& path, const Leaf& leaf) {
+        set_cell(source, at, path, source.has_value ? cell_of(leaf) : "");
+    };
+    if (message) return source.channel->visit(*message, set);
+    source.channel->visit_latest(set);
+}
+
+void TraceTable::read(const std::function<void(const std::vector<std::string>& cells)>& add) {
+    std::size_t rows = 1;
+    for (Source& source : sources_) {
+        const Channel& channel = *source.channel;
+        if (channel.turn() != source.turn) rows = std::max(rows, channel.fresh());
+    }
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (Source& source : sources_) {
+            const Channel& channel = *source.channel;
+            const std::size_t fresh = channel.turn() != source.turn ? channel.fresh() : 0;
+            const bool had_value = std::exchange(source.has_value, channel.has_value());
+            if (row < fresh) {
+                fill(source, row);
+            } else if (row == 0 && had_value != source.has_value) {
+                fill(source, std::nullopt);
+            }
+        }
+        add(cells_);
+    }
+    for (Source& source : sources_) source.turn = source.channel->turn();
+}
+
+std::vector<std::size_t> TraceTable::order() const {
+    std::vector<std::size_t> ids;
+    for (const Source& source : sources_) {
+        for (const Column& column : source.columns) ids.push_back(column.id);
+    }
+    return ids;
+}
+
+std::string TraceTable::header() const {
+    std::string text;
+    for (const std::size_t id : order()) {
+        const bool plain = names_[id].find_first_of(",\"\n\r") == std::string::npos;
+        text += "," + (plain ? names_[id] : csv_quoted(names_[id]));
+    }
+    return text;
+}
+
+}  // namespace nezumi

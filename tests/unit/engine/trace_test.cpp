@@ -1,0 +1,261 @@
+// What a trace follows: every message in order, by name, over restarts, in bounded memory.
+#include "engine/trace/trace.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "engine/trace/trace_table.hpp"
+#include "tests/unit/engine/fake_world.hpp"
+#include "tests/unit/engine/try_component.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+using Rows = std::vector<std::string>;
+
+// A system of components, and its trace.
+struct Traced {
+    Traced() { trace.start(system); }
+
+    TryComponent& add(const std::string& name, TryComponent::Hooked executed = {}) {
+        auto made = std::make_unique<TryComponent>(name);
+        made->executed = std::move(executed);
+        auto& added = static_cast<TryComponent&>(*system.add(std::move(made)).value());
+        REQUIRE(added.activate(system.now()));
+        return added;
+    }
+    const Channel& follow(const std::string& name) { return *trace.follow(name).value(); }
+    std::string why_not(const std::string& name) {
+        const auto followed = trace.follow(name);
+        return followed ? "it is there" : followed.error().message;
+    }
+    void tick(int count = 1) {
+        for (; count > 0; --count) system.tick();
+    }
+
+    System system{{}, nullptr};
+    Trace trace;
+};
+
+Expected<void> says_three_things(TryComponent& self) {
+    const auto first = static_cast<std::int32_t>(self.executions() * 10);
+    for (const std::int32_t value : {first, first + 1, first + 2}) self.out.write(value);
+    return {};
+}
+
+// The messages of the latest tick.
+Rows fresh(const Channel& channel) {
+    Rows texts;
+    for (std::size_t i = 0; i < channel.fresh(); ++i) {
+        texts.emplace_back();
+        channel.visit(i, [&](const LeafPath& path, const Leaf& leaf) {
+            std::visit([&](const auto& value) { texts.back() += fmt::format("{}={} ", channel.name_of(path), value); },
+                       leaf);
+        });
+    }
+    return texts;
+}
+
+// Rows of a table after a tick, its columns in order.
+Rows read(TraceTable& table) {
+    Rows rows;
+    table.read([&](const std::vector<std::string>& cells) {
+        std::string row;
+        for (const std::size_t id : table.order()) row += "," + cells[id];
+        rows.push_back(row.substr(1));
+    });
+    return rows;
+}
+
+}  // namespace
+
+TEST_CASE("a followed port gives every message of a tick, in order, at both ends", "[engine][trace]") {
+    Traced it;
+    it.add("a", says_three_things);
+    it.add("b");
+    REQUIRE(it.system.connect("a.out", "b.in"));
+    const Channel &out = it.follow("a.out"), &in = it.follow("b.in");
+    it.tick();
+    CHECK(fresh(out) == Rows{"a.out=10 ", "a.out=11 ", "a.out=12 "});
+    CHECK(in.fresh() == 0);
+    it.tick();
+    CHECK(fresh(in) == Rows{"b.in=10 ", "b.in=11 ", "b.in=12 "});
+    it.system.find("a")->find_out_port("out")->drop();
+    (*it.system.port("b.in"))->drop();
+    it.tick();
+    CHECK(out.fresh() == 0);
+    CHECK(in.fresh() == 0);
+}
+
+TEST_CASE("an in-port shows what is injected and what it is held at", "[engine][trace]") {
+    Traced it;
+    auto& b = it.add("b");
+    const Channel& in = it.follow("b.in");
+    b.in.inject(std::int32_t{7});
+    b.in.inject(std::int32_t{8});
+    it.tick();
+    CHECK(fresh(in) == Rows{"b.in=7 ", "b.in=8 "});
+    b.in.hold(std::int32_t{9});
+    it.tick();
+    CHECK(fresh(in) == Rows{"b.in=9 "});
+}
+
+TEST_CASE("a port that nobody follows keeps nothing of what arrived", "[engine][trace]") {
+    Traced it;
+    auto& b = it.add("b");
+    b.in.inject(std::int32_t{7});
+    it.tick();
+    CHECK(b.in.latest().data == 7);
+    CHECK(b.in.messages().empty());
+}
+
+TEST_CASE("what can't be followed is said, with the nearest name", "[engine][trace]") {
+    Traced it;
+    REQUIRE(it.add("it").parameters().declare({.name = "speed_x", .initial = 0.5}));
+    CHECK(it.why_not("out") == "'out' names no port: expected \"name.port\"");
+    CHECK(it.why_not("itt.out") == "'itt.out': there is no component 'itt' (did you mean 'it'?)");
+    CHECK(it.why_not("it.speeed") == "it has no port 'speeed' (did you mean 'speed'?)");
+    CHECK(it.why_not("it.confg") == "it has no port 'confg' (did you mean 'config'?)");
+    CHECK(it.why_not("it.truth") == "it has no truth: it is no robot");
+    CHECK(it.why_not("it.state") == "it has no port 'state'");
+    CHECK(it.why_not("it.speed.vz") == "it.speed has no 'vz' (did you mean 'vx'?)");
+    CHECK(it.why_not("it.speed.vx.low") == "it.speed.vx is a single value: it has no '.low'");
+    CHECK(it.why_not("it.out[1]") == "it.out is a single value: it has no '[1]'");
+    CHECK(it.why_not("it.config.speed") == "it: unknown parameter 'speed' (did you mean 'speed_x'?)");
+    CHECK(it.why_not("it.speed.vx") == "it is there");
+    CHECK(it.why_not("it.config.speed_x") == "it is there");
+}
+
+TEST_CASE("a part of a port is followed alone", "[engine][trace]") {
+    Traced it;
+    it.add("it", [](TryComponent& self) -> Expected<void> {
+        self.speed.write({.vx = 0.5, .va = 2});
+        return {};
+    });
+    const Channel& part = it.follow("it.speed.va");
+    CHECK(part.name() == "it.speed.va");
+    it.tick();
+    CHECK(fresh(part) == Rows{"it.speed.va=2 "});
+}
+
+TEST_CASE("parameters are told in the tick in which one has changed", "[engine][trace]") {
+    Traced it;
+    auto& component = it.add("it");
+    REQUIRE(component.parameters().declare({.name = "speed_x", .initial = 0.5}));
+    REQUIRE(component.parameters().declare({.name = "name", .initial = std::string("tom")}));
+    REQUIRE(component.parameters().declare({.name = "gains", .initial = std::vector<double>{1, 2}}));
+    const Channel& config = it.follow("it.config");
+    it.tick();
+    CHECK(fresh(config) == Rows{"it.config.speed_x=0.5 it.config.name=tom it.config.gains[1]=1 it.config.gains[2]=2 "});
+    it.tick();
+    CHECK(config.fresh() == 0);
+    REQUIRE(component.parameters().set("speed_x", 0.75));
+    it.tick();
+    CHECK(fresh(config).front().starts_with("it.config.speed_x=0.75 "));
+}
+
+TEST_CASE("a name means what the system has now: a component that went and came, and another system",
+          "[engine][trace]") {
+    Traced it;
+    it.add("a", says_three_things);
+    const Channel& out = it.follow("a.out");
+    it.tick();
+    CHECK(out.has_value());
+    REQUIRE(it.system.remove("a"));
+    it.tick();
+    CHECK_FALSE(out.has_value());
+    CHECK(out.fresh() == 0);
+    it.add("a", says_three_things);
+    it.tick();
+    CHECK(fresh(out) == Rows{"a.out=10 ", "a.out=11 ", "a.out=12 "});
+
+    System other({}, nullptr);
+    auto made = std::make_unique<TryComponent>("a");
+    made->executed = [](TryComponent& self) -> Expected<void> { return self.out.write(5), Expected<void>(); };
+    REQUIRE(other.add(std::move(made)).value()->activate(other.now()));
+    it.trace.start(other);
+    CHECK_FALSE(out.has_value());
+    other.tick();
+    CHECK(fresh(out) == Rows{"a.out=5 "});
+}
+
+TEST_CASE("the numbers of every port are remembered, also of one that comes later, but no pictures",
+          "[engine][trace]") {
+    struct Camera : Component {
+        Camera() : Component("camera", "Camera") { add_out_port<CameraImage>("image"); }
+    };
+    Traced it;
+    REQUIRE(it.system.add(std::make_unique<Camera>()));
+    it.trace.remember_ports();
+    it.add("late", says_three_things);
+    it.tick(2);
+    const Series& series = **it.trace.remember("late.out");
+    REQUIRE(series.size() == 6);
+    CHECK(series.value(0, 0) == 10);
+    CHECK(series.value(5, 0) == 22);
+    CHECK(series.seconds(5) == 0.01);
+    CHECK((*it.trace.remember("camera.image"))->size() == 0);
+
+    System other({}, nullptr);
+    it.trace.start(other);
+    CHECK(series.size() == 0);
+}
+
+TEST_CASE("a system with more ports than that is remembered only where somebody asks", "[engine][trace]") {
+    Traced it;
+    it.trace.remember_ports();
+    const std::size_t each = 5;  // ports of one
+    for (std::size_t i = 0; i <= Trace::most_ports / each; ++i) it.add("n" + std::to_string(i), says_three_things);
+    it.tick();
+    const Series& series = **it.trace.remember("n3.out");
+    CHECK(series.size() == 0);
+    it.tick();
+    CHECK(series.size() == 3);
+}
+
+TEST_CASE("a series keeps the latest samples, and its rows when values are added", "[engine][trace]") {
+    Series series;
+    series.set_labels({"a"});
+    for (std::size_t i = 0; i < Series::most_samples + 2; ++i) {
+        const double value = static_cast<double>(i);
+        series.add(value, std::span(&value, 1));
+    }
+    CHECK(series.size() == Series::most_samples);
+    CHECK(series.seconds(0) == 2);
+    CHECK(series.value(series.size() - 1, 0) == Series::most_samples + 1);
+    series.set_labels({"a", "b"});
+    const double both[] = {1, 2};
+    series.add(9000, both);
+    CHECK(series.size() == Series::most_samples);
+    CHECK(series.seconds(0) == 3);
+    CHECK(series.value(0, 0) == 3);
+    CHECK(std::isnan(series.value(0, 1)));
+    CHECK(series.value(series.size() - 1, 1) == 2);
+    series.clear();
+    series.add(1, std::span(both, 1));
+    CHECK(series.size() == 1);
+    CHECK(std::isnan(series.value(0, 1)));
+}
+
+TEST_CASE("a table has a row for each message of a tick, the last one with the latest of all", "[engine][trace]") {
+    Traced it;
+    it.add("a", says_three_things);
+    auto& b = it.add("b", [](TryComponent& self) -> Expected<void> {
+        if (self.executions() == 2) self.speed.write({.vx = 0.25});
+        return {};
+    });
+    REQUIRE(b.parameters().declare({.name = "word", .initial = std::string("a, \"b\"")}));
+    TraceTable table({&it.follow("b.speed"), &it.follow("a.out"), &it.follow("b.config")});
+    CHECK(table.header() == ",b.speed.vx,b.speed.vy,b.speed.va,a.out,b.config.word");
+    it.tick();
+    const std::string word = R"("a, ""b""")";
+    CHECK(read(table) == Rows{",,,10," + word, ",,,11," + word, ",,,12," + word});
+    it.tick();
+    CHECK(read(table) == Rows{"0.25,0,0,20," + word, "0.25,0,0,21," + word, "0.25,0,0,22," + word});
+    CHECK(read(table) == Rows{"0.25,0,0,22," + word});
+    REQUIRE(it.system.remove("a"));
+    it.tick();
+    CHECK(read(table) == Rows{"0.25,0,0,," + word});
+}
