@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "bindings/lua/files/system_words.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_words.hpp"
@@ -21,8 +22,6 @@ struct NewPort {
     MessageShape message;
     std::string local;  // the variable that holds it
 };
-
-bool is_keyword(const std::string& name) { return !is_identifier(name) && is_identifier(name + "_"); }
 
 Expected<void> check_name(std::string_view option, const std::string& name, std::vector<std::string>& taken) {
     if (!is_identifier(name) && !is_keyword(name)) {
@@ -131,7 +130,7 @@ std::string behavior_text(const std::string& name, const std::vector<NewPort>& i
 std::string scenario_text(const std::string& name, const std::vector<NewPort>& inputs,
                           const std::vector<NewPort>& outputs) {
     // The words of the console can't be a component's name, nor may its variable hide one of the scenario's.
-    const std::string component = is_reserved_name(name) ? name + "_1" : name;
+    const std::string component = is_taken_name(name) ? name + "_1" : name;
     const bool hides = is_taken_word(name) || name == "s" || name == "scenario" || name == "range";
     const std::string variable = hides ? "it" : component;
     std::string text = fmt::format(

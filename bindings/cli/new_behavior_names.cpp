@@ -113,7 +113,7 @@ Expected<std::string> behavior_file_name(const std::string& given) {
     if (is_identifier(name) && !name.ends_with("_test")) return name;
     const std::string what = fmt::format("'{}' can't be a behaviour's name", shown(given));
     if (name.ends_with("_test")) return failure(what + ": files called *_test.lua are scenarios");
-    if (is_identifier(name + "_")) return failure(what + ": it is a word of Lua");
+    if (is_keyword(name)) return failure(what + ": it is a word of Lua");
     std::string near = given.ends_with(".lua") ? given.substr(0, given.size() - 4) : given;
     near.erase(0, near.rfind('/') + 1);
     std::replace_if(

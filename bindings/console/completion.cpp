@@ -14,10 +14,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr std::string_view keywords[] = {"and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
-                                         "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
-                                         "repeat",   "return", "then", "true", "until",  "while"};
-
 // What a chain of names leads to.
 struct Place {
     enum class Kind { nothing, system, component, ports, port, config, truth, value, table } kind = Kind::nothing;
@@ -255,7 +251,7 @@ Completion Session::complete(std::string_view text, std::size_t cursor) const {
         if (name.separator == 0) {
             completion.candidates = names_in_scope(*parts_);
             if (name.from < text.size())
-                completion.candidates.insert(completion.candidates.end(), std::begin(keywords), std::end(keywords));
+                completion.candidates.insert(completion.candidates.end(), lua_keywords().begin(), lua_keywords().end());
         } else if (!name.broken) {
             Walk walk(*parts_);
             completion.candidates = walk.names(walk.follow(name.chain), name.separator);

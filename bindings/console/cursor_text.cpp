@@ -1,106 +1,136 @@
-// Reads backwards from the cursor, and forwards to know what is a text.
+// Reads the words before the cursor as Lua does.
 #include "bindings/console/cursor_text.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <span>
+
+#include "bindings/lua/sandbox/lexer.hpp"
 
 namespace nezumi {
 namespace {
 
-bool is_name_char(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+using Kind = Token::Kind;
+using Tokens = std::span<const Token>;
 
-std::string_view without_blanks(std::string_view text) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.remove_suffix(1);
+bool is_word(const Token& token) { return token.kind == Kind::name || token.kind == Kind::keyword; }
+
+// What a string literal holds, as it is written: without its quotes or brackets. Nothing for a number.
+std::string_view inside(const Token& token) {
+    std::string_view text = token.text;
+    std::size_t quote = 1;
+    if (text.front() == '[') {
+        quote = text.find('[', 1) + 1;
+    } else if (text.front() != '"' && text.front() != '\'') {
+        return {};
+    }
+    text.remove_prefix(quote);
+    if (!token.open) text.remove_suffix(std::min(quote, text.size()));
     return text;
 }
 
-// Where the name begins that ends the text.
-std::size_t name_begin(std::string_view text) {
-    std::size_t at = text.size();
-    while (at > 0 && is_name_char(text[at - 1])) --at;
-    return at;
+// Takes `name` or `["name"]` from the end. False for anything else.
+bool take_name(Tokens& tokens, std::string& name) {
+    if (tokens.empty()) return false;
+    if (is_word(tokens.back())) {
+        name = tokens.back().text;
+        tokens = tokens.first(tokens.size() - 1);
+        return true;
+    }
+    if (tokens.size() < 4 || !tokens.back().is("]") || !tokens[tokens.size() - 3].is("[")) return false;
+    name = inside(tokens[tokens.size() - 2]);
+    tokens = tokens.first(tokens.size() - 3);
+    return !name.empty();
 }
 
-// Takes `["name"]` from the end of the text. Returns false when it is none.
-bool take_subscript(std::string_view& text, std::string& name) {
-    if (!text.ends_with(']') || text.size() < 4) return false;
-    const char quote = text[text.size() - 2];
-    if (quote != '"' && quote != '\'') return false;
-    const std::size_t begin = text.rfind(quote, text.size() - 3);
-    if (begin == std::string_view::npos || begin == 0 || text[begin - 1] != '[') return false;
-    name = text.substr(begin + 1, text.size() - begin - 3);
-    text = text.substr(0, begin - 1);
-    return true;
-}
-
-}  // namespace
-
-NameAtCursor name_at_cursor(std::string_view text) {
+// The chain of names whose part begins at `from`, behind these tokens.
+NameAtCursor name_before(Tokens tokens, std::size_t from) {
     NameAtCursor result;
-    result.from = name_begin(text);
-    std::string_view rest = text.substr(0, result.from);
-    if (rest.empty() || (rest.back() != '.' && rest.back() != ':') || rest.ends_with("..")) return result;
-    result.separator = rest.back();
-    rest.remove_suffix(1);
+    result.from = from;
+    if (tokens.empty() || !(tokens.back().is(".") || tokens.back().is(":"))) return result;
+    result.separator = tokens.back().text.front();
+    tokens = tokens.first(tokens.size() - 1);
     for (;;) {
         std::string name;
-        if (take_subscript(rest, name)) {
-            result.chain.push_back(name);
-            continue;  // what it is a member of
-        }
-        const std::size_t begin = name_begin(rest);
-        if (begin == rest.size() || std::isdigit(static_cast<unsigned char>(rest[begin])) != 0) {
+        const bool subscript = !tokens.empty() && tokens.back().is("]");
+        if (!take_name(tokens, name)) {
             result.broken = true;
             break;
         }
-        result.chain.emplace_back(rest.substr(begin));
-        rest = rest.substr(0, begin);
-        if (!rest.ends_with('.') || rest.ends_with("..")) break;
-        rest.remove_suffix(1);
+        result.chain.push_back(std::move(name));
+        if (subscript) continue;  // what it is a member of
+        if (tokens.empty() || !tokens.back().is(".")) break;
+        tokens = tokens.first(tokens.size() - 1);
     }
     std::reverse(result.chain.begin(), result.chain.end());
     return result;
 }
 
+struct Before {
+    std::vector<Token> tokens;
+    bool comment = false;
+};
+
+Before read(std::string_view text) {
+    Before before;
+    Lexer lexer(text);
+    for (Token token = lexer.next(); token.kind != Kind::end; token = lexer.next()) before.tokens.push_back(token);
+    before.comment = lexer.ends_in_comment();
+    return before;
+}
+
+// Finds the call whose argument comes after these tokens.
+void find_callee(TextAtCursor& result, Tokens before, std::string_view text) {
+    std::size_t callee = before.size();
+    if (!before.empty() && !is_word(before.back())) {
+        int depth = 0;
+        std::size_t bracket = before.size();
+        for (; bracket > 0; --bracket) {
+            const Token& token = before[bracket - 1];
+            if (token.is(")") || token.is("]") || token.is("}")) ++depth;
+            if (token.is("(") || token.is("[") || token.is("{")) {
+                if (depth-- == 0) break;
+            }
+            if (depth == 0 && token.is(",")) ++result.argument;
+        }
+        if (bracket == 0 || !before[bracket - 1].is("(")) return;
+        if (bracket < before.size() && before[bracket].kind == Kind::literal) result.first = inside(before[bracket]);
+        callee = bracket - 1;
+    }
+    if (callee == 0 || !is_word(before[callee - 1])) return;
+    const Token& word = before[callee - 1];
+    result.callee = name_before(before.first(callee - 1), static_cast<std::size_t>(word.text.data() - text.data()));
+    result.word = word.text;
+}
+
+}  // namespace
+
+NameAtCursor name_at_cursor(std::string_view text) {
+    const Before before = read(text);
+    Tokens tokens = before.tokens;
+    std::size_t from = text.size();
+    const bool touches = !tokens.empty() && tokens.back().text.data() + tokens.back().text.size() == text.data() + from;
+    if (touches && tokens.back().kind == Kind::literal) {  // "3." is a number
+        NameAtCursor result;
+        result.from = from;
+        result.separator = '.';
+        result.broken = true;
+        return result;
+    }
+    if (touches && is_word(tokens.back())) {
+        from -= tokens.back().text.size();
+        tokens = tokens.first(tokens.size() - 1);
+    }
+    return name_before(tokens, from);
+}
+
 TextAtCursor text_at_cursor(std::string_view text) {
     TextAtCursor result;
-    char quote = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quote != 0) {
-            if (c == '\\') {
-                ++i;
-            } else if (c == quote || c == '\n') {
-                quote = 0;
-            }
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-            begin = i;
-        } else if (c == '-' && text.substr(i, 2) == "--") {
-            const std::size_t end = text.find('\n', i);
-            result.comment = end == std::string_view::npos;
-            if (result.comment) return result;
-            i = end;
-        }
-    }
-    if (quote == 0) return result;
+    const Before before = read(text);
+    result.comment = before.comment;
+    if (before.tokens.empty() || !before.tokens.back().open) return result;
     result.open = true;
-    result.from = begin + 1;
-    std::string_view before = without_blanks(text.substr(0, begin));
-    if (before.ends_with(',')) {
-        result.argument = 2;
-        before = without_blanks(before.substr(0, before.size() - 1));
-        const std::size_t bracket = before.rfind('(');
-        if (bracket == std::string_view::npos) return result;
-        const std::string_view first = before.substr(bracket + 1);
-        if (first.size() > 1 && (first.front() == '"' || first.front() == '\'') && first.back() == first.front())
-            result.first = first.substr(1, first.size() - 2);
-        before = before.substr(0, bracket + 1);
-    }
-    if (before.ends_with('(')) before = without_blanks(before.substr(0, before.size() - 1));
-    result.callee = name_at_cursor(before);
-    result.word = before.substr(result.callee.from);
+    result.from = text.size() - inside(before.tokens.back()).size();
+    find_callee(result, Tokens(before.tokens).first(before.tokens.size() - 1), text);
     return result;
 }
 

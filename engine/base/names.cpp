@@ -1,4 +1,4 @@
-// Lua's keywords and the console's words are taken.
+// Lua's keywords, and the words that components can't be called.
 #include "engine/base/names.hpp"
 
 #include <algorithm>
@@ -8,30 +8,43 @@
 namespace nezumi {
 namespace {
 
-constexpr std::array<std::string_view, 22> lua_keywords{
+constexpr std::array<std::string_view, 22> keywords{
     "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
     "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
-// What the console and scenarios have in scope beside a system's names: product.md's words and the library's.
-constexpr std::array<std::string_view, 50> console_words{
-    "assert",  "attach",   "batch",    "connect",  "coroutine", "disconnect", "drive", "drop",    "error",  "errors",
-    "find",    "freeze",   "help",     "hold",     "inject",    "ipairs",     "log",   "ls",      "math",   "next",
-    "now",     "pairs",    "pause",    "pcall",    "plot",      "print",      "quit",  "release", "reload", "require",
-    "restart", "restore",  "rollback", "run",      "save",      "select",     "speed", "step",    "string", "system",
-    "table",   "teleport", "tonumber", "tostring", "type",      "unwatch",    "utf8",  "watch",   "world",  "xpcall"};
+constexpr std::array<std::string_view, 95> words{
+    "about",      "activate",   "always",     "arena",      "attach",   "batch",   "behavior",    "box",
+    "cancel",     "check",      "command",    "component",  "config",   "connect", "coroutine",   "csv",
+    "cylinder",   "deactivate", "disconnect", "disturb",    "drive",    "drop",    "dt",          "errors",
+    "eventually", "exit",       "find",       "floor",      "freeze",   "golden",  "graph",       "help",
+    "hold",       "hosts",      "inject",     "input",      "line",     "load",    "log",         "log_level",
+    "ls",         "maintain",   "marker",     "math",       "maze",     "measure", "near",        "network",
+    "never",      "now",        "output",     "param",      "pause",    "physics", "picture",     "plot",
+    "press",      "print",      "probe",      "quit",       "range",    "rate",    "rearm",       "release",
+    "reload",     "remove",     "require",    "restart",    "restore",  "robot",   "robot_model", "rollback",
+    "ros",        "rtm",        "run",        "save",       "scenario", "seed",    "speed",       "start",
+    "state",      "step",       "stop",       "string",     "system",   "table",   "task",        "teleport",
+    "unwatch",    "utf8",       "wait",       "wait_until", "wall",     "watch",   "world"};
+
+static_assert(std::is_sorted(keywords.begin(), keywords.end()) && std::is_sorted(words.begin(), words.end()));
 
 }  // namespace
+
+std::span<const std::string_view> lua_keywords() { return keywords; }
+
+bool is_keyword(std::string_view name) { return std::binary_search(keywords.begin(), keywords.end(), name); }
 
 bool is_identifier(std::string_view name) {
     if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) return false;
     const bool plain = std::all_of(name.begin(), name.end(),
                                    [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); });
-    return plain && std::find(lua_keywords.begin(), lua_keywords.end(), name) == lua_keywords.end();
+    return plain && !is_keyword(name);
 }
 
+std::span<const std::string_view> promised_words() { return words; }
+
 bool is_reserved_name(std::string_view name) {
-    return std::find(lua_keywords.begin(), lua_keywords.end(), name) != lua_keywords.end() ||
-           std::find(console_words.begin(), console_words.end(), name) != console_words.end();
+    return is_keyword(name) || std::binary_search(words.begin(), words.end(), name);
 }
 
 }  // namespace nezumi

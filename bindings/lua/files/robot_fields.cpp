@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/system/system_spec.hpp"
@@ -50,7 +50,7 @@ void for_each_named(Fields& fields, std::string_view group, Read&& read) {
     Fields named = fields.inner(group);
     for (const auto& [name, value] : named.all()) {
         named.field(name);
-        if (!is_identifier(name) && !is_reserved_name(name)) {
+        if (!is_identifier(name) && !is_keyword(name)) {
             fields.check().wrong_at(named.path_of(name),
                                     fmt::format("{}: '{}' is no name: expected letters, digits and _", group, name));
             continue;
@@ -250,8 +250,8 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
         spec.actuators.push_back(read_actuator(name, entry, spec.body));
     });
     for_each_named(fields, "ports", [&](const std::string& name, Fields& entry) {
-        const auto& words = component_words();
-        if (name == "truth" || name == "collided" || std::find(words.begin(), words.end(), name) != words.end()) {
+        const auto& words = robot_words();
+        if (std::find(words.begin(), words.end(), name) != words.end()) {
             check.wrong_at(entry.path(),
                            fmt::format("port '{0}': the name is taken: robot.{0} is a component's own word", name));
         }

@@ -9,6 +9,7 @@
 #include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/files/robot_file.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
 
@@ -50,13 +51,18 @@ bool is_port_path(const std::string& path) {
     const std::size_t dot = path.find('.');
     if (dot == std::string::npos) return false;
     const std::string port = path.substr(dot + 1);
-    return is_identifier(path.substr(0, dot)) && (is_identifier(port) || (!port.empty() && is_identifier(port + "_")));
+    return is_identifier(path.substr(0, dot)) && (is_identifier(port) || is_keyword(port));
 }
 
 // A number as a message shows it.
 std::string text_of(double number) { return std::isnan(number) ? "nan" : fmt::format("{}", number); }
 
 }  // namespace
+
+bool is_taken_name(std::string_view name) {
+    const auto& library = sandbox_names();
+    return is_reserved_name(name) || std::find(library.begin(), library.end(), name) != library.end();
+}
 
 SystemWords::SystemWords(const Project& project, SystemSpec start) : project_(project), spec_(std::move(start)) {
     for (const Entry& entry : spec_.entries) names_.emplace(name_of(entry), names_.size());
@@ -69,7 +75,7 @@ void SystemWords::note_file(const std::string& shown) {
 
 Expected<void> SystemWords::check_name(const WordCall& call, const std::string& name) const {
     const std::string what = fmt::format("{} '{}'", call.word, name);
-    if (is_reserved_name(name)) {
+    if (is_taken_name(name)) {
         return failure(fmt::format("{}: '{}' is a word of Lua or of the console: choose another name", what, name),
                        call.place);
     }

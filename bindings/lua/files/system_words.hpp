@@ -25,6 +25,10 @@ struct WordCall {
     const FileSource* source = nullptr;  ///< the text of that file, for places within the call; may be null
 };
 
+/// What no robot, behaviour or component of a system may be called: reserved names, and what is in scope of Lua's
+/// library.
+bool is_taken_name(std::string_view name);
+
 /// Builds a `SystemSpec` call by call. A call that fails adds nothing. What depends on the whole (rates, names) is
 /// checked by `finish`; what depends on the components themselves (ports, parameters, overlaps) by `build_system`.
 class SystemWords {

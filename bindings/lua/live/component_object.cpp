@@ -8,26 +8,20 @@
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "bindings/lua/values/member_names.hpp"
 
 namespace nezumi {
 namespace {
 
 constexpr Budget copy_budget{1.0};  // to copy arguments
 
-// The words of every component, which no port of a script may have; those of robots; and those that give way to ports.
-constexpr std::string_view words[] = {"activate", "config", "deactivate", "name", "ports", "reset",
-                                      "sets",     "state",  "status",     "type", "use",   "version"};
-constexpr std::string_view robot_words[] = {"collided", "truth"};
-constexpr std::string_view more_words[] = {"commands", "error", "rate", "set"};
-constexpr std::string_view more_robot_words[] = {"buzzer", "disturb", "leds",     "limits",
-                                                 "press",  "said",    "teleport", "touching"};
+bool is_robot(const Component& component) { return dynamic_cast<const Robot*>(&component) != nullptr; }
 
-constexpr std::string_view called_words[] = {"activate", "deactivate", "reset", "use"};
-constexpr std::string_view called_robot_words[] = {"disturb", "press", "teleport"};
-
-template <class Words>
-bool contains(const Words& all, std::string_view word) {
-    return std::find(std::begin(all), std::end(all), word) != std::end(all);
+// The member of this name that the component has; null for none.
+const MemberName* find_member(const Component& component, std::string_view name) {
+    const auto all = member_names();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
+    return found == all.end() || (found->robot && !is_robot(component)) ? nullptr : &*found;
 }
 
 const std::vector<CommandDeclaration>& commands_of(const Component& component) {
@@ -152,11 +146,6 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
         for (const auto& [name, values] : component.sets) names.push_back(name);
         return Answer{std::move(names)};
     }
-    return Answer{MethodName{method, std::string(word)}};
-}
-
-Expected<Answer> more_of(const ComponentAt& at, std::string_view word) {
-    Component& component = *at.component;
     if (word == "rate") return Answer{component.rate > 0 ? component.rate : at.live->system().settings().rate};
     if (word == "set") {
         if (component.set_in_use().empty()) return Answer{};
@@ -166,7 +155,7 @@ Expected<Answer> more_of(const ComponentAt& at, std::string_view word) {
         if (component.last_error().message.empty()) return Answer{};
         return Answer{describe(component.last_error())};
     }
-    std::vector<std::string> names;
+    std::vector<std::string> names;  // commands
     for (const CommandDeclaration& each : commands_of(component)) names.push_back(each.name);
     return Answer{std::move(names)};
 }
@@ -186,7 +175,6 @@ Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
                                                                 {"acceleration", limits.acceleration},
                                                                 {"yaw_acceleration", limits.yaw_acceleration}}}};
     }
-    if (contains(called_robot_words, word)) return Answer{MethodName{method, std::string(word)}};
     const auto simulated = simulated_robot(at.live->system(), *at.component);
     if (!simulated) return Unexpected(simulated.error());
     const World& world = *at.live->system().world();
@@ -198,17 +186,18 @@ Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
 
 Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string_view name) {
     const Component& component = *at.component;
-    const bool is_robot = dynamic_cast<const Robot*>(&component) != nullptr;
-    if (contains(words, name)) return word_of(ref, at, name);
-    if (is_robot && name == "truth") return word_of(ref, at, name);
-    if (is_robot && name == "collided") return robot_word_of(at, name);
+    const MemberName* own = find_member(component, name);
+    const auto own_member = [&]() -> Expected<Answer> {
+        if (own->called) return Answer{MethodName{method, std::string(name)}};
+        return own->robot && name != "truth" ? robot_word_of(at, name) : word_of(ref, at, name);
+    };
+    if (own != nullptr && !own->yields) return own_member();
     if (component.find_port(name) != nullptr)
         return Answer{ObjectName{ObjectKind::port, ref.live, component.name(), std::string(name)}};
     for (const CommandDeclaration& each : commands_of(component)) {
         if (each.name == name) return Answer{MethodName{command, each.name}};
     }
-    if (contains(more_words, name)) return more_of(at, name);
-    if (is_robot && contains(more_robot_words, name)) return robot_word_of(at, name);
+    if (own != nullptr) return own_member();
     if (component.parameters().find(name) != nullptr) {
         return failure(fmt::format("{} has no '{}': its parameter is {}.config.{}", component.name(), shown(name),
                                    component.name(), name));
@@ -276,11 +265,9 @@ const ObjectFunctions& component_functions() {
 }
 
 std::vector<std::string> Objects::members(const Component& component) {
-    std::vector<std::string> all(std::begin(words), std::end(words));
-    all.insert(all.end(), std::begin(more_words), std::end(more_words));
-    if (dynamic_cast<const Robot*>(&component) != nullptr) {
-        all.insert(all.end(), std::begin(robot_words), std::end(robot_words));
-        all.insert(all.end(), std::begin(more_robot_words), std::end(more_robot_words));
+    std::vector<std::string> all;
+    for (const MemberName& each : member_names()) {
+        if (!each.robot || is_robot(component)) all.emplace_back(each.name);
     }
     for (const auto& port : component.in_ports()) all.push_back(port->name());
     for (const auto& port : component.out_ports()) all.push_back(port->name());
@@ -291,9 +278,10 @@ std::vector<std::string> Objects::members(const Component& component) {
 }
 
 std::vector<std::string> Objects::methods(const Component& component) {
-    std::vector<std::string> all(std::begin(called_words), std::end(called_words));
-    if (dynamic_cast<const Robot*>(&component) != nullptr)
-        all.insert(all.end(), std::begin(called_robot_words), std::end(called_robot_words));
+    std::vector<std::string> all;
+    for (const MemberName& each : member_names()) {
+        if (each.called && (!each.robot || is_robot(component))) all.emplace_back(each.name);
+    }
     for (const CommandDeclaration& each : commands_of(component)) all.push_back(each.name);
     std::sort(all.begin(), all.end());
     return all;

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/names.hpp"
+
 namespace nezumi {
 namespace {
-
-constexpr std::array<std::string_view, 22> keywords{
-    "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
-    "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
 
 // Longest first.
 constexpr std::array<std::string_view, 10> long_signs{"...", "..", "==", "~=", "<=", ">=", "//", "::", "<<", ">>"};
@@ -39,12 +37,15 @@ void Lexer::advance() {
     ++at_;
 }
 
-// [[...]] or [==[...]==], if one begins here.
-bool Lexer::skip_long_bracket() {
-    std::size_t level = 0;
+// [[ or [==[, which has the level 2.
+bool Lexer::at_long_bracket(std::size_t& level) const {
+    level = 0;
     while (peek(1 + level) == '=') ++level;
-    if (peek() != '[' || peek(1 + level) != '[') return false;
-    for (std::size_t i = 0; i < level + 2; ++i) ++at_;
+    return peek() == '[' && peek(1 + level) == '[';
+}
+
+bool Lexer::skip_long_bracket(std::size_t level) {
+    at_ += level + 2;
     while (at_ < source_.size()) {
         if (peek() == ']' && peek(1 + level) == ']' &&
             source_.substr(at_ + 1, level).find_first_not_of('=') == std::string_view::npos) {
@@ -53,26 +54,32 @@ bool Lexer::skip_long_bracket() {
         }
         advance();
     }
-    return true;
+    return false;
 }
 
 void Lexer::skip_blanks() {
+    std::size_t level = 0;
     while (at_ < source_.size()) {
         if (is_blank(peek())) {
             advance();
         } else if (peek() == '-' && peek(1) == '-') {
             at_ += 2;
-            if (peek() == '[' && skip_long_bracket()) continue;
+            if (at_long_bracket(level)) {
+                in_comment_ = !skip_long_bracket(level);
+                continue;
+            }
             while (at_ < source_.size() && peek() != '\n' && peek() != '\r') ++at_;
+            in_comment_ = at_ == source_.size();
         } else {
             return;
         }
     }
 }
 
-void Lexer::skip_string(char quote) {
+bool Lexer::skip_string(char quote) {
     ++at_;
     while (at_ < source_.size() && peek() != quote) {
+        if (peek() == '\n' || peek() == '\r') return true;  // a slip: a line ends it
         if (peek() == '\\') {
             ++at_;
             if (peek() == 'z') {  // skips the blanks that follow, line ends included
@@ -80,11 +87,13 @@ void Lexer::skip_string(char quote) {
                 while (at_ < source_.size() && is_blank(peek())) advance();
                 continue;
             }
-            if (at_ >= source_.size()) return;
+            if (at_ >= source_.size()) return false;
         }
         advance();
     }
+    if (at_ >= source_.size()) return false;
     ++at_;
+    return true;
 }
 
 void Lexer::skip_number() {
@@ -115,16 +124,18 @@ Token Lexer::next() {
     if (starts_name(c)) {
         while (starts_name(peek()) || is_digit(peek())) ++at_;
         token.text = source_.substr(start, at_ - start);
-        token.kind = std::find(keywords.begin(), keywords.end(), token.text) != keywords.end() ? Token::Kind::keyword
-                                                                                               : Token::Kind::name;
+        token.kind = is_keyword(token.text) ? Token::Kind::keyword : Token::Kind::name;
         return token;
     }
     token.kind = Token::Kind::literal;
+    std::size_t level = 0;
     if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
         skip_number();
     } else if (c == '"' || c == '\'') {
-        skip_string(c);
-    } else if (c != '[' || !skip_long_bracket()) {
+        token.open = !skip_string(c);
+    } else if (at_long_bracket(level)) {
+        token.open = !skip_long_bracket(level);
+    } else {
         token.kind = Token::Kind::sign;
         const auto rest = source_.substr(at_);
         const auto* sign = std::find_if(long_signs.begin(), long_signs.end(),

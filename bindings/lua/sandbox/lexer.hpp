@@ -12,6 +12,7 @@ struct Token {
     std::string_view text{};  ///< as it stands in the source; of a string literal, all of it
     int line = 1;             ///< from 1
     int column = 1;           ///< from 1 [bytes]
+    bool open = false;        ///< a string literal that the source ends in
 
     bool is(std::string_view word) const { return text == word && (kind == Kind::keyword || kind == Kind::sign); }
 };
@@ -28,19 +29,24 @@ public:
 
     /// The next word; Kind::end for ever at the end.
     Token next();
+    /// After Kind::end: the source ends in a comment.
+    bool ends_in_comment() const { return in_comment_; }
 
 private:
     char peek(std::size_t ahead = 0) const { return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0'; }
     void advance();
     void skip_blanks();
-    bool skip_long_bracket();
-    void skip_string(char quote);
+    // Both: whether it has an end.
+    bool skip_long_bracket(std::size_t level);
+    bool skip_string(char quote);
+    bool at_long_bracket(std::size_t& level) const;
     void skip_number();
 
     std::string_view source_;
     std::size_t at_ = 0;
     std::size_t line_start_ = 0;
     int line_ = 1;
+    bool in_comment_ = false;
 };
 
 }  // namespace nezumi

@@ -9,6 +9,7 @@
 #include "bindings/lua/script/script_config.hpp"
 #include "bindings/lua/script/script_ports.hpp"
 #include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
@@ -25,11 +26,6 @@ bool contains(const std::vector<std::string_view>& words, std::string_view word)
 // "input 'in'" of what has this name already, and where.
 std::string first_in(const Place& place) {
     return place.line > 0 ? fmt::format(" (first in line {})", place.line) : "";
-}
-
-bool is_keyword(std::string_view name) {
-    // An identifier but for being a keyword.
-    return !name.empty() && !is_identifier(name) && is_identifier(std::string(name) + "_");
 }
 
 int stack_depth(lua_State* L) {
@@ -126,7 +122,7 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
         return failure(fmt::format("{} '{}': the name is no identifier{}", kind, shown(name), keyword));
     }
     if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
-    if (contains(script_words(), name) || contains(component_words(), name)) {
+    if (contains(script_words(), name) || contains(later_script_words(), name) || contains(component_words(), name)) {
         return failure(fmt::format("{} '{}': the name is one of a component's own words", kind, name));
     }
     if (contains(sandbox_names(), name))

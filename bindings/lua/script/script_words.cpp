@@ -174,9 +174,8 @@ const std::vector<std::string_view>& script_words() {
     return words;
 }
 
-const std::vector<std::string_view>& component_words() {
-    static const std::vector<std::string_view> words{"activate", "config", "deactivate", "name", "ports", "reset",
-                                                     "sets",     "state",  "status",     "type", "use",   "version"};
+const std::vector<std::string_view>& later_script_words() {
+    static const std::vector<std::string_view> words{"cancel", "probe", "start", "task", "wait", "wait_until"};
     return words;
 }
 

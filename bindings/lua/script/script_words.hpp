@@ -17,8 +17,8 @@ void install_words(lua_State* L, Script& script, const PlainData* state);
 /// The words, without those of the library.
 const std::vector<std::string_view>& script_words();
 
-/// What `X.word` means for every component X: a port, parameter or command can't be called that.
-const std::vector<std::string_view>& component_words();
+/// Words that scripts will have: nothing of a script is called like them, so that none breaks then.
+const std::vector<std::string_view>& later_script_words();
 
 /// The names of all callbacks, in the order of `Hook` from on_activated on.
 const std::vector<std::string_view>& hook_names();

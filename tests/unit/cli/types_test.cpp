@@ -10,6 +10,7 @@
 #include "bindings/lua/script/script_words.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/type_table.hpp"
+#include "bindings/lua/values/member_names.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -101,9 +102,9 @@ TEST_CASE("the annotations are Lua, and have every word and a class for every ty
         CHECK(has("function " + word + "("));
         CHECK(has("function s:" + word + "("));
     }
-    for (const std::string_view name : component_words()) {
-        CAPTURE(name);
-        CHECK(has("---@field " + std::string(name) + " "));
+    for (const MemberName& member : member_names()) {
+        CAPTURE(member.name);
+        CHECK(has("---@field " + std::string(member.name) + " "));
     }
 }
 

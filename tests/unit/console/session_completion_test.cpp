@@ -66,3 +66,31 @@ TEST_CASE("ports are completed within the quotes of a word", "[console][completi
     CHECK(offer(it, "help 'pa", 6) == "pause");
     CHECK(offer(it, "print('contr", 7).empty());
 }
+
+TEST_CASE("completion reads the input as Lua does", "[console][completion]") {
+    SessionRig it;
+    SECTION("long brackets hold texts") {
+        CHECK(offer(it, "watch [[contr", 8) == "controller.in controller.out");
+        CHECK(offer(it, "connect([==[controller.out]==], [[m", 34) == "mouse.target_velocity_in");
+        CHECK(offer(it, "x = [[\"]] cont", 10) == "controller");
+        CHECK(offer(it, "x = [[ it's ]] cont", 15) == "controller");
+        CHECK(offer(it, "controller[ [[in]] ].pe", 21) == "peers");
+        CHECK(offer(it, "print [[\n\ncont", 8).empty());
+    }
+    SECTION("comments hold nothing") {
+        CHECK(offer(it, "--[[ it's cont", 14).empty());
+        CHECK(offer(it, "--[==[ ]] cont", 14).empty());
+        CHECK(offer(it, "--[[ it's ]] cont", 13) == "controller");
+        CHECK(offer(it, "-- it's\ncont", 8) == "controller");
+        CHECK(offer(it, "x = '--' cont", 9) == "controller");
+        CHECK(offer(it, "connect(--[[ ( ' ]]'controller.out', -- no, ', no\n 'm", 52) == "mouse.target_velocity_in");
+    }
+    SECTION("blanks and comments may stand between names") {
+        CHECK(offer(it, "controller . config -- one\n. sp", 29) == "speed_x");
+        CHECK(offer(it, "connect( f(1, 'a'), 'm", 21) ==
+              "mouse.buzzer_hz_in mouse.led4bit_in mouse.pose_update mouse.target_velocity_in");
+        CHECK(offer(it, "'controller'.", 13).empty());
+        CHECK(offer(it, "x = { 'contr", 7).empty());
+        CHECK(offer(it, "x = 'a\ncont", 7) == "controller");
+    }
+}

@@ -42,13 +42,13 @@ TEST_CASE("sensors, behaviours, actuators: a tick goes one way", "[engine][syste
     System system({}, nullptr);
     auto made = std::make_unique<Counter>();
     Counter& counter = *made;
-    add(system, "behavior", [](TryComponent& self) -> Expected<void> {
+    add(system, "follower", [](TryComponent& self) -> Expected<void> {
         self.out.write(10 * self.in.read());
         return {};
     });
     REQUIRE(system.add(std::move(made)));  // after the behaviour: devices' phases do not depend on it
-    REQUIRE(system.connect("counter.out", "behavior.in"));
-    REQUIRE(system.connect("behavior.out", "counter.in"));
+    REQUIRE(system.connect("counter.out", "follower.in"));
+    REQUIRE(system.connect("follower.out", "counter.in"));
     for (int i = 0; i < 4; ++i) system.tick();
     CHECK(counter.acted == std::vector<std::int32_t>{0, 10, 20, 30});
 }

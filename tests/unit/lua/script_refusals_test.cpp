@@ -108,8 +108,8 @@ TEST_CASE("a name is an identifier and no word of its own", "[lua][refusals]") {
         CHECK(refusal("param('" + name + "', 1)") ==
               at1 + "parameter '" + name + "': the name is no identifier: use letters, digits and _, no digit first");
     }
-    for (const std::string name :
-         {"config", "state", "status", "ports", "activate", "use", "now", "input", "require"}) {
+    for (const std::string name : {"config", "state", "status", "ports", "activate", "use", "now", "input", "require",
+                                   "tasks", "probes", "task", "wait"}) {
         CHECK(refusal("output('" + name + "', 'TimedLong')") ==
               at1 + "output '" + name + "': the name is one of a component's own words");
         CHECK(refusal("param('" + name + "', 1)") ==

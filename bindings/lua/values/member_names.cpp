@@ -1,0 +1,65 @@
+// Every member of a component stands here, once.
+#include "bindings/lua/values/member_names.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace nezumi {
+namespace {
+
+constexpr std::array<MemberName, 26> members{{
+    {.name = "activate", .called = true},
+    {.name = "buzzer", .robot = true, .yields = true},
+    {.name = "collided", .robot = true},
+    {.name = "commands", .yields = true},
+    {.name = "config"},
+    {.name = "deactivate", .called = true},
+    {.name = "disturb", .robot = true, .called = true, .yields = true},
+    {.name = "error", .yields = true},
+    {.name = "leds", .robot = true, .yields = true},
+    {.name = "limits", .robot = true, .yields = true},
+    {.name = "name"},
+    {.name = "ports"},
+    {.name = "press", .robot = true, .called = true, .yields = true},
+    {.name = "rate", .yields = true},
+    {.name = "reset", .called = true},
+    {.name = "said", .robot = true, .yields = true},
+    {.name = "set", .yields = true},
+    {.name = "sets"},
+    {.name = "state"},
+    {.name = "status"},
+    {.name = "teleport", .robot = true, .called = true, .yields = true},
+    {.name = "touching", .robot = true, .yields = true},
+    {.name = "truth", .robot = true},
+    {.name = "type"},
+    {.name = "use", .called = true},
+    {.name = "version"},
+}};
+
+// Members of later versions.
+constexpr std::array<std::string_view, 2> kept_free{"probes", "tasks"};
+
+std::vector<std::string_view> taken_names(bool of_robots) {
+    std::vector<std::string_view> names(kept_free.begin(), kept_free.end());
+    for (const MemberName& member : members) {
+        if (!member.yields && (of_robots || !member.robot)) names.push_back(member.name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+std::span<const MemberName> member_names() { return members; }
+
+const std::vector<std::string_view>& component_words() {
+    static const std::vector<std::string_view> names = taken_names(false);
+    return names;
+}
+
+const std::vector<std::string_view>& robot_words() {
+    static const std::vector<std::string_view> names = taken_names(true);
+    return names;
+}
+
+}  // namespace nezumi

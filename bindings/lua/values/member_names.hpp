@@ -1,0 +1,27 @@
+// The names of what a component has as seen from outside (`X.status`, `X:reset()`): one list for all who need them.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace nezumi {
+
+/// One member of the object model.
+struct MemberName {
+    std::string_view name;
+    bool robot = false;   ///< of robots only
+    bool called = false;  ///< `X:name(...)`
+    bool yields = false;  ///< where a port has the name, `X.name` is the port; else no port can have it
+};
+
+/// All members, sorted by name.
+std::span<const MemberName> member_names();
+
+/// What ports, parameters and commands of scripts can't be called: the members that do not yield, and those kept free
+/// for what is to come. Sorted.
+const std::vector<std::string_view>& component_words();
+/// The same for the ports of robots.
+const std::vector<std::string_view>& robot_words();
+
+}  // namespace nezumi

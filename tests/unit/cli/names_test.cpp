@@ -1,0 +1,67 @@
+// Words have one owner: what each room exports to Lua is no name of a component.
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/script/script_words.hpp"
+#include "bindings/scenario/scenario_methods.hpp"
+#include "engine/base/names.hpp"
+#include "tests/unit/console/session_rig.hpp"
+#include "tests/unit/lua/system_reader.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+void append(std::vector<std::string>& all, const auto& words) {
+    for (const auto& word : words) all.emplace_back(word);
+}
+
+// What is in scope where components are: the console as it is, scenarios, system files and scripts.
+std::vector<std::string> exported_words() {
+    SessionRig console("arena {}", {});
+    std::vector<std::string> all = console.session->complete("", 0).candidates;
+    append(all, ScenarioRun::Methods::names());
+    append(all, std::vector<std::string>{"scenario", "range"});
+    append(all, system_word_names());
+    append(all, script_words());
+    append(all, later_script_words());
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("no component is called like a word that the library, the console or a file has", "[cli][names]") {
+    std::vector<std::string> words = exported_words();
+    CHECK(words.size() > 100);
+    append(words, sandbox_names());
+    append(words, lua_keywords());
+    append(words, promised_words());
+    for (const std::string& word : words) {
+        CHECK(system_files::error("behavior '" + word + "' { script = 'robot_controller' }") ==
+              "s.lua:1: behavior '" + word + "': '" + word +
+                  "' is a word of Lua or of the console: choose another name");
+    }
+}
+
+TEST_CASE("every word that a room adds to Lua's own is promised", "[cli][names]") {
+    const auto& library = sandbox_names();
+    for (const std::string& word : exported_words()) {
+        if (std::find(library.begin(), library.end(), word) != library.end()) continue;
+        CAPTURE(word);
+        CHECK(is_reserved_name(word));
+    }
+}
+
+TEST_CASE("words of what is to come are kept free", "[cli][names]") {
+    for (const std::string_view word : {"activate",    "cancel",  "graph",   "hosts",   "line",  "log_level", "marker",
+                                        "maze",        "measure", "network", "picture", "probe", "rearm",     "remove",
+                                        "robot_model", "ros",     "rtm",     "start",   "stop",  "task",      "wait"}) {
+        CAPTURE(word);
+        CHECK(is_reserved_name(word));
+    }
+    CHECK_FALSE(is_reserved_name("controller"));
+    CHECK_FALSE(is_reserved_name("mouse"));
+}
