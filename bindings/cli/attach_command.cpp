@@ -1,10 +1,9 @@
 // `nezumi attach`: the console of a system that runs already.
-#include <CLI/CLI.hpp>
-
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,8 +20,7 @@ namespace {
 
 struct AttachOptions {
     std::string which;
-    std::string text;
-    bool eval = false;
+    std::optional<std::string> eval;
     bool list = false;
 };
 
@@ -38,7 +36,7 @@ int attach(const AttachOptions& options) {
     auto reached = connect_to_system(options.which);
     if (!reached) return refuse(reached.error());
     ConsoleClient client(std::move(reached->socket));
-    if (options.eval) return run_text(client, options.text, {}) ? kDone : kFailed;
+    if (options.eval) return run_text(client, *options.eval, {}) ? kDone : kFailed;
     if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}) ? kDone : kFailed;
 
     const auto end = run_prompt(
@@ -50,21 +48,19 @@ int attach(const AttachOptions& options) {
 
 }  // namespace
 
-void add_attach_command(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("attach", "Open the console of a running system");
+Command attach_command() {
     auto options = std::make_shared<AttachOptions>();
-    command->add_option("SYSTEM", options->which,
-                        "its name (of its file) or its process; may be left out when only one runs");
-    CLI::Option* eval = command->add_option("--eval", options->text,
-                                            "run this, print what it gives, and leave: exit status 1 if it fails");
-    command->add_flag("--list", options->list, "only list what runs, with processes");
-    command->footer(
-        "Without a terminal, commands are read from standard input. Exit status: 0 well, 1 a command failed, 2 nothing "
-        "to attach to.");
-    command->callback([options, eval, &status] {
-        options->eval = eval->count() > 0;
-        status = attach(*options);
-    });
+    return {.name = "attach",
+            .help = "Open the console of a running system",
+            .options = {{"[SYSTEM]", &options->which,
+                         "its name (of its file) or its process; may be left out when only one runs"},
+                        {"--eval", &options->eval,
+                         "run this, print what it gives, and leave: exit status 1 if it fails", "LUA"},
+                        {"--list", &options->list, "only list what runs, with processes"}},
+            .run = [options] { return attach(*options); },
+            .footer =
+                "Without a terminal, commands are read from standard input. Exit status: 0 well, 1 a command "
+                "failed, 2 nothing to attach to."};
 }
 
 }  // namespace nezumi::cli

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -118,26 +117,24 @@ int link(const CalcOptions& options) {
 
 }  // namespace
 
-void add_calc_command(CLI::App& app, int& status) {
-    CLI::App* command =
-        app.add_subcommand("calc", "Link a running system with LibreOffice Calc: ports in cells, both ways, live");
+Command calc_command() {
     auto options = std::make_shared<CalcOptions>();
-    command->add_option("FILE", options->file, "the spreadsheet; without one, a new sheet that shows the system");
-    command->add_option("--system", options->system,
-                        "its name (of its file) or its process; may be left out when only one runs");
-    command
-        ->add_option("--port", options->ports,
-                     "of a new sheet: only this port, or the ports of this component; can be given again")
-        ->allow_extra_args(false);
-    command->add_option("--rate", options->rate, "refreshes per second")->check(CLI::Range(4.0, 25.0));
-    command->add_option("--profile", options->profile, "a folder for an office of its own, with settings of its own");
-    command->add_flag("--headless", options->headless, "without a window: for machines");
-    command->footer(
-        "A table begins with the cells `Port` and `State` side by side; below them stand ports, right of them their "
-        "values: docs/spreadsheet.md. Needs Debian's libreoffice-calc and python3-uno. Exit status: 0 the link ended "
-        "in "
-        "good order, 2 it could not begin.");
-    command->callback([options, &status] { status = link(*options); });
+    return {.name = "calc",
+            .help = "Link a running system with LibreOffice Calc: ports in cells, both ways, live",
+            .options = {{"[FILE]", &options->file, "the spreadsheet; without one, a new sheet that shows the system"},
+                        {"--system", &options->system,
+                         "its name (of its file) or its process; may be left out when only one runs", "SYSTEM"},
+                        {"--port", &options->ports,
+                         "of a new sheet: only this port, or the ports of this component; can be given again", "NAME"},
+                        {"--rate", &options->rate, "refreshes per second", "HZ", number_from(4, 25)},
+                        {"--profile", &options->profile, "a folder for an office of its own, with settings of its own",
+                         "DIR"},
+                        {"--headless", &options->headless, "without a window: for machines"}},
+            .run = [options] { return link(*options); },
+            .footer =
+                "A table begins with the cells `Port` and `State` side by side; below them stand ports, right of "
+                "them their values: docs/spreadsheet.md. Needs Debian's libreoffice-calc and python3-uno. Exit "
+                "status: 0 the link ended in good order, 2 it could not begin."};
 }
 
 }  // namespace nezumi::cli

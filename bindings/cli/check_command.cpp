@@ -1,7 +1,6 @@
 // `nezumi check`: what is wrong with files, for editors and for tests that run by themselves.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -60,18 +59,17 @@ int check(const CheckOptions& options) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("check", "Say what is wrong with files, without running them");
+Command check_command() {
     auto options = std::make_shared<CheckOptions>();
-    command
-        ->add_option("FILE", options->paths,
-                     "behaviours, modules, systems, robots, scenarios, or folders with them, for example .")
-        ->required();
-    command->add_flag("--json", options->json, "write an array of {file, line, column, message}");
-    command->footer(
-        "Each finding is a line `file:line:column: message`.\n"
-        "Exit status: 0 nothing wrong, 1 something is, 2 it could not be checked.");
-    command->callback([options, &status] { status = check(*options); });
+    return {.name = "check",
+            .help = "Say what is wrong with files, without running them",
+            .options = {{"FILE", &options->paths,
+                         "behaviours, modules, systems, robots, scenarios, or folders with them, for example ."},
+                        {"--json", &options->json, "write an array of {file, line, column, message}"}},
+            .run = [options] { return check(*options); },
+            .footer =
+                "Each finding is a line `file:line:column: message`.\n"
+                "Exit status: 0 nothing wrong, 1 something is, 2 it could not be checked."};
 }
 
 }  // namespace nezumi::cli

@@ -1,24 +1,17 @@
-// The sub-commands of `nezumi`: each file of this room adds one, and says there what it does.
+// The sub-commands of `nezumi`: each file of this room that is called NAME_command describes one and says what it does.
 #pragma once
 
-#include <CLI/App.hpp>
+#include "bindings/cli/command_line.hpp"
+#include "bindings/cli/status.hpp"
 
 namespace nezumi::cli {
 
-/// How `nezumi` ends: scripts rely on it.
-enum Status : int {
-    kDone = 0,
-    kFailed = 1,       ///< a scenario failed, a file has something wrong with it
-    kCouldNotRun = 2,  ///< bad input, a missing file, no permission: one plain line has said which
-};
-
-/// Each adds its sub-command, which sets `status` when it is run.
-void add_run_command(CLI::App& app, int& status);
-void add_attach_command(CLI::App& app, int& status);
-void add_types_command(CLI::App& app, int& status);
-void add_check_command(CLI::App& app, int& status);
-void add_new_command(CLI::App& app, int& status);
-void add_test_command(CLI::App& app, int& status);
-void add_calc_command(CLI::App& app, int& status);
+Command run_command();
+Command attach_command();
+Command calc_command();
+Command types_command();
+Command check_command();
+Command new_command();
+Command test_command();
 
 }  // namespace nezumi::cli

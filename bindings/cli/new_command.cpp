@@ -1,7 +1,6 @@
 // `nezumi new`: a behaviour with its scenario, or a whole project.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -66,38 +65,30 @@ int new_project(const std::string& given) {
 
 }  // namespace
 
-void add_new_command(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("new", "Write a new behaviour, or a new project");
-    command->allow_extras();
-    command->callback([command, &status] {
-        if (!command->get_subcommands().empty()) return;
-        const std::vector<std::string> words = command->remaining();
-        const std::string what = words.empty() ? "what is to be new?"
-                                               : fmt::format("there is no '{}'{}.", shown(words[0]),
-                                                             did_you_mean(words[0], {"behavior", "project"}));
-        status = refuse(fmt::format("new: {} Write `nezumi new behavior NAME` or `nezumi new project DIR`", what));
-    });
-
-    CLI::App* behavior = command->add_subcommand("behavior", "Write a behaviour and a scenario for it");
-    behavior->alias("behaviour")->allow_extras(false);
+Command new_command() {
     auto wanted = std::make_shared<NewBehavior>();
-    behavior->add_option("NAME", wanted->name, "line_follower or LineFollower")->required();
-    const auto add = [&](const char* option, std::vector<std::string>& values, const char* form, const char* help) {
-        behavior->add_option(option, values, help)->type_name(form)->allow_extra_args(false);
-    };
-    add("--in", wanted->inputs, "name:Type", "an in-port, for example distance:TimedShortSeq; may be repeated");
-    add("--out", wanted->outputs, "name:Type", "an out-port, for example velocity:TimedVelocity2D; may be repeated");
-    add("--param", wanted->parameters, "name=default", "a parameter, for example speed=0.1; may be repeated");
-    behavior->footer(
-        "Writes behaviors/NAME.lua and tests/NAME_test.lua (in tests/scenarios/ where there is such a folder), and "
-        "never\noverwrites. A parameter's type is its default's: 30 integer, 30.0 number, true, text, '{ 1.0, 0.5 }'.");
-    behavior->callback([wanted, &status] { status = new_behavior(*wanted); });
-
-    CLI::App* project = command->add_subcommand("project", "Write a project with editor support");
-    project->allow_extras(false);
     auto folder = std::make_shared<std::string>();
-    project->add_option("DIR", *folder, "a folder that is new or empty")->required();
-    project->callback([folder, &status] { status = new_project(*folder); });
+    const Command behavior{
+        .name = "behavior",
+        .help = "Write a behaviour and a scenario for it",
+        .options = {{"NAME", &wanted->name, "line_follower or LineFollower"},
+                    {"--in", &wanted->inputs, "an in-port, for example distance:TimedShortSeq; may be repeated",
+                     "name:Type"},
+                    {"--out", &wanted->outputs, "an out-port, for example velocity:TimedVelocity2D; may be repeated",
+                     "name:Type"},
+                    {"--param", &wanted->parameters, "a parameter, for example speed=0.1; may be repeated",
+                     "name=default"}},
+        .run = [wanted] { return new_behavior(*wanted); },
+        .footer =
+            "Writes behaviors/NAME.lua and tests/NAME_test.lua (in tests/scenarios/ where there is such a "
+            "folder), and never\noverwrites. A parameter's type is its default's: 30 integer, 30.0 number, "
+            "true, text, '{ 1.0, 0.5 }'.",
+        .alias = "behaviour"};
+    const Command project{.name = "project",
+                          .help = "Write a project with editor support",
+                          .options = {{"DIR", folder.get(), "a folder that is new or empty"}},
+                          .run = [folder] { return new_project(*folder); }};
+    return {.name = "new", .help = "Write a new behaviour, or a new project", .commands = {behavior, project}};
 }
 
 }  // namespace nezumi::cli

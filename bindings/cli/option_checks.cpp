@@ -20,6 +20,16 @@ OptionCheck whole_number(std::uint64_t least, std::uint64_t most, const std::str
     };
 }
 
+OptionCheck number_from(double least, double most) {
+    return [least, most](const std::string& text) -> std::string {
+        double number = 0;
+        const char* const last = text.data() + text.size();
+        const auto [end, problem] = std::from_chars(text.data(), last, number);
+        if (problem == std::errc() && end == last && number >= least && number <= most) return "";
+        return fmt::format("expected a number from {} to {}, got '{}'", least, most, shown(text));
+    };
+}
+
 std::string not_empty(const std::string& text) { return text.empty() ? "expected a value, got ''" : ""; }
 
 }  // namespace nezumi::cli

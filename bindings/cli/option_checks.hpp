@@ -13,6 +13,9 @@ using OptionCheck = std::function<std::string(const std::string&)>;
 /// A whole number of this range; `most_text` is how the greatest is written.
 OptionCheck whole_number(std::uint64_t least, std::uint64_t most, const std::string& most_text);
 
+/// A number of this range.
+OptionCheck number_from(double least, double most);
+
 /// Not empty: an empty value is a slip, as with a variable of a shell that is not set.
 std::string not_empty(const std::string& text);
 

@@ -1,8 +1,4 @@
 // `nezumi run`: a system file, simulated until its end or Ctrl-C.
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -230,16 +226,21 @@ private:
 
 }  // namespace
 
-void add_run_command(CLI::App& app, int& status) {
-    CLI::App* command =
-        app.add_subcommand("run", "Run a system file: simulate it, and reload scripts when they are saved");
+Command run_command() {
     auto words = std::make_shared<RunWords>();
-    declare_run_options(*command, *words);
-    command->callback([words, &status] {
-        const auto ended =
-            read_run_options(*words).and_then([](RunOptions options) { return Run(std::move(options))(); });
-        status = ended ? *ended : refuse(ended.error());  // when the screen is free again
-    });
+    return {.name = "run",
+            .help = "Run a system file: simulate it, and reload scripts when they are saved",
+            .options = run_options(*words),
+            .run =
+                [words] {
+                    const auto ended =
+                        read_run_options(*words).and_then([](RunOptions options) { return Run(std::move(options))(); });
+                    return ended ? *ended : refuse(ended.error());  // when the screen is free again
+                },
+            .footer =
+                "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a "
+                "second one at once.\nExit status: 0 the run came to its end, 1 it did and a component was in "
+                "ERROR then or a command of --batch had failed or was cut off, 2 it could not be run."};
 }
 
 }  // namespace nezumi::cli

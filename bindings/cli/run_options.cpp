@@ -1,10 +1,6 @@
 // Options are read as words first, so that every mistake gets one plain sentence.
 #include "bindings/cli/run_options.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include <fmt/format.h>
 
 #include <charconv>
@@ -12,7 +8,6 @@
 #include <string_view>
 
 #include "bindings/cli/canvas.hpp"
-#include "bindings/cli/option_checks.hpp"
 #include "bindings/cli/run_loop.hpp"
 
 namespace nezumi::cli {
@@ -52,40 +47,26 @@ Expected<std::vector<std::string>> split_ports(const std::string& given) {
 
 }  // namespace
 
-void declare_run_options(CLI::App& command, RunWords& words) {
-    command.add_option("FILE", words.file, "the system file")->type_name("")->required();
-    command.add_flag("--headless", words.headless,
-                     "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; "
-                     "reaching that ends the run");
-    command.add_flag("--batch", words.batch,
-                     "console commands come from standard input; time moves only by their step and run, as fast as "
-                     "possible unless --speed is given. As --headless otherwise");
-    command.add_option("--speed", words.speed, "times real time (default 1), or max: without waiting")
-        ->type_name("N|max");
-    command.add_option("--duration", words.duration, "end at this simulated time [s] (default: at Ctrl-C)")
-        ->type_name("S");
-    command.add_option("--seed", words.seed, "decides all that is random; wins over the file's seed(n)")
-        ->type_name("N");
-    command.add_option("--threads", words.threads, "that run behaviours (default 1); the result is the same")
-        ->type_name("N");
-    command.add_flag("--trace-hash", words.trace_hash,
-                     "print a hash over all that ports published: equal runs, equal hashes");
-    command.add_option("--picture", words.picture, "draw the arena, the robots and their paths when the run ends")
-        ->type_name("FILE.png|svg");
-    command.add_option("--record", words.record, "write what ports publish as CSV, a row for every tick")
-        ->type_name("FILE.csv");
-    command
-        .add_option("--ports", words.ports, "with --record: only these ports, in this order (default: all out-ports)")
-        ->type_name("NAME.PORT,...");
-    command.add_option("--sounds", words.sounds, "write what robots say and beep as WAV files into this folder")
-        ->type_name("DIR");
-    for (CLI::Option* option : command.get_options()) {
-        if (option->nonpositional() && option->get_expected_min() > 0) option->check(not_empty);
-    }
-    command.footer(
-        "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a second one at "
-        "once.\nExit status: 0 the run came to its end, 1 it did and a component was in ERROR then or a command of "
-        "--batch had failed or was cut off, 2 it could not be run.");
+std::vector<Option> run_options(RunWords& words) {
+    return {
+        {"FILE", &words.file, "the system file"},
+        {"--headless", &words.headless,
+         "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; reaching that "
+         "ends the run"},
+        {"--batch", &words.batch,
+         "console commands come from standard input; time moves only by their step and run, as fast as possible "
+         "unless --speed is given. As --headless otherwise"},
+        {"--speed", &words.speed, "times real time (default 1), or max: without waiting", "N|max"},
+        {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
+        {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n)", "N"},
+        {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
+        {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
+        {"--picture", &words.picture, "draw the arena, the robots and their paths when the run ends", "FILE.png|svg"},
+        {"--record", &words.record, "write what ports publish as CSV, a row for every tick", "FILE.csv"},
+        {"--ports", &words.ports, "with --record: only these ports, in this order (default: all out-ports)",
+         "NAME.PORT,..."},
+        {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
+    };
 }
 
 Expected<RunOptions> read_run_options(const RunWords& words) {

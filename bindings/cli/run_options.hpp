@@ -7,11 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bindings/cli/command_line.hpp"
 #include "engine/base/error.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace nezumi::cli {
 
@@ -24,8 +21,8 @@ struct RunWords {
     bool trace_hash = false;
 };
 
-/// Declares them. `words` must outlive the parsing.
-void declare_run_options(CLI::App& command, RunWords& words);
+/// They as a command has them. `words` must outlive the parsing.
+std::vector<Option> run_options(RunWords& words);
 
 struct RunOptions {
     std::string file;

@@ -1,6 +1,4 @@
 // `nezumi test`: scenarios, each run in a process of its own.
-#include <CLI/CLI.hpp>
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -15,7 +13,6 @@
 #include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
-#include "bindings/cli/option_checks.hpp"
 #include "bindings/cli/scenario_files.hpp"
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/reporter.hpp"
@@ -24,13 +21,13 @@
 namespace nezumi::cli {
 namespace {
 
-struct TestCommand {
+struct TestOptions {
     std::vector<std::string> paths;
     std::string filter;
     bool list = false;
     std::uint64_t seed = 124;
-    std::size_t repeat = 1;
-    std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+    std::uint64_t repeat = 1;
+    std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency());
     std::string junit;
     bool tap = false;
     bool update_goldens = false;
@@ -54,7 +51,7 @@ int list(const TestPlan& plan) {
     return status;
 }
 
-int test(const TestCommand& command) {
+int test(const TestOptions& command) {
     SessionOptions options;
     options.seed = command.seed;
     options.repeat = command.repeat;
@@ -87,33 +84,29 @@ int test(const TestCommand& command) {
 
 }  // namespace
 
-void add_test_command(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("test", "Run scenarios: files *_test.lua");
-    command->footer(
-        "Without PATHS: the scenarios in tests/ and behaviors/ of the project. Exit status: 0 all passed, 1 a "
-        "scenario\n"
-        "failed, 2 something could not be run.");
-    auto options = std::make_shared<TestCommand>();
-    command->add_option("PATHS", options->paths, "scenario files, and folders that are searched for *_test.lua");
-    command->add_option("--filter", options->filter,
-                        "only runs whose name contains this; a whole name means only that");
-    command->add_flag("--list", options->list, "show the names of the runs and where they are, and run nothing");
-    command->add_option("--seed", options->seed, "decides everything that is drawn at random")
-        ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1"))
-        ->capture_default_str();
-    command->add_option("--repeat", options->repeat, "make each run so often; all must have the same trace hash")
-        ->check(whole_number(1, 1'000'000, "1000000"))
-        ->capture_default_str();
-    command->add_option("--jobs", options->jobs, "processes at a time; the results do not depend on it")
-        ->check(whole_number(1, 1024, "1024"))
-        ->capture_default_str();
-    command->add_option("--junit", options->junit, "write the results to this file, as JUnit's XML")->check(not_empty);
-    command->add_flag("--tap", options->tap, "print the results as TAP");
-    command->add_flag("--update-goldens", options->update_goldens, "write the traces of s:golden instead of comparing");
-    command->add_option("-o,--output", options->folder, "the folder for traces and pictures of failures")
-        ->check(not_empty)
-        ->capture_default_str();
-    command->callback([options, &status] { status = test(*options); });
+Command test_command() {
+    auto options = std::make_shared<TestOptions>();
+    return {
+        .name = "test",
+        .help = "Run scenarios: files *_test.lua",
+        .options = {{"[PATHS]", &options->paths, "scenario files, and folders that are searched for *_test.lua"},
+                    {"--filter", &options->filter, "only runs whose name contains this; a whole name means only that",
+                     "TEXT"},
+                    {"--list", &options->list, "show the names of the runs and where they are, and run nothing"},
+                    {"--seed", &options->seed, "decides everything that is drawn at random", "N",
+                     whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1")},
+                    {"--repeat", &options->repeat, "make each run so often; all must have the same trace hash", "N",
+                     whole_number(1, 1'000'000, "1000000")},
+                    {"--jobs", &options->jobs, "processes at a time; the results do not depend on it", "N",
+                     whole_number(1, 1024, "1024")},
+                    {"--junit", &options->junit, "write the results to this file, as JUnit's XML", "FILE"},
+                    {"--tap", &options->tap, "print the results as TAP"},
+                    {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},
+                    {"-o,--output", &options->folder, "the folder for traces and pictures of failures", "DIR"}},
+        .run = [options] { return test(*options); },
+        .footer =
+            "Without PATHS: the scenarios in tests/ and behaviors/ of the project. Exit status: 0 all passed, 1 "
+            "a\nscenario failed, 2 something could not be run."};
 }
 
 }  // namespace nezumi::cli

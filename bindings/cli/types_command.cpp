@@ -1,7 +1,6 @@
 // `nezumi types`: the message types, as a table or as annotations for an editor.
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -47,12 +46,13 @@ int show_types(const TypesOptions& options) {
 
 }  // namespace
 
-void add_types_command(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand("types", "Show the message types with their fields, units and limits");
+Command types_command() {
     auto options = std::make_shared<TypesOptions>();
-    command->add_option("TYPE", options->names, "only these types");
-    command->add_flag("--lua", options->lua, "write annotations for the Lua language server (LuaLS)");
-    command->callback([options, &status] { status = show_types(*options); });
+    return {.name = "types",
+            .help = "Show the message types with their fields, units and limits",
+            .options = {{"[TYPE]", &options->names, "only these types"},
+                        {"--lua", &options->lua, "write annotations for the Lua language server (LuaLS)"}},
+            .run = [options] { return show_types(*options); }};
 }
 
 }  // namespace nezumi::cli

@@ -113,8 +113,13 @@ class OwnOfficeTest(unittest.TestCase):
         self.refuses(words, None, "nezumi: LibreOffice can't open %s\n" % text)
 
     def test_what_can_not_be_done_is_refused(self):
-        rate = "nezumi: --rate: Value 1 not in range 4.000000 to 25.000000; see nezumi calc --help\n"
+        rate = "nezumi: --rate: expected a number from 4 to 25, got '1'; see nezumi calc --help\n"
         self.refuses([self.nezumi, "calc", "--rate", "1"], None, rate)
+        for name, near in (
+            ("mouse.ir_sensor_outt", "mouse has no port 'ir_sensor_outt' (did you mean 'ir_sensor_out'?)"),
+            ("moose", "there is no component 'moose' (did you mean 'mouse'?)"),
+        ):
+            self.refuses([self.nezumi, "calc", "--headless", "--port", name], None, "nezumi: --port: %s\n" % near)
         other = "nezumi: no system 'it' is running; running: %s (process %d)\n"
         other %= (self.system.name, self.system.process.pid)
         self.refuses([self.nezumi, "calc", "--system", "it"], None, other)

@@ -1,0 +1,145 @@
+// The only file that knows CLI11, which takes long to compile. Its own texts name its types and counts; ours name what
+// was typed.
+#include "bindings/cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <type_traits>
+
+#include "bindings/cli/environment.hpp"
+#include "bindings/cli/status.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+template <class Value>
+CLI::Option* add_option(CLI::App& app, const std::string& name, Value* value, const std::string& help) {
+    if constexpr (std::is_same_v<Value, bool>) {
+        return app.add_flag(name, *value, help);
+    } else {
+        CLI::Option* const option = app.add_option(name, *value, help);
+        constexpr bool is_number = std::is_arithmetic_v<Value>;
+        if constexpr (is_number) option->capture_default_str();
+        if constexpr (std::is_same_v<Value, std::string>) {
+            if (!value->empty()) option->capture_default_str();
+        }
+        if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+            // Of `--in a --in b`, each takes one: what follows belongs to others.
+            if (option->nonpositional()) option->allow_extra_args(false);
+        }
+        return option;
+    }
+}
+
+void declare(CLI::App& app, const Option& option) {
+    const bool may_be_missing = option.name.starts_with('[') || option.name.starts_with('-');
+    const std::string name = option.name.starts_with('[') ? option.name.substr(1, option.name.size() - 2) : option.name;
+    CLI::Option* const declared =
+        std::visit([&](auto* value) { return add_option(app, name, value, option.help); }, option.value);
+    declared->required(!may_be_missing);
+    if (std::holds_alternative<bool*>(option.value)) return;
+    declared->type_name(option.form);
+    if (declared->nonpositional() && !std::holds_alternative<std::optional<std::string>*>(option.value))
+        declared->check(not_empty);
+    if (option.check) declared->check(option.check);
+}
+
+void declare(CLI::App& app, const Command& command) {
+    for (const Option& option : command.options) declare(app, option);
+    for (const Command& below : command.commands) {
+        CLI::App* const inner = app.add_subcommand(below.name, below.help);
+        if (!below.alias.empty()) inner->alias(below.alias);
+        declare(*inner, below);
+    }
+    if (!command.version.empty()) app.set_version_flag("--version", command.version);
+    app.footer(command.footer);
+}
+
+const Command* find(const Command& command, std::string_view word) {
+    for (const Command& below : command.commands) {
+        if (word == below.name || (!below.alias.empty() && word == below.alias)) return &below;
+    }
+    return nullptr;
+}
+
+// What could have been meant where one of the commands below `command` has to be named. `path` is "" for the program.
+std::string no_command(const Command& command, const std::string& path, const std::string* word) {
+    std::vector<std::string_view> names;
+    for (const Command& below : command.commands) names.push_back(below.name);
+    if (path.empty()) {
+        return (word ? fmt::format("there is no command '{}'{}", shown(*word), did_you_mean(*word, names))
+                     : fmt::format("what is to be done? See {} --help", command.name)) +
+               fmt::format("; known are {}", fmt::join(names, ", "));
+    }
+    std::vector<std::string> forms;
+    for (const Command& below : command.commands) {
+        std::string form = fmt::format("`nezumi{} {}", path, below.name);
+        for (const Option& option : below.options) {
+            if (!option.name.starts_with('-')) form += " " + option.name;
+        }
+        forms.push_back(form + "`");
+    }
+    return (word ? fmt::format("{}: there is no '{}'{}. ", path.substr(1), shown(*word), did_you_mean(*word, names))
+                 : fmt::format("{}: what is to be {}? ", path.substr(1), command.name)) +
+           fmt::format("Write {}", fmt::join(forms, " or "));
+}
+
+std::string about_extras(const CLI::App& command, const std::vector<std::string>& extras) {
+    const auto option = std::find_if(extras.begin(), extras.end(), [](const auto& word) { return word[0] == '-'; });
+    if (option == extras.end()) return fmt::format("'{}' is one word too many", shown(extras.front()));
+    std::vector<std::string> names;
+    for (const CLI::Option* known : command.get_options()) {
+        if (known->nonpositional()) names.push_back(known->get_name());
+    }
+    const std::string word = option->substr(0, option->find('='));
+    return fmt::format("there is no option '{}'{}", shown(word), did_you_mean(word, {names.begin(), names.end()}));
+}
+
+// What the parser did not like, in one sentence.
+std::string usage_error(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
+    const std::string_view text = error.what();
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+        if (const auto extras = app.remaining(true); !extras.empty()) return about_extras(command, extras);
+    } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        return fmt::format("{}: {}", text.substr(0, text.find(": ")),
+                           text.find("At Most 1") != text.npos ? "is given more than once" : "a value is missing");
+    } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && text.ends_with(" is required")) {
+        return fmt::format("{} is missing", text.substr(0, text.find(' ')));
+    }
+    return std::string(text);
+}
+
+}  // namespace
+
+int run_command_line(const Command& program, const std::vector<std::string>& words) {
+    // The commands are looked up here: CLI11 would call one that it does not know an unexpected argument.
+    const Command* command = &program;
+    std::string path;
+    for (const std::string& word : words) {
+        if (command->commands.empty() || word.starts_with('-')) break;
+        const Command* const below = find(*command, word);
+        if (below == nullptr) return refuse(no_command(*command, path, &word));
+        command = below;
+        path += " " + command->name;
+    }
+
+    CLI::App app{program.help, program.name};
+    declare(app, program);
+    try {
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // it takes words from the back
+    } catch (const CLI::Success& asked) {                                   // --help, --version
+        return app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        const CLI::App* innermost = &app;
+        while (!innermost->get_subcommands().empty()) innermost = innermost->get_subcommands().front();
+        return refuse(fmt::format("{}; see {}{} --help", usage_error(app, *innermost, error), program.name, path));
+    }
+    return command->run ? command->run() : refuse(no_command(*command, path, nullptr));
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,45 @@
+// The command line as data: commands, their options, what each is for. Parsing and --help come from it, and whatever
+// else wants to know what can be typed.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bindings/cli/option_checks.hpp"
+
+namespace nezumi::cli {
+
+/// Where an option's value goes: given or not, a text, a text that may be empty, one text each time it is given, a
+/// number. What is there before is the default.
+using OptionValue =
+    std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*, std::uint64_t*, double*>;
+
+struct Option {
+    /// "--seed" or "-o,--output"; without dashes it is known by its place: "FILE", or "[FILE]" when it may be left out.
+    std::string name;
+    OptionValue value;
+    std::string help;
+    std::string form = {};   ///< how a value is written: "N|max"
+    OptionCheck check = {};  ///< of a text as it was typed; that none is empty is checked anyway
+};
+
+struct Command {
+    std::string name;
+    std::string help;
+    std::vector<Option> options = {};
+    std::function<int()> run = {};       ///< gives the exit status; none: one of `commands` has to be named
+    std::string footer = {};             ///< below the options of its --help
+    std::string alias = {};              ///< another name
+    std::vector<Command> commands = {};  ///< below this one
+    std::string version = {};            ///< what --version says; "" for no such option
+};
+
+/// Parses the words that follow the program's name, fills in the options of the command that they name, and runs it.
+/// A slip is one plain line on standard error with the nearest name. Returns the exit status.
+int run_command_line(const Command& program, const std::vector<std::string>& words);
+
+}  // namespace nezumi::cli
