@@ -42,6 +42,14 @@ void show_results(const Session::Parts& parts, lua_State* L) {
     parts.show(fmt::format("{}", fmt::join(texts, several_lines ? "\n" : "\t")));
 }
 
+// Whoever types the bare word that leaves wants to leave, not to read what it does.
+bool is_goodbye(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t\n");
+    if (begin == std::string_view::npos) return false;
+    text = text.substr(begin, text.find_last_not_of(" \t\n") + 1 - begin);
+    return text == "quit" || text == "exit";
+}
+
 // Shows what is new on a watched port. Returns false when the port is gone.
 bool look(const Session::Parts& parts, Watch& watch) {
     const System& system = parts.live.system();
@@ -93,7 +101,10 @@ Session::~Session() {
 
 bool Session::is_complete(std::string_view text) { return is_complete_input(text); }
 
-void Session::submit(std::string text) { parts_->inputs.push_back(std::move(text)); }
+void Session::submit(std::string text) {
+    if (is_goodbye(text)) text = "quit()";
+    parts_->inputs.push_back(std::move(text));
+}
 
 bool Session::is_busy() const { return parts_->call != nullptr || !parts_->inputs.empty(); }
 

@@ -112,6 +112,7 @@ const std::vector<Word>& console_words() {
         {"print", "print(...)", "prints values", 250, word_print},
         {"help", "help() or help \"step\"", "explains the words", 1, word_help},
         {"quit", "quit()", "ends the run", 0, word_quit},
+        {"exit", "exit()", "is quit()", 0, word_quit},
     };
     return words;
 }

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,9 @@
 
 namespace nezumi {
 namespace {
+
+// What a lone Escape counts as: ends a search, and does nothing to a line.
+constexpr const char* abort_key = "\a";
 
 struct CloseFile {
     void operator()(FILE* file) const { fclose(file); }
@@ -56,6 +60,7 @@ struct LineEditor::Parts {
     int width = 0;  // [columns] when libedit last looked
     bool editing = false;
     Outcome outcome = Outcome::input;
+    std::string dropped;
 
     ~Parts();
 
@@ -194,11 +199,16 @@ void LineEditor::Parts::open_editor() {
         editor, EL_GETCFN, +[](EditLine* of_editor, wchar_t* letter) {
             Parts& parts = of(of_editor);
             for (;;) {
-                if (const auto taken = take_character(parts.typed)) {
+                // libedit would join a lone Escape with the key that comes next, however late.
+                const bool may_be_lone = parts.typed == "\x1b";
+                const auto taken = may_be_lone ? std::nullopt : take_character(parts.typed);
+                if (taken) {
                     *letter = *taken;
                     return 1;
                 }
-                if (!parts.hooks.wait(parts.typed)) return 0;
+                const Waited waited = parts.hooks.wait(parts.typed, may_be_lone ? escape_wait : -1);
+                if (waited == Waited::end) return 0;
+                if (waited == Waited::nothing) parts.typed = abort_key;
             }
         });
     el_set(editor, EL_EDITOR, "emacs");
@@ -227,10 +237,13 @@ void LineEditor::Parts::bind_keys() {
         const LineInfoW* line = el_wline(of_editor);
         const std::wstring_view text(line->buffer, static_cast<std::size_t>(line->lastchar - line->buffer));
         parts.erase_input();
-        put_text(parts.out.get(), parts.prompt + to_utf8(text) + "^C");
+        parts.dropped = to_utf8(text);
+        put_text(parts.out.get(), parts.prompt + parts.dropped + "^C");
         return CC_EOF;
     };
     add(L"nezumi-interrupt", L"drops the input", interrupt, L"^C");
+    add(
+        L"nezumi-abort", L"does nothing", +[](EditLine*, int) -> unsigned char { return CC_NORM; }, L"^G");
     const Action leave = +[](EditLine* of_editor, int) -> unsigned char {
         const LineInfoW* line = el_wline(of_editor);
         if (line->lastchar == line->buffer) return CC_EOF;
@@ -291,6 +304,7 @@ LineEditor::Outcome LineEditor::read(const std::string& so_far, std::string& inp
     if (!parts_->plain) std::fputs("\x1b[?2004l", parts_->out.get());
     if (line == nullptr || count <= 0) {
         if (parts_->outcome == Outcome::input) parts_->outcome = Outcome::end;
+        if (parts_->outcome == Outcome::interrupted) input = parts_->dropped;
         std::fputs("\r\n", parts_->out.get());
     } else {
         input = to_utf8({line, static_cast<std::size_t>(count)});

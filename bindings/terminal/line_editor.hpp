@@ -14,9 +14,15 @@ namespace nezumi {
 
 class LineEditor {
 public:
+    enum class Waited {
+        typed,    ///< something was
+        nothing,  ///< the time is over
+        end,      ///< nothing more will be
+    };
     struct Hooks {
-        /// Waits until more is typed and appends it to `typed`; may call `print` meanwhile. False: there is no more.
-        std::function<bool(std::string& typed)> wait;
+        /// Waits until more is typed and appends it to `typed`, for at most so many milliseconds (-1: without end); may
+        /// call `print` meanwhile.
+        std::function<Waited(std::string& typed, int milliseconds)> wait;
         /// What could stand before the cursor; may call `print`.
         std::function<Completion(const std::string& text, std::size_t cursor)> complete;
     };
@@ -33,7 +39,8 @@ public:
     LineEditor(const LineEditor&) = delete;
     LineEditor& operator=(const LineEditor&) = delete;
 
-    /// Reads an input, which has several lines if several were pasted. `so_far` is what was typed of it before.
+    /// Reads an input, which has several lines if several were pasted. `so_far` is what was typed of it before. When
+    /// it is interrupted, `input` is what was dropped.
     Outcome read(const std::string& so_far, std::string& input);
     /// Writes whole lines; an input that is being edited comes back below them.
     void print(std::string_view lines);

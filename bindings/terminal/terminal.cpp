@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -24,8 +25,8 @@ constexpr std::string_view prompt = "nezumi> ";
 constexpr std::string_view paused_prompt = "nezumi (paused)> ";
 constexpr std::string_view more_prompt = "     >> ";
 
-// A lone Escape is one when nothing follows it for so long [ms].
-constexpr int escape_wait = 50;
+// A second Ctrl-C so soon after the first leaves.
+constexpr std::chrono::seconds leave_wait{2};
 
 class Prompt {
 public:
@@ -38,6 +39,7 @@ private:
     enum class Came { typed, event, nothing, end };
 
     bool read_input(std::string& input);
+    bool leaves_at_second();
     void evaluate(const std::string& input);
     bool is_complete(const std::string& input);
     Completion complete(const std::string& text, std::size_t cursor);
@@ -60,9 +62,10 @@ private:
     std::optional<Event> answer_;  // that came last
     bool begun_ = false;           // the input has lines already
     bool paused_ = false;
-    bool keys_ = false;     // `drive` takes them
-    bool ended_ = false;    // the system
-    bool hung_up_ = false;  // the terminal
+    std::optional<std::chrono::steady_clock::time_point> asked_;  // how to leave
+    bool keys_ = false;                                           // `drive` takes them
+    bool ended_ = false;                                          // the system
+    bool hung_up_ = false;                                        // the terminal
     bool history_fails_ = false;
 };
 
@@ -70,11 +73,12 @@ Expected<PromptEnd> Prompt::run() {
     auto editor = LineEditor::create(
         options_.input, options_.output, options_.attached,
         {.wait =
-             [this](std::string&) {
+             [this](std::string&, int milliseconds) {
                  while (true) {
-                     const Came came = wait(-1);
-                     if (came == Came::typed) return true;
-                     if (came == Came::end) return false;
+                     const Came came = wait(milliseconds);
+                     if (came == Came::typed) return LineEditor::Waited::typed;
+                     if (came == Came::nothing) return LineEditor::Waited::nothing;
+                     if (came == Came::end) return LineEditor::Waited::end;
                  }
              },
          .complete = [this](const std::string& text, std::size_t cursor) { return complete(text, cursor); }});
@@ -102,6 +106,7 @@ bool Prompt::read_input(std::string& input) {
         std::string line;
         switch (editor_->read(input, line)) {
             case LineEditor::Outcome::interrupted:
+                if (!begun_ && line.empty() && leaves_at_second()) return false;
                 interrupt();
                 input.clear();
                 begun_ = false;
@@ -112,13 +117,23 @@ bool Prompt::read_input(std::string& input) {
                 input.clear();
                 begun_ = false;
                 continue;
-            case LineEditor::Outcome::input: break;
+            case LineEditor::Outcome::input: asked_.reset(); break;
         }
         input += line;
         if (is_complete(input)) return !ended();
         input += "\n";
         begun_ = true;
     }
+    return false;
+}
+
+// After a Ctrl-C that had nothing to drop: says how to leave, unless it has just been said.
+bool Prompt::leaves_at_second() {
+    const auto now = std::chrono::steady_clock::now();
+    if (asked_ && now - *asked_ <= leave_wait) return true;
+    asked_ = now;
+    editor_->print(options_.attached ? "Ctrl-C again, or Ctrl-D, leaves; the system goes on\n"
+                                     : "Ctrl-C again, or Ctrl-D, ends the run\n");
     return false;
 }
 

@@ -9,6 +9,9 @@
 
 namespace nezumi {
 
+/// A lone Escape is one when nothing follows it for so long [ms]; until then it may begin what another key sends.
+inline constexpr int escape_wait = 50;
+
 /// What a piece of input is, taken from its front.
 struct TypedKey {
     std::optional<Key> key;  ///< none: another key

@@ -31,7 +31,7 @@ struct Home {
         home = scratch.path("home").string();
         std::filesystem::create_directory(home);
     }
-    PtyProgram run() const { return {{"run", system}, home}; }
+    PtyProgram run(unsigned short columns = 80) const { return {{"run", system}, home, columns}; }
     Scratch scratch;
     std::string system, home;
 };
@@ -150,6 +150,99 @@ TEST_CASE("log lines never tear what is being typed", "[cli][prompt]") {
     CHECK(count > 10);
     CHECK(others == std::vector<std::string>{"tiny is running; help() tells more, Ctrl-D ends it", input.substr(0, 80),
                                              input.substr(80), "nezumi>"});
+}
+
+TEST_CASE("an input takes as many rows as the window's width asks for, and log lines tear none", "[cli][prompt]") {
+    const Home home(chatty);
+    PtyProgram it = home.run(55);
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    std::vector<std::string> expected{"tiny is running; help() tells more, Ctrl-D ends it"};
+    const auto type = [&](std::size_t columns) {
+        const std::string text = "'" + std::string(2 * columns, 'x') + "'";
+        const std::size_t before = it.screen.rows().size();
+        it.type(text);
+        CHECK(it.wait_until([&] { return it.screen.rows().size() > before + 12; }));
+        it.type(ctrl_c);
+        CHECK(it.wait_until([&] { return it.screen.last_row() == "nezumi>"; }));
+        const std::string input = "nezumi> " + text + "^C";
+        for (std::size_t at = 0; at < input.size(); at += columns) expected.push_back(input.substr(at, columns));
+    };
+    type(55);
+    it.resize(70);
+    type(70);
+    expected.push_back("nezumi>");
+
+    std::vector<std::string> rows;
+    for (const std::string& row : it.screen.rows()) {
+        if (row.find("info  controller: line ") != 12) rows.push_back(row);
+    }
+    CHECK(rows == expected);
+}
+
+TEST_CASE("what a Tab lists fits the window", "[cli][prompt]") {
+    const Home home(quiet);
+    PtyProgram it = home.run(17);
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    it.type("controller.config.sp\t\t");
+    CHECK(it.wait_for_row("speed_r"));
+    CHECK(it.wait_for_row("speed_x"));
+}
+
+TEST_CASE("Escape at the prompt costs no key, however late that comes", "[cli][prompt]") {
+    const Home home(quiet);
+    PtyProgram it = home.run();
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    it.type("\x1b");
+    it.wait_until([] { return false; }, 0.3);
+    it.type("12");
+    CHECK(it.wait_for_prompt("nezumi> 12"));
+    it.type("\x1b");
+    it.wait_until([] { return false; }, 0.3);
+    it.type(up + left);  // keys that begin with one are still known
+    it.type("34\r");
+    CHECK(it.wait_for_row("nezumi> 1342"));
+    CHECK(it.wait_for_row("1342"));
+}
+
+TEST_CASE("Ctrl-C with nothing to drop says how to leave, and a second one soon after leaves", "[cli][prompt]") {
+    const Home home(quiet);
+    PtyProgram it = home.run();
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    it.type(ctrl_c);
+    CHECK(it.wait_for_row("Ctrl-C again, or Ctrl-D, ends the run"));
+    SECTION("an input in between") {
+        it.type("1 + 1\r");
+        CHECK(it.wait_for_row("2"));
+        it.type(ctrl_c);
+        CHECK(it.wait_for_row("Ctrl-C again, or Ctrl-D, ends the run"));
+    }
+    SECTION("too late") {
+        it.wait_until([] { return false; }, 2.5);
+        it.type(ctrl_c);
+        CHECK(it.wait_for_row("Ctrl-C again, or Ctrl-D, ends the run"));
+    }
+    SECTION("at once"){} {
+        PtyProgram other({"attach"}, home.home);
+        REQUIRE(other.wait_for_prompt("nezumi>"));
+        other.type(ctrl_c);
+        CHECK(other.wait_for_row("Ctrl-C again, or Ctrl-D, leaves; the system goes on"));
+        other.type(ctrl_c);
+        CHECK(other.wait() == 0);
+    }
+    it.type("1 + 2\r");
+    CHECK(it.wait_for_row("3"));
+    it.type(std::string(ctrl_c) + ctrl_c);
+    CHECK(it.wait() == 0);
+    CHECK(it.is_as_before());
+}
+
+TEST_CASE("exit leaves as quit() does", "[cli][prompt]") {
+    const Home home(quiet);
+    PtyProgram it = home.run();
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    it.type("exit\r");
+    CHECK(it.wait() == 0);
+    CHECK(it.is_as_before());
 }
 
 TEST_CASE("Ctrl-C drops the line that is typed and ends the one that runs; robots go on", "[cli][prompt]") {

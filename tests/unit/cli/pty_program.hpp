@@ -3,6 +3,7 @@
 
 #include <poll.h>
 #include <pty.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,6 +43,8 @@ public:
         while (!rows.empty() && rows.back().empty()) rows.pop_back();
         return rows;
     }
+    /// What stands there stays as it is, as in xterm.
+    void resize(std::size_t columns) { columns_ = columns; }
     std::string last_row() const { return rows().empty() ? "" : rows().back(); }
 
 private:
@@ -118,17 +122,26 @@ private:
     std::string pending_;
 };
 
-/// A program with a terminal of 80 columns.
+/// Forks a process with a terminal of its own, as forkpty does. Where there are no pseudo-terminals the test is
+/// skipped.
+inline pid_t fork_on_terminal(int& terminal, unsigned short rows, unsigned short columns) {
+    const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+    // What ctest knows a skipped test by (discover.cmake).
+    if (child < 0) throw std::runtime_error("SKIPPED: there are no pseudo-terminals here: is /dev/pts mounted?");
+    return child;
+}
+
+/// A program with a terminal of so many columns.
 class PtyProgram {
 public:
     /// `home` is where it keeps its history and its socket.
-    PtyProgram(std::vector<std::string> words, const std::string& home) {
+    PtyProgram(std::vector<std::string> words, const std::string& home, unsigned short columns = 80) : screen(columns) {
         words.insert(words.begin(), nezumi_program());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
         pointers.push_back(nullptr);
-        winsize size{.ws_row = 500, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-        child_ = forkpty(&terminal_, nullptr, nullptr, &size);
+        child_ = fork_on_terminal(terminal_, rows, columns);
         if (child_ == 0) {
             setenv("TERM", "xterm", 1);
             setenv("XDG_STATE_HOME", home.c_str(), 1);
@@ -198,6 +211,12 @@ public:
         child_ = -1;
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
+    /// The window gets another width.
+    void resize(unsigned short columns) {
+        const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+        ioctl(terminal_, TIOCSWINSZ, &size);
+        screen.resize(columns);
+    }
     /// Whether the terminal is as the program found it.
     bool is_as_before() const {
         termios now{};
@@ -205,8 +224,7 @@ public:
         return now.c_lflag == modes_.c_lflag && now.c_iflag == modes_.c_iflag && now.c_oflag == modes_.c_oflag;
     }
 
-    static constexpr unsigned short columns = 80;
-    TerminalScreen screen{columns};
+    TerminalScreen screen;
 
 private:
     bool read_some() {
@@ -219,6 +237,7 @@ private:
         return true;
     }
 
+    static constexpr unsigned short rows = 500;
     int terminal_ = -1;
     pid_t child_ = -1;
     termios modes_{};

@@ -2,15 +2,13 @@
 #include <catch2/catch.hpp>
 
 #include <fcntl.h>
-#include <pty.h>
-#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <string>
 
-#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/cli/pty_program.hpp"
 
 using namespace nezumi;
 
@@ -18,10 +16,9 @@ namespace {
 
 /// Runs the tutorial for a second on a terminal of this width; returns all that was written to it.
 std::string on_terminal(unsigned short columns) {
-    winsize size{24, columns, 0, 0};
     int terminal = -1;
     std::string program = nezumi_program();
-    const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+    const pid_t child = fork_on_terminal(terminal, 24, columns);
     if (child == 0) {
         // Where nobody can type there is no prompt.
         dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);

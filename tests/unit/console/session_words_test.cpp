@@ -70,12 +70,23 @@ TEST_CASE("pause, run without end and speed go to the clock", "[console][session
     CHECK(std::isinf(it.factor_));
     CHECK(it.type("speed(0)") == "! speed: expected a number above 0, got 0; pause() stops time");
     CHECK(it.type("speed('fast')") == "! speed: expected a number or \"max\", got string");
-    it.type("quit()");
-    CHECK(it.quitting);
     SessionOptions batch;
     batch.batch = true;
     SessionRig other(counter_system, {{"counter", counter_behavior}}, batch);
     CHECK(other.type("run()") == "! run: how long? Time moves only by step(n) and run(seconds) here");
+}
+
+TEST_CASE("exit is quit, with its brackets and without", "[console][session]") {
+    for (const char* text : {"quit()", "exit()", "quit", " exit ", "exit\n"}) {
+        INFO(text);
+        SessionRig it;
+        it.type(text);
+        CHECK(it.quitting);
+    }
+    SessionRig it;
+    CHECK(it.type("exits") == "! unknown name 'exits' (did you mean 'exit'?)");
+    it.type("(exit)");
+    CHECK_FALSE(it.quitting);
 }
 
 TEST_CASE("on hardware only real time is offered", "[console][session]") {

@@ -90,6 +90,31 @@ TEST_CASE("consoles that write at once lose no line, even while the file is cut 
     CHECK(next == std::vector<int>(writers, each));
 }
 
+TEST_CASE("a history that has grown long is cut to its latest lines when it is read", "[console][history]") {
+    const Folder folder;
+    const auto write = [&](std::size_t count) {
+        std::ofstream file(folder / "history");
+        for (std::size_t line = 1; line <= count; ++line) file << "line " << line << "\n";
+    };
+    const auto lines = [&] {
+        std::ifstream file(folder / "history");
+        std::vector<std::string> all;
+        for (std::string line; std::getline(file, line);) all.push_back(line);
+        return all;
+    };
+    const HistoryFile history(folder / "history");
+    write(2 * HistoryFile::kept);
+    CHECK(history.read().size() == 2 * HistoryFile::kept);
+    CHECK(lines().size() == 2 * HistoryFile::kept);
+
+    write(2 * HistoryFile::kept + 1);
+    CHECK(history.read().size() == 2 * HistoryFile::kept + 1);
+    REQUIRE(lines().size() == HistoryFile::kept);
+    CHECK(lines().front() == "line " + std::to_string(HistoryFile::kept + 2));
+    CHECK(lines().back() == "line " + std::to_string(2 * HistoryFile::kept + 1));
+    CHECK(history.read().front() == lines().front());
+}
+
 TEST_CASE("a history that can't be kept says so", "[console][history]") {
     const Folder folder;
     std::ofstream(folder / "file") << "";
