@@ -137,6 +137,7 @@ def run(options, office):
     types = {name: Type(name, fields) for name, fields in json.loads(options.types).items()}
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "look.lua"), encoding="utf-8") as file:
         console.ask(file.read(), 60)
+    console.ask("calc_check(%s)" % lua(options.port), 60)
     ports = json.loads(console.ask("calc_ports()", 60) or "[]")
 
     ended = event_of_signals()

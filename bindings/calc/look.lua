@@ -81,6 +81,14 @@ function calc_ports()
   answer(all)
 end
 
+--- An error about the first of these names that is neither a port nor a component.
+function calc_check(names)
+  for _, name in ipairs(names) do
+    local _, unknown = try(name:find(".", 1, true) and find_port or function() return world[name].ports end, name)
+    if unknown then error("--port: " .. unknown, 0) end
+  end
+end
+
 --- Whose ports the next refreshes are about.
 function calc_bind(new_paths) paths = new_paths end
 

@@ -45,14 +45,13 @@ def fill(document, ports, types, system, wanted):
 
 
 def choose(ports, wanted):
-    """Those ports of which `wanted` names the path or the component. What names nothing stays in the sheet, where its
-    state says which name is near."""
+    """Those ports of which `wanted` names the path or the component."""
     if not wanted:
         return ports
     chosen = []
     for name in wanted:
         found = [port for port in ports if name in (port["path"], port["path"].split(".")[0])]
-        chosen += [port for port in found or [{"path": name}] if port not in chosen]
+        chosen += [port for port in found if port not in chosen]
     return chosen
 
 

@@ -78,6 +78,21 @@ std::string bounds_text(const ParameterSpec& spec) {
 // A message of several lines would tear a list.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+// "\n  about version 1.2, vendor Acme": what a script says of itself; "" when it says nothing.
+std::string about_text(const Component& component) {
+    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
+    if (script == nullptr) return "";
+    const ScriptAbout& about = script->script().about();
+    std::string text;
+    const auto add = [&text](std::string_view name, const std::string& value) {
+        if (!value.empty()) text += fmt::format("{} {} {}", text.empty() ? "\n  about" : ",", name, first_line(value));
+    };
+    add("version", about.version);
+    add("vendor", about.vendor);
+    add("category", about.category);
+    return text;
+}
+
 }  // namespace
 
 double port_age(const System& system, const Port& port) {
@@ -124,6 +139,7 @@ std::string component_title(const Component& component) {
 std::string component_text(const System& system, const Component& component) {
     std::string text = fmt::format("{}  {}", component.name(), component_title(component));
     if (component.state() == LifeState::error) text += "\n  " + first_line(describe(component.last_error()));
+    text += about_text(component);
     std::size_t name_width = 0;
     std::size_t type_width = 0;
     const auto measure = [&](const Port& port) {

@@ -25,7 +25,7 @@ std::string payload_text(const AnyPayload& value, std::size_t width = 80);
 std::string port_text(const System& system, const Component& component, const Port& port);
 /// "RobotController, ACTIVE, version 1": type, state, and what is out of the ordinary.
 std::string component_title(const Component& component);
-/// A line for the component, one for each port, its configuration and its commands.
+/// A line for the component, what it says `about` itself, a line for each port, its configuration and its commands.
 std::string component_text(const System& system, const Component& component);
 /// "speed_x = 0.1  m/s, -1.5 to 1.5  straight-ahead speed": a line for each parameter.
 std::string config_text(const Component& component);

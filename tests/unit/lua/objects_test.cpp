@@ -15,7 +15,9 @@ namespace {
 
 struct Objective : LiveRig {
     Objective() : Objective(counter_system) {}
-    explicit Objective(const std::string& system) : LiveRig(system) {
+    explicit Objective(const std::string& system,
+                       const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}})
+        : LiveRig(system, behaviors) {
         objects = std::move(Objects::open(*box.state, [this]() -> LiveSystem& { return *live; }).value());
         const auto opened = protect(box.lua(), Budget{1.0}, [this](lua_State* L) {
             lua_pushglobaltable(L);
@@ -233,6 +235,19 @@ TEST_CASE("objects have a text that a person can read", "[lua][objects]") {
     CHECK(it.run("return tostring(controller.config)") ==
           "speed_x = 0.25  m/s, -1.5 to 1.5  straight-ahead speed\nstop_d = 30\ngains = { 1.0, 0.5 }");
     CHECK(it.run("local n = 0 for name, port in pairs(controller.ports) do n = n + #port.path end return n") == "27");
+}
+
+TEST_CASE("what a behaviour says about itself is shown where it is", "[lua][objects]") {
+    const auto shown = [](const std::string& about) {
+        Objective it(counter_system, {{"counter", about + counter_behavior}});
+        const std::string text = it.run("return tostring(controller)");
+        return text.substr(0, text.find("\n  in "));
+    };
+    CHECK(shown("about { version = '1.2', vendor = 'Acme', category = 'driving' }") ==
+          "controller  Counter, ACTIVE, version 1\n  about version 1.2, vendor Acme, category driving");
+    CHECK(shown("about { vendor = 'Acme\\nand others' }") ==
+          "controller  Counter, ACTIVE, version 1\n  about vendor Acme");
+    CHECK(shown("about {}") == "controller  Counter, ACTIVE, version 1");
 }
 
 TEST_CASE("values are shown as Lua writes them, in several lines where one is too long", "[lua][inspect]") {
