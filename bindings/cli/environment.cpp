@@ -5,34 +5,26 @@
 
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
-#include "bindings/cli/commands.hpp"
+#include "bindings/cli/status.hpp"
 #include "bindings/console/put_text.hpp"
-#include "engine/devices/camera.hpp"
-#include "engine/devices/joystick.hpp"
-#include "engine/vision/marker_detector.hpp"
-#include "sim/world.hpp"
+#include "bindings/embed/simulation.hpp"
 
 namespace nezumi::cli {
 
 std::vector<std::filesystem::path> installed_folders() {
-    std::vector<std::filesystem::path> folders;
+    // bin/nezumi and share/nezumi lie side by side. In a build folder the second is a link to the sources, whose name
+    // is the one that people know.
     std::error_code none;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
-    for (const std::filesystem::path& folder :
-         {program.parent_path().parent_path() / "share/nezumi", std::filesystem::path(NEZUMI_SOURCE_ROOT)}) {
-        if (std::filesystem::is_directory(folder / "engine/robots", none)) folders.push_back(folder);
-    }
-    return folders;
+    std::filesystem::path folder =
+        std::filesystem::canonical(program.parent_path().parent_path() / "share/nezumi", none);
+    if (!std::filesystem::is_directory(folder / "engine/robots", none)) return {};
+    return {std::move(folder)};
 }
 
-LiveOptions simulated_systems() {
-    return {
-        .installed = installed_folders(),
-        .world = sim::make_world,
-        .components = {
-            {"Camera", make_simulated_camera}, {"Joystick", make_joystick}, {"MarkerDetector", make_marker_detector}}};
-}
+LiveOptions simulated_systems() { return nezumi::simulated_systems(installed_folders()); }
 
 int refuse(std::string_view why) {
     put_text(stderr, fmt::format("nezumi: {}\n", why));

@@ -10,8 +10,7 @@
 
 namespace nezumi::cli {
 
-/// The folders of the installed files, which have `behaviors/` and `engine/robots/`: beside the program that runs, then
-/// the sources that it was built from.
+/// The folder of the installed files, which has `behaviors/` and `engine/robots/`; none where they are not installed.
 std::vector<std::filesystem::path> installed_folders();
 
 /// How systems are made here: simulated, from the project's files and the installed ones.

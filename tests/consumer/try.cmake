@@ -1,5 +1,6 @@
-# Installs the build to a folder of its own, then configures, builds and runs the consumer against nothing but that.
-# Usage: cmake -DBUILD=build/release -DGENERATOR=Ninja -DCOMPILER=g++ -DFLAGS= -P tests/consumer/try.cmake
+# Installs the build to a folder of its own, then configures, builds and runs the consumer against nothing but that, and
+# runs the installed nezumi. What is installed must not name the sources.
+# Usage: cmake -DBUILD=build/release -DSOURCE=. -DGENERATOR=Ninja -DCOMPILER=g++ -DFLAGS= -P tests/consumer/try.cmake
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -11,7 +12,16 @@ endfunction()
 set(place ${BUILD}/consumer)
 file(REMOVE_RECURSE ${place})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${place}/prefix)
+
+execute_process(COMMAND grep -rlF "${SOURCE}/" ${place}/prefix OUTPUT_VARIABLE named RESULT_VARIABLE result)
+if(NOT result EQUAL 1)  # grep's word for: nowhere
+  message(FATAL_ERROR "these installed files name ${SOURCE}:\n${named}")
+endif()
+run(${CMAKE_COMMAND} -E chdir / ${place}/prefix/bin/nezumi run
+    ${place}/prefix/share/nezumi/behaviors/systems/stop_at_wall.lua --headless --speed max --duration 1)
+
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${place}/prefix
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${place}/build)
-run(${place}/build/consumer ${place}/prefix/share/nezumi)
+run(${place}/build/component)
+run(${place}/build/consumer)

@@ -1,0 +1,48 @@
+// A system file, simulated by whoever has a loop of their own.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "bindings/lua/live/live_system.hpp"
+#include "engine/base/error.hpp"
+#include "engine/base/log.hpp"
+#include "engine/system/system.hpp"
+
+namespace nezumi {
+
+/// How systems are made in simulation: with ODE's world and all native components. `installed` are folders like
+/// PREFIX/share/nezumi, which have `behaviors/` and `engine/robots/`: looked at after the project's own files.
+LiveOptions simulated_systems(std::vector<std::filesystem::path> installed);
+
+class Simulation {
+public:
+    struct Options {
+        std::vector<std::filesystem::path> installed;  ///< as in `simulated_systems`
+        std::function<void(const LogLine&)> log;       ///< takes what is logged; may be empty
+    };
+
+    /// Reads a system file, builds what it says and activates it, at time 0. The error is the file's first, with its
+    /// place.
+    static Expected<Simulation> load(const std::filesystem::path& file, Options options);
+
+    /// Runs one tick.
+    void tick() { live_->tick(); }
+    /// Runs as many ticks as these simulated seconds have.
+    void run(double seconds);
+    /// [s] of simulated time.
+    double now() const { return system().now().seconds; }
+
+    /// Components, robots, ports and the world.
+    System& system() { return live_->system(); }
+    const System& system() const { return live_->system(); }
+
+private:
+    explicit Simulation(std::unique_ptr<LiveSystem> live) : live_(std::move(live)) {}
+
+    std::unique_ptr<LiveSystem> live_;
+};
+
+}  // namespace nezumi

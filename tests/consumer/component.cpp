@@ -1,0 +1,12 @@
+// Somebody else's program that needs messages and ports only.
+#include <cstdio>
+
+#include "engine/ports/port.hpp"
+
+int main() {
+    nezumi::OutPort<nezumi::Velocity2D> target{"out"};
+    target.write({.vx = 0.2});
+    target.latch({});
+    std::printf("%s is a %s\n", target.name().c_str(), std::string(target.type_name()).c_str());
+    return target.read().vx == 0.2 ? 0 : 1;
+}
