@@ -123,6 +123,6 @@ TEST_CASE("every command's --help shows each option with its form, help and defa
         }
         for (const Command& below : command.commands) CHECK(helped.out.find("\n  " + below.name) != std::string::npos);
     }
-    CHECK(run_nezumi({"test", "--help"}).out.find("--repeat N [1] ") != std::string::npos);
+    CHECK(run_nezumi({"test", "--help"}).out.find("--repeat N=1 ") != std::string::npos);
     CHECK(run_nezumi({"--version"}).out.starts_with("nezumi 0."));
 }

@@ -141,7 +141,7 @@ public:
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
         pointers.push_back(nullptr);
-        child_ = fork_on_terminal(terminal_, rows, columns);
+        child_ = fork_on_terminal(terminal_, height, columns);
         if (child_ == 0) {
             setenv("TERM", "xterm", 1);
             setenv("XDG_STATE_HOME", home.c_str(), 1);
@@ -213,7 +213,7 @@ public:
     }
     /// The window gets another width.
     void resize(unsigned short columns) {
-        const winsize size{.ws_row = rows, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+        const winsize size{.ws_row = height, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
         ioctl(terminal_, TIOCSWINSZ, &size);
         screen.resize(columns);
     }
@@ -237,7 +237,7 @@ private:
         return true;
     }
 
-    static constexpr unsigned short rows = 500;
+    static constexpr unsigned short height = 500;  // [rows]
     int terminal_ = -1;
     pid_t child_ = -1;
     termios modes_{};
