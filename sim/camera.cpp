@@ -31,7 +31,7 @@ SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, cons
       carrier_(carrier),
       on_carrier_{to_vec(mount.at), Rotation::yaw_pitch(mount.yaw, mount.pitch)},
       settings_(settings),
-      lens_(Intrinsics::of(settings.width, settings.height, settings.field_of_view)) {}
+      intrinsics_(Intrinsics::of(settings.width, settings.height, settings.field_of_view)) {}
 
 void SimCamera::expose(const Time& now) {
     tick_ = now.tick;
@@ -61,7 +61,8 @@ void SimCamera::develop(CameraImage& image) {
     image.bpp = settings_.color ? 24 : 8;
     image.format = settings_.color ? "rgb8" : "gray8";
     image.fDiv = 1;
-    paint(faces_of(scenery_, view_), sky, lens_, settings_.width, settings_.height, settings_.color, image.pixels);
+    paint(faces_of(scenery_, view_), sky, intrinsics_, settings_.width, settings_.height, settings_.color,
+          image.pixels);
     blur_picture(image.pixels, settings_.width, settings_.height, settings_.color ? 3 : 1, settings_.blur);
     add_noise(image.pixels, settings_.noise, mix(settings_.seed, static_cast<std::uint64_t>(tick_)));
 }
@@ -85,8 +86,8 @@ Expected<void> OdeWorld::move_marker(std::string_view name, const Pose3D& pose) 
 Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount& mount,
                                                               const CameraSettings& settings) {
     std::optional<RobotId> carrier;
-    for (RobotId i = 0; i < robots_.size(); ++i) {
-        if (!robots_[i].gone && robots_[i].name == mount.robot) carrier = i;
+    for (RobotId i = 0; i < movers_.robots.size(); ++i) {
+        if (!movers_.robots[i].gone && movers_.robots[i].name == mount.robot) carrier = i;
     }
     if (!mount.robot.empty() && !carrier)
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
@@ -94,18 +95,19 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
 }
 
 View OdeWorld::frame_of(RobotId id) const {
-    const SimRobot& robot = robots_[id];
+    const SimRobot& robot = movers_.robots[id];
     const Rotation rotation = robot.body.rotation();
     return {robot.body.centre() + rotation * robot.model->origin, rotation};
 }
 
 void OdeWorld::list_solids(std::optional<RobotId> except, Rgb robots, std::vector<Solid>& solids) const {
-    for (std::size_t i = 0; i < fixed_looks_.size(); ++i)
-        solids.push_back({scene_.fixed()[i], parse_color(fixed_looks_[i].color)});
-    for (std::size_t i = 0; i < things_.size(); ++i)
-        solids.push_back({scene_.movers()[i], parse_color(thing_looks_[i].color)});
-    for (RobotId i = 0; i < robots_.size(); ++i) {
-        if (i != except && !robots_[i].gone) solids.push_back({scene_.movers()[robots_[i].mover], robots});
+    for (std::size_t i = 0; i < fixed_labels_.size(); ++i)
+        solids.push_back({scene_.fixed()[i], parse_color(fixed_labels_[i].color)});
+    for (std::size_t i = 0; i < movers_.things.size(); ++i)
+        solids.push_back({scene_.movers()[i], parse_color(thing_labels_[i].color)});
+    for (RobotId i = 0; i < movers_.robots.size(); ++i) {
+        if (i != except && !movers_.robots[i].gone)
+            solids.push_back({scene_.movers()[movers_.robots[i].mover], robots});
     }
 }
 

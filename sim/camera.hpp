@@ -28,7 +28,7 @@ private:
     std::optional<RobotId> carrier_;
     View on_carrier_;
     CameraSettings settings_;
-    Intrinsics lens_;
+    Intrinsics intrinsics_;
     std::map<int, Picture> tags_;  // by id, as far as they have been seen
 
     // The exposure:

@@ -1,8 +1,8 @@
-// Contacts of robots and things with the floor and with each other.
+// What touches what, where, on which springs.
+#include "sim/contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "sim/ode_world.hpp"
 
 namespace nezumi::sim {
 namespace {
@@ -21,11 +21,33 @@ void set_touch(dContact& contact, const Touch& touch) {
 
 }  // namespace
 
-void OdeWorld::attach(const dContact& contact, dBodyID a, dBodyID b) {
-    dJointAttach(dJointCreateContact(world_.get(), contacts_.get(), &contact), a, b);
+Contacts::Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands)
+    : world_(world), step_(step), scene_(scene), movers_(movers), islands_(islands), joints_(dJointGroupCreate(0)) {}
+
+void Contacts::find() {
+    for (SimRobot& robot : movers_.robots) {
+        if (robot.gone) continue;
+        touch_floor(robot);
+        if (robot.has_neighbours) touch_neighbours(robot);
+    }
+    for (Thing& thing : movers_.things) {
+        if (thing.asleep) continue;
+        touch_floor(thing);
+        touch_neighbours(thing);
+    }
 }
 
-void OdeWorld::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction) {
+void Contacts::clear() { dJointGroupEmpty(joints_.get()); }
+
+Spring Contacts::spring_of(const Thing& thing) const {
+    return Spring::from(per_kilogram::firm * thing.mass, per_kilogram::firm_damping * thing.mass, step_);
+}
+
+void Contacts::attach(const dContact& contact, dBodyID a, dBodyID b) {
+    dJointAttach(dJointCreateContact(world_, joints_.get(), &contact), a, b);
+}
+
+void Contacts::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction) {
     dContact contact{};
     contact.surface.mode = sprung;
     contact.surface.mu = friction;
@@ -37,7 +59,7 @@ void OdeWorld::add_contact(dBodyID a, dBodyID b, const Touch& touch, const Sprin
 
 // The motor turns the wheel: its rim moves backwards under the axle, so the robot is driven along the friction's first
 // direction.
-void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& forward, dBodyID other) {
+void Contacts::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& forward, dBodyID other) {
     dContact& contact = robot.coasting ? robot.model->coasting_contact : robot.model->wheel_contact;
     contact.surface.motion1 = side == 0 ? robot.speeds.left : robot.speeds.right;
     set_touch(contact, touch);
@@ -47,12 +69,12 @@ void OdeWorld::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, 
     attach(contact, robot.body.id, other);
 }
 
-void OdeWorld::add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other) {
+void Contacts::add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other) {
     set_touch(robot.model->skid_contact, touch);
     attach(robot.model->skid_contact, robot.body.id, other);
 }
 
-void OdeWorld::touch_floor(SimRobot& robot) {
+void Contacts::touch_floor(SimRobot& robot) {
     const RobotModel& model = *robot.model;
     const Vec3 centre = robot.body.centre();
     const Rotation rotation = robot.body.rotation();
@@ -78,7 +100,7 @@ void OdeWorld::touch_floor(SimRobot& robot) {
 }
 
 // The four deepest corners, or points on the rims.
-void OdeWorld::touch_floor_with(const Shape& shape, dBodyID body, const Spring& spring, double friction) {
+void Contacts::touch_floor_with(const Shape& shape, dBodyID body, const Spring& spring, double friction) {
     std::array<Vec3, 8> points;
     std::size_t count = 0;
     const Rotation& r = shape.rotation;
@@ -107,51 +129,49 @@ void OdeWorld::touch_floor_with(const Shape& shape, dBodyID body, const Spring& 
     }
 }
 
-void OdeWorld::touch_neighbours(SimRobot& robot) {
+void Contacts::touch_neighbours(SimRobot& robot) {
     for (const Scene::Index i : robot.near.fixed) touch_fixed(robot, i);
     for (const Scene::Index i : robot.near.movers) {
-        if (is_thing(i)) {
+        if (movers_.is_thing(i)) {
             touch_thing(robot, i);
         } else if (i > robot.mover) {  // each pair once
-            touch_robot(robot, robot_of(i));
+            touch_robot(robot, movers_.robot(i));
         }
     }
 }
 
-void OdeWorld::touch_fixed(SimRobot& robot, Scene::Index index) {
+void Contacts::touch_fixed(SimRobot& robot, Scene::Index index) {
     const Shape& shape = scene_.fixed()[index];
     if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
     bool touches = roll_over(robot, shape, nullptr);
     if (touch_beside(robot, shape, nullptr, robot.model->firm) > 0) touches = true;
     for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
         add_contact(robot.body.id, nullptr, touch, robot.model->firm, hull_friction);
-        rows_[robot.mover] += 3;
+        islands_.add_equations(robot.mover, 3);
         touches = true;
     }
-    if (touches && robot.touched == 0) robot.touched = touched_fixed(index);
+    if (touches && !robot.touched) robot.touched = Obstacle{false, index};
 }
 
-void OdeWorld::touch_thing(SimRobot& robot, Scene::Index index) {
-    Thing& thing = things_[index];
+void Contacts::touch_thing(SimRobot& robot, Scene::Index index) {
+    Thing& thing = movers_.things[index];
     const Shape& shape = scene_.movers()[index];
     if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
     bool touches = roll_over(robot, shape, thing.body.id);
-    const Spring& spring = thing.mass < robot.model->mass ? Spring::from(per_kilogram::firm * thing.mass,
-                                                                         per_kilogram::firm_damping * thing.mass, step_)
-                                                          : robot.model->firm;
+    const Spring spring = thing.mass < robot.model->mass ? spring_of(thing) : robot.model->firm;
     if (touch_beside(robot, shape, thing.body.id, spring) > 0) touches = true;
     for (const Touch& touch : narrow_.collide(scene_.movers()[robot.mover], shape)) {
         add_contact(robot.body.id, thing.body.id, touch, spring, hull_friction);
-        rows_[robot.mover] += 3;
+        islands_.add_equations(robot.mover, 3);
         touches = true;
     }
     if (!touches) return;
-    if (robot.touched == 0) robot.touched = touched_mover(index);
-    wake(thing);
-    links_.emplace_back(robot.mover, index);
+    if (!robot.touched) robot.touched = Obstacle{true, index};
+    thing.wake();
+    islands_.link(robot.mover, index);
 }
 
-void OdeWorld::touch_robot(SimRobot& robot, SimRobot& other) {
+void Contacts::touch_robot(SimRobot& robot, SimRobot& other) {
     const double dx = robot.body.p[0] - other.body.p[0], dy = robot.body.p[1] - other.body.p[1];
     const double far = robot.model->reach + other.model->reach;
     if (dx * dx + dy * dy > far * far) return;
@@ -159,17 +179,17 @@ void OdeWorld::touch_robot(SimRobot& robot, SimRobot& other) {
     const Shape &hull = scene_.movers()[robot.mover], &other_hull = scene_.movers()[other.mover];
     const auto touches = narrow_.collide(hull, other_hull);
     for (const Touch& touch : touches) add_contact(robot.body.id, other.body.id, touch, lighter.firm, hull_friction);
-    rows_[robot.mover] += 3 * static_cast<int>(touches.size());
+    islands_.add_equations(robot.mover, 3 * static_cast<int>(touches.size()));
     const int beside = touch_beside(robot, other_hull, other.body.id, lighter.firm) +
                        touch_beside(other, hull, robot.body.id, lighter.firm);
     if (touches.empty() && beside == 0) return;
-    if (robot.touched == 0) robot.touched = touched_mover(other.mover);
-    if (other.touched == 0) other.touched = touched_mover(robot.mover);
-    links_.emplace_back(robot.mover, other.mover);
+    if (!robot.touched) robot.touched = Obstacle{true, other.mover};
+    if (!other.touched) other.touched = Obstacle{true, robot.mover};
+    islands_.link(robot.mover, other.mover);
 }
 
 // Wheels and skids on a kerb, a ramp or something that lies on the floor, fixed (`other` is null) or movable.
-bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
+bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     const RobotModel& model = *robot.model;
     const Vec3 centre = robot.body.centre();
     const Rotation rotation = robot.body.rotation();
@@ -198,7 +218,7 @@ bool OdeWorld::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
 }
 
 // Wheels that stand out beside the hull stop at what is beside them.
-int OdeWorld::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, const Spring& spring) {
+int Contacts::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, const Spring& spring) {
     const RobotModel& model = *robot.model;
     if (model.wheel_overhang <= 0) return 0;
     const Vec3 centre = robot.body.centre();
@@ -216,48 +236,39 @@ int OdeWorld::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, c
                     hull_friction);
         ++touches;
     }
-    rows_[robot.mover] += 3 * touches;
+    islands_.add_equations(robot.mover, 3 * touches);
     return touches;
 }
 
-void OdeWorld::wake(Thing& thing) {
-    thing.quiet_steps = 0;
-    if (!thing.asleep) return;
-    thing.asleep = false;
-    dBodyEnable(thing.body.id);
-}
-
-void OdeWorld::touch_floor(Thing& thing) {
+void Contacts::touch_floor(Thing& thing) {
     const Shape& shape = scene_.movers()[thing.mover];
     if (shape.centre.z >= shape.half_height()) return;
-    touch_floor_with(shape, thing.body.id,
-                     Spring::from(per_kilogram::firm * thing.mass, per_kilogram::firm_damping * thing.mass, step_),
-                     thing_friction);
+    touch_floor_with(shape, thing.body.id, spring_of(thing), thing_friction);
 }
 
-void OdeWorld::touch_neighbours(Thing& thing) {
-    const Spring spring = Spring::from(per_kilogram::firm * thing.mass, per_kilogram::firm_damping * thing.mass, step_);
+void Contacts::touch_neighbours(Thing& thing) {
+    const Spring spring = spring_of(thing);
     const Shape& shape = scene_.movers()[thing.mover];
     for (const Scene::Index i : thing.near.fixed) {
         for (const Touch& touch : narrow_.collide(shape, scene_.fixed()[i])) {
             add_contact(thing.body.id, nullptr, touch, spring, thing_friction);
-            rows_[thing.mover] += 3;
+            islands_.add_equations(thing.mover, 3);
         }
     }
     for (const Scene::Index i : thing.near.movers) {
-        if (!is_thing(i)) continue;  // robots have done it
-        Thing& other = things_[i];
+        if (!movers_.is_thing(i)) continue;  // robots have done it
+        Thing& other = movers_.things[i];
         if (!other.asleep && i < thing.mover) continue;  // each pair once
         const auto touches = narrow_.collide(shape, scene_.movers()[i]);
         for (const Touch& touch : touches) add_contact(thing.body.id, other.body.id, touch, spring, thing_friction);
         if (touches.empty()) continue;
-        rows_[thing.mover] += 3 * static_cast<int>(touches.size());
+        islands_.add_equations(thing.mover, 3 * static_cast<int>(touches.size()));
         if (other.asleep) {
-            other.asleep =
-                false;  // it keeps what it has been quiet for: two that rest on each other sleep in again together
+            // It keeps what it has been quiet for: two that rest on each other fall asleep together.
+            other.asleep = false;
             dBodyEnable(other.body.id);
         }
-        links_.emplace_back(thing.mover, i);
+        islands_.link(thing.mover, i);
     }
 }
 

@@ -68,6 +68,7 @@ OdeLibrary::OdeLibrary() {
         dSetErrorHandler(on_error);
         dSetDebugHandler(on_error);
     }
+    use_on_this_thread();
 }
 
 OdeLibrary::~OdeLibrary() {

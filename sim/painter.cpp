@@ -12,8 +12,8 @@ namespace nezumi::sim {
 namespace {
 
 constexpr double nearest_plane = 0.01;  // [m]
-constexpr int looks = 2;                // a side: a pixel is the mean of looks * looks
-constexpr int band_rows = 16;           // of the picture: 32 rows of 1280 looks fit into the second-level cache
+constexpr int samples_per_side = 2;     // of each pixel
+constexpr int band_rows = 16;           // of the picture: 32 rows of 1280 samples fit into the second-level cache
 
 // An affine function of column and row.
 struct Plane {
@@ -25,20 +25,21 @@ struct Corner {
     double column, row;
 };
 
-// A face as it is seen: columns and rows are those of the looks.
+// A face as it is seen: columns and rows are those of the samples.
 struct SeenFace {
     std::vector<Corner> corners;
     int first_row, end_row;
-    Plane nearness;  // 1 / z
+    Plane inverse_depth;  // 1 / z
     Rgb color;
     const Picture* picture;
     Plane u, v;  // the picture's column and row, each times 1 / z
 };
 
-Intrinsics of_looks(const Intrinsics& lens) {
-    // The looks of the first pixel, whose centre is 0, are at -0.25 and 0.25: numbers 0 and 1.
-    const auto centre = [](double c) { return looks * (c + 0.5) - 0.5; };
-    return {looks * lens.fx, looks * lens.fy, centre(lens.cx), centre(lens.cy)};
+Intrinsics of_samples(const Intrinsics& intrinsics) {
+    // The samples of the first pixel, whose centre is 0, are at -0.25 and 0.25: numbers 0 and 1.
+    const auto centre = [](double c) { return samples_per_side * (c + 0.5) - 0.5; };
+    return {samples_per_side * intrinsics.fx, samples_per_side * intrinsics.fy, centre(intrinsics.cx),
+            centre(intrinsics.cy)};
 }
 
 std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
@@ -53,10 +54,10 @@ std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
     return kept;
 }
 
-// `direction` dot the ray through a look, as a function of its place.
-Plane along_ray(const Vec3& direction, const Intrinsics& lens) {
-    return {direction.z - direction.x * lens.cx / lens.fx - direction.y * lens.cy / lens.fy, direction.x / lens.fx,
-            direction.y / lens.fy};
+// `direction` dot the ray through a sample, as a function of its place.
+Plane along_ray(const Vec3& direction, const Intrinsics& intrinsics) {
+    return {direction.z - direction.x * intrinsics.cx / intrinsics.fx - direction.y * intrinsics.cy / intrinsics.fy,
+            direction.x / intrinsics.fx, direction.y / intrinsics.fy};
 }
 
 Plane operator-(const Plane& a, const Plane& b) {
@@ -65,13 +66,14 @@ Plane operator-(const Plane& a, const Plane& b) {
 Plane operator*(const Plane& a, double s) { return {a.at_origin * s, a.per_column * s, a.per_row * s}; }
 
 // How far a point is along an edge of the picture, in pixels, times 1 / z.
-Plane along_edge(const Face& face, const Vec3& edge, int pixels, const Plane& nearness, const Intrinsics& lens) {
+Plane along_edge(const Face& face, const Vec3& edge, int pixels, const Plane& inverse_depth,
+                 const Intrinsics& intrinsics) {
     const double scale = pixels / dot(edge, edge);
-    return along_ray(edge * scale, lens) - nearness * (dot(edge, face.top_left) * scale);
+    return along_ray(edge * scale, intrinsics) - inverse_depth * (dot(edge, face.top_left) * scale);
 }
 
 // Whether anything of it is in sight, and if so, how.
-bool see(const Face& face, const Intrinsics& lens, int columns, int rows, SeenFace& seen) {
+bool see(const Face& face, const Intrinsics& intrinsics, int columns, int rows, SeenFace& seen) {
     const std::vector<Vec3> corners = cut_near(face.corners);
     if (corners.size() < 3) return false;
     Vec3 normal = cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
@@ -87,7 +89,8 @@ bool see(const Face& face, const Intrinsics& lens, int columns, int rows, SeenFa
 
     double top = rows, bottom = 0, left = columns, right = 0;
     for (const Vec3& corner : corners) {
-        const Corner c{lens.fx * corner.x / corner.z + lens.cx, lens.fy * corner.y / corner.z + lens.cy};
+        const Corner c{intrinsics.fx * corner.x / corner.z + intrinsics.cx,
+                       intrinsics.fy * corner.y / corner.z + intrinsics.cy};
         top = std::min(top, c.row);
         bottom = std::max(bottom, c.row);
         left = std::min(left, c.column);
@@ -98,16 +101,16 @@ bool see(const Face& face, const Intrinsics& lens, int columns, int rows, SeenFa
     seen.end_row = static_cast<int>(std::clamp(std::ceil(bottom), 0.0, static_cast<double>(rows)));
     if (seen.first_row >= seen.end_row || right < 0 || left > columns) return false;
 
-    const Plane nearness = along_ray(normal * (1 / distance), lens);
-    seen.nearness = nearness * (distance / std::max(distance - face.lift, distance / 2));
+    const Plane inverse_depth = along_ray(normal * (1 / distance), intrinsics);
+    seen.inverse_depth = inverse_depth * (distance / std::max(distance - face.lift, distance / 2));
     seen.color = face.color;
     seen.picture = face.picture;
     if (face.picture != nullptr) {
         // The exact depth here, not the one with which it hides what is behind it.
-        seen.u = along_edge(face, face.right, face.picture->width, nearness, lens);
-        seen.v = along_edge(face, face.down, face.picture->height, nearness, lens);
+        seen.u = along_edge(face, face.right, face.picture->width, inverse_depth, intrinsics);
+        seen.v = along_edge(face, face.down, face.picture->height, inverse_depth, intrinsics);
         const double back = std::max(distance - face.lift, distance / 2) / distance;
-        // `nearness` is what a look divides by.
+        // `inverse_depth` is what a sample divides by.
         seen.u = seen.u * (1 / back);
         seen.v = seen.v * (1 / back);
     }
@@ -128,7 +131,7 @@ std::pair<int, int> span_of(const SeenFace& face, int row, int columns) {
             static_cast<int>(std::ceil(std::min(right, static_cast<double>(columns))))};
 }
 
-// The pixel before which `place` lies, and how much of the next one a look of this width catches.
+// The pixel before which `place` lies, and how much of the next one a sample of this width catches.
 struct Blend {
     int first, second;
     float of_second;
@@ -155,39 +158,39 @@ Rgb mix(Rgb a, Rgb b, float of_b) {
 struct Band {
     Band(int band_columns, int rows)
         : columns(band_columns),
-          nearness(static_cast<std::size_t>(band_columns * rows)),
+          inverse_depth(static_cast<std::size_t>(band_columns * rows)),
           colors(static_cast<std::size_t>(band_columns * rows)) {}
     int columns;
-    std::vector<float> nearness;
+    std::vector<float> inverse_depth;
     std::vector<Rgb> colors;
 };
 
-void paint_plain(const SeenFace& face, int row, int first, int end, float* nearness, Rgb* colors) {
-    const float at_row = static_cast<float>(face.nearness.at(0, row));
-    const float step = static_cast<float>(face.nearness.per_column);
+void paint_plain(const SeenFace& face, int row, int first, int end, float* inverse_depth, Rgb* colors) {
+    const float at_row = static_cast<float>(face.inverse_depth.at(0, row));
+    const float step = static_cast<float>(face.inverse_depth.per_column);
     for (int column = first; column < end; ++column) {
         const float here = at_row + step * static_cast<float>(column);
-        const bool nearer = here > nearness[column];
-        nearness[column] = nearer ? here : nearness[column];
+        const bool nearer = here > inverse_depth[column];
+        inverse_depth[column] = nearer ? here : inverse_depth[column];
         colors[column] = nearer ? face.color : colors[column];
     }
 }
 
-void paint_picture(const SeenFace& face, int row, int first, int end, float* nearness, Rgb* colors) {
+void paint_picture(const SeenFace& face, int row, int first, int end, float* inverse_depth, Rgb* colors) {
     const Picture& picture = *face.picture;
     const auto step = [](const Plane& p) { return static_cast<float>(p.per_column); };
     const auto fall = [](const Plane& p) { return static_cast<float>(p.per_row); };
     for (int column = first; column < end; ++column) {
-        const double exact = face.nearness.at(column, row);
+        const double exact = face.inverse_depth.at(column, row);
         const float here = static_cast<float>(exact);
-        if (here <= nearness[column]) continue;
-        nearness[column] = here;
+        if (here <= inverse_depth[column]) continue;
+        inverse_depth[column] = here;
         const float z = 1 / here;
         const float u = static_cast<float>(face.u.at(column, row) / exact);
         const float v = static_cast<float>(face.v.at(column, row) / exact);
         const auto width = [&](const Plane& of, float value) {
-            return z * (std::abs(step(of) - value * step(face.nearness)) +
-                        std::abs(fall(of) - value * fall(face.nearness)));
+            return z * (std::abs(step(of) - value * step(face.inverse_depth)) +
+                        std::abs(fall(of) - value * fall(face.inverse_depth)));
         };
         const Blend across = blend(u, width(face.u, u), picture.width);
         const Blend along = blend(v, width(face.v, v), picture.height);
@@ -198,16 +201,16 @@ void paint_picture(const SeenFace& face, int row, int first, int end, float* nea
     }
 }
 
-// The mean of the looks of each pixel of a row of the picture.
-void resolve(const Rgb* looked, int columns, int width, bool color, std::uint8_t* out) {
+// The mean of the samples of each pixel of a row of the picture.
+void resolve(const Rgb* samples_of_row, int columns, int width, bool color, std::uint8_t* out) {
     for (int pixel = 0; pixel < width; ++pixel) {
         // Two channels at a time: red and blue lie 16 bits apart, the sum of four needs 10.
         Rgb red_blue = 0, green = 0;
-        for (int row = 0; row < looks; ++row) {
-            for (int column = 0; column < looks; ++column) {
-                const Rgb look = looked[row * columns + looks * pixel + column];
-                red_blue += look & 0xff00ff;
-                green += look >> 8 & 0xff;
+        for (int row = 0; row < samples_per_side; ++row) {
+            for (int column = 0; column < samples_per_side; ++column) {
+                const Rgb sample = samples_of_row[row * columns + samples_per_side * pixel + column];
+                red_blue += sample & 0xff00ff;
+                green += sample >> 8 & 0xff;
             }
         }
         const Rgb red = ((red_blue >> 16) + 2) / 4, blue = ((red_blue & 0xffff) + 2) / 4;
@@ -224,33 +227,34 @@ void resolve(const Rgb* looked, int columns, int width, bool color, std::uint8_t
 
 }  // namespace
 
-void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& lens, int width, int height, bool color,
-           std::vector<std::uint8_t>& pixels) {
-    const int columns = width * looks;
-    const Intrinsics fine = of_looks(lens);
+void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& intrinsics, int width, int height,
+           bool color, std::vector<std::uint8_t>& pixels) {
+    const int columns = width * samples_per_side;
+    const Intrinsics fine = of_samples(intrinsics);
     std::vector<SeenFace> seen;
     for (const Face& face : faces) {
         SeenFace now{};
-        if (see(face, fine, columns, height * looks, now)) seen.push_back(std::move(now));
+        if (see(face, fine, columns, height * samples_per_side, now)) seen.push_back(std::move(now));
     }
     const int bytes = color ? 3 : 1;
     pixels.resize(static_cast<std::size_t>(width) * height * bytes);
-    Band band(columns, band_rows * looks);
+    Band band(columns, band_rows * samples_per_side);
     for (int top = 0; top < height; top += band_rows) {
         const int end = std::min(top + band_rows, height);
-        std::fill(band.nearness.begin(), band.nearness.end(), 0.0F);
+        std::fill(band.inverse_depth.begin(), band.inverse_depth.end(), 0.0F);
         std::fill(band.colors.begin(), band.colors.end(), background);
         for (const SeenFace& face : seen) {
-            for (int row = std::max(face.first_row, top * looks); row < std::min(face.end_row, end * looks); ++row) {
+            for (int row = std::max(face.first_row, top * samples_per_side);
+                 row < std::min(face.end_row, end * samples_per_side); ++row) {
                 const auto [first, last] = span_of(face, row, columns);
-                const std::size_t offset = static_cast<std::size_t>(row - top * looks) * columns;
+                const std::size_t offset = static_cast<std::size_t>(row - top * samples_per_side) * columns;
                 const auto paint_row = face.picture != nullptr ? paint_picture : paint_plain;
-                paint_row(face, row, first, last, &band.nearness[offset], &band.colors[offset]);
+                paint_row(face, row, first, last, &band.inverse_depth[offset], &band.colors[offset]);
             }
         }
         for (int row = top; row < end; ++row) {
-            resolve(&band.colors[static_cast<std::size_t>(row - top) * looks * columns], columns, width, color,
-                    &pixels[static_cast<std::size_t>(row) * width * bytes]);
+            resolve(&band.colors[static_cast<std::size_t>(row - top) * samples_per_side * columns], columns, width,
+                    color, &pixels[static_cast<std::size_t>(row) * width * bytes]);
         }
     }
 }

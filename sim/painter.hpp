@@ -1,4 +1,4 @@
-// A software painter: flat faces before a pinhole, the nearest in sight, each pixel the mean of four looks.
+// A software painter: flat faces before a pinhole, the nearest in sight, each pixel the mean of four samples.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Face {
 
 /// Paints faces, in any order, over a background. Writes 3 bytes a pixel (red, green, blue), or 1 (grey), row by row.
 /// What is nearer than 1 cm is cut off.
-void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& lens, int width, int height, bool color,
-           std::vector<std::uint8_t>& pixels);
+void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& intrinsics, int width, int height,
+           bool color, std::vector<std::uint8_t>& pixels);
 
 }  // namespace nezumi::sim

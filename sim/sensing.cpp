@@ -1,4 +1,4 @@
-// What a simulated robot feels and sees, and what it is told to do.
+// What sensors of a simulated robot feel and see of the world.
 #include <cassert>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace nezumi::sim {
 
 void OdeWorld::read_ranges(const SimRobot& robot, std::span<double> distances) const {
-    const RayFan& fan = robot.turned_fan != nullptr ? *robot.turned_fan : robot.model->fan;
+    const RayFan& fan = robot.fan();
     if (fan.sensors == 0) return;
     cast_rays(scene_, fan, robot.body.centre(), robot.body.rotation(), robot.mover, distances);
 }
@@ -41,12 +41,11 @@ std::optional<Rgb> OdeWorld::floor_under(const SimRobot& robot, const SensorSpec
 }
 
 std::vector<Ray> OdeWorld::rays(RobotId id) const {
-    const SimRobot& robot = robots_[id];
-    const RayFan& fan = robot.turned_fan != nullptr ? *robot.turned_fan : robot.model->fan;
+    const SimRobot& robot = movers_.robots[id];
     const Vec3 centre = robot.body.centre();
     const Rotation rotation = robot.body.rotation();
     std::vector<Ray> rays;
-    for (const RayFan::RayFrom& ray : fan.rays) {
+    for (const RayFan::RayFrom& ray : robot.fan().rays) {
         const Vec3 from = centre + rotation * ray.from, direction = rotation * ray.direction;
         const double distance = cast_ray(scene_, from, direction, ray.range, robot.mover);
         const bool hit = distance < nothing;
@@ -57,43 +56,8 @@ std::vector<Ray> OdeWorld::rays(RobotId id) const {
 }
 
 void OdeWorld::press(RobotId id, std::size_t sensor, bool pressed) {
-    assert(sensor < robots_[id].pressed.size());
-    robots_[id].pressed[sensor] = pressed;
-}
-
-bool SimRobotBody::is_pressed(std::size_t index) const {
-    const SimRobot& robot = world_.robot(id_);
-    if (robot.pressed[index]) return true;
-    const SensorSpec& sensor = robot.model->spec->sensors[index];
-    return sensor.kind == SensorSpec::Kind::touch && world_.touches_something(robot, sensor);
-}
-
-FloorColor SimRobotBody::floor_color(std::size_t index) const {
-    const SimRobot& robot = world_.robot(id_);
-    const auto seen = world_.floor_under(robot, robot.model->spec->sensors[index]);
-    return seen ? nearest_floor_color(*seen) : FloorColor::none;
-}
-
-double SimRobotBody::reflected_light(std::size_t index) const {
-    const SimRobot& robot = world_.robot(id_);
-    const auto seen = world_.floor_under(robot, robot.model->spec->sensors[index]);
-    return seen ? brightness(*seen) : 0;
-}
-
-void SimRobotBody::set_wheel_speeds(Wheels speeds) {
-    assert(std::isfinite(speeds.left) && std::isfinite(speeds.right));
-    SimRobot& robot = world_.robot(id_);
-    robot.speeds = speeds;
-    robot.coasting = false;
-}
-
-void SimRobotBody::set_servo(std::size_t index, double angle) {
-    assert(std::isfinite(angle));
-    SimRobot& robot = world_.robot(id_);
-    if (robot.servos[index] == angle) return;
-    robot.servos[index] = angle;
-    if (!robot.model->has_servo_sensors) return;
-    robot.turned_fan = std::make_unique<RayFan>(robot.model->fan_at(robot.servos));
+    assert(sensor < robot(id).pressed.size());
+    robot(id).pressed[sensor] = pressed;
 }
 
 }  // namespace nezumi::sim

@@ -29,7 +29,7 @@ constexpr Family known_families[] = {{"36h11", tag36h11_create, tag36h11_destroy
 constexpr int forgiven_bits = 1;
 // Half the resolution for finding quads: four times as quick, and the edges are refined in the full picture.
 constexpr float decimation = 2;
-// AprilTag counts from the corner of the first pixel, our lens from its centre.
+// AprilTag counts from the corner of the first pixel, our intrinsics from its centre.
 constexpr double pixel_offset = 0.5;
 // Steps between grey values that count as edges. With its own 5, the noise of a dim picture makes thousands of edges
 // and finding tags takes ten times as long.
@@ -106,7 +106,7 @@ TagFinder::~TagFinder() = default;
 TagFinder::TagFinder(TagFinder&&) noexcept = default;
 TagFinder& TagFinder::operator=(TagFinder&&) noexcept = default;
 
-std::vector<FoundTag> TagFinder::find(GrayImage& image, const Intrinsics& lens, double size) {
+std::vector<FoundTag> TagFinder::find(GrayImage& image, const Intrinsics& intrinsics, double size) {
     std::vector<FoundTag> tags;
     if (std::min(image.width, image.height) < least_side) return tags;
     image_u8_t view{image.width, image.height, image.width, image.pixels.data()};
@@ -114,7 +114,8 @@ std::vector<FoundTag> TagFinder::find(GrayImage& image, const Intrinsics& lens, 
     for (int i = 0; i < zarray_size(found.get()); ++i) {
         apriltag_detection_t* tag = nullptr;
         zarray_get(found.get(), i, static_cast<void*>(&tag));
-        apriltag_detection_info_t info{tag, size, lens.fx, lens.fy, lens.cx + pixel_offset, lens.cy + pixel_offset};
+        apriltag_detection_info_t info{
+            tag, size, intrinsics.fx, intrinsics.fy, intrinsics.cx + pixel_offset, intrinsics.cy + pixel_offset};
         apriltag_pose_t pose{};
         estimate_tag_pose(&info, &pose);
         const Matrix rotation(pose.R, std::free), translation(pose.t, std::free);

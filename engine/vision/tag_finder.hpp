@@ -35,7 +35,7 @@ public:
 
     /// The tags of the family in sight, the nearest first (of two as near, the one with the smaller number). `size` [m]
     /// is the edge of their black border: a wrong one scales every position by wrong / right.
-    std::vector<FoundTag> find(GrayImage& image, const Intrinsics& lens, double size);
+    std::vector<FoundTag> find(GrayImage& image, const Intrinsics& intrinsics, double size);
 
 private:
     struct Detector;

@@ -17,7 +17,7 @@ struct Intrinsics {
     double cx = 0;  ///< [px] column of the optical axis
     double cy = 0;  ///< [px] row of the optical axis
 
-    /// A lens without distortion that looks through the middle of the picture; `field_of_view` [rad] is that of a row.
+    /// A pinhole that looks through the middle of the picture; `field_of_view` [rad] is that of a row.
     static Intrinsics of(int width, int height, double field_of_view);
     bool operator==(const Intrinsics&) const = default;
 };

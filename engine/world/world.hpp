@@ -103,7 +103,7 @@ struct Ray {
     bool hit = false;
 };
 
-/// Speeds that a hand forces on a robot; what is not set stays free.
+/// Velocities forced on a robot from outside; what is not set stays free.
 struct Push {
     std::optional<double> vx;  ///< [m/s] along the robot's x axis
     std::optional<double> vy;  ///< [m/s]
@@ -134,7 +134,7 @@ public:
 
     /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken.
     virtual Expected<void> teleport(RobotId robot, Pose2D pose) = 0;
-    /// A hand forces these speeds until the next call; an empty push lets go.
+    /// Forces these velocities on the robot until the next call; an empty push lets go.
     virtual void disturb(RobotId robot, const Push& push) = 0;
     /// Presses or lets go of a button or touch sensor, by its index in the spec's sensors.
     virtual void press(RobotId robot, std::size_t sensor, bool pressed) = 0;

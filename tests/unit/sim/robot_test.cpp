@@ -280,7 +280,7 @@ TEST_CASE("a robot dropped on the floor comes to rest upright", "[sim][robot]") 
     CHECK(w.truth().tilt < 1e-3);
 }
 
-TEST_CASE("a hand forces its speeds on a robot whose motors hold", "[sim][robot][hand]") {
+TEST_CASE("a push forces its velocities on a robot whose motors hold", "[sim][robot][push]") {
     TryWorld w;
     w.add(mouse_spec(), 0, 0);
     w.run(0.1);
@@ -301,7 +301,7 @@ TEST_CASE("a hand forces its speeds on a robot whose motors hold", "[sim][robot]
     CHECK(std::abs(w.truth().velocity.va) < 1e-3);
 }
 
-TEST_CASE("a hand that pushes a robot into a wall does not push it through", "[sim][robot][hand]") {
+TEST_CASE("a hand that pushes a robot into a wall does not push it through", "[sim][robot][push]") {
     ArenaSpec arena;
     arena.boxes.push_back({.at = {0.3, 0, 0.1}, .size = {0.02, 1, 0.2}});
     TryWorld w(arena);
@@ -312,7 +312,7 @@ TEST_CASE("a hand that pushes a robot into a wall does not push it through", "[s
     CHECK(w.world->collided_with(0) == "box 1");
 }
 
-TEST_CASE("wheels that coast turn as the ground under them when a hand rolls the robot", "[sim][robot][hand]") {
+TEST_CASE("wheels that coast turn as the ground under them when a hand rolls the robot", "[sim][robot][push]") {
     TryWorld w;
     w.add(mouse_spec(), 0, 0);
     w.bodies[0]->coast();

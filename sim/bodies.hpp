@@ -1,0 +1,116 @@
+// What moves in a world: robots and things, each a body of ODE.
+#pragma once
+
+#include <ode/ode.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/ode_library.hpp"
+#include "sim/robot_model.hpp"
+#include "sim/scene.hpp"
+#include "sim/velocity_constraint.hpp"
+
+namespace nezumi::sim {
+
+/// A body of ODE, read through the pointers that it keeps for life.
+struct BodyView {
+    explicit BodyView(dBodyID body)
+        : id(body),
+          p(dBodyGetPosition(body)),
+          r(dBodyGetRotation(body)),
+          v(dBodyGetLinearVel(body)),
+          w(dBodyGetAngularVel(body)) {}
+
+    Vec3 centre() const { return {p[0], p[1], p[2]}; }
+    Rotation rotation() const { return {{r[0], r[4], r[8]}, {r[1], r[5], r[9]}, {r[2], r[6], r[10]}}; }
+    Vec3 velocity() const { return {v[0], v[1], v[2]}; }
+    Vec3 spin() const { return {w[0], w[1], w[2]}; }
+    /// Velocity [m/s] of the point that is now at `from_centre` from the centre, in the world's directions.
+    Vec3 velocity_at(const Vec3& from_centre) const { return velocity() + cross(spin(), from_centre); }
+    /// Whether it is somewhere and no faster than anything here can be.
+    bool is_sound() const { return is_finite(centre()) && is_finite(spin()) && dot(velocity(), velocity()) < 1e6; }
+    /// Puts it there, at rest.
+    void put(const Vec3& centre, const Rotation& rotation) const;
+
+    dBodyID id;
+    const dReal *p, *r, *v, *w;
+};
+
+/// Puts the hull of a robot to where its body is.
+inline void place_hull(Shape& hull, const RobotModel& model, const BodyView& body) {
+    hull.rotation = body.rotation();
+    hull.centre = body.centre() + hull.rotation.z * model.hull_drop;
+}
+
+/// Who is near a mover: the only ones that are looked at in a step.
+struct Neighbours {
+    std::vector<Scene::Index> fixed;
+    std::vector<Scene::Index> movers;
+};
+
+/// What a robot can touch: a fixed shape of the scene, or a mover.
+struct Obstacle {
+    bool moves = false;
+    Scene::Index index = 0;
+};
+
+struct SimRobot {
+    SimRobot(dBodyID id, RobotModel& its_model, Scene::Index its_mover, std::string its_name)
+        : body(id),
+          model(&its_model),
+          mover(its_mover),
+          name(std::move(its_name)),
+          pressed(model->spec->sensors.size(), false),
+          servos(model->spec->actuators.size(), 0.0) {}
+
+    /// The rays of its range sensors with the servos as they are.
+    const RayFan& fan() const { return turned_fan != nullptr ? *turned_fan : model->fan; }
+
+    BodyView body;
+    RobotModel* model;  // its contacts are filled in on the way to ODE
+    Scene::Index mover;
+    bool gone = false;  // removed: nobody meets or sees it any more, and its number is not given again
+    bool has_neighbours = false;
+    bool coasting = false;
+    Wheels speeds;                    // [m/s]
+    Wheels angles;                    // [rad]
+    std::optional<Obstacle> touched;  // first in this call of `step`
+    Neighbours near;
+    std::string name;
+    VelocityConstraint constraint;
+    std::vector<bool> pressed;           // by sensor of the spec
+    std::vector<double> servos;          // [rad] by actuator of the spec
+    std::unique_ptr<RayFan> turned_fan;  // once a servo that carries a sensor has moved
+};
+
+/// A movable box or cylinder.
+struct Thing {
+    Thing(dBodyID id, Scene::Index its_mover, double its_mass) : body(id), mover(its_mover), mass(its_mass) {}
+
+    /// Somebody touches it: it moves again, if it slept.
+    void wake();
+    /// Lies still from now on, at no cost, until it is touched.
+    void sleep();
+
+    BodyView body;
+    Scene::Index mover;
+    double mass;
+    bool asleep = false;
+    int quiet_steps = 0;
+    Neighbours near;
+};
+
+/// All that move. As movers of the scene, the things come first, then the robots.
+struct Movers {
+    std::vector<Thing> things;
+    std::vector<SimRobot> robots;
+
+    bool is_thing(Scene::Index mover) const { return mover < things.size(); }
+    SimRobot& robot(Scene::Index mover) { return robots[mover - things.size()]; }
+};
+
+}  // namespace nezumi::sim

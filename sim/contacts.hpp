@@ -1,0 +1,53 @@
+// The contacts of a step: robots and things with the floor and with each other, as joints of ODE.
+#pragma once
+
+#include "sim/bodies.hpp"
+#include "sim/islands.hpp"
+#include "sim/narrow_phase.hpp"
+#include "sim/ode_library.hpp"
+#include "sim/robot_model.hpp"
+#include "sim/scene.hpp"
+
+namespace nezumi::sim {
+
+class Contacts {
+public:
+    /// `step` [s] is the length of a step. All must outlive it, the world first.
+    Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands);
+
+    /// Makes the contacts of everybody that is awake with the floor and its neighbours, notes who has touched whom, and
+    /// wakes what is touched. Neighbours and places in the scene must be up to date.
+    void find();
+    /// Removes them after the step.
+    void clear();
+    /// Gives up the joints without destroying them, after a breakdown.
+    void keep() { OdeLibrary::keep(joints_.release()); }
+
+private:
+    void touch_floor(SimRobot& robot);
+    void touch_neighbours(SimRobot& robot);
+    void touch_fixed(SimRobot& robot, Scene::Index fixed);
+    void touch_thing(SimRobot& robot, Scene::Index thing);
+    void touch_robot(SimRobot& robot, SimRobot& other);
+    bool roll_over(SimRobot& robot, const Shape& shape, dBodyID other);
+    int touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, const Spring& spring);
+    void touch_floor(Thing& thing);
+    void touch_neighbours(Thing& thing);
+    void touch_floor_with(const Shape& shape, dBodyID body, const Spring& spring, double friction);
+    Spring spring_of(const Thing& thing) const;
+
+    void add_wheel_contact(SimRobot& robot, int side, const Touch& touch, const Vec3& forward, dBodyID other);
+    void add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID other);
+    void add_contact(dBodyID a, dBodyID b, const Touch& touch, const Spring& spring, double friction);
+    void attach(const dContact& contact, dBodyID a, dBodyID b);
+
+    dWorldID world_;
+    double step_;
+    const Scene& scene_;
+    Movers& movers_;
+    Islands& islands_;
+    JointGroupHandle joints_;
+    NarrowPhase narrow_;
+};
+
+}  // namespace nezumi::sim

@@ -1,0 +1,59 @@
+// A robot's sensors and motors, by its number in the world.
+#include "sim/robot_body.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "sim/floor_look.hpp"
+#include "sim/ode_world.hpp"
+
+namespace nezumi::sim {
+
+SimRobotBody::~SimRobotBody() { world_.remove_robot(id_); }
+
+Wheels SimRobotBody::wheel_angles() const { return world_.robot(id_).angles; }
+
+void SimRobotBody::read_ranges(std::span<double> distances) const { world_.read_ranges(world_.robot(id_), distances); }
+
+double SimRobotBody::yaw_rate() const { return world_.robot(id_).body.w[2]; }
+
+bool SimRobotBody::is_pressed(std::size_t index) const {
+    const SimRobot& robot = world_.robot(id_);
+    if (robot.pressed[index]) return true;
+    const SensorSpec& sensor = robot.model->spec->sensors[index];
+    return sensor.kind == SensorSpec::Kind::touch && world_.touches_something(robot, sensor);
+}
+
+FloorColor SimRobotBody::floor_color(std::size_t index) const {
+    const SimRobot& robot = world_.robot(id_);
+    const auto seen = world_.floor_under(robot, robot.model->spec->sensors[index]);
+    return seen ? nearest_floor_color(*seen) : FloorColor::none;
+}
+
+double SimRobotBody::reflected_light(std::size_t index) const {
+    const SimRobot& robot = world_.robot(id_);
+    const auto seen = world_.floor_under(robot, robot.model->spec->sensors[index]);
+    return seen ? brightness(*seen) : 0;
+}
+
+void SimRobotBody::set_wheel_speeds(Wheels speeds) {
+    assert(std::isfinite(speeds.left) && std::isfinite(speeds.right));
+    SimRobot& robot = world_.robot(id_);
+    robot.speeds = speeds;
+    robot.coasting = false;
+}
+
+void SimRobotBody::coast() { world_.robot(id_).coasting = true; }
+
+void SimRobotBody::play(const Sound& sound) { world_.play(world_.robot(id_), sound); }
+
+void SimRobotBody::set_servo(std::size_t index, double angle) {
+    assert(std::isfinite(angle));
+    SimRobot& robot = world_.robot(id_);
+    if (robot.servos[index] == angle) return;
+    robot.servos[index] = angle;
+    if (!robot.model->has_servo_sensors) return;
+    robot.turned_fan = std::make_unique<RayFan>(robot.model->fan_at(robot.servos));
+}
+
+}  // namespace nezumi::sim

@@ -1,0 +1,59 @@
+// A linear and an angular motor of ODE.
+#include "sim/velocity_constraint.hpp"
+
+#include "sim/bodies.hpp"
+
+namespace nezumi::sim {
+namespace {
+
+// [N] Strong enough against the wheels' grip, too weak to press a robot into a wall.
+double strength(const RobotModel& model) { return 3 * model.mass * gravity; }
+
+}  // namespace
+
+VelocityConstraint::VelocityConstraint(dWorldID world, const SimRobot& robot, const Push& push) {
+    if (push.vx || push.vy) hold_linear(world, robot, push);
+    if (push.vx || push.vy || push.va) hold_angular(world, robot, push);
+}
+
+void VelocityConstraint::hold_linear(dWorldID world, const SimRobot& robot, const Push& push) {
+    linear_ = JointHandle(dJointCreateLMotor(world, nullptr));
+    const dJointID motor = linear_.get();
+    dJointAttach(motor, robot.body.id, nullptr);
+    dJointSetLMotorNumAxes(motor, push.vx && push.vy ? 2 : 1);
+    const Rotation r = robot.body.rotation();
+    const Vec3& first = push.vx ? r.x : r.y;
+    const double force = strength(*robot.model);
+    // `1`: the axis turns with the robot.
+    dJointSetLMotorAxis(motor, 0, 1, first.x, first.y, first.z);
+    // The velocities are those of the body frame's origin, the motor's those of the hull's centre.
+    const double side = push.va.value_or(0) * -robot.model->origin.x;
+    dJointSetLMotorParam(motor, dParamVel, push.vx ? *push.vx : *push.vy + side);
+    dJointSetLMotorParam(motor, dParamFMax, force);
+    if (push.vx && push.vy) {
+        dJointSetLMotorAxis(motor, 1, 1, r.y.x, r.y.y, r.y.z);
+        dJointSetLMotorParam(motor, dParamVel2, *push.vy + side);
+        dJointSetLMotorParam(motor, dParamFMax2, force);
+    }
+}
+
+void VelocityConstraint::hold_angular(dWorldID world, const SimRobot& robot, const Push& push) {
+    angular_ = JointHandle(dJointCreateAMotor(world, nullptr));
+    const dJointID motor = angular_.get();
+    dJointAttach(motor, robot.body.id, nullptr);
+    dJointSetAMotorNumAxes(motor, 3);
+    // Roll and pitch are held too: else wheels that grip would make the robot nod or fall.
+    const Rotation r = robot.body.rotation();
+    const double torque = strength(*robot.model) * robot.model->spec->drive.track;
+    dJointSetAMotorAxis(motor, 0, 1, r.x.x, r.x.y, r.x.z);
+    dJointSetAMotorAxis(motor, 1, 1, r.y.x, r.y.y, r.y.z);
+    dJointSetAMotorAxis(motor, 2, 0, 0, 0, 1);
+    dJointSetAMotorParam(motor, dParamFMax, torque);
+    dJointSetAMotorParam(motor, dParamFMax2, torque);
+    if (push.va) {
+        dJointSetAMotorParam(motor, dParamVel3, *push.va);
+        dJointSetAMotorParam(motor, dParamFMax3, torque);
+    }
+}
+
+}  // namespace nezumi::sim

@@ -1,0 +1,57 @@
+// Which movers are solved together, and when there are too many of them.
+#include "sim/islands.hpp"
+
+#include <catch2/catch.hpp>
+
+using nezumi::sim::Islands;
+
+namespace {
+
+// So many movers, each linked to the next.
+Islands chain(unsigned length, unsigned beside = 0) {
+    Islands islands;
+    for (unsigned i = 0; i < length + beside; ++i) islands.add_mover();
+    for (unsigned i = 0; i + 1 < length; ++i) islands.link(i, i + 1);
+    return islands;
+}
+
+}  // namespace
+
+TEST_CASE("an island is large when it has more than 45 equations, 8 of them for each mover's floor",
+          "[sim][islands]") {
+    Islands islands = chain(5);  // 40
+    islands.add_equations(4, 5);
+    CHECK_FALSE(islands.find_large());
+    islands.add_equations(0, 1);
+    CHECK(islands.find_large());
+    for (const unsigned i : {0u, 1u, 2u, 3u, 4u}) CHECK(islands.is_large(i));
+}
+
+TEST_CASE("islands are apart, and who touches nobody is in none", "[sim][islands]") {
+    Islands islands = chain(6, 4);  // 48 equations, and beside them:
+    islands.link(8, 6);
+    islands.add_equations(9, 100);
+    REQUIRE(islands.find_large());
+    for (const unsigned i : {0u, 3u, 5u}) CHECK(islands.is_large(i));
+    for (const unsigned i : {6u, 7u, 8u, 9u}) CHECK_FALSE(islands.is_large(i));
+}
+
+TEST_CASE("two islands become one when their movers touch, in whatever order", "[sim][islands]") {
+    Islands islands = chain(3, 3);
+    islands.link(5, 4);
+    islands.link(4, 3);
+    CHECK_FALSE(islands.find_large());
+    islands.link(5, 0);
+    CHECK(islands.find_large());
+    CHECK(islands.is_large(4));
+}
+
+TEST_CASE("a new step begins without contacts", "[sim][islands]") {
+    Islands islands = chain(3);
+    islands.add_equations(1, 100);
+    REQUIRE(islands.find_large());
+    islands.clear();
+    CHECK_FALSE(islands.find_large());
+    islands.link(1, 2);
+    CHECK_FALSE(islands.find_large());
+}
