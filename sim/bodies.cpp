@@ -4,10 +4,10 @@
 namespace nezumi::sim {
 
 void BodyView::put(const Vec3& centre, const Rotation& rotation) const {
-    const Rotation& m = rotation;
-    const dMatrix3 matrix{m.x.x, m.y.x, m.z.x, 0, m.x.y, m.y.y, m.z.y, 0, m.x.z, m.y.z, m.z.z, 0};
-    dBodySetPosition(id, centre.x, centre.y, centre.z);
-    dBodySetRotation(id, matrix);
+    RowMajor3x4 matrix = RowMajor3x4::Zero();
+    matrix.leftCols<3>() = rotation;
+    dBodySetPosition(id, centre.x(), centre.y(), centre.z());
+    dBodySetRotation(id, matrix.data());
     dBodySetLinearVel(id, 0, 0, 0);
     dBodySetAngularVel(id, 0, 0, 0);
 }

@@ -25,14 +25,14 @@ struct BodyView {
           v(dBodyGetLinearVel(body)),
           w(dBodyGetAngularVel(body)) {}
 
-    Vec3 centre() const { return {p[0], p[1], p[2]}; }
-    Rotation rotation() const { return {{r[0], r[4], r[8]}, {r[1], r[5], r[9]}, {r[2], r[6], r[10]}}; }
-    Vec3 velocity() const { return {v[0], v[1], v[2]}; }
-    Vec3 spin() const { return {w[0], w[1], w[2]}; }
+    Vec3 centre() const { return Eigen::Map<const Vec3>(p); }
+    Rotation rotation() const { return Eigen::Map<const RowMajor3x4>(r).leftCols<3>(); }
+    Vec3 velocity() const { return Eigen::Map<const Vec3>(v); }
+    Vec3 spin() const { return Eigen::Map<const Vec3>(w); }
     /// Velocity [m/s] of the point that is now at `from_centre` from the centre, in the world's directions.
-    Vec3 velocity_at(const Vec3& from_centre) const { return velocity() + cross(spin(), from_centre); }
+    Vec3 velocity_at(const Vec3& from_centre) const { return velocity() + spin().cross(from_centre); }
     /// Whether it is somewhere and no faster than anything here can be.
-    bool is_sound() const { return is_finite(centre()) && is_finite(spin()) && dot(velocity(), velocity()) < 1e6; }
+    bool is_sound() const { return centre().allFinite() && spin().allFinite() && velocity().squaredNorm() < 1e6; }
     /// Puts it there, at rest.
     void put(const Vec3& centre, const Rotation& rotation) const;
 
@@ -43,7 +43,7 @@ struct BodyView {
 /// Puts the hull of a robot to where its body is.
 inline void place_hull(Shape& hull, const RobotModel& model, const BodyView& body) {
     hull.rotation = body.rotation();
-    hull.centre = body.centre() + hull.rotation.z * model.hull_drop;
+    hull.centre = body.centre() + hull.rotation.col(2) * model.hull_drop;
 }
 
 /// Who is near a mover: the only ones that are looked at in a step.

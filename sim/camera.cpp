@@ -14,22 +14,13 @@ namespace {
 
 constexpr Rgb robot_color = 0x4c5a6b;
 
-Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
-
-// First roll about x, then pitch about y, then yaw about z.
-Rotation rotation_of(const Orientation3D& o) {
-    const Rotation turned = Rotation::yaw_pitch(o.y, o.p);
-    const double c = std::cos(o.r), s = std::sin(o.r);
-    return {turned.x, turned.y * c + turned.z * s, turned.z * c - turned.y * s};
-}
-
 }  // namespace
 
 SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
                      const CameraSettings& settings)
     : world_(world),
       carrier_(carrier),
-      on_carrier_{to_vec(mount.at), Rotation::yaw_pitch(mount.yaw, mount.pitch)},
+      on_carrier_{to_vec(mount.at), yaw_pitch_rotation(mount.yaw, mount.pitch)},
       settings_(settings),
       intrinsics_(Intrinsics::of(settings.width, settings.height, settings.field_of_view)) {}
 
@@ -38,9 +29,7 @@ void SimCamera::expose(const Time& now) {
     view_ = on_carrier_;
     if (carrier_) {
         const View robot = world_.frame_of(*carrier_);
-        const Rotation& on = on_carrier_.rotation;
-        view_ = {robot.at + robot.rotation * on_carrier_.at,
-                 {robot.rotation * on.x, robot.rotation * on.y, robot.rotation * on.z}};
+        view_ = {robot.at + robot.rotation * on_carrier_.at, robot.rotation * on_carrier_.rotation};
     }
     scenery_ = {};
     world_.list_solids(carrier_, robot_color, scenery_.solids);
@@ -97,7 +86,7 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
 View OdeWorld::frame_of(RobotId id) const {
     const SimRobot& robot = movers_.robots[id];
     const Rotation rotation = robot.body.rotation();
-    return {robot.body.centre() + rotation * robot.model->origin, rotation};
+    return {robot.body.centre() + rotate(rotation, robot.model->origin), rotation};
 }
 
 void OdeWorld::list_solids(std::optional<RobotId> except, Rgb robots, std::vector<Solid>& solids) const {

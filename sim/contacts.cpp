@@ -7,15 +7,9 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr Vec3 upwards{0, 0, 1};
-
 void set_touch(dContact& contact, const Touch& touch) {
-    contact.geom.pos[0] = touch.at.x;
-    contact.geom.pos[1] = touch.at.y;
-    contact.geom.pos[2] = touch.at.z;
-    contact.geom.normal[0] = touch.normal.x;
-    contact.geom.normal[1] = touch.normal.y;
-    contact.geom.normal[2] = touch.normal.z;
+    Eigen::Map<Vec3>(contact.geom.pos) = touch.at;
+    Eigen::Map<Vec3>(contact.geom.normal) = touch.normal;
     contact.geom.depth = touch.depth;
 }
 
@@ -63,9 +57,7 @@ void Contacts::add_wheel_contact(SimRobot& robot, int side, const Touch& touch, 
     dContact& contact = robot.coasting ? robot.model->coasting_contact : robot.model->wheel_contact;
     contact.surface.motion1 = side == 0 ? robot.speeds.left : robot.speeds.right;
     set_touch(contact, touch);
-    contact.fdir1[0] = forward.x;
-    contact.fdir1[1] = forward.y;
-    contact.fdir1[2] = forward.z;
+    Eigen::Map<Vec3>(contact.fdir1) = forward;
     attach(contact, robot.body.id, other);
 }
 
@@ -78,25 +70,25 @@ void Contacts::touch_floor(SimRobot& robot) {
     const RobotModel& model = *robot.model;
     const Vec3 centre = robot.body.centre();
     const Rotation rotation = robot.body.rotation();
-    const Vec3& axis = rotation.y;
+    const Vec3 axis = rotation.col(1);
 
     // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
-    const double flat = std::sqrt(std::max(0.0, 1 - axis.z * axis.z));
+    const double flat = std::sqrt(std::max(0.0, 1 - axis.z() * axis.z()));
     if (flat > 0.3) {
-        const Vec3 down = (axis * axis.z - upwards) * (1 / flat), forward{axis.y / flat, -axis.x / flat, 0};
+        const Vec3 down = (axis * axis.z() - Vec3::UnitZ()) * (1 / flat), forward{axis.y() / flat, -axis.x() / flat, 0};
         for (int side = 0; side < 2; ++side) {
             const Vec3 lowest =
-                centre + rotation * model.wheels[static_cast<std::size_t>(side)] + down * model.wheel_radius;
-            if (lowest.z < 0) add_wheel_contact(robot, side, {lowest, upwards, -lowest.z}, forward, nullptr);
+                centre + rotate(rotation, model.wheels[static_cast<std::size_t>(side)]) + down * model.wheel_radius;
+            if (lowest.z() < 0) add_wheel_contact(robot, side, {lowest, Vec3::UnitZ(), -lowest.z()}, forward, nullptr);
         }
     }
     for (const Vec3& skid : model.skids) {
-        const Vec3 lowest = centre + rotation * skid;
-        if (lowest.z < 0) add_skid_contact(robot, {lowest, upwards, -lowest.z}, nullptr);
+        const Vec3 lowest = centre + rotate(rotation, skid);
+        if (lowest.z() < 0) add_skid_contact(robot, {lowest, Vec3::UnitZ(), -lowest.z()}, nullptr);
     }
     Shape hull = model.hull;
     place_hull(hull, model, robot.body);
-    if (hull.centre.z < hull.half_height()) touch_floor_with(hull, robot.body.id, model.firm, hull_friction);
+    if (hull.centre.z() < hull.half_height()) touch_floor_with(hull, robot.body.id, model.firm, hull_friction);
 }
 
 // The four deepest corners, or points on the rims.
@@ -106,26 +98,26 @@ void Contacts::touch_floor_with(const Shape& shape, dBodyID body, const Spring& 
     const Rotation& r = shape.rotation;
     if (shape.kind == Shape::Kind::box) {
         for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 local{(corner & 1) != 0 ? shape.half.x : -shape.half.x,
-                             (corner & 2) != 0 ? shape.half.y : -shape.half.y,
-                             (corner & 4) != 0 ? shape.half.z : -shape.half.z};
-            points[count++] = shape.centre + r * local;
+            const Vec3 local{(corner & 1) != 0 ? shape.half.x() : -shape.half.x(),
+                             (corner & 2) != 0 ? shape.half.y() : -shape.half.y(),
+                             (corner & 4) != 0 ? shape.half.z() : -shape.half.z()};
+            points[count++] = shape.centre + rotate(r, local);
         }
     } else {
         // On each rim: the lowest point, and three more a quarter of a turn apart.
-        const Vec3 slope = upwards - r.z * r.z.z;
-        const double steep = length(slope);
-        const Vec3 low = steep > 1e-6 ? slope * (-1 / steep) : r.x;
-        const Vec3 side = cross(r.z, low);
-        for (const double end : {-shape.half.z, shape.half.z}) {
-            const Vec3 cap = shape.centre + r.z * end;
-            for (const Vec3& out : {low, side, -side, -low}) points[count++] = cap + out * shape.half.x;
+        const Vec3 slope = Vec3::UnitZ() - r.col(2) * r(2, 2);
+        const double steep = slope.norm();
+        const Vec3 low = steep > 1e-6 ? Vec3(slope * (-1 / steep)) : Vec3(r.col(0));
+        const Vec3 side = r.col(2).cross(low);
+        for (const double end : {-shape.half.z(), shape.half.z()}) {
+            const Vec3 cap = shape.centre + r.col(2) * end;
+            for (const Vec3& out : {low, side, Vec3(-side), Vec3(-low)}) points[count++] = cap + out * shape.half.x();
         }
     }
-    const auto lower = [](const Vec3& a, const Vec3& b) { return a.z < b.z; };
+    const auto lower = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
     std::sort(points.begin(), points.end(), lower);
-    for (std::size_t i = 0; i < 4 && points[i].z < 0; ++i) {
-        add_contact(body, nullptr, {points[i], upwards, -points[i].z}, spring, friction);
+    for (std::size_t i = 0; i < 4 && points[i].z() < 0; ++i) {
+        add_contact(body, nullptr, {points[i], Vec3::UnitZ(), -points[i].z()}, spring, friction);
     }
 }
 
@@ -195,23 +187,23 @@ bool Contacts::roll_over(SimRobot& robot, const Shape& shape, dBodyID other) {
     const Rotation rotation = robot.body.rotation();
     bool touches = false;
     // A wall is nothing to roll over, and most that is near is a wall.
-    const double top = shape.is_upright() ? shape.centre.z + shape.half.z : -nothing;
+    const double top = shape.is_upright() ? shape.centre.z() + shape.half.z() : -nothing;
     for (int side = 0; side < 2; ++side) {
-        const Vec3 axle = centre + rotation * model.wheels[static_cast<std::size_t>(side)];
-        if (top >= axle.z) continue;
-        if (const auto touch = touch_wheel(shape, axle, rotation.y, model.wheel_radius)) {
-            add_wheel_contact(robot, side, *touch, normalized(cross(rotation.y, touch->normal)), other);
+        const Vec3 axle = centre + rotate(rotation, model.wheels[static_cast<std::size_t>(side)]);
+        if (top >= axle.z()) continue;
+        if (const auto touch = touch_wheel(shape, axle, rotation.col(1), model.wheel_radius)) {
+            add_wheel_contact(robot, side, *touch, rotation.col(1).cross(touch->normal).normalized(), other);
             touches = true;
         }
     }
     for (const Vec3& skid : model.skids) {
         // What reaches higher than the hull's bottom stops the hull before it comes under a skid.
-        const Vec3 lowest = centre + rotation * skid, from = lowest + rotation.z * model.clearance;
-        if (top >= from.z) continue;
+        const Vec3 lowest = centre + rotate(rotation, skid), from = lowest + rotation.col(2) * model.clearance;
+        if (top >= from.z()) continue;
         Vec3 normal;
-        const double distance = cast_ray(shape, from, -rotation.z, model.clearance, &normal);
-        if (distance == nothing || distance == 0 || normal.z < 0.5) continue;
-        add_skid_contact(robot, {lowest, normal, (model.clearance - distance) * normal.z}, other);
+        const double distance = cast_ray(shape, from, -rotation.col(2), model.clearance, &normal);
+        if (distance == nothing || distance == 0 || normal.z() < 0.5) continue;
+        add_skid_contact(robot, {lowest, normal, (model.clearance - distance) * normal.z()}, other);
         touches = true;
     }
     return touches;
@@ -225,8 +217,8 @@ int Contacts::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, c
     const Rotation rotation = robot.body.rotation();
     int touches = 0;
     for (int side = 0; side < 2; ++side) {
-        const Vec3 out = side == 0 ? rotation.y : -rotation.y;
-        const Vec3 wheel = centre + rotation * model.wheels[static_cast<std::size_t>(side)];
+        const Vec3 out = rotation.col(1) * (side == 0 ? 1 : -1);
+        const Vec3 wheel = centre + rotate(rotation, model.wheels[static_cast<std::size_t>(side)]);
         // From as deep within the hull as a wheel can be pushed into something.
         const double length = 3 * model.wheel_overhang;
         Vec3 normal;
@@ -242,7 +234,7 @@ int Contacts::touch_beside(SimRobot& robot, const Shape& shape, dBodyID other, c
 
 void Contacts::touch_floor(Thing& thing) {
     const Shape& shape = scene_.movers()[thing.mover];
-    if (shape.centre.z >= shape.half_height()) return;
+    if (shape.centre.z() >= shape.half_height()) return;
     touch_floor_with(shape, thing.body.id, spring_of(thing), thing_friction);
 }
 

@@ -14,56 +14,56 @@ struct Overlap {
 };
 Overlap overlap_of(const Shape& a, const Shape& b) {
     const double ha = a.half_height(), hb = b.half_height();
-    return {std::max(a.centre.z - ha, b.centre.z - hb), std::min(a.centre.z + ha, b.centre.z + hb)};
+    return {std::max(a.centre.z() - ha, b.centre.z() - hb), std::min(a.centre.z() + ha, b.centre.z() + hb)};
 }
 
 // ODE's cylinder against cylinder lets one robot slip past another, so discs are computed as discs.
 Touch disc_at_disc(const Shape& a, const Shape& b, double z) {
-    const double dx = a.centre.x - b.centre.x, dy = a.centre.y - b.centre.y, distance = std::hypot(dx, dy);
+    const double dx = a.centre.x() - b.centre.x(), dy = a.centre.y() - b.centre.y(), distance = std::hypot(dx, dy);
     Touch touch;
     touch.normal = distance > 1e-9 ? Vec3{dx / distance, dy / distance, 0} : Vec3{1, 0, 0};
-    touch.depth = a.half.x + b.half.x - distance;
-    const double out = b.half.x - touch.depth / 2;
-    touch.at = {b.centre.x + touch.normal.x * out, b.centre.y + touch.normal.y * out, z};
+    touch.depth = a.half.x() + b.half.x() - distance;
+    const double out = b.half.x() - touch.depth / 2;
+    touch.at = {b.centre.x() + touch.normal.x() * out, b.centre.y() + touch.normal.y() * out, z};
     return touch;
 }
 
 // An upright disc against an upright box.
 Touch disc_at_box(const Shape& disc, const Shape& box, double z) {
-    const Vec3 from = box.rotation.inverse(disc.centre - box.centre);
-    const double nearest_x = std::clamp(from.x, -box.half.x, box.half.x);
-    const double nearest_y = std::clamp(from.y, -box.half.y, box.half.y);
-    const double dx = from.x - nearest_x, dy = from.y - nearest_y, distance = std::hypot(dx, dy);
+    const Vec3 from = rotate_back(box.rotation, disc.centre - box.centre);
+    const double nearest_x = std::clamp(from.x(), -box.half.x(), box.half.x());
+    const double nearest_y = std::clamp(from.y(), -box.half.y(), box.half.y());
+    const double dx = from.x() - nearest_x, dy = from.y() - nearest_y, distance = std::hypot(dx, dy);
     Touch touch;
     Vec3 normal, at{nearest_x, nearest_y, 0};
     if (distance > 1e-9) {
         normal = {dx / distance, dy / distance, 0};
-        touch.depth = disc.half.x - distance;
+        touch.depth = disc.half.x() - distance;
     } else {  // the centre is inside: out by the nearest face
-        const double out_x = box.half.x - std::abs(from.x), out_y = box.half.y - std::abs(from.y);
+        const double out_x = box.half.x() - std::abs(from.x()), out_y = box.half.y() - std::abs(from.y());
         if (out_x < out_y) {
-            normal = {from.x < 0 ? -1.0 : 1.0, 0, 0};
+            normal = {from.x() < 0 ? -1.0 : 1.0, 0, 0};
         } else {
-            normal = {0, from.y < 0 ? -1.0 : 1.0, 0};
+            normal = {0, from.y() < 0 ? -1.0 : 1.0, 0};
         }
-        touch.depth = disc.half.x + std::min(out_x, out_y);
+        touch.depth = disc.half.x() + std::min(out_x, out_y);
     }
-    touch.normal = box.rotation * normal;
-    touch.at = box.centre + box.rotation * at;
-    touch.at.z = z;
+    touch.normal = rotate(box.rotation, normal);
+    touch.at = box.centre + rotate(box.rotation, at);
+    touch.at.z() = z;
     return touch;
 }
 
 void set_geom(dGeomID geom, const Shape& shape) {
     if (shape.kind == Shape::Kind::box) {
-        dGeomBoxSetLengths(geom, 2 * shape.half.x, 2 * shape.half.y, 2 * shape.half.z);
+        dGeomBoxSetLengths(geom, 2 * shape.half.x(), 2 * shape.half.y(), 2 * shape.half.z());
     } else {
-        dGeomCylinderSetParams(geom, shape.half.x, 2 * shape.half.z);
+        dGeomCylinderSetParams(geom, shape.half.x(), 2 * shape.half.z());
     }
-    dGeomSetPosition(geom, shape.centre.x, shape.centre.y, shape.centre.z);
-    const Rotation& r = shape.rotation;
-    const dMatrix3 matrix{r.x.x, r.y.x, r.z.x, 0, r.x.y, r.y.y, r.z.y, 0, r.x.z, r.y.z, r.z.z, 0};
-    dGeomSetRotation(geom, matrix);
+    dGeomSetPosition(geom, shape.centre.x(), shape.centre.y(), shape.centre.z());
+    RowMajor3x4 matrix = RowMajor3x4::Zero();
+    matrix.leftCols<3>() = shape.rotation;
+    dGeomSetRotation(geom, matrix.data());
 }
 
 // A convex polygon in the plane of a wheel, whose centre is the origin: u forward, v up.
@@ -82,7 +82,7 @@ struct Polygon {
 void cut_box(const Shape& box, const Vec3& centre, const Vec3& axis, const Vec3& forward, const Vec3& up,
              Polygon& cut) {
     const Rotation& r = box.rotation;
-    const Vec3 edges[3] = {r.x * box.half.x, r.y * box.half.y, r.z * box.half.z};
+    const Vec3 edges[3] = {r.col(0) * box.half.x(), r.col(1) * box.half.y(), r.col(2) * box.half.z()};
     for (int along = 0; along < 3; ++along) {
         const Vec3 &e = edges[along], &s = edges[(along + 1) % 3], &t = edges[(along + 2) % 3];
         for (int corner = 0; corner < 4; ++corner) {
@@ -109,14 +109,14 @@ void cut_box(const Shape& box, const Vec3& centre, const Vec3& axis, const Vec3&
 // The same for an upright cylinder and a wheel that stands about upright.
 void cut_cylinder(const Shape& cylinder, const Vec3& centre, const Vec3& axis, const Vec3& forward, Polygon& cut) {
     const Vec3 from = cylinder.centre - centre;
-    const double aside = dot({from.x, from.y, 0}, axis);
-    if (std::abs(aside) >= cylinder.half.x) return;
-    const double half = std::sqrt(cylinder.half.x * cylinder.half.x - aside * aside);
-    const double middle = dot({from.x, from.y, 0}, forward);
-    cut.add(middle - half, from.z - cylinder.half.z);
-    cut.add(middle + half, from.z - cylinder.half.z);
-    cut.add(middle + half, from.z + cylinder.half.z);
-    cut.add(middle - half, from.z + cylinder.half.z);
+    const double aside = dot({from.x(), from.y(), 0}, axis);
+    if (std::abs(aside) >= cylinder.half.x()) return;
+    const double half = std::sqrt(cylinder.half.x() * cylinder.half.x() - aside * aside);
+    const double middle = dot({from.x(), from.y(), 0}, forward);
+    cut.add(middle - half, from.z() - cylinder.half.z());
+    cut.add(middle + half, from.z() - cylinder.half.z());
+    cut.add(middle + half, from.z() + cylinder.half.z());
+    cut.add(middle - half, from.z() + cylinder.half.z());
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ std::span<const Touch> NarrowPhase::collide(const Shape& a, const Shape& b) {
     if (overlap.height() <= 0) return {};
     const bool a_disc = a.kind == Shape::Kind::cylinder, b_disc = b.kind == Shape::Kind::cylinder;
     // A robot nods a little while it drives; a thing leans or lies. `0.97` is 14 degrees.
-    const auto stands = [](const Shape& s) { return std::abs(s.rotation.z.z) > 0.97; };
+    const auto stands = [](const Shape& s) { return std::abs(s.rotation(2, 2)) > 0.97; };
     if ((a_disc || b_disc) && stands(a) && stands(b)) {
         Touch touch;
         if (a_disc && b_disc) {
@@ -164,18 +164,18 @@ std::span<const Touch> NarrowPhase::collide_by_ode(const Shape& a, const Shape& 
     std::size_t kept = 0;
     for (int i = 0; i < count; ++i) {
         const dContactGeom& c = found[static_cast<std::size_t>(i)];
-        const Touch touch{{c.pos[0], c.pos[1], c.pos[2]}, {c.normal[0], c.normal[1], c.normal[2]}, c.depth};
-        if (c.depth > 0 && is_finite(touch.at) && is_finite(touch.normal)) touches_[kept++] = touch;
+        const Touch touch{Eigen::Map<const Vec3>(c.pos), Eigen::Map<const Vec3>(c.normal), c.depth};
+        if (c.depth > 0 && touch.at.allFinite() && touch.normal.allFinite()) touches_[kept++] = touch;
     }
     return std::span(touches_).first(kept);
 }
 
 std::optional<Touch> touch_wheel(const Shape& shape, const Vec3& centre, const Vec3& axis, double radius) {
     constexpr double steepest = 0.2;  // upward part of a normal, below which it is a wall
-    const Vec3 level = cross(axis, {0, 0, 1});
-    const double flat = length(level);
+    const Vec3 level = axis.cross(Vec3::UnitZ());
+    const double flat = level.norm();
     if (flat < 0.3) return std::nullopt;  // the wheel lies on its side
-    const Vec3 forward = level * (1 / flat), up = cross(forward, axis);
+    const Vec3 forward = level * (1 / flat), up = forward.cross(axis);
 
     Polygon cut;
     if (shape.kind == Shape::Kind::box) {
@@ -202,7 +202,7 @@ std::optional<Touch> touch_wheel(const Shape& shape, const Vec3& centre, const V
     }
     if (inside || nearest >= radius || nearest < radius / 2) return std::nullopt;
     const Vec3 normal = (forward * -u + up * -v) * (1 / nearest);
-    if (normal.z < steepest) return std::nullopt;
+    if (normal.z() < steepest) return std::nullopt;
     return Touch{centre + forward * u + up * v, normal, radius - nearest};
 }
 

@@ -12,9 +12,9 @@ namespace nezumi::sim {
 
 /// A point where `a` and `b` touch.
 struct Touch {
-    Vec3 at;           ///< [m] in the world
-    Vec3 normal;       ///< a unit vector that points into `a`: moved along it by `depth`, `a` is free
-    double depth = 0;  ///< [m]
+    Vec3 at = Vec3::Zero();      ///< [m] in the world
+    Vec3 normal = Vec3::Zero();  ///< a unit vector that points into `a`: moved along it by `depth`, `a` is free
+    double depth = 0;            ///< [m]
 };
 
 class NarrowPhase {

@@ -14,15 +14,12 @@ namespace {
 constexpr double least_overlap = 1e-6;  // [m] to touch is not to overlap
 constexpr const char* border_color = "#5c6470";
 
-Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
-Point3D to_point(const Vec3& v) { return {v.x, v.y, v.z}; }
-
 dMass mass_of(const Shape& shape, double mass) {
     dMass m;
     if (shape.kind == Shape::Kind::box) {
-        dMassSetBoxTotal(&m, mass, 2 * shape.half.x, 2 * shape.half.y, 2 * shape.half.z);
+        dMassSetBoxTotal(&m, mass, 2 * shape.half.x(), 2 * shape.half.y(), 2 * shape.half.z());
     } else {
-        dMassSetCylinderTotal(&m, mass, 3, shape.half.x, 2 * shape.half.z);
+        dMassSetCylinderTotal(&m, mass, 3, shape.half.x(), 2 * shape.half.z());
     }
     return m;
 }
@@ -77,12 +74,15 @@ void OdeWorld::add_border(const ArenaSpec& arena) {
 }
 
 void OdeWorld::add_box(const BoxSpec& box, std::string name) {
-    add_shape({Shape::Kind::box, to_vec(box.at), Rotation::yaw_pitch(box.yaw, box.pitch), to_vec(box.size) * 0.5},
+    add_shape({Shape::Kind::box, to_vec(box.at), yaw_pitch_rotation(box.yaw, box.pitch), to_vec(box.size) * 0.5},
               box.mass, std::move(name), box.color);
 }
 
 void OdeWorld::add_cylinder(const CylinderSpec& cylinder, std::string name) {
-    add_shape({Shape::Kind::cylinder, to_vec(cylinder.at), {}, {cylinder.radius, cylinder.radius, cylinder.height / 2}},
+    add_shape({Shape::Kind::cylinder,
+               to_vec(cylinder.at),
+               Rotation::Identity(),
+               {cylinder.radius, cylinder.radius, cylinder.height / 2}},
               cylinder.mass, std::move(name), cylinder.color);
 }
 
@@ -118,7 +118,7 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     dBodySetMass(body, &m);
     dBodySetGyroscopicMode(body, 0);  // wheels hold it upright: nothing to gain, and time to lose
     const BodyView view(body);
-    view.put(rest_centre(model, pose, Scene::nobody), Rotation::yaw(pose.heading));
+    view.put(rest_centre(model, pose, Scene::nobody), yaw_rotation(pose.heading));
     Shape hull = model.hull;
     place_hull(hull, model, view);
     islands_.add_mover();
@@ -148,13 +148,13 @@ void OdeWorld::remove_robot(RobotId id) {
 // Where the hull's centre is when the robot stands there: on the floor, or on the highest of what its wheels and skids
 // would otherwise stick in.
 Vec3 OdeWorld::rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const {
-    const Rotation rotation = Rotation::yaw(pose.heading);
-    const Vec3 centre = Vec3{pose.position.x, pose.position.y, 0} - rotation * model.origin;
+    const Rotation rotation = yaw_rotation(pose.heading);
+    const Vec3 centre = Vec3{pose.position.x, pose.position.y, 0} - rotate(rotation, model.origin);
     double height = 0;
-    const double from_height = centre.z + model.hull_drop - model.hull.half.z;
+    const double from_height = centre.z() + model.hull_drop - model.hull.half.z();
     for (const Vec3& point : {model.wheels[0], model.wheels[1], model.skids[0], model.skids[1]}) {
-        Vec3 from = centre + rotation * point;
-        from.z = from_height;
+        Vec3 from = centre + rotate(rotation, point);
+        from.z() = from_height;
         const double distance = cast_ray(scene_, from, {0, 0, -1}, from_height, self);
         if (distance < nothing && distance > 0) height = std::max(height, from_height - distance);
     }
@@ -168,7 +168,7 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
                                    name, pose.position.x, pose.position.y, pose.heading));
     }
     Shape hull = model.hull;
-    hull.rotation = Rotation::yaw(pose.heading);
+    hull.rotation = yaw_rotation(pose.heading);
     hull.centre = rest_centre(model, pose, self) + Vec3{0, 0, model.hull_drop};
 
     std::string other;
@@ -177,12 +177,12 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
             if (touch.depth > least_overlap && other.empty()) other = name_of(obstacle);
         }
     };
-    scene_.for_each_mover_near(hull.centre.x, hull.centre.y, model.reach, self,
+    scene_.for_each_mover_near(hull.centre.x(), hull.centre.y(), model.reach, self,
                                [&](Scene::Index i, const Shape& shape) {
                                    look({true, i}, shape);
                                });
-    scene_.for_each_fixed_near(hull.centre.x, hull.centre.y, model.reach, [&](Scene::Index i, const Shape& shape) {
-        if (distance_from_above(shape, hull.centre.x, hull.centre.y) <= model.reach) look({false, i}, shape);
+    scene_.for_each_fixed_near(hull.centre.x(), hull.centre.y(), model.reach, [&](Scene::Index i, const Shape& shape) {
+        if (distance_from_above(shape, hull.centre.x(), hull.centre.y()) <= model.reach) look({false, i}, shape);
     });
     if (other.empty()) return {};
     const bool robot =
@@ -198,25 +198,25 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
 Truth OdeWorld::truth(RobotId id) const {
     const SimRobot& robot = movers_.robots[id];
     const Rotation rotation = robot.body.rotation();
-    const Vec3 to_origin = rotation * robot.model->origin;
+    const Vec3 to_origin = rotate(rotation, robot.model->origin);
     const Vec3 origin = robot.body.centre() + to_origin, velocity = robot.body.velocity_at(to_origin);
-    const double heading = std::atan2(rotation.x.y, rotation.x.x);
+    const double heading = std::atan2(rotation(1, 0), rotation(0, 0));
     // The step's velocity held in the frame in which the step began; in that of its end a turning robot would seem to
     // skid.
     const double began = heading - robot.body.w[2] * step_, c = std::cos(began), s = std::sin(began);
     Truth truth;
-    truth.pose = {{origin.x, origin.y}, heading};
+    truth.pose = {{origin.x(), origin.y()}, heading};
     truth.velocity = {
-        .vx = c * velocity.x + s * velocity.y, .vy = c * velocity.y - s * velocity.x, .va = robot.body.w[2]};
-    truth.height = origin.z;
-    truth.tilt = std::acos(std::clamp(rotation.z.z, -1.0, 1.0));
+        .vx = c * velocity.x() + s * velocity.y(), .vy = c * velocity.y() - s * velocity.x(), .va = robot.body.w[2]};
+    truth.height = origin.z();
+    truth.tilt = std::acos(std::clamp(rotation(2, 2), -1.0, 1.0));
     return truth;
 }
 
 Expected<void> OdeWorld::teleport(RobotId id, Pose2D pose) {
     SimRobot& robot = movers_.robots[id];
     if (auto free = check_free(*robot.model, robot.name, pose, robot.mover); !free) return free;
-    robot.body.put(rest_centre(*robot.model, pose, robot.mover), Rotation::yaw(pose.heading));
+    robot.body.put(rest_centre(*robot.model, pose, robot.mover), yaw_rotation(pose.heading));
     place_movers();
     scene_.refresh();
     neighbours_.expire();
@@ -237,9 +237,9 @@ std::vector<ThingPose> OdeWorld::things() const {
         pose.shape = shape.kind == Shape::Kind::box ? ThingPose::Shape::box : ThingPose::Shape::cylinder;
         pose.size = to_point(shape.half * 2);
         pose.pose.position = to_point(shape.centre);
-        pose.pose.orientation = {.r = std::atan2(r.y.z, r.z.z),
-                                 .p = -std::asin(std::clamp(r.x.z, -1.0, 1.0)),
-                                 .y = std::atan2(r.x.y, r.x.x)};
+        pose.pose.orientation = {.r = std::atan2(r(2, 1), r(2, 2)),
+                                 .p = -std::asin(std::clamp(r(2, 0), -1.0, 1.0)),
+                                 .y = std::atan2(r(1, 0), r(0, 0))};
         pose.color = label.color;
         poses.push_back(std::move(pose));
     };

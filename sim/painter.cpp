@@ -46,9 +46,9 @@ std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
     std::vector<Vec3> kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if (a.z >= nearest_plane) kept.push_back(a);
-        if ((a.z >= nearest_plane) != (b.z >= nearest_plane)) {
-            kept.push_back(a + (b - a) * ((nearest_plane - a.z) / (b.z - a.z)));
+        if (a.z() >= nearest_plane) kept.push_back(a);
+        if ((a.z() >= nearest_plane) != (b.z() >= nearest_plane)) {
+            kept.push_back(a + (b - a) * ((nearest_plane - a.z()) / (b.z() - a.z())));
         }
     }
     return kept;
@@ -56,8 +56,9 @@ std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
 
 // `direction` dot the ray through a sample, as a function of its place.
 Plane along_ray(const Vec3& direction, const Intrinsics& intrinsics) {
-    return {direction.z - direction.x * intrinsics.cx / intrinsics.fx - direction.y * intrinsics.cy / intrinsics.fy,
-            direction.x / intrinsics.fx, direction.y / intrinsics.fy};
+    return {
+        direction.z() - direction.x() * intrinsics.cx / intrinsics.fx - direction.y() * intrinsics.cy / intrinsics.fy,
+        direction.x() / intrinsics.fx, direction.y() / intrinsics.fy};
 }
 
 Plane operator-(const Plane& a, const Plane& b) {
@@ -68,19 +69,19 @@ Plane operator*(const Plane& a, double s) { return {a.at_origin * s, a.per_colum
 // How far a point is along an edge of the picture, in pixels, times 1 / z.
 Plane along_edge(const Face& face, const Vec3& edge, int pixels, const Plane& inverse_depth,
                  const Intrinsics& intrinsics) {
-    const double scale = pixels / dot(edge, edge);
-    return along_ray(edge * scale, intrinsics) - inverse_depth * (dot(edge, face.top_left) * scale);
+    const double scale = pixels / edge.squaredNorm();
+    return along_ray(edge * scale, intrinsics) - inverse_depth * (edge.dot(face.top_left) * scale);
 }
 
 // Whether anything of it is in sight, and if so, how.
 bool see(const Face& face, const Intrinsics& intrinsics, int columns, int rows, SeenFace& seen) {
     const std::vector<Vec3> corners = cut_near(face.corners);
     if (corners.size() < 3) return false;
-    Vec3 normal = cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
-    const double area = length(normal);
+    Vec3 normal = (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]);
+    const double area = normal.norm();
     if (!(area > 0)) return false;
     normal = normal * (1 / area);
-    double distance = dot(normal, face.corners[0]);
+    double distance = normal.dot(face.corners[0]);
     if (distance < 0) {
         normal = -normal;
         distance = -distance;
@@ -89,8 +90,8 @@ bool see(const Face& face, const Intrinsics& intrinsics, int columns, int rows, 
 
     double top = rows, bottom = 0, left = columns, right = 0;
     for (const Vec3& corner : corners) {
-        const Corner c{intrinsics.fx * corner.x / corner.z + intrinsics.cx,
-                       intrinsics.fy * corner.y / corner.z + intrinsics.cy};
+        const Corner c{intrinsics.fx * corner.x() / corner.z() + intrinsics.cx,
+                       intrinsics.fy * corner.y() / corner.z() + intrinsics.cy};
         top = std::min(top, c.row);
         bottom = std::max(bottom, c.row);
         left = std::min(left, c.column);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/devices/camera.hpp"
+#include "sim/geometry.hpp"
 #include "sim/picture.hpp"
-#include "sim/vec.hpp"
 
 namespace nezumi::sim {
 
@@ -15,9 +15,9 @@ struct Face {
     std::vector<Vec3> corners;  ///< in order around it
     Rgb color = 0;
     const Picture* picture = nullptr;  ///< what it shows instead of the colour; must outlive the painting
-    Vec3 top_left;                     ///< of the picture
-    Vec3 right;                        ///< from there to its top right corner
-    Vec3 down;                         ///< and to its bottom left corner, at right angles to `right`
+    Vec3 top_left = Vec3::Zero();      ///< of the picture
+    Vec3 right = Vec3::Zero();         ///< from there to its top right corner
+    Vec3 down = Vec3::Zero();          ///< and to its bottom left corner, at right angles to `right`
     double lift = 0;                   ///< [m] it hides what lies less than so far before it: for what sticks on a wall
 };
 

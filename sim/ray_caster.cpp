@@ -9,22 +9,22 @@ namespace {
 
 // Whether a ray can meet a shape that, seen from above, lies within `reach` of (x, y) from the ray's start.
 bool may_meet(double x, double y, double reach, const Vec3& direction, double range) {
-    const double along = x * direction.x + y * direction.y;
-    const double flat = direction.x * direction.x + direction.y * direction.y;
+    const double along = x * direction.x() + y * direction.y();
+    const double flat = direction.x() * direction.x() + direction.y() * direction.y();
     // Nearest point of the ray to the shape's axis; what is behind the start can still hold the start.
     const double t = flat > 1e-12 ? std::clamp(along / flat, 0.0, range) : 0.0;
-    const double dx = x - t * direction.x, dy = y - t * direction.y;
+    const double dx = x - t * direction.x(), dy = y - t * direction.y();
     return dx * dx + dy * dy <= reach * reach;
 }
 
 void cast_at(const Shape& shape, double reach, const RayFan& fan, const Vec3& centre, const Rotation& rotation,
              std::span<double> distances) {
     for (const RayFan::RayFrom& ray : fan.rays) {
-        const Vec3 from = centre + rotation * ray.from;
-        const Vec3 direction = rotation * ray.direction;
+        const Vec3 from = centre + rotate(rotation, ray.from);
+        const Vec3 direction = rotate(rotation, ray.direction);
         double& nearest = distances[ray.sensor];
         const double range = std::min(ray.range, nearest);
-        if (!may_meet(shape.centre.x - from.x, shape.centre.y - from.y, reach, direction, range)) continue;
+        if (!may_meet(shape.centre.x() - from.x(), shape.centre.y() - from.y(), reach, direction, range)) continue;
         nearest = std::min(nearest, cast_ray(shape, from, direction, range));
     }
 }
@@ -34,18 +34,18 @@ void cast_at(const Shape& shape, double reach, const RayFan& fan, const Vec3& ce
 void RayFan::add(const RayFrom& ray) {
     rays.push_back(ray);
     sensors = std::max(sensors, ray.sensor + 1);
-    reach = std::max(reach, length(ray.from) + ray.range);
+    reach = std::max(reach, ray.from.norm() + ray.range);
 }
 
 void cast_rays(const Scene& scene, const RayFan& fan, const Vec3& centre, const Rotation& rotation, Scene::Index self,
                std::span<double> distances) {
     assert(distances.size() >= fan.sensors);
     std::fill(distances.begin(), distances.end(), nothing);
-    scene.for_each_fixed_near(centre.x, centre.y, fan.reach, [&](Scene::Index, const Shape& shape) {
-        if (distance_from_above(shape, centre.x, centre.y) > fan.reach) return;
+    scene.for_each_fixed_near(centre.x(), centre.y(), fan.reach, [&](Scene::Index, const Shape& shape) {
+        if (distance_from_above(shape, centre.x(), centre.y()) > fan.reach) return;
         cast_at(shape, shape.reach(), fan, centre, rotation, distances);
     });
-    scene.for_each_mover_near(centre.x, centre.y, fan.reach, self, [&](Scene::Index, const Shape& shape) {
+    scene.for_each_mover_near(centre.x(), centre.y(), fan.reach, self, [&](Scene::Index, const Shape& shape) {
         cast_at(shape, shape.reach(), fan, centre, rotation, distances);
     });
 }
@@ -55,8 +55,8 @@ double cast_ray(const Scene& scene, const Vec3& from, const Vec3& direction, dou
     const auto look = [&](Scene::Index, const Shape& shape) {
         nearest = std::min(nearest, cast_ray(shape, from, direction, std::min(range, nearest)));
     };
-    scene.for_each_fixed_near(from.x, from.y, range, look);
-    scene.for_each_mover_near(from.x, from.y, range, self, look);
+    scene.for_each_fixed_near(from.x(), from.y(), range, look);
+    scene.for_each_mover_near(from.x(), from.y(), range, self, look);
     return nearest;
 }
 

@@ -12,10 +12,10 @@ namespace nezumi::sim {
 /// The rays of one robot in its own frame, whose origin is its centre.
 struct RayFan {
     struct RayFrom {
-        Vec3 from;               ///< [m]
-        Vec3 direction;          ///< a unit vector
-        double range = 0;        ///< [m]
-        std::size_t sensor = 0;  ///< which distance it is measured for; of several rays the nearest hit counts
+        Vec3 from = Vec3::Zero();        ///< [m]
+        Vec3 direction = Vec3::UnitX();  ///< a unit vector
+        double range = 0;                ///< [m]
+        std::size_t sensor = 0;          ///< which distance it is measured for; of several rays the nearest hit counts
     };
     std::vector<RayFrom> rays;
     std::size_t sensors = 0;  ///< how many distances there are

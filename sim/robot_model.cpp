@@ -13,8 +13,6 @@ constexpr double least_clearance = 0.004;
 // [m] No skid is nearer to the axle: with both under the axle no robot would stand.
 constexpr double least_skid = 0.005;
 
-Vec3 to_vec(const Point3D& p) { return {p.x, p.y, p.z}; }
-
 }  // namespace
 
 RobotModel::RobotModel(const RobotSpec& robot, double step)
@@ -25,9 +23,9 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     const bool box = robot.body.shape == BodySpec::Shape::box;
     hull.kind = box ? Shape::Kind::box : Shape::Kind::cylinder;
     hull.half = to_vec(robot.body.size) * 0.5;
-    const double top = robot.body.at.z + hull.half.z;
-    const double bottom = std::max(robot.body.at.z - hull.half.z, std::min(least_clearance, top - 0.001));
-    hull.half.z = (top - bottom) / 2;
+    const double top = robot.body.at.z + hull.half.z();
+    const double bottom = std::max(robot.body.at.z - hull.half.z(), std::min(least_clearance, top - 0.001));
+    hull.half.z() = (top - bottom) / 2;
     hull_drop = (top + bottom) / 2 - robot.body.at.z;
 
     // At rest the wheels carry the load and each skid 15 % of it, more or less where the hull's centre is before or
@@ -45,18 +43,19 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     }
     const double on_wheel = (1 - front - rear) / 2;
     wheel_radius = drive.radius + on_wheel * gravity / per_kilogram::firm;
-    const double axle = origin.z + drive.radius;
-    wheels = {Vec3{origin.x, origin.y + drive.track / 2, axle}, Vec3{origin.x, origin.y - drive.track / 2, axle}};
+    const double axle = origin.z() + drive.radius;
+    wheels = {Vec3{origin.x(), origin.y() + drive.track / 2, axle},
+              Vec3{origin.x(), origin.y() - drive.track / 2, axle}};
     // A disc is as wide at the axle as its circle is there.
-    const double x = origin.x,
-                 half_width = box ? hull.half.y : std::sqrt(std::max(0.0, hull.half.x * hull.half.x - x * x));
-    wheel_overhang = drive.track / 2 - (half_width + origin.y);
+    const double x = origin.x(),
+                 half_width = box ? hull.half.y() : std::sqrt(std::max(0.0, hull.half.x() * hull.half.x() - x * x));
+    wheel_overhang = drive.track / 2 - (half_width + origin.y());
     // A tall robot would fall over soft skids: a single one brings it upright with three times what gravity tilts it.
     const double stiffness = std::max(per_kilogram::skid, 3 * gravity * robot.body.at.z / (arm * arm));
     const double damping = per_kilogram::skid_damping * std::sqrt(stiffness / per_kilogram::skid);
     const double skid_give = gravity / stiffness;
-    skids = {Vec3{origin.x + arm, origin.y, origin.z - front * skid_give},
-             Vec3{origin.x - arm, origin.y, origin.z - rear * skid_give}};
+    skids = {Vec3{origin.x() + arm, origin.y(), origin.z() - front * skid_give},
+             Vec3{origin.x() - arm, origin.y(), origin.z() - rear * skid_give}};
     clearance = bottom;
 
     wheel_contact.surface.mode = sprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
@@ -75,8 +74,8 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     skid_contact.surface.soft_cfm = soft.cfm;
 
     reach = hull.reach();
-    for (const Vec3& wheel : wheels) reach = std::max(reach, length(wheel) + wheel_radius);
-    for (const Vec3& point : skids) reach = std::max(reach, length(point));
+    for (const Vec3& wheel : wheels) reach = std::max(reach, wheel.norm() + wheel_radius);
+    for (const Vec3& point : skids) reach = std::max(reach, point.norm());
 
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
         if (robot.sensors[i].kind != SensorSpec::Kind::range) continue;
@@ -95,7 +94,7 @@ RayFan RobotModel::fan_at(const std::vector<double>& servo_angles) const {
         for (std::size_t a = 0; a < spec->actuators.size(); ++a) {
             const ActuatorSpec& servo = spec->actuators[a];
             if (servo.name != sensor.on || servo.kind != ActuatorSpec::Kind::servo) continue;
-            at = to_vec(servo.at) + Rotation::yaw(servo_angles[a]) * (at - to_vec(servo.at));
+            at = to_vec(servo.at) + rotate(yaw_rotation(servo_angles[a]), at - to_vec(servo.at));
             yaw += servo_angles[a];
         }
         const int count = sensor.cone > 0 ? std::max(1, sensor.rays) : 1;

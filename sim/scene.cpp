@@ -10,13 +10,13 @@ Scene::Index Scene::add_fixed(const Shape& shape) {
     fixed_.push_back(shape);
     const Rotation& r = shape.rotation;
     const bool box = shape.kind == Shape::Kind::box;
-    const double x =
-        box ? std::abs(r.x.x) * shape.half.x + std::abs(r.y.x) * shape.half.y + std::abs(r.z.x) * shape.half.z
-            : shape.half.x + std::abs(r.z.x) * shape.half.z;
-    const double y =
-        box ? std::abs(r.x.y) * shape.half.x + std::abs(r.y.y) * shape.half.y + std::abs(r.z.y) * shape.half.z
-            : shape.half.x + std::abs(r.z.y) * shape.half.z;
-    const Bounds bounds{shape.centre.x - x, shape.centre.x + x, shape.centre.y - y, shape.centre.y + y};
+    const double x = box ? std::abs(r(0, 0)) * shape.half.x() + std::abs(r(0, 1)) * shape.half.y() +
+                               std::abs(r(0, 2)) * shape.half.z()
+                         : shape.half.x() + std::abs(r(0, 2)) * shape.half.z();
+    const double y = box ? std::abs(r(1, 0)) * shape.half.x() + std::abs(r(1, 1)) * shape.half.y() +
+                               std::abs(r(1, 2)) * shape.half.z()
+                         : shape.half.x() + std::abs(r(1, 2)) * shape.half.z();
+    const Bounds bounds{shape.centre.x() - x, shape.centre.x() + x, shape.centre.y() - y, shape.centre.y() + y};
     bounds_.push_back(bounds);
 
     const double columns = (bounds.max_x - bounds.min_x) / cell_size + 2,
@@ -40,7 +40,7 @@ Scene::Index Scene::add_fixed(const Shape& shape) {
 Scene::Index Scene::add_mover(const Shape& shape, double reach) {
     const Index index = static_cast<Index>(movers_.size());
     movers_.push_back(shape);
-    spots_.push_back({shape.centre.x, shape.centre.y, reach});
+    spots_.push_back({shape.centre.x(), shape.centre.y(), reach});
     if (spots_.back().reach > large_reach) {
         large_movers_.push_back(index);
     } else {
@@ -64,8 +64,8 @@ void Scene::keep(Index mover) {
 
 void Scene::refresh() {
     for (std::size_t i = 0; i < movers_.size(); ++i) {
-        spots_[i].x = movers_[i].centre.x;
-        spots_[i].y = movers_[i].centre.y;
+        spots_[i].x = movers_[i].centre.x();
+        spots_[i].y = movers_[i].centre.y();
     }
     if (movers_.size() <= few) return;
     mover_grid_.clear();

@@ -21,8 +21,8 @@ struct Solid {
 struct Sign {
     const Picture* picture = nullptr;
     double edge = 0;  ///< [m]
-    Vec3 centre;
-    Rotation rotation;
+    Vec3 centre = Vec3::Zero();
+    Rotation rotation = Rotation::Identity();
 };
 
 struct Scenery {
@@ -34,8 +34,8 @@ struct Scenery {
 
 /// From where it is looked at; the frame has x forward, y left, z up.
 struct View {
-    Vec3 at;
-    Rotation rotation;
+    Vec3 at = Vec3::Zero();
+    Rotation rotation = Rotation::Identity();
 };
 
 /// The colour over the horizon.

@@ -20,12 +20,12 @@ bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor
     constexpr double behind = 0.005;    // [m] contacts give a little
     constexpr double nearly = 0.0015;   // [m] of the travel that need not be used up: a robot that pushes leans back
     const Rotation rotation = robot.body.rotation();
-    const Vec3 at = Vec3{sensor.at.x, sensor.at.y, sensor.at.z} + robot.model->origin;
-    const Vec3 out{std::cos(sensor.yaw), std::sin(sensor.yaw), 0}, aside{-out.y, out.x, 0};
+    const Vec3 at = to_vec(sensor.at) + robot.model->origin;
+    const Vec3 out{std::cos(sensor.yaw), std::sin(sensor.yaw), 0}, aside{-out.y(), out.x(), 0};
     for (const double side : {0.0, half_tip, -half_tip}) {
         const Vec3 from = at - out * (sensor.travel + behind) + aside * side;
-        const double distance =
-            cast_ray(scene_, robot.body.centre() + rotation * from, rotation * out, behind + nearly, robot.mover);
+        const double distance = cast_ray(scene_, robot.body.centre() + rotate(rotation, from), rotate(rotation, out),
+                                         behind + nearly, robot.mover);
         if (distance < nothing) return true;
     }
     return false;
@@ -34,10 +34,10 @@ bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor
 std::optional<Rgb> OdeWorld::floor_under(const SimRobot& robot, const SensorSpec& sensor) const {
     constexpr double highest = 0.05;  // [m] its lamp does not reach farther
     if (!floor_) return std::nullopt;
-    const Vec3 from = Vec3{sensor.at.x, sensor.at.y, sensor.at.z} + robot.model->origin;
-    const Vec3 at = robot.body.centre() + robot.body.rotation() * from;
-    if (at.z > highest) return std::nullopt;
-    return look_at_floor(*floor_, floor_size_, {at.x, at.y});
+    const Vec3 from = to_vec(sensor.at) + robot.model->origin;
+    const Vec3 at = robot.body.centre() + rotate(robot.body.rotation(), from);
+    if (at.z() > highest) return std::nullopt;
+    return look_at_floor(*floor_, floor_size_, {at.x(), at.y()});
 }
 
 std::vector<Ray> OdeWorld::rays(RobotId id) const {
@@ -46,11 +46,11 @@ std::vector<Ray> OdeWorld::rays(RobotId id) const {
     const Rotation rotation = robot.body.rotation();
     std::vector<Ray> rays;
     for (const RayFan::RayFrom& ray : robot.fan().rays) {
-        const Vec3 from = centre + rotation * ray.from, direction = rotation * ray.direction;
+        const Vec3 from = centre + rotate(rotation, ray.from), direction = rotate(rotation, ray.direction);
         const double distance = cast_ray(scene_, from, direction, ray.range, robot.mover);
         const bool hit = distance < nothing;
         const Vec3 to = from + direction * (hit ? distance : ray.range);
-        rays.push_back({{from.x, from.y, from.z}, {to.x, to.y, to.z}, hit});
+        rays.push_back({to_point(from), to_point(to), hit});
     }
     return rays;
 }

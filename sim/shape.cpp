@@ -27,17 +27,17 @@ double cast_at_box(const Vec3& half, const Vec3& from, const Vec3& direction, do
     double near = 0, far = range;
     bool entered = false;
     int axis = -1;
-    if (!clip_to_slab(from.x, direction.x, half.x, near, far, entered)) return nothing;
+    if (!clip_to_slab(from.x(), direction.x(), half.x(), near, far, entered)) return nothing;
     if (entered) axis = 0;
-    if (!clip_to_slab(from.y, direction.y, half.y, near, far, entered)) return nothing;
+    if (!clip_to_slab(from.y(), direction.y(), half.y(), near, far, entered)) return nothing;
     if (entered) axis = 1;
-    if (!clip_to_slab(from.z, direction.z, half.z, near, far, entered)) return nothing;
+    if (!clip_to_slab(from.z(), direction.z(), half.z(), near, far, entered)) return nothing;
     if (entered) axis = 2;
     if (normal != nullptr) {
         *normal = -direction;
-        if (axis == 0) *normal = {-sign(direction.x), 0, 0};
-        if (axis == 1) *normal = {0, -sign(direction.y), 0};
-        if (axis == 2) *normal = {0, 0, -sign(direction.z)};
+        if (axis == 0) *normal = {-sign(direction.x()), 0, 0};
+        if (axis == 1) *normal = {0, -sign(direction.y()), 0};
+        if (axis == 2) *normal = {0, 0, -sign(direction.z())};
     }
     return near;
 }
@@ -46,11 +46,11 @@ double cast_at_cylinder(double radius, double half_height, const Vec3& from, con
                         Vec3* normal) {
     double near = 0, far = range;
     bool by_cap = false, by_side = false;
-    if (!clip_to_slab(from.z, direction.z, half_height, near, far, by_cap)) return nothing;
+    if (!clip_to_slab(from.z(), direction.z(), half_height, near, far, by_cap)) return nothing;
     // |from + t * direction|^2 = radius^2 as seen along the axis.
-    const double a = direction.x * direction.x + direction.y * direction.y;
-    const double b = from.x * direction.x + from.y * direction.y;
-    const double c = from.x * from.x + from.y * from.y - radius * radius;
+    const double a = direction.x() * direction.x() + direction.y() * direction.y();
+    const double b = from.x() * direction.x() + from.y() * direction.y();
+    const double c = from.x() * from.x() + from.y() * from.y() - radius * radius;
     if (a < 1e-30) {
         if (c > 0) return nothing;
     } else {
@@ -68,9 +68,9 @@ double cast_at_cylinder(double radius, double half_height, const Vec3& from, con
     if (normal != nullptr) {
         *normal = -direction;
         if (by_side) {
-            *normal = Vec3{from.x + near * direction.x, from.y + near * direction.y, 0} * (1 / radius);
+            *normal = Vec3{from.x() + near * direction.x(), from.y() + near * direction.y(), 0} * (1 / radius);
         } else if (by_cap) {
-            *normal = {0, 0, -sign(direction.z)};
+            *normal = {0, 0, -sign(direction.z())};
         }
     }
     return near;
@@ -78,33 +78,35 @@ double cast_at_cylinder(double radius, double half_height, const Vec3& from, con
 
 }  // namespace
 
-double Shape::reach() const { return kind == Kind::box ? length(half) : std::sqrt(half.x * half.x + half.z * half.z); }
-
-double Shape::half_height() const {
-    const double along = std::abs(rotation.z.z) * half.z;
-    if (kind == Kind::box) return along + std::abs(rotation.x.z) * half.x + std::abs(rotation.y.z) * half.y;
-    return along + half.x * std::sqrt(std::max(0.0, 1 - rotation.z.z * rotation.z.z));
+double Shape::reach() const {
+    return kind == Kind::box ? half.norm() : std::sqrt(half.x() * half.x() + half.z() * half.z());
 }
 
-bool Shape::is_upright() const { return std::abs(rotation.z.z) > 0.99995; }
+double Shape::half_height() const {
+    const double along = std::abs(rotation(2, 2)) * half.z();
+    if (kind == Kind::box) return along + std::abs(rotation(2, 0)) * half.x() + std::abs(rotation(2, 1)) * half.y();
+    return along + half.x() * std::sqrt(std::max(0.0, 1 - rotation(2, 2) * rotation(2, 2)));
+}
+
+bool Shape::is_upright() const { return std::abs(rotation(2, 2)) > 0.99995; }
 
 double cast_ray(const Shape& shape, const Vec3& from, const Vec3& direction, double range, Vec3* normal) {
-    const Vec3 local_from = shape.rotation.inverse(from - shape.centre);
-    const Vec3 local_direction = shape.rotation.inverse(direction);
+    const Vec3 local_from = rotate_back(shape.rotation, from - shape.centre);
+    const Vec3 local_direction = rotate_back(shape.rotation, direction);
     const double distance =
         shape.kind == Shape::Kind::box
             ? cast_at_box(shape.half, local_from, local_direction, range, normal)
-            : cast_at_cylinder(shape.half.x, shape.half.z, local_from, local_direction, range, normal);
-    if (normal != nullptr && distance < nothing) *normal = shape.rotation * *normal;
+            : cast_at_cylinder(shape.half.x(), shape.half.z(), local_from, local_direction, range, normal);
+    if (normal != nullptr && distance < nothing) *normal = rotate(shape.rotation, *normal);
     return distance;
 }
 
 double distance_from_above(const Shape& shape, double x, double y) {
-    const double dx = x - shape.centre.x, dy = y - shape.centre.y;
+    const double dx = x - shape.centre.x(), dy = y - shape.centre.y();
     if (!shape.is_upright()) return std::max(0.0, std::hypot(dx, dy) - shape.reach());
-    if (shape.kind == Shape::Kind::cylinder) return std::max(0.0, std::hypot(dx, dy) - shape.half.x);
-    const double along = std::abs(dx * shape.rotation.x.x + dy * shape.rotation.x.y) - shape.half.x;
-    const double across = std::abs(dx * shape.rotation.y.x + dy * shape.rotation.y.y) - shape.half.y;
+    if (shape.kind == Shape::Kind::cylinder) return std::max(0.0, std::hypot(dx, dy) - shape.half.x());
+    const double along = std::abs(dx * shape.rotation(0, 0) + dy * shape.rotation(1, 0)) - shape.half.x();
+    const double across = std::abs(dx * shape.rotation(0, 1) + dy * shape.rotation(1, 1)) - shape.half.y();
     return std::hypot(std::max(0.0, along), std::max(0.0, across));
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "sim/vec.hpp"
+#include "sim/geometry.hpp"
 
 namespace nezumi::sim {
 
@@ -16,9 +16,9 @@ struct Shape {
     enum class Kind : std::uint8_t { box, cylinder };
 
     Kind kind = Kind::box;
-    Vec3 centre;        ///< [m] in the world
-    Rotation rotation;  ///< from the shape's frame to the world
-    Vec3 half;          ///< [m] half the edges of a box; a cylinder: radius, radius, half its height
+    Vec3 centre = Vec3::Zero();                ///< [m] in the world
+    Rotation rotation = Rotation::Identity();  ///< from the shape's frame to the world
+    Vec3 half = Vec3::Zero();  ///< [m] half the edges of a box; a cylinder: radius, radius, half its height
 
     /// [m] Radius of the upright cylinder about the centre that holds the shape, however it has turned.
     double reach() const;

@@ -108,8 +108,8 @@ void OdeWorld::turn_wheels() {
     for (SimRobot& robot : movers_.robots) {
         if (robot.coasting) {
             const Rotation rotation = robot.body.rotation();
-            robot.speeds.left = dot(robot.body.velocity_at(rotation * robot.model->wheels[0]), rotation.x);
-            robot.speeds.right = dot(robot.body.velocity_at(rotation * robot.model->wheels[1]), rotation.x);
+            robot.speeds.left = dot(robot.body.velocity_at(rotate(rotation, robot.model->wheels[0])), rotation.col(0));
+            robot.speeds.right = dot(robot.body.velocity_at(rotate(rotation, robot.model->wheels[1])), rotation.col(0));
         }
         const double turn = step_ / robot.model->spec->drive.radius;
         robot.angles.left += robot.speeds.left * turn;
@@ -121,7 +121,7 @@ void OdeWorld::measure_travel() {
     double fastest = 0;  // squared
     bool lost = false;
     const auto look_at = [&](const BodyView& body) {
-        const double squared = dot(body.velocity(), body.velocity());
+        const double squared = body.velocity().squaredNorm();
         fastest = std::max(fastest, squared);
         lost = lost || !(squared < 1e6);  // also when it is no number
     };
@@ -139,7 +139,7 @@ void OdeWorld::tend_things() {
         if (thing.asleep) continue;
         const Vec3 velocity = thing.body.velocity(), spin = thing.body.spin();
         const bool quiet =
-            dot(velocity, velocity) < quiet_speed * quiet_speed && dot(spin, spin) < quiet_spin * quiet_spin;
+            velocity.squaredNorm() < quiet_speed * quiet_speed && spin.squaredNorm() < quiet_spin * quiet_spin;
         thing.quiet_steps = quiet ? thing.quiet_steps + 1 : 0;
         if (thing.quiet_steps < steps_to_sleep) continue;
         thing.sleep();
@@ -160,7 +160,7 @@ void OdeWorld::restore_lost_bodies() {
 
 void OdeWorld::restore(const BodyView& body, const Shape& last, double drop, const std::string& name) {
     if (body.is_sound()) return;
-    body.put(last.centre - last.rotation.z * drop, last.rotation);
+    body.put(last.centre - last.rotation.col(2) * drop, last.rotation);
     warn_("physics: '" + name + "' was lost and is back where it was a tick before");
 }
 

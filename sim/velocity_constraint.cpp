@@ -22,16 +22,16 @@ void VelocityConstraint::hold_linear(dWorldID world, const SimRobot& robot, cons
     dJointAttach(motor, robot.body.id, nullptr);
     dJointSetLMotorNumAxes(motor, push.vx && push.vy ? 2 : 1);
     const Rotation r = robot.body.rotation();
-    const Vec3& first = push.vx ? r.x : r.y;
+    const Vec3 first = r.col(push.vx ? 0 : 1);
     const double force = strength(*robot.model);
     // `1`: the axis turns with the robot.
-    dJointSetLMotorAxis(motor, 0, 1, first.x, first.y, first.z);
+    dJointSetLMotorAxis(motor, 0, 1, first.x(), first.y(), first.z());
     // The velocities are those of the body frame's origin, the motor's those of the hull's centre.
-    const double side = push.va.value_or(0) * -robot.model->origin.x;
+    const double side = push.va.value_or(0) * -robot.model->origin.x();
     dJointSetLMotorParam(motor, dParamVel, push.vx ? *push.vx : *push.vy + side);
     dJointSetLMotorParam(motor, dParamFMax, force);
     if (push.vx && push.vy) {
-        dJointSetLMotorAxis(motor, 1, 1, r.y.x, r.y.y, r.y.z);
+        dJointSetLMotorAxis(motor, 1, 1, r(0, 1), r(1, 1), r(2, 1));
         dJointSetLMotorParam(motor, dParamVel2, *push.vy + side);
         dJointSetLMotorParam(motor, dParamFMax2, force);
     }
@@ -45,8 +45,8 @@ void VelocityConstraint::hold_angular(dWorldID world, const SimRobot& robot, con
     // Roll and pitch are held too: else wheels that grip would make the robot nod or fall.
     const Rotation r = robot.body.rotation();
     const double torque = strength(*robot.model) * robot.model->spec->drive.track;
-    dJointSetAMotorAxis(motor, 0, 1, r.x.x, r.x.y, r.x.z);
-    dJointSetAMotorAxis(motor, 1, 1, r.y.x, r.y.y, r.y.z);
+    dJointSetAMotorAxis(motor, 0, 1, r(0, 0), r(1, 0), r(2, 0));
+    dJointSetAMotorAxis(motor, 1, 1, r(0, 1), r(1, 1), r(2, 1));
     dJointSetAMotorAxis(motor, 2, 0, 0, 0, 1);
     dJointSetAMotorParam(motor, dParamFMax, torque);
     dJointSetAMotorParam(motor, dParamFMax2, torque);
