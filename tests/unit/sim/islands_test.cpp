@@ -17,8 +17,7 @@ Islands chain(unsigned length, unsigned beside = 0) {
 
 }  // namespace
 
-TEST_CASE("an island is large when it has more than 45 equations, 8 of them for each mover's floor",
-          "[sim][islands]") {
+TEST_CASE("an island is large when it has more than 45 equations, 8 of them for each mover's floor", "[sim][islands]") {
     Islands islands = chain(5);  // 40
     islands.add_equations(4, 5);
     CHECK_FALSE(islands.find_large());
