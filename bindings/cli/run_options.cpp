@@ -63,8 +63,10 @@ std::vector<Option> run_options(RunWords& words) {
         {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
         {"--picture", &words.picture, "draw the arena, the robots and their paths when the run ends", "FILE.png|svg"},
         {"--record", &words.record, "write what ports publish as CSV, a row for every tick", "FILE.csv"},
-        {"--ports", &words.ports, "with --record: only these ports, in this order (default: all out-ports)",
-         "NAME.PORT,..."},
+        {"--ports", &words.ports,
+         "with --record: only these, in this order: ports, truth, config, state, or parts of them, as in "
+         "mouse.truth.pose (default: all out-ports)",
+         "NAME.WHAT,..."},
         {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
     };
 }

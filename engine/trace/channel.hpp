@@ -27,6 +27,8 @@ public:
     /// What a leaf of it is called: "mouse.truth.pose.heading", "mouse.ir_sensor_out[1]".
     std::string name_of(const LeafPath& path) const;
 
+    /// The system has it now.
+    bool exists() const { return kind_ != Kind::none; }
     /// It has carried something since the start.
     bool has_value() const { return has_value_; }
     /// Messages of the tick that latched last; what is no port has one when it is new.

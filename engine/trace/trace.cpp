@@ -18,12 +18,13 @@ Expected<Trace::Followed*> Trace::find(std::string_view name) {
     auto channel = Channel::find(*system_, name);
     if (!channel) return Unexpected(channel.error());
     std::string key = channel->name();
-    return &followed_.emplace(std::move(key), Followed{std::move(*channel), {}}).first->second;
+    return &followed_.emplace(std::move(key), Followed{std::move(*channel)}).first->second;
 }
 
 Expected<const Channel*> Trace::follow(std::string_view name) {
     const auto found = find(name);
     if (!found) return Unexpected(found.error());
+    (*found)->kept = true;
     return &(*found)->channel;
 }
 
@@ -42,6 +43,7 @@ void Trace::remember_ports() {
 void Trace::follow_layout() {
     layout_ = system_->layout();
     for (auto& [name, followed] : followed_) followed.channel.resolve(*system_);
+    std::erase_if(followed_, [](const auto& entry) { return !entry.second.kept && !entry.second.channel.exists(); });
     if (!remembers_ports_) return;
     std::vector<std::string> names;
     for (const auto& component : system_->components()) {

@@ -25,7 +25,7 @@ public:
 
     /// The channel of this name, followed from now on. It lives as long as this. An error says what is not there.
     Expected<const Channel*> follow(std::string_view name);
-    /// Keeps its numbers from now on as well.
+    /// Keeps its numbers from now on as well. The series lives as long as the system has the channel.
     Expected<const Series*> remember(std::string_view name);
     /// Does so for every port that carries no pictures, also for those to come, in a system of at most `most_ports`.
     void remember_ports();
@@ -35,8 +35,9 @@ public:
 private:
     struct Followed {
         Channel channel;
-        Series series;
+        Series series{};
         bool remembered = false;
+        bool kept = false;  // somebody has it, whether the system does or not
     };
 
     Expected<Followed*> find(std::string_view name);

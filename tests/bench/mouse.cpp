@@ -5,6 +5,7 @@
 // `--profile`: the engine alone, for perf.
 #include <cmath>
 
+#include "engine/trace/trace.hpp"
 #include "tests/bench/bare_ode.hpp"
 #include "tests/bench/whole_engine.hpp"
 
@@ -56,14 +57,20 @@ int main(int argc, char** argv) {
     bench::print_header("one mouse, Lua controller, 4 infrared rays, as fast as possible",
                         "tick 100 Hz, physics 5 ms, robot_controller.lua driving a circle, " + std::to_string(rounds) +
                             " rounds of " + std::to_string(ticks_a_round) + " ticks in turns");
-    bench::WholeEngine engine(system_text);
+    Trace trace;
+    bench::WholeEngine engine(system_text), traced(system_text);
+    trace.start(*traced.system);
+    trace.remember_ports();
     BareMouse bare;
     engine.run(ticks_a_round);
+    traced.run(ticks_a_round);
     bare.run(ticks_a_round);
-    std::vector<double> bare_us, engine_us, ratios;
+    std::vector<double> bare_us, engine_us, ratios, trace_ratios;
     for (int round = 0; round < rounds; ++round) {
         const double a = bench::time_of([&] { bare.run(ticks_a_round); });
         const double b = bench::time_of([&] { engine.run(ticks_a_round); });
+        const double c = bench::time_of([&] { traced.run(ticks_a_round); });
+        trace_ratios.push_back(c / b);
         bare_us.push_back(a / ticks_a_round * 1e6);
         engine_us.push_back(b / ticks_a_round * 1e6);
         ratios.push_back(b / a);
@@ -74,5 +81,6 @@ int main(int argc, char** argv) {
     std::printf("  whole engine and Lua %7.3f us a tick, %.0f times real time\n", bench::median(engine_us),
                 10'000 / bench::median(engine_us));
     std::printf("  ratio                %7.3f (limit 1.15: %s)\n", ratio, bench::verdict(ratio, 1.15));
+    std::printf("  all ports remembered %7.3f times the engine without\n", bench::median(trace_ratios));
     std::printf("  both drive at        %7.3f and %.3f m/s\n", speed, std::hypot(truth.velocity.vx, truth.velocity.vy));
 }

@@ -7,6 +7,7 @@
 // With `--profile N`: the engine alone, for perf.
 #include <chrono>
 
+#include "engine/trace/trace.hpp"
 #include "tests/bench/bare_ode.hpp"
 #include "tests/bench/whole_engine.hpp"
 
@@ -106,6 +107,25 @@ void compare_threads(std::size_t count) {
     std::fflush(stdout);
 }
 
+// CPU time with ports remembered, against without, in turns. In a large system they are followed only when asked for.
+void compare_trace(std::size_t count) {
+    const int ticks = static_cast<int>(std::max<std::size_t>(2, 4'000 / count));
+    Trace trace;
+    bench::WholeEngine plain(system_text(count)), traced(system_text(count));
+    trace.start(*traced.system);
+    trace.remember_ports();
+    plain.run(20);
+    traced.run(20);
+    std::vector<double> ratios;
+    for (int round = 0; round < 15; ++round) {
+        const double a = bench::time_of([&] { plain.run(ticks); });
+        const double b = bench::time_of([&] { traced.run(ticks); });
+        ratios.push_back(b / a);
+    }
+    std::printf("%8zu %10.3f\n", count, bench::median(ratios));
+    std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -148,5 +168,9 @@ int main(int argc, char** argv) {
     std::puts("\nwall-clock time with 2 threads / with none, and the trace hash");
     for (const std::size_t count : counts) {
         if (count < 10'000) compare_threads(count);
+    }
+    std::puts("\nCPU time with the ports of a small system remembered / without");
+    for (const std::size_t count : counts) {
+        if (count < 10'000) compare_trace(count);
     }
 }

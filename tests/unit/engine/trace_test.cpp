@@ -198,9 +198,21 @@ TEST_CASE("the numbers of every port are remembered, also of one that comes late
     CHECK(series.seconds(5) == 0.01);
     CHECK((*it.trace.remember("camera.image"))->size() == 0);
 
+    // What is gone is forgotten, and begins anew when it comes again.
+    REQUIRE(it.system.remove("late"));
+    it.tick();
+    it.add("late", says_three_things);
+    it.tick();
+    CHECK((*it.trace.remember("late.out"))->size() == 3);
+
     System other({}, nullptr);
+    it.add("other", says_three_things);
+    REQUIRE(other.add(std::make_unique<TryComponent>("other")));
+    it.tick();
+    const Series& of_both = **it.trace.remember("other.out");
+    CHECK(of_both.size() == 3);
     it.trace.start(other);
-    CHECK(series.size() == 0);
+    CHECK(of_both.size() == 0);
 }
 
 TEST_CASE("a system with more ports than that is remembered only where somebody asks", "[engine][trace]") {

@@ -83,3 +83,20 @@ TEST_CASE("a golden of another length or of other ports differs", "[lua][scenari
     static_cast<void>(rig.folder().write("it.csv", ""));
     CHECK(outcome_of(rig.run()) == "failed: it_test.lua:3: golden 'it.csv': the file is empty");
 }
+
+TEST_CASE("a golden has every message of a tick", "[lua][scenario][golden]") {
+    ScenarioRig rig(
+        "scenario('it', function(s)\n"
+        "  s:behavior('teller', { script = 'teller' })\n"
+        "  s:golden('it.csv', {}, 'teller.out')\n"
+        "  s:run(0.02)\n"
+        "end)\n");
+    static_cast<void>(rig.folder().write("behaviors/teller.lua",
+                                         "local out = output('out', 'TimedString', 'words')\n"
+                                         "function on_execute() out:write('one,') out:write('two\\n') end\n"));
+    write_golden(rig);
+    CHECK(outcome_of(rig.run()) == "passed");
+    const std::string said = "\"one,\"\n", more = "\"two\n\"\n";
+    CHECK(text_of_file(rig.folder().path("it.csv")) ==
+          "time,teller.out\n0.01," + said + "0.01," + more + "0.02," + said + "0.02," + more);
+}
