@@ -1,12 +1,12 @@
-// An exposure copies what stands where; developing it paints, blurs and adds noise.
+// An exposure copies what stands where; developing it paints, distorts, blurs and adds noise.
 #include "sim/camera.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <opencv2/core/utility.hpp>
+#include <utility>
 
 #include "engine/ports/payload.hpp"
-#include "sim/image_noise.hpp"
 #include "sim/ode_world.hpp"
 
 namespace nezumi::sim {
@@ -17,12 +17,17 @@ constexpr Rgb robot_color = 0x4c5a6b;
 }  // namespace
 
 SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
-                     const CameraSettings& settings)
+                     const CameraSettings& settings, std::optional<Distortion> distortion)
     : world_(world),
       carrier_(carrier),
       on_carrier_{to_vec(mount.at), yaw_pitch_rotation(mount.yaw, mount.pitch)},
       settings_(settings),
-      intrinsics_(Intrinsics::of(settings.width, settings.height, settings.field_of_view)) {}
+      intrinsics_(settings.intrinsics()),
+      distortion_(std::move(distortion)),
+      noise_(settings.noise, settings.seed) {
+    // A camera shall cost one core: others run behaviours. What it sees does not depend on the number.
+    cv::setNumThreads(1);
+}
 
 void SimCamera::expose(const Time& now) {
     tick_ = now.tick;
@@ -50,10 +55,13 @@ void SimCamera::develop(CameraImage& image) {
     image.bpp = settings_.color ? 24 : 8;
     image.format = settings_.color ? "rgb8" : "gray8";
     image.fDiv = 1;
-    paint(faces_of(scenery_, view_), sky, intrinsics_, settings_.width, settings_.height, settings_.color,
-          image.pixels);
-    blur_picture(image.pixels, settings_.width, settings_.height, settings_.color ? 3 : 1, settings_.blur);
-    add_noise(image.pixels, settings_.noise, mix(settings_.seed, static_cast<std::uint64_t>(tick_)));
+    const int channels = settings_.color ? 3 : 1;
+    const CameraIntrinsics& through = distortion_ ? distortion_->pinhole() : intrinsics_;
+    paint(faces_of(scenery_, view_), sky, through, settings_.color, distortion_ ? undistorted_ : image.pixels);
+    if (distortion_) distortion_->apply(undistorted_, channels, image.pixels);
+    blur_picture(image.pixels, settings_.width, settings_.height, channels, settings_.blur);
+    noise_.add_to(image.pixels, static_cast<std::size_t>(settings_.width) * channels,
+                  static_cast<std::uint64_t>(tick_));
 }
 
 std::vector<MarkerPose> OdeWorld::markers() const { return markers_; }
@@ -80,7 +88,14 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
     }
     if (!mount.robot.empty() && !carrier)
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
-    return std::make_unique<SimCamera>(*this, carrier, mount, settings);
+    const CameraIntrinsics wanted = settings.intrinsics();
+    std::optional<Distortion> distortion;
+    if (wanted != pinhole(settings.width, settings.height, settings.field_of_view)) {
+        auto made = Distortion::make(wanted);
+        if (!made) return Unexpected(made.error());
+        distortion = std::move(*made);
+    }
+    return std::make_unique<SimCamera>(*this, carrier, mount, settings, std::move(distortion));
 }
 
 View OdeWorld::frame_of(RobotId id) const {

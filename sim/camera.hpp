@@ -4,8 +4,10 @@
 #include <map>
 #include <optional>
 
-#include "engine/devices/camera.hpp"
+#include "engine/world/camera_source.hpp"
 #include "engine/world/world.hpp"
+#include "sim/distortion.hpp"
+#include "sim/image_noise.hpp"
 #include "sim/scenery.hpp"
 
 namespace nezumi::sim {
@@ -16,10 +18,11 @@ class OdeWorld;
 /// not see itself.
 class SimCamera final : public CameraSource {
 public:
-    /// `world` must outlive it.
+    /// `world` must outlive it. `distortion` is that of the settings, if there is one.
     SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, const CameraMount& mount,
-              const CameraSettings& settings);
+              const CameraSettings& settings, std::optional<Distortion> distortion);
 
+    CameraIntrinsics intrinsics() const override { return intrinsics_; }
     void expose(const Time& now) override;
     void develop(CameraImage& image) override;
 
@@ -28,8 +31,11 @@ private:
     std::optional<RobotId> carrier_;
     View on_carrier_;
     CameraSettings settings_;
-    Intrinsics intrinsics_;
-    std::map<int, Picture> tags_;  // by id, as far as they have been seen
+    CameraIntrinsics intrinsics_;
+    std::optional<Distortion> distortion_;
+    ImageNoise noise_;
+    std::vector<std::uint8_t> undistorted_;  // kept for its memory
+    std::map<int, Picture> tags_;            // by id, as far as they have been seen
 
     // The exposure:
     Scenery scenery_;

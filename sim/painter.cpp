@@ -35,11 +35,13 @@ struct SeenFace {
     Plane u, v;  // the picture's column and row, each times 1 / z
 };
 
-Intrinsics of_samples(const Intrinsics& intrinsics) {
+CameraIntrinsics of_samples(const CameraIntrinsics& pinhole) {
     // The samples of the first pixel, whose centre is 0, are at -0.25 and 0.25: numbers 0 and 1.
     const auto centre = [](double c) { return samples_per_side * (c + 0.5) - 0.5; };
-    return {samples_per_side * intrinsics.fx, samples_per_side * intrinsics.fy, centre(intrinsics.cx),
-            centre(intrinsics.cy)};
+    return {.fx = samples_per_side * pinhole.fx,
+            .fy = samples_per_side * pinhole.fy,
+            .cx = centre(pinhole.cx),
+            .cy = centre(pinhole.cy)};
 }
 
 std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
@@ -55,10 +57,9 @@ std::vector<Vec3> cut_near(const std::vector<Vec3>& corners) {
 }
 
 // `direction` dot the ray through a sample, as a function of its place.
-Plane along_ray(const Vec3& direction, const Intrinsics& intrinsics) {
-    return {
-        direction.z() - direction.x() * intrinsics.cx / intrinsics.fx - direction.y() * intrinsics.cy / intrinsics.fy,
-        direction.x() / intrinsics.fx, direction.y() / intrinsics.fy};
+Plane along_ray(const Vec3& direction, const CameraIntrinsics& pinhole) {
+    return {direction.z() - direction.x() * pinhole.cx / pinhole.fx - direction.y() * pinhole.cy / pinhole.fy,
+            direction.x() / pinhole.fx, direction.y() / pinhole.fy};
 }
 
 Plane operator-(const Plane& a, const Plane& b) {
@@ -68,13 +69,13 @@ Plane operator*(const Plane& a, double s) { return {a.at_origin * s, a.per_colum
 
 // How far a point is along an edge of the picture, in pixels, times 1 / z.
 Plane along_edge(const Face& face, const Vec3& edge, int pixels, const Plane& inverse_depth,
-                 const Intrinsics& intrinsics) {
+                 const CameraIntrinsics& pinhole) {
     const double scale = pixels / edge.squaredNorm();
-    return along_ray(edge * scale, intrinsics) - inverse_depth * (edge.dot(face.top_left) * scale);
+    return along_ray(edge * scale, pinhole) - inverse_depth * (edge.dot(face.top_left) * scale);
 }
 
 // Whether anything of it is in sight, and if so, how.
-bool see(const Face& face, const Intrinsics& intrinsics, int columns, int rows, SeenFace& seen) {
+bool see(const Face& face, const CameraIntrinsics& pinhole, int columns, int rows, SeenFace& seen) {
     const std::vector<Vec3> corners = cut_near(face.corners);
     if (corners.size() < 3) return false;
     Vec3 normal = (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]);
@@ -90,8 +91,8 @@ bool see(const Face& face, const Intrinsics& intrinsics, int columns, int rows, 
 
     double top = rows, bottom = 0, left = columns, right = 0;
     for (const Vec3& corner : corners) {
-        const Corner c{intrinsics.fx * corner.x() / corner.z() + intrinsics.cx,
-                       intrinsics.fy * corner.y() / corner.z() + intrinsics.cy};
+        const Corner c{pinhole.fx * corner.x() / corner.z() + pinhole.cx,
+                       pinhole.fy * corner.y() / corner.z() + pinhole.cy};
         top = std::min(top, c.row);
         bottom = std::max(bottom, c.row);
         left = std::min(left, c.column);
@@ -102,14 +103,14 @@ bool see(const Face& face, const Intrinsics& intrinsics, int columns, int rows, 
     seen.end_row = static_cast<int>(std::clamp(std::ceil(bottom), 0.0, static_cast<double>(rows)));
     if (seen.first_row >= seen.end_row || right < 0 || left > columns) return false;
 
-    const Plane inverse_depth = along_ray(normal * (1 / distance), intrinsics);
+    const Plane inverse_depth = along_ray(normal * (1 / distance), pinhole);
     seen.inverse_depth = inverse_depth * (distance / std::max(distance - face.lift, distance / 2));
     seen.color = face.color;
     seen.picture = face.picture;
     if (face.picture != nullptr) {
         // The exact depth here, not the one with which it hides what is behind it.
-        seen.u = along_edge(face, face.right, face.picture->width, inverse_depth, intrinsics);
-        seen.v = along_edge(face, face.down, face.picture->height, inverse_depth, intrinsics);
+        seen.u = along_edge(face, face.right, face.picture->width, inverse_depth, pinhole);
+        seen.v = along_edge(face, face.down, face.picture->height, inverse_depth, pinhole);
         const double back = std::max(distance - face.lift, distance / 2) / distance;
         // `inverse_depth` is what a sample divides by.
         seen.u = seen.u * (1 / back);
@@ -228,10 +229,11 @@ void resolve(const Rgb* samples_of_row, int columns, int width, bool color, std:
 
 }  // namespace
 
-void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& intrinsics, int width, int height,
-           bool color, std::vector<std::uint8_t>& pixels) {
+void paint(const std::vector<Face>& faces, Rgb background, const CameraIntrinsics& pinhole, bool color,
+           std::vector<std::uint8_t>& pixels) {
+    const int width = pinhole.width, height = pinhole.height;
     const int columns = width * samples_per_side;
-    const Intrinsics fine = of_samples(intrinsics);
+    const CameraIntrinsics fine = of_samples(pinhole);
     std::vector<SeenFace> seen;
     for (const Face& face : faces) {
         SeenFace now{};

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/devices/camera.hpp"
+#include "engine/ports/messages.hpp"
 #include "sim/geometry.hpp"
 #include "sim/picture.hpp"
 
@@ -21,9 +21,10 @@ struct Face {
     double lift = 0;                   ///< [m] it hides what lies less than so far before it: for what sticks on a wall
 };
 
-/// Paints faces, in any order, over a background. Writes 3 bytes a pixel (red, green, blue), or 1 (grey), row by row.
+/// Paints faces, in any order, over a background, as a pinhole without distortion sees them. Writes 3 bytes a pixel
+/// (red, green, blue), or 1 (grey), row by row.
 /// What is nearer than 1 cm is cut off.
-void paint(const std::vector<Face>& faces, Rgb background, const Intrinsics& intrinsics, int width, int height,
-           bool color, std::vector<std::uint8_t>& pixels);
+void paint(const std::vector<Face>& faces, Rgb background, const CameraIntrinsics& pinhole, bool color,
+           std::vector<std::uint8_t>& pixels);
 
 }  // namespace nezumi::sim

@@ -31,7 +31,9 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
       seed_(seed),
       open_(std::move(open)),
       wait_(wait),
-      out_(add_out_port<CameraImage>("out", "the picture")) {
+      out_(add_out_port<CameraImage>("out", "the picture")),
+      intrinsics_(add_out_port<CameraIntrinsics>("intrinsics", "of the picture that is published with them")) {
+    out_.set_companion(intrinsics_);
     const auto declare = [this](ParameterSpec spec) {
         const auto ok = parameters_.declare(std::move(spec));
         assert(ok);
@@ -53,6 +55,13 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
              .max = 2.8,
              .unit = "rad",
              .doc = "angle between the picture's left and right edge"});
+    for (const char* radial : {"k1", "k2", "k3"}) {
+        declare({.name = radial, .initial = 0.0, .min = -2, .max = 2, .doc = "radial distortion of the lens"});
+    }
+    for (const char* tangential : {"p1", "p2"}) {
+        declare(
+            {.name = tangential, .initial = 0.0, .min = -0.2, .max = 0.2, .doc = "tangential distortion of the lens"});
+    }
     declare({.name = "pitch", .initial = 0.0, .min = -1.58, .max = 1.58, .unit = "rad", .doc = "positive looks down"});
     declare({.name = "noise",
              .initial = 0.0,
@@ -73,17 +82,17 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
              .doc = "from exposure to publication, in simulated time"});
 }
 
-Intrinsics Camera::intrinsics() const {
-    const CameraSettings now = settings();
-    return Intrinsics::of(now.width, now.height, now.field_of_view);
-}
-
 CameraSettings Camera::settings() const {
     return {.device = value<std::string>(parameters_, "device"),
             .width = static_cast<int>(value<std::int64_t>(parameters_, "width")),
             .height = static_cast<int>(value<std::int64_t>(parameters_, "height")),
             .frame_rate = value<double>(parameters_, "frame_rate"),
             .field_of_view = value<double>(parameters_, "field_of_view"),
+            .k1 = value<double>(parameters_, "k1"),
+            .k2 = value<double>(parameters_, "k2"),
+            .p1 = value<double>(parameters_, "p1"),
+            .p2 = value<double>(parameters_, "p2"),
+            .k3 = value<double>(parameters_, "k3"),
             .color = value<std::string>(parameters_, "format") == "rgb8",
             .noise = value<double>(parameters_, "noise"),
             .blur = value<double>(parameters_, "blur"),
@@ -145,6 +154,7 @@ void Camera::take_picture(const Time& now) {
         return;
     }
     out_.next_pending() = std::move(**picture);
+    intrinsics_.write(source_->intrinsics());
 }
 
 Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system) {

@@ -23,9 +23,6 @@ public:
     /// published at t + latency exactly (simulation), else as soon as it is there (hardware).
     Camera(std::string name, CameraMount mount, std::uint64_t seed, Open open, bool wait);
 
-    /// The lens that its parameters give.
-    Intrinsics intrinsics() const;
-
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
@@ -41,6 +38,7 @@ private:
     Open open_;
     bool wait_;
     OutPort<CameraImage>& out_;
+    OutPort<CameraIntrinsics>& intrinsics_;
     std::unique_ptr<CameraSource> source_;
     std::uint64_t parameters_version_ = 0;
     double frame_rate_ = 0;

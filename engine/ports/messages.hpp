@@ -104,6 +104,26 @@ struct CameraImage {
     bool operator==(const CameraImage&) const = default;
 };
 
+/// How a camera maps what is before it to pixels: a pinhole, and the distortion of its lens after Brown and Conrady, as
+/// OpenCV counts it. A point x to the right, y down and z ahead of the camera lies at (a, b) = (x / z, y / z); the
+/// distortion moves it, with r2 = a^2 + b^2 and radial = 1 + k1 r2 + k2 r2^2 + k3 r2^3, to
+///     (a radial + 2 p1 a b + p2 (r2 + 2 a^2), b radial + p1 (r2 + 2 b^2) + 2 p2 a b),
+/// which is seen at column cx + fx * and row cy + fy * of that. The centre of the first pixel is (0, 0).
+struct CameraIntrinsics {
+    std::uint16_t width = 0;
+    std::uint16_t height = 0;
+    double fx = 0;
+    double fy = 0;
+    double cx = 0;
+    double cy = 0;
+    double k1 = 0;
+    double k2 = 0;
+    double p1 = 0;
+    double p2 = 0;
+    double k3 = 0;
+    bool operator==(const CameraIntrinsics&) const = default;
+};
+
 template <>
 struct Describe<Point2D> {
     static constexpr std::string_view name = "Point2D";
@@ -218,6 +238,24 @@ struct Describe<CameraImage> {
     };
 };
 
+template <>
+struct Describe<CameraIntrinsics> {
+    static constexpr std::string_view name = "CameraIntrinsics";
+    static constexpr std::tuple fields{
+        Field{"width", &CameraIntrinsics::width, "px", "of the pictures that they are for"},
+        Field{"height", &CameraIntrinsics::height, "px", ""},
+        Field{"fx", &CameraIntrinsics::fx, "px", "focal length along a row; 0: nothing is known"},
+        Field{"fy", &CameraIntrinsics::fy, "px", "focal length along a column"},
+        Field{"cx", &CameraIntrinsics::cx, "px", "column of the optical axis"},
+        Field{"cy", &CameraIntrinsics::cy, "px", "row of the optical axis"},
+        Field{"k1", &CameraIntrinsics::k1, "", "radial distortion; below 0 a barrel, above a pincushion"},
+        Field{"k2", &CameraIntrinsics::k2, "", "radial distortion"},
+        Field{"p1", &CameraIntrinsics::p1, "", "tangential distortion"},
+        Field{"p2", &CameraIntrinsics::p2, "", "tangential distortion"},
+        Field{"k3", &CameraIntrinsics::k3, "", "radial distortion"},
+    };
+};
+
 /// A message type: its name on ports, and the payload it carries beside its stamp `tm`.
 template <class T>
 struct MessageType {
@@ -245,6 +283,7 @@ inline constexpr std::tuple message_types{
     MessageType<Pose3D>{"TimedPose3D", "a place and orientation in space"},
     MessageType<RangeData>{"RangeData", "distances measured by a ranger"},
     MessageType<CameraImage>{"CameraImage", "a picture"},
+    MessageType<CameraIntrinsics>{"CameraIntrinsics", "how a camera maps what is before it to pixels"},
 };
 
 inline constexpr std::size_t message_type_count = std::tuple_size_v<decltype(message_types)>;

@@ -192,15 +192,6 @@ public:
     }
     AnyPayload override_value() const override { return *held_; }
 
-    void connect(OutPortBase& source) override {
-        assert(source.type() == type());
-        sources_.push_back({static_cast<OutPort<T>*>(&source), source.sequence()});
-        connections_ = sources_.size();
-    }
-    void disconnect(const OutPortBase& source) override {
-        disconnections_ += std::erase_if(sources_, [&](const Source& s) { return s.port == &source; });
-        connections_ = sources_.size();
-    }
     std::vector<const OutPortBase*> sources() const override {
         std::vector<const OutPortBase*> all;
         for (const Source& source : sources_) all.push_back(source.port);
@@ -208,6 +199,16 @@ public:
     }
 
 private:
+    void attach(OutPortBase& source) override {
+        assert(source.type() == type());
+        sources_.push_back({static_cast<OutPort<T>*>(&source), source.sequence()});
+        connections_ = sources_.size();
+    }
+    void detach(const OutPortBase& source) override {
+        disconnections_ += std::erase_if(sources_, [&](const Source& s) { return s.port == &source; });
+        connections_ = sources_.size();
+    }
+
     struct Source {
         OutPort<T>* port;
         std::uint64_t seen;  // the sequence number of the publication taken last

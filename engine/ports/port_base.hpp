@@ -113,8 +113,14 @@ public:
     /// Mixes the last publication into a hash.
     virtual std::uint64_t hash_latched(std::uint64_t seed) const = 0;
 
+    /// A second out-port, of the same component, that explains what this one carries, as intrinsics a picture: an
+    /// in-port that is connected to this one has its own companion connected to that one.
+    OutPortBase* companion() const { return companion_; }
+    void set_companion(OutPortBase& companion) { companion_ = &companion; }
+
 protected:
     using Port::Port;
+    OutPortBase* companion_ = nullptr;
     std::size_t pending_ = 0;  // how many of the pending slots are filled
     std::int64_t latched_tick_ = -1;
     std::uint64_t sequence_ = 0;
@@ -145,8 +151,17 @@ public:
     /// How often it was disconnected from a source.
     std::uint64_t disconnections() const { return disconnections_; }
 
-    virtual void connect(OutPortBase& source) = 0;
-    virtual void disconnect(const OutPortBase& source) = 0;
+    /// Connects it, and its companion to the source's, when both have one of the same type.
+    void connect(OutPortBase& source) {
+        attach(source);
+        if (InPortBase* other = companion_for(source)) other->attach(*source.companion());
+    }
+    void disconnect(const OutPortBase& source) {
+        detach(source);
+        if (InPortBase* other = companion_for(source)) other->detach(*source.companion());
+    }
+    /// Where the companions of its sources go.
+    void set_companion(InPortBase& companion) { companion_ = &companion; }
     virtual std::vector<const OutPortBase*> sources() const = 0;
 
     /// From now on it keeps all messages of its latest arrival, for those who record it.
@@ -159,6 +174,9 @@ public:
     static constexpr std::size_t most_queued_bytes = std::size_t{64} << 20;
 
 protected:
+    virtual void attach(OutPortBase& source) = 0;
+    virtual void detach(const OutPortBase& source) = 0;
+
     InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)
         : Port(std::move(name), type, Direction::in, std::move(doc)), capacity_(queue) {}
 
@@ -169,6 +187,14 @@ protected:
     std::uint64_t disconnections_ = 0;
     std::int64_t arrival_tick_ = -1;
     bool followed_ = false;
+
+private:
+    InPortBase* companion_for(const OutPortBase& source) const {
+        const bool both = companion_ != nullptr && source.companion() != nullptr;
+        return both && companion_->type() == source.companion()->type() ? companion_ : nullptr;
+    }
+
+    InPortBase* companion_ = nullptr;
 };
 
 }  // namespace nezumi

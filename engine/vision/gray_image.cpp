@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <opencv2/imgproc.hpp>
 #include <string_view>
 
 namespace nezumi {
@@ -11,10 +12,10 @@ namespace {
 struct Format {
     std::string_view name;
     int bits;
-    int red, green, blue;  // which byte of a pixel
+    int to_gray;  // OpenCV's conversion
 };
 constexpr Format formats[] = {
-    {"gray8", 8, 0, 0, 0}, {"mono8", 8, 0, 0, 0}, {"rgb8", 24, 0, 1, 2}, {"bgr8", 24, 2, 1, 0}};
+    {"gray8", 8, 0}, {"mono8", 8, 0}, {"rgb8", 24, cv::COLOR_RGB2GRAY}, {"bgr8", 24, cv::COLOR_BGR2GRAY}};
 
 Expected<Format> format_of(const CameraImage& image) {
     std::vector<std::string_view> names;
@@ -53,12 +54,10 @@ Expected<GrayImage> to_gray(const CameraImage& image) {
         return gray;
     }
     gray.pixels.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint8_t* pixel = &image.pixels[i * step];
-        // 77 + 150 + 29 = 256: BT.601's 0.299, 0.587 and 0.114.
-        gray.pixels[i] = static_cast<std::uint8_t>(
-            (77 * pixel[format->red] + 150 * pixel[format->green] + 29 * pixel[format->blue] + 128) >> 8);
-    }
+    // OpenCV has no matrix that is not to be written; this one is only read.
+    const cv::Mat from(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.pixels.data()));
+    cv::Mat to(image.height, image.width, CV_8UC1, gray.pixels.data());
+    cv::cvtColor(from, to, format->to_gray);
     return gray;
 }
 

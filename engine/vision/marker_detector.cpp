@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/system/system.hpp"
+#include "engine/world/camera_source.hpp"
 
 namespace nezumi {
 namespace {
@@ -23,11 +23,10 @@ struct Search {
     double size, yaw_from;
 };
 
-MarkerSight look(TagFinder& finder, const CameraImage& image, const Intrinsics& lens, const Search& search) {
-    auto gray = to_gray(image);
-    if (!gray) return {.tag = {}, .complaint = gray.error().message};
+MarkerSight look(TagFinder& finder, Expected<MarkerDetector::Picture>& picture, const Search& search) {
+    if (!picture) return {.tag = {}, .complaint = picture.error().message};
     MarkerSight sight;
-    for (FoundTag& tag : finder.find(*gray, lens, search.size)) {
+    for (FoundTag& tag : finder.find(picture->gray, picture->intrinsics, search.size)) {
         if (search.id >= 0 && tag.id != search.id) continue;
         // A small tag looks nearly the same from the left and from the right: its orientation would flip.
         if (tag.edge < search.yaw_from) tag.pose.orientation = {};
@@ -39,16 +38,17 @@ MarkerSight look(TagFinder& finder, const CameraImage& image, const Intrinsics& 
 
 }  // namespace
 
-MarkerDetector::MarkerDetector(std::string name, FindLens find_lens, bool wait)
+MarkerDetector::MarkerDetector(std::string name, bool wait)
     : Component(std::move(name), "MarkerDetector"),
-      find_lens_(std::move(find_lens)),
       wait_(wait),
       image_(add_in_port<CameraImage>("image", "a camera's picture")),
+      intrinsics_(add_in_port<CameraIntrinsics>("intrinsics", "the camera's; comes along with a Camera's picture")),
       pos_(add_out_port<Pose3D>("pos",
                                 "where the marker is from the camera: x forward, y left, z up; silent while none "
                                 "is in sight")),
       visible_(add_out_port<bool>("visible", "whether a marker was in sight, once for each picture")),
       id_(add_out_port<std::int32_t>("id", "the marker's number, together with pos")) {
+    image_.set_companion(intrinsics_);
     const auto declare = [this](ParameterSpec spec) {
         const auto ok = parameters_.declare(std::move(spec));
         assert(ok);
@@ -86,7 +86,7 @@ MarkerDetector::MarkerDetector(std::string name, FindLens find_lens, bool wait)
              .min = 0,
              .max = 1e6,
              .unit = "px",
-             .doc = "focal length along a row, of a calibrated camera; 0: that of the connected Camera"});
+             .doc = "focal length along a row, of a camera without distortion; 0: that of the intrinsics"});
     declare({.name = "fy", .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = "with fx; 0: as fx"});
     declare({.name = "cx", .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = "with fx; 0: the middle"});
     declare({.name = "cy", .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = "with fx; 0: the middle"});
@@ -95,7 +95,7 @@ MarkerDetector::MarkerDetector(std::string name, FindLens find_lens, bool wait)
              .min = 0.05,
              .max = 2.8,
              .unit = "rad",
-             .doc = "of a row, for pictures from elsewhere than a Camera while fx is 0"});
+             .doc = "of a row, for pictures without intrinsics while fx is 0"});
 }
 
 Expected<void> MarkerDetector::on_activated() {
@@ -109,17 +109,36 @@ Expected<void> MarkerDetector::on_deactivated() {
     return {};
 }
 
-Intrinsics MarkerDetector::lens_for(const CameraImage& image) const {
-    Intrinsics lens = Intrinsics::of(image.width, image.height, value<double>(parameters_, "field_of_view"));
+Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image) const {
+    CameraIntrinsics own = pinhole(image.width, image.height, value<double>(parameters_, "field_of_view"));
     const double fx = value<double>(parameters_, "fx");
     if (fx > 0) {
         const auto given = [&](std::string_view name, double otherwise) {
             const double set = value<double>(parameters_, name);
             return set > 0 ? set : otherwise;
         };
-        return {fx, given("fy", fx), given("cx", lens.cx), given("cy", lens.cy)};
+        own.fx = fx;
+        own.fy = given("fy", fx);
+        own.cx = given("cx", own.cx);
+        own.cy = given("cy", own.cy);
+        return own;
     }
-    return find_lens_ ? find_lens_().value_or(lens) : lens;
+    const CameraIntrinsics& told = intrinsics_.latest().data;
+    if (!(told.fx > 0)) return own;
+    if (told.width != image.width || told.height != image.height) {
+        return failure(fmt::format("{} x {} pixels, but intrinsics for {} x {}", image.width, image.height, told.width,
+                                   told.height));
+    }
+    return told;
+}
+
+// Grey is a third of what would have to be copied else.
+Expected<MarkerDetector::Picture> MarkerDetector::picture() {
+    auto gray = to_gray(image_.read());
+    if (!gray) return Unexpected(gray.error());
+    auto intrinsics = intrinsics_for(*gray);
+    if (!intrinsics) return Unexpected(intrinsics.error());
+    return Picture{std::move(*gray), *intrinsics};
 }
 
 void MarkerDetector::start() {
@@ -128,12 +147,11 @@ void MarkerDetector::start() {
         finder_.emplace(family);
         family_ = family;
     }
-    const CameraImage& image = image_.read();
     const Search search{value<std::int64_t>(parameters_, "id"), value<double>(parameters_, "tag_size"),
                         value<double>(parameters_, "yaw_from")};
     sight_.start(
         now(), value<double>(parameters_, "latency"),
-        [finder = &*finder_, image, lens = lens_for(image), search] { return look(*finder, image, lens, search); });
+        [finder = &*finder_, picture = picture(), search]() mutable { return look(*finder, picture, search); });
 }
 
 void MarkerDetector::publish(const MarkerSight& sight) {
@@ -161,24 +179,13 @@ Expected<void> MarkerDetector::on_execute() {
     return take_sight();
 }
 
-Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& system) {
+Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& /*system*/) {
     if (!entry.on.empty()) {
         return failure(fmt::format("component '{}': a MarkerDetector is not mounted on a robot: 'on' is for its Camera",
                                    entry.name),
                        entry.place);
     }
-    auto detector = std::make_unique<MarkerDetector>(
-        entry.name,
-        [&system, name = entry.name]() -> std::optional<Intrinsics> {
-            for (const Connection& connection : system.connections()) {
-                if (connection.to_component->name() != name) continue;
-                if (const auto* camera = dynamic_cast<const Camera*>(connection.from_component))
-                    return camera->intrinsics();
-            }
-            return std::nullopt;
-        },
-        true);
-    return detector;
+    return std::make_unique<MarkerDetector>(entry.name, true);
 }
 
 }  // namespace nezumi

@@ -1,18 +1,18 @@
 // The component that says where a marker is: a picture in, a pose out.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/components/component.hpp"
 #include "engine/components/delayed_task.hpp"
-#include "engine/devices/camera.hpp"
 #include "engine/system/system_spec.hpp"
 #include "engine/vision/tag_finder.hpp"
 
 namespace nezumi {
+
+class System;
 
 /// What a picture told.
 struct MarkerSight {
@@ -22,12 +22,15 @@ struct MarkerSight {
 
 class MarkerDetector final : public Component {
 public:
-    /// The lens of the camera that the pictures come from, when that is known.
-    using FindLens = std::function<std::optional<Intrinsics>()>;
+    /// What is searched.
+    struct Picture {
+        GrayImage gray;
+        CameraIntrinsics intrinsics;
+    };
 
     /// `wait`: what was seen in the picture of t is published at t + latency exactly (simulation), else as soon as it
     /// is known (hardware).
-    MarkerDetector(std::string name, FindLens find_lens, bool wait);
+    MarkerDetector(std::string name, bool wait);
 
     InPortBase& image_port() { return image_; }
 
@@ -35,14 +38,15 @@ private:
     Expected<void> on_activated() override;
     Expected<void> on_execute() override;
     Expected<void> on_deactivated() override;
-    Intrinsics lens_for(const CameraImage& image) const;
+    Expected<CameraIntrinsics> intrinsics_for(const GrayImage& image) const;
+    Expected<Picture> picture();
     void start();
     Expected<void> take_sight();
     void publish(const MarkerSight& sight);
 
-    FindLens find_lens_;
     bool wait_;
     InPort<CameraImage>& image_;
+    InPort<CameraIntrinsics>& intrinsics_;
     OutPort<Pose3D>& pos_;
     OutPort<bool>& visible_;
     OutPort<std::int32_t>& id_;
@@ -52,8 +56,8 @@ private:
     DelayedTask<MarkerSight> sight_;  // after finder_: it works with it
 };
 
-/// Makes the component `entry` for `system`, where it asks the Camera that is connected to it for its lens: what
-/// `Makers::components` wants for "MarkerDetector" in a simulation. An error when it has an `on`.
+/// Makes the component `entry`; what `Makers::components` wants for "MarkerDetector" in a simulation. An error when it
+/// has an `on`.
 Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& system);
 
 }  // namespace nezumi

@@ -1,16 +1,20 @@
-// AprilTag's detector, its pose turned into the axes of robots.
+// AprilTag finds the corners, OpenCV the pose that they are seen from, Eigen turns it into the axes of robots.
 #include "engine/vision/tag_finder.hpp"
 
 #include <apriltag/apriltag.h>
-#include <apriltag/apriltag_pose.h>
 #include <apriltag/tag16h5.h>
 #include <apriltag/tag25h9.h>
 #include <apriltag/tag36h11.h>
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
 #include <tuple>
 
 namespace nezumi {
@@ -29,16 +33,15 @@ constexpr Family known_families[] = {{"36h11", tag36h11_create, tag36h11_destroy
 constexpr int forgiven_bits = 1;
 // Half the resolution for finding quads: four times as quick, and the edges are refined in the full picture.
 constexpr float decimation = 2;
-// AprilTag counts from the corner of the first pixel, our intrinsics from its centre.
+// AprilTag counts from the corner of the first pixel, intrinsics from its centre.
 constexpr double pixel_offset = 0.5;
-// Steps between grey values that count as edges. With its own 5, the noise of a dim picture makes thousands of edges
-// and finding tags takes ten times as long.
+// A noisy picture has thousands of edges, and finding tags takes twenty times as long: it is smoothed by so many
+// pixels, and steps between grey values count from here on (AprilTag's own: 5).
+constexpr double smoothing = 0.8;
 constexpr int least_contrast = 25;
 // [px] Its tiles and its halved picture need some room.
 constexpr int least_side = 16;
 
-// A matrix is one block of malloc's; Debian's library keeps its own way to free it to itself.
-using Matrix = std::unique_ptr<matd_t, decltype(&std::free)>;
 using Detections = std::unique_ptr<zarray_t, decltype(&apriltag_detections_destroy)>;
 
 double edge_of(const apriltag_detection_t& tag) {
@@ -51,20 +54,42 @@ double edge_of(const apriltag_detection_t& tag) {
     return sum / 4;
 }
 
+// Where the tag is from the camera, both with x right, y down and z ahead; nothing when no place fits.
+struct CameraPose {
+    cv::Matx33d rotation;
+    cv::Vec3d translation;
+};
+std::optional<CameraPose> pose_of(const apriltag_detection_t& tag, const CameraIntrinsics& c, double size) {
+    const double h = size / 2;
+    // The order that IPPE wants, and in which AprilTag counts the corners.
+    const std::array<cv::Point3d, 4> corners{{{-h, h, 0}, {h, h, 0}, {h, -h, 0}, {-h, -h, 0}}};
+    std::array<cv::Point2d, 4> seen;
+    for (std::size_t i = 0; i < 4; ++i) seen[i] = {tag.p[i][0] - pixel_offset, tag.p[i][1] - pixel_offset};
+    const cv::Matx33d camera(c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1);
+    const cv::Vec<double, 5> distortion(c.k1, c.k2, c.p1, c.p2, c.k3);
+    // A square looks nearly the same in two poses: the one that fits better comes first, and is then fitted in the
+    // picture itself.
+    std::vector<cv::Mat> rotations, translations;
+    cv::solvePnPGeneric(corners, seen, camera, distortion, rotations, translations, false, cv::SOLVEPNP_IPPE_SQUARE);
+    if (rotations.empty()) return std::nullopt;
+    cv::solvePnPRefineLM(corners, seen, camera, distortion, rotations.front(), translations.front());
+    CameraPose pose;
+    cv::Rodrigues(rotations.front(), pose.rotation);
+    pose.translation = translations.front();
+    const bool sound = cv::checkRange(pose.rotation) && cv::checkRange(pose.translation) && pose.translation[2] > 0;
+    return sound ? std::optional(pose) : std::nullopt;
+}
+
 // From the camera's axes (x right, y down, z ahead) to the robots' (x ahead, y left, z up).
-Pose3D to_robot_axes(const matd_t& r, const matd_t& t) {
-    // Row and column i of the robots' axes is +/- row and column `from[i]` of the camera's.
-    constexpr int from[] = {2, 0, 1};
-    constexpr double sign[] = {1, -1, -1};
-    const auto at = [&](int row, int column) {
-        return sign[row] * sign[column] * r.data[from[row] * 3 + from[column]];
-    };
-    Pose3D pose;
-    pose.position = {t.data[2], -t.data[0], -t.data[1]};
-    pose.orientation = {.r = std::atan2(at(2, 1), at(2, 2)),
-                        .p = -std::asin(std::clamp(at(2, 0), -1.0, 1.0)),
-                        .y = std::atan2(at(1, 0), at(0, 0))};
-    return pose;
+Pose3D to_robot_axes(const CameraPose& pose) {
+    const Eigen::Matrix3d axes{{0, 0, 1}, {-1, 0, 0}, {0, -1, 0}};
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    const Eigen::Matrix3d r = axes * Eigen::Map<const RowMajor>(pose.rotation.val) * axes.transpose();
+    const Eigen::Vector3d at = axes * Eigen::Map<const Eigen::Vector3d>(pose.translation.val);
+    return {.position = {at.x(), at.y(), at.z()},
+            .orientation = {.r = std::atan2(r(2, 1), r(2, 2)),
+                            .p = -std::asin(std::clamp(r(2, 0), -1.0, 1.0)),
+                            .y = std::atan2(r(1, 0), r(0, 0))}};
 }
 
 }  // namespace
@@ -100,26 +125,26 @@ TagFinder::TagFinder(std::string_view family) {
                                      [&](const Family& known) { return known.name == family; });
     assert(found != std::end(known_families));
     detector_ = std::make_unique<Detector>(*found);
+    // A picture shall cost one core: others run behaviours. What is found does not depend on the number.
+    cv::setNumThreads(1);
 }
 
 TagFinder::~TagFinder() = default;
 TagFinder::TagFinder(TagFinder&&) noexcept = default;
 TagFinder& TagFinder::operator=(TagFinder&&) noexcept = default;
 
-std::vector<FoundTag> TagFinder::find(GrayImage& image, const Intrinsics& intrinsics, double size) {
+std::vector<FoundTag> TagFinder::find(GrayImage& image, const CameraIntrinsics& intrinsics, double size) {
     std::vector<FoundTag> tags;
     if (std::min(image.width, image.height) < least_side) return tags;
+    cv::Mat pixels(image.height, image.width, CV_8UC1, image.pixels.data());
+    cv::GaussianBlur(pixels, pixels, {}, smoothing);
     image_u8_t view{image.width, image.height, image.width, image.pixels.data()};
     const Detections found(apriltag_detector_detect(detector_->detector, &view), apriltag_detections_destroy);
     for (int i = 0; i < zarray_size(found.get()); ++i) {
         apriltag_detection_t* tag = nullptr;
         zarray_get(found.get(), i, static_cast<void*>(&tag));
-        apriltag_detection_info_t info{
-            tag, size, intrinsics.fx, intrinsics.fy, intrinsics.cx + pixel_offset, intrinsics.cy + pixel_offset};
-        apriltag_pose_t pose{};
-        estimate_tag_pose(&info, &pose);
-        const Matrix rotation(pose.R, std::free), translation(pose.t, std::free);
-        tags.push_back({tag->id, to_robot_axes(*rotation, *translation), edge_of(*tag)});
+        const auto pose = pose_of(*tag, intrinsics, size);
+        if (pose) tags.push_back({tag->id, to_robot_axes(*pose), edge_of(*tag)});
     }
     const auto key = [](const FoundTag& tag) {
         const Point3D& p = tag.pose.position;

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/devices/camera.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/vision/gray_image.hpp"
 
@@ -34,8 +33,8 @@ public:
     TagFinder& operator=(TagFinder&&) noexcept;
 
     /// The tags of the family in sight, the nearest first (of two as near, the one with the smaller number). `size` [m]
-    /// is the edge of their black border: a wrong one scales every position by wrong / right.
-    std::vector<FoundTag> find(GrayImage& image, const Intrinsics& intrinsics, double size);
+    /// is the edge of their black border: a wrong one scales every position by wrong / right. Smooths the picture.
+    std::vector<FoundTag> find(GrayImage& image, const CameraIntrinsics& intrinsics, double size);
 
 private:
     struct Detector;

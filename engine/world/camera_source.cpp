@@ -5,9 +5,24 @@
 
 namespace nezumi {
 
-Intrinsics Intrinsics::of(int width, int height, double field_of_view) {
+CameraIntrinsics pinhole(int width, int height, double field_of_view) {
     const double focal = width / 2.0 / std::tan(field_of_view / 2);
-    return {.fx = focal, .fy = focal, .cx = (width - 1) / 2.0, .cy = (height - 1) / 2.0};
+    return {.width = static_cast<std::uint16_t>(width),
+            .height = static_cast<std::uint16_t>(height),
+            .fx = focal,
+            .fy = focal,
+            .cx = (width - 1) / 2.0,
+            .cy = (height - 1) / 2.0};
+}
+
+CameraIntrinsics CameraSettings::intrinsics() const {
+    CameraIntrinsics all = pinhole(width, height, field_of_view);
+    all.k1 = k1;
+    all.k2 = k2;
+    all.p1 = p1;
+    all.p2 = p2;
+    all.k3 = k3;
+    return all;
 }
 
 }  // namespace nezumi

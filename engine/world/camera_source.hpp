@@ -1,4 +1,4 @@
-// What takes pictures, a simulation or a device: where it looks from, how it is set, and its pinhole.
+// What takes pictures, a simulation or a device: where it looks from, how it is set, how it sees.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,9 @@
 
 namespace nezumi {
 
-/// A pinhole: where a point before the camera appears. A point x to the right, y down and z ahead [m] is seen at column
-/// `cx + fx * x / z` and row `cy + fy * y / z`; the centre of the first pixel is at (0, 0).
-struct Intrinsics {
-    double fx = 0;  ///< [px] focal length along a row
-    double fy = 0;  ///< [px] along a column
-    double cx = 0;  ///< [px] column of the optical axis
-    double cy = 0;  ///< [px] row of the optical axis
-
-    /// A pinhole that looks through the middle of the picture; `field_of_view` [rad] is that of a row.
-    static Intrinsics of(int width, int height, double field_of_view);
-    bool operator==(const Intrinsics&) const = default;
-};
+/// The intrinsics of a camera without distortion that looks through the middle of its picture; `field_of_view` [rad] is
+/// that of a row.
+CameraIntrinsics pinhole(int width, int height, double field_of_view);
 
 /// How a camera is set.
 struct CameraSettings {
@@ -28,11 +19,15 @@ struct CameraSettings {
     int width = 640;     ///< [px]
     int height = 480;    ///< [px]
     double frame_rate = 30;
-    double field_of_view = 0;  ///< [rad] of a row
-    bool color = true;         ///< "rgb8", else "gray8"
-    double noise = 0;          ///< standard deviation of a pixel's value, which goes from 0 to 255
-    double blur = 0;           ///< [px] standard deviation of a Gaussian
-    std::uint64_t seed = 0;    ///< of the noise
+    double field_of_view = 0;                       ///< [rad] of a row
+    double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< distortion, as in `CameraIntrinsics`
+    bool color = true;                              ///< "rgb8", else "gray8"
+    double noise = 0;                               ///< standard deviation of a pixel's value, which goes from 0 to 255
+    double blur = 0;                                ///< [px] standard deviation of a Gaussian
+    std::uint64_t seed = 0;                         ///< of the noise
+
+    /// The pinhole of size and field of view, with the distortion.
+    CameraIntrinsics intrinsics() const;
 };
 
 /// Where a camera looks from. Camera and body frame have x forward, y left, z up.
@@ -47,6 +42,8 @@ struct CameraMount {
 class CameraSource {
 public:
     virtual ~CameraSource() = default;
+    /// Those of every picture: computed in a simulation, calibrated for a device; with an `fx` of 0 unknown.
+    virtual CameraIntrinsics intrinsics() const = 0;
     /// Keeps what there is to see now; quick, on the thread that ticks.
     virtual void expose(const Time& now) = 0;
     /// Makes the picture of the last exposure; slow, on any thread, never together with `expose`.

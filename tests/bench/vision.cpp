@@ -1,8 +1,7 @@
 // A simulated camera and the marker detector: how far off the positions are, and what a picture costs.
 //
-// Aims: the median error at 1 m and 640 x 480 is under 5 mm; 30 pictures a second leave one core time to spare.
-// Measured (two shared cores): 1.0 mm at 1 m; 2.2 ms to paint a picture, 7 ms more with noise and blur, 1.4 ms to find
-// tags, 0.25 ms for each tag in sight.
+// Aims, at 640 x 480 on one core: the median error at 1 m is under 5 mm; painting with noise 8 and blur 1.2 takes less
+// than 6 ms, finding the tags in it less than 5 ms, the whole frame less than 11 ms.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -47,18 +46,19 @@ ArenaSpec room(int markers) {
     return arena;
 }
 
-struct Flaws {
+struct Optics {
     const char* name;
-    double noise, blur;
+    double noise, blur, k1;
 };
 
 struct Shot {
-    Shot(World& world, const Flaws& flaws)
+    Shot(World& world, const Optics& optics)
         : camera(std::move(*world.open_camera({.at = eye}, {.width = width,
                                                             .height = height,
                                                             .field_of_view = field_of_view,
-                                                            .noise = flaws.noise,
-                                                            .blur = flaws.blur,
+                                                            .k1 = optics.k1,
+                                                            .noise = optics.noise,
+                                                            .blur = optics.blur,
                                                             .seed = 1}))) {}
     GrayImage take() {
         camera->expose({tick++, 0});
@@ -71,9 +71,9 @@ struct Shot {
 };
 
 // Errors [m] of positions at this distance: anywhere in the middle of the picture, turned by up to 0.6 rad.
-std::vector<double> errors_at(double distance, const Flaws& flaws, int count, int& missed) {
+std::vector<double> errors_at(double distance, const Optics& optics, int count, int& missed) {
     auto world = std::move(*sim::make_world(room(1), {}, {}));
-    Shot shot(*world, flaws);
+    Shot shot(*world, optics);
     TagFinder finder("36h11");
     std::mt19937 random(7);  // the engine's own sequence is the same everywhere
     const auto draw = [&](double reach) { return reach * (2 * static_cast<double>(random()) / 4294967295.0 - 1); };
@@ -85,7 +85,7 @@ std::vector<double> errors_at(double distance, const Flaws& flaws, int count, in
         const Point3D at{eye.x + from_eye.x, eye.y + from_eye.y, eye.z + from_eye.z};
         static_cast<void>(world->move_marker("marker0", {at, {.y = pi + bearing + draw(0.6)}}));
         GrayImage gray = shot.take();
-        const auto tags = finder.find(gray, Intrinsics::of(width, height, field_of_view), 0.1);
+        const auto tags = finder.find(gray, shot.camera->intrinsics(), 0.1);
         if (tags.empty()) {
             ++missed;
             continue;
@@ -96,26 +96,28 @@ std::vector<double> errors_at(double distance, const Flaws& flaws, int count, in
     return errors;
 }
 
+// [s] Each step apart, the median of all rounds.
 struct Cost {
-    double render, gray_and_find;  // [s]
+    double paint, gray, find;
+    double whole() const { return paint + gray + find; }
 };
 
-Cost cost_of(int markers, const Flaws& flaws, int rounds) {
+Cost cost_of(int markers, const Optics& optics, int rounds) {
     auto world = std::move(*sim::make_world(room(markers), {}, {}));
-    Shot shot(*world, flaws);
+    Shot shot(*world, optics);
     TagFinder finder("36h11");
-    std::vector<double> render, find;
+    std::vector<double> paint, gray, find;
     for (int i = 0; i < rounds; ++i) {
-        render.push_back(bench::time_of([&] {
+        paint.push_back(bench::time_of([&] {
             shot.camera->expose({i, 0});
             shot.camera->develop(shot.image);
         }));
-        find.push_back(bench::time_of([&] {
-            auto gray = to_gray(shot.image);
-            static_cast<void>(finder.find(*gray, Intrinsics::of(width, height, field_of_view), 0.1));
-        }));
+        GrayImage picture;
+        gray.push_back(bench::time_of([&] { picture = std::move(*to_gray(shot.image)); }));
+        find.push_back(
+            bench::time_of([&] { static_cast<void>(finder.find(picture, shot.camera->intrinsics(), 0.1)); }));
     }
-    return {bench::median(render), bench::median(find)};
+    return {bench::median(paint), bench::median(gray), bench::median(find)};
 }
 
 }  // namespace
@@ -126,22 +128,25 @@ int main(int argc, char** argv) {
                         std::to_string(width) + " x " + std::to_string(height) +
                             ", 60 degrees, marker of 0.1 m (36h11), a room with 16 things, " + std::to_string(rounds) +
                             " pictures each");
-    const Flaws all_flaws[] = {{"clean", 0, 0}, {"noise 2, blur 0.7", 2, 0.7}, {"noise 8, blur 1.2", 8, 1.2}};
+    const Optics all_optics[] = {{"clean", 0, 0, 0},
+                                 {"noise 2, blur 0.7", 2, 0.7, 0},
+                                 {"noise 8, blur 1.2", 8, 1.2, 0},
+                                 {"the same, k1 = -0.25", 8, 1.2, -0.25}};
 
     std::printf("  error of the position [mm]        0.3 m            0.5 m            1 m              2 m\n");
     std::printf("                                median   worst\n");
     double worst_median = 0;
-    for (const Flaws& flaws : all_flaws) {
-        std::printf("  %-22s", flaws.name);
+    for (const Optics& optics : all_optics) {
+        std::printf("  %-22s", optics.name);
         for (const double distance : {0.3, 0.5, 1.0, 2.0}) {
             int missed = 0;
-            const auto errors = errors_at(distance, flaws, rounds, missed);
+            const auto errors = errors_at(distance, optics, rounds, missed);
             if (errors.empty()) {
                 std::printf("   none found    ");
                 continue;
             }
             const double median = bench::median(errors);
-            if (distance == 1.0 && flaws.noise <= 2) worst_median = std::max(worst_median, median);
+            if (distance == 1.0 && optics.noise <= 2) worst_median = std::max(worst_median, median);
             std::printf("   %6.2f %7.2f", 1e3 * median, 1e3 * *std::max_element(errors.begin(), errors.end()));
             if (missed > 0) std::printf(" (-%d)", missed);
         }
@@ -150,15 +155,15 @@ int main(int argc, char** argv) {
     std::printf("  at 1 m the median is at most %.2f mm: %s (aim 5 mm)\n\n", 1e3 * worst_median,
                 bench::verdict(worst_median, 0.005));
 
-    std::printf("  milliseconds of one core      render   find   each tag: decoding and pose\n");
-    double most = 0;
-    for (const Flaws& flaws : all_flaws) {
-        const Cost one = cost_of(1, flaws, rounds), nine = cost_of(9, flaws, rounds);
-        std::printf("  %-26s %8.2f %6.2f   %6.3f\n", flaws.name, 1e3 * one.render, 1e3 * one.gray_and_find,
-                    1e3 * (nine.gray_and_find - one.gray_and_find) / 8);
-        most = std::max(most, one.render + one.gray_and_find);
+    std::printf("  milliseconds of one core     paint   gray   find   whole   each tag more\n");
+    Cost hard{};
+    for (const Optics& optics : all_optics) {
+        const Cost one = cost_of(1, optics, rounds), nine = cost_of(9, optics, rounds);
+        std::printf("  %-24s %9.2f %6.2f %6.2f %7.2f %9.3f\n", optics.name, 1e3 * one.paint, 1e3 * one.gray,
+                    1e3 * one.find, 1e3 * one.whole(), 1e3 * (nine.find - one.find) / 8);
+        if (optics.noise == 8 && optics.k1 == 0) hard = one;
     }
-    std::printf("  a picture costs at most %.2f ms of the 33.3 ms that it has: %s\n", 1e3 * most,
-                bench::verdict(most, 1.0 / 30));
-    return worst_median <= 0.005 && most <= 1.0 / 30 ? 0 : 1;
+    std::printf("  with noise 8 and blur 1.2: paint %s (aim 6 ms), find %s (aim 5 ms), whole %s (aim 11 ms)\n",
+                bench::verdict(hard.paint, 6e-3), bench::verdict(hard.find, 5e-3), bench::verdict(hard.whole(), 11e-3));
+    return worst_median <= 0.005 && hard.paint <= 6e-3 && hard.find <= 5e-3 && hard.whole() <= 11e-3 ? 0 : 1;
 }

@@ -2,7 +2,7 @@
 --- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.
 --- Written by `nezumi types --lua`; do not edit.
 
----@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"
+---@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"
 
 ---@class (exact) Velocity2D
 ---@field vx number [m/s] speed along the robot's x axis (forward)
@@ -129,6 +129,32 @@
 ---@field format? string how a pixel is stored, for example "rgb8" or "gray8"
 ---@field fDiv? number scale factor of a compressed image
 ---@field pixels? string the bytes, row by row from the top left; a string in Lua
+
+---@class (exact) CameraIntrinsics
+---@field width integer [px] of the pictures that they are for 0..65535
+---@field height integer [px] 0..65535
+---@field fx number [px] focal length along a row; 0: nothing is known
+---@field fy number [px] focal length along a column
+---@field cx number [px] column of the optical axis
+---@field cy number [px] row of the optical axis
+---@field k1 number radial distortion; below 0 a barrel, above a pincushion
+---@field k2 number radial distortion
+---@field p1 number tangential distortion
+---@field p2 number tangential distortion
+---@field k3 number radial distortion
+
+---@class (exact) CameraIntrinsics.Written
+---@field width? integer [px] of the pictures that they are for 0..65535
+---@field height? integer [px] 0..65535
+---@field fx? number [px] focal length along a row; 0: nothing is known
+---@field fy? number [px] focal length along a column
+---@field cx? number [px] column of the optical axis
+---@field cy? number [px] row of the optical axis
+---@field k1? number radial distortion; below 0 a barrel, above a pincushion
+---@field k2? number radial distortion
+---@field p1? number tangential distortion
+---@field p2? number tangential distortion
+---@field k3? number radial distortion
 
 ---@class InPort
 ---@field is_new boolean something unread waits
@@ -377,6 +403,20 @@
 ---@class (exact) CameraImage.OutOptions
 ---@field safe? CameraImage.Written written when the component stops
 
+---An in-port of CameraIntrinsics: how a camera maps what is before it to pixels.
+---@class CameraIntrinsics.In : InPort
+---@field read fun(self: CameraIntrinsics.In): CameraIntrinsics
+
+---An out-port of CameraIntrinsics: how a camera maps what is before it to pixels.
+---@class CameraIntrinsics.Out : OutPort
+---@field write fun(self: CameraIntrinsics.Out, value: CameraIntrinsics.Written)
+
+---@class (exact) CameraIntrinsics.InOptions
+---@field queue? integer keep so many unread messages; without it the latest only
+
+---@class (exact) CameraIntrinsics.OutOptions
+---@field safe? CameraIntrinsics.Written written when the component stops
+
 ---Declares an in-port: `local range = input("range", "TimedShortSeq", "what it is")`.
 ---@overload fun(name: string, type: "TimedBoolean", doc?: string, options?: TimedBoolean.InOptions): TimedBoolean.In
 ---@overload fun(name: string, type: "TimedShort", doc?: string, options?: TimedShort.InOptions): TimedShort.In
@@ -395,6 +435,7 @@
 ---@overload fun(name: string, type: "TimedPose3D", doc?: string, options?: TimedPose3D.InOptions): TimedPose3D.In
 ---@overload fun(name: string, type: "RangeData", doc?: string, options?: RangeData.InOptions): RangeData.In
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.InOptions): CameraImage.In
+---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.InOptions): CameraIntrinsics.In
 function input(name, type, doc, options) end
 
 ---Declares an out-port: `local target = output("target", "TimedVelocity2D", "what it is")`.
@@ -415,6 +456,7 @@ function input(name, type, doc, options) end
 ---@overload fun(name: string, type: "TimedPose3D", doc?: string, options?: TimedPose3D.OutOptions): TimedPose3D.Out
 ---@overload fun(name: string, type: "RangeData", doc?: string, options?: RangeData.OutOptions): RangeData.Out
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.OutOptions): CameraImage.Out
+---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.OutOptions): CameraIntrinsics.Out
 function output(name, type, doc, options) end
 
 ---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]

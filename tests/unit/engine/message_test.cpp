@@ -30,11 +30,12 @@ std::vector<std::string> leaves_of(const T& value) {
 
 }  // namespace
 
-TEST_CASE("there are the seventeen message types of OpenRTM-aist, by their names", "[engine][message]") {
+TEST_CASE("the message types are the seventeen of OpenRTM-aist, by their names, and one of our own",
+          "[engine][message]") {
     const std::vector<std::string_view> expected{
         "TimedBoolean",    "TimedShort",    "TimedLong",    "TimedFloat",    "TimedDouble",    "TimedString",
         "TimedBooleanSeq", "TimedShortSeq", "TimedLongSeq", "TimedFloatSeq", "TimedDoubleSeq", "TimedStringSeq",
-        "TimedVelocity2D", "TimedPose2D",   "TimedPose3D",  "RangeData",     "CameraImage"};
+        "TimedVelocity2D", "TimedPose2D",   "TimedPose3D",  "RangeData",     "CameraImage",    "CameraIntrinsics"};
     CHECK(std::vector<std::string_view>(message_type_names.begin(), message_type_names.end()) == expected);
 }
 

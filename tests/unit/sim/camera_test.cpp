@@ -7,6 +7,7 @@
 
 #include "engine/devices/camera.hpp"
 #include "engine/system/system.hpp"
+#include "engine/world/camera_source.hpp"
 #include "sim/image_noise.hpp"
 #include "sim/painter.hpp"
 #include "sim/picture.hpp"
@@ -75,13 +76,13 @@ TEST_CASE("what is left is seen on the left, and the nearer hides the farther wh
     CHECK(is_blue(pixel(image, 320, 170)));  // looks out behind the smaller one
 }
 
-TEST_CASE("an edge falls where the lens says", "[sim][camera]") {
+TEST_CASE("an edge falls where the pinhole says", "[sim][camera]") {
     ArenaSpec arena;
     arena.boxes = {{.at = {1.05, 0.05, 0.5}, .size = {0.1, 0.1, 1.0}, .color = "#ff0000"}};  // from y = 0 to 0.1
     TryWorld w(arena);
     const CameraImage image = shoot(*w.world, {.at = {0, 0, 0.5}}, {.field_of_view = 1.0});
-    const Intrinsics lens = Intrinsics::of(640, 480, 1.0);
-    const int edge = static_cast<int>(std::lround(lens.cx - lens.fx * 0.1));
+    const CameraIntrinsics c = pinhole(640, 480, 1.0);
+    const int edge = static_cast<int>(std::lround(c.cx - c.fx * 0.1));
     CHECK_FALSE(is_red(pixel(image, edge - 1, 240)));
     CHECK(is_red(pixel(image, edge + 1, 240)));
     CHECK(is_red(pixel(image, 319, 240)));
@@ -154,39 +155,30 @@ TEST_CASE("a floor's picture lies on the floor: its top where y is largest", "[s
     std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("noise has its deviation, comes from the seed, and leaves what is 0 or 255 within bounds", "[sim][camera]") {
-    std::vector<std::uint8_t> pixels(100'001, 128);
-    add_noise(pixels, 10, 1);
-    double sum = 0, squares = 0;
-    for (const int p : pixels) {
-        sum += p - 128;
-        squares += (p - 128) * (p - 128);
+TEST_CASE("blur and noise of a camera are those of its settings, noise that of the tick", "[sim][camera]") {
+    ArenaSpec arena;
+    arena.boxes = {block(1, 0.3, "#ff0000"), block(0.8, -0.2, "#0000ff")};
+    TryWorld w(arena);
+    const CameraMount mount{.at = {0, 0, 0.05}};
+    for (const bool color : {true, false}) {
+        const CameraImage clean = shoot(*w.world, mount, {.width = 150, .height = 100, .color = color});
+        Octets expected = clean.pixels;
+        blur_picture(expected, 150, 100, color ? 3 : 1, 1.5);
+        CHECK(shoot(*w.world, mount, {.width = 150, .height = 100, .color = color, .blur = 1.5}).pixels == expected);
+        ImageNoise(8, 42).add_to(expected, color ? 450 : 150, 0);
+        const CameraSettings both{
+            .width = 150, .height = 100, .field_of_view = 1.0, .color = color, .noise = 8, .blur = 1.5, .seed = 42};
+        CHECK(shoot(*w.world, mount, both).pixels == expected);
+        auto camera = w.world->open_camera(mount, both);
+        REQUIRE(camera);
+        CameraImage later, again;
+        (*camera)->expose({.tick = 7});
+        (*camera)->develop(later);
+        (*camera)->expose({.tick = 0});
+        (*camera)->develop(again);
+        CHECK(later.pixels != expected);
+        CHECK(again.pixels == expected);
     }
-    const double count = static_cast<double>(pixels.size());
-    CHECK(sum / count == Approx(0).margin(0.2));
-    CHECK(std::sqrt(squares / count) == Approx(10).margin(0.2));
-    std::vector<std::uint8_t> again(100'001, 128), other(100'001, 128), black(10, 0), white(10, 255);
-    add_noise(again, 10, 1);
-    add_noise(other, 10, 2);
-    CHECK(again == pixels);
-    CHECK(other != pixels);
-    add_noise(black, 100, 1);
-    add_noise(white, 100, 1);
-    CHECK(*std::max_element(black.begin(), black.end()) > 0);
-    CHECK(*std::min_element(white.begin(), white.end()) < 255);
-}
-
-TEST_CASE("blur spreads a point, keeps the sum and leaves a plain picture alone", "[sim][camera]") {
-    std::vector<std::uint8_t> plain(30 * 20 * 3, 77), point(31 * 21, 0);
-    blur_picture(plain, 30, 20, 3, 1.5);
-    CHECK(plain == std::vector<std::uint8_t>(30 * 20 * 3, 77));
-    point[10 * 31 + 15] = 250;
-    blur_picture(point, 31, 21, 1, 1.0);
-    const int middle = point[10 * 31 + 15];
-    CHECK(middle == Approx(250 / (2 * M_PI)).margin(2));
-    CHECK(point[10 * 31 + 14] == point[10 * 31 + 16]);
-    CHECK(point[10 * 31 + 14] == point[9 * 31 + 15]);
-    CHECK(point[10 * 31 + 14] == Approx(middle * std::exp(-0.5)).margin(2));
 }
 
 TEST_CASE("whatever stands where, painting writes every pixel and none else", "[sim][camera]") {

@@ -92,12 +92,15 @@ TEST_CASE("when the marker disappears, positions stop and visible says so", "[vi
     CHECK(watch.port("visible").count() > looks);
 }
 
-TEST_CASE("the connected camera tells its lens; otherwise the detector's own counts", "[vision][detector]") {
+TEST_CASE("a picture brings its camera's intrinsics along; otherwise the detector's own count", "[vision][detector]") {
     Watch wide(one_marker({0.6, 0, 0.1}), {}, {{"field_of_view", 1.6}, {"width", std::int64_t{800}}});
     wide.run(20);
     CHECK(wide.pos().position.x == Approx(0.6).margin(0.01));
+    const auto told = std::get<CameraIntrinsics>(wide.detector().find_in_port("intrinsics")->value());
+    CHECK(told.width == 800);
+    CHECK(told == pinhole(800, 480, 1.6));
 
-    Watch given(one_marker({0.6, 0, 0.1}), {{"fx", 2 * Intrinsics::of(640, 480, field_of_view).fx}});
+    Watch given(one_marker({0.6, 0, 0.1}), {{"fx", 2 * pinhole(640, 480, field_of_view).fx}});
     given.run(20);
     CHECK(given.pos().position.x == Approx(1.2).margin(0.02));
 
@@ -106,6 +109,52 @@ TEST_CASE("the connected camera tells its lens; otherwise the detector's own cou
     apart.show(picture_of(*world, {.field_of_view = 1.6}));
     apart.run(5);
     CHECK(apart.pos().position.x == Approx(0.6).margin(0.01));
+}
+
+TEST_CASE("intrinsics that change while it runs are those of the pictures from then on", "[vision][detector]") {
+    Watch watch(one_marker({0.6, 0, 0.1}));
+    watch.run(20);
+    REQUIRE(watch.system.find("eye")->parameters().set("field_of_view", 1.6));
+    watch.run(20);
+    CHECK(watch.pos().position.x == Approx(0.6).margin(0.01));
+    CHECK(watch.said.empty());
+}
+
+TEST_CASE("what a lens distorts is found where it is", "[vision][detector]") {
+    const Point3D at{0.7, 0.25, 0.22};
+    const ParameterValues barrel{{"k1", -0.3}, {"k2", 0.1}, {"p1", 0.005}, {"p2", -0.005}};
+    Watch watch(one_marker(at), {}, barrel);
+    watch.run(20);
+    REQUIRE(watch.visible());
+    CHECK(watch.pos().position.x == Approx(at.x).margin(0.007));
+    CHECK(watch.pos().position.y == Approx(at.y).margin(0.003));
+    CHECK(watch.pos().position.z == Approx(at.z - 0.1).margin(0.003));
+    // Taken for a pinhole's, the same picture tells another place.
+    Watch blind(one_marker(at), {{"fx", pinhole(640, 480, field_of_view).fx}}, barrel);
+    blind.run(20);
+    REQUIRE(blind.visible());
+    CHECK(std::abs(blind.pos().position.x - at.x) > 0.01);
+}
+
+TEST_CASE("a picture of another size than its intrinsics' is told, and nothing is seen in it", "[vision][detector]") {
+    Watch watch(one_marker());
+    watch.run(20);
+    REQUIRE(watch.system.disconnect("eye.out", "detector.image"));
+    watch.show(picture_of(*watch.system.world(), {.width = 320, .height = 240, .field_of_view = field_of_view}));
+    watch.run(5);
+    CHECK_FALSE(watch.visible());
+    CHECK(watch.said ==
+          std::vector<std::string>{"image: 320 x 240 pixels, but intrinsics for 640 x 480: nothing can be seen in it"});
+}
+
+TEST_CASE("a camera whose distortion folds its picture over says so", "[vision][detector]") {
+    Watch watch(one_marker());
+    REQUIRE(watch.system.find("eye")->parameters().set("k1", -1.5));
+    watch.run(2);
+    CHECK(watch.system.find("eye")->state() == LifeState::error);
+    REQUIRE(watch.said.size() == 1);
+    CHECK(watch.said[0].find("a distortion of k1 = -1.5, k2 = 0, p1 = 0, p2 = 0, k3 = 0 folds the picture over") !=
+          std::string::npos);
 }
 
 TEST_CASE("a small marker has no orientation", "[vision][detector]") {

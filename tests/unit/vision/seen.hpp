@@ -9,6 +9,7 @@
 
 #include "engine/devices/camera.hpp"
 #include "engine/vision/tag_finder.hpp"
+#include "engine/world/camera_source.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi {
@@ -42,7 +43,7 @@ inline CameraImage picture_of(World& world, CameraSettings settings = {.field_of
 inline std::vector<FoundTag> tags_in(const CameraImage& image, double size = 0.1) {
     auto gray = to_gray(image);
     REQUIRE(gray);
-    return TagFinder("36h11").find(*gray, Intrinsics::of(image.width, image.height, field_of_view), size);
+    return TagFinder("36h11").find(*gray, pinhole(image.width, image.height, field_of_view), size);
 }
 
 inline FoundTag only_tag(World& world, double size = 0.1) {

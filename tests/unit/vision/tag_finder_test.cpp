@@ -87,7 +87,7 @@ TEST_CASE("pictures of any small size and of nothing but noise show no tag", "[v
                 random = random * 1664525 + 1013904223;
                 pixel = static_cast<std::uint8_t>(random >> 24);
             }
-            CHECK(TagFinder("36h11").find(image, Intrinsics::of(width, height, 1), 0.1).empty());
+            CHECK(TagFinder("36h11").find(image, pinhole(width, height, 1), 0.1).empty());
         }
     }
 }
