@@ -24,7 +24,7 @@ PATIENCE = 2.0  # [s] for an answer; after that the sheet says that there is non
 
 
 class Link:
-    """Sheets and a console, joined."""
+    """Connects the sheets of a document with a console."""
 
     def __init__(self, sheets, console, types, system):
         self._sheets, self._console, self._types, self._system = sheets, console, types, system
@@ -35,7 +35,7 @@ class Link:
         self._rows, self._linked, self._links = [], [], []
 
     def refresh(self):
-        """One round: cells to ports, ports to cells."""
+        """One refresh: cells to ports, then ports to cells."""
         data = self._sheets.read()
         self._find(data)
         taken = {}
@@ -135,7 +135,7 @@ def event_of_signals():
 def run(options, office):
     console = Console(options.socket)
     types = {name: Type(name, fields) for name, fields in json.loads(options.types).items()}
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "look.lua"), encoding="utf-8") as file:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "ports.lua"), encoding="utf-8") as file:
         console.ask(file.read(), 60)
     console.ask("calc_check(%s)" % lua(options.port), 60)
     ports = json.loads(console.ask("calc_ports()", 60) or "[]")

@@ -82,7 +82,7 @@ def headings_of(port, types):
 
 
 class Writer:
-    """Goes down the sheet."""
+    """Writes titles and tables into a sheet, from top to bottom."""
 
     def __init__(self, document, sheet, most_values):
         self._formats = document.NumberFormats

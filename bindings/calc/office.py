@@ -15,15 +15,15 @@ from com.sun.star.lang import DisposedException
 from com.sun.star.uno import Exception as UnoException
 
 LONGEST_START = 120  # [s]
-MOST_ROWS, MOST_COLUMNS, MOST_SHEETS = 1000, 100, 16  # of a document: what is looked at
+MOST_ROWS, MOST_COLUMNS, MOST_SHEETS = 1000, 100, 16  # of a document: what is read
 
 
 class Refused(Exception):
-    """It can't be done; the text says why and what to do."""
+    """LibreOffice can't be used; the text says why and what to do."""
 
 
 class Closed(Exception):
-    """The sheet or the whole office is gone; the text says which."""
+    """The document or the office was closed; the text says which."""
 
 
 def start(profile, is_headless, ended):
@@ -78,7 +78,7 @@ def _reach(resolver, address, process, said, ended):
 
 
 def stop(desktop):
-    """Ends an office that nobody sees."""
+    """Ends an office that has no window."""
     try:
         desktop.terminate()
     except UnoException:
@@ -184,7 +184,7 @@ class Sheets:
             undo.unlock()
 
     def _content(self, sheet, row, column):
-        """What was read there last."""
+        """The content that was read last."""
         lines = self._before[sheet]
         return lines[row][column] if row < len(lines) and column < len(lines[row]) else ""
 

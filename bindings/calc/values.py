@@ -1,4 +1,4 @@
-"""Between cells and messages: which cell carries which part of a message, and what a cell's content means for it."""
+"""Conversion between cells and messages: which cell holds which field of a message, and how its content is read."""
 
 import difflib
 import re
@@ -8,7 +8,7 @@ NUMBER, INTEGER, BOOLEAN, TEXT, OCTETS = "number", "integer", "boolean", "text",
 
 
 class Wrong(Exception):
-    """What a person wrote can't be meant; the text says why."""
+    """Invalid content of a cell; the text says why."""
 
 
 class Part:
@@ -33,7 +33,7 @@ class Type:
     def __init__(self, name, fields):
         self.name = name
         self._fields = [field for field in fields if field[2] != OCTETS]
-        self.is_picture = len(self._fields) < len(fields)  # of which cells show all but the pixels
+        self.is_picture = len(self._fields) < len(fields)  # cells show everything but the pixels
         self.is_sequence = bool(fields) and fields[0][3]  # what it carries first, or all of it
 
     def part(self, name):
@@ -48,14 +48,14 @@ class Type:
         return None
 
     def parts(self, count):
-        """The parts as they follow each other where no heading says otherwise, at most `count`."""
+        """The first `count` parts in the order of the fields: the columns when there are no headings."""
         if not self.is_sequence:
             return [self.part(name) for name, _, _, is_sequence in self._fields if not is_sequence][:count]
         name = self._fields[0][0]
         return [self.part("%s[%d]" % (name, i + 1) if name else str(i + 1)) for i in range(count)]
 
     def length(self, message):
-        """How many values it takes to show the message."""
+        """The number of cells that show the whole message."""
         if not self.is_sequence:
             return sum(1 for field in self._fields if not field[3])
         name = self._fields[0][0]
@@ -64,8 +64,8 @@ class Type:
         return len(message)
 
     def columns(self, headings):
-        """The part of each column below these headings; None for a column that is not its own. A heading that names
-        nothing is passed over, one that is nearly a name is a slip."""
+        """The part of each column below these headings; None for a column of something else. A heading that matches no
+        field is ignored; one that nearly matches is an error."""
         texts = [re.sub(r"\s*[\[(][^\[\]()\d][^\[\]()]*[\])]\s*$", "", heading).strip() for heading in headings]
         named = [self.part(text) if text else None for text in texts]
         known = [field[0] for field in self._fields if field[0]]

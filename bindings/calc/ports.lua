@@ -1,8 +1,8 @@
---- What the spreadsheet's link asks of a system: which ports there are, what they carry, and to feed them.
---- Runs in the link's own console session; an answer is JSON, printed in pieces.
+--- The part of the spreadsheet's link that runs in the system: lists ports, reads them and writes to in-ports.
+--- It runs in a console session of its own; an answer is JSON, printed in pieces.
 
 local longest_text, longest_piece = 1000, 1500 -- bytes
--- What is sent when it changes, not again and again: a text would be spoken ten times a second, a pose never left.
+-- Types that are sent only when they change: otherwise a text would be spoken, and a pose set, ten times a second.
 local once = { TimedString = true, TimedStringSeq = true, TimedPose2D = true }
 
 local function quoted(text)
@@ -25,7 +25,7 @@ local function json(value)
   return "{" .. table.concat(parts, ",") .. "}"
 end
 
--- `print` shortens long texts. A piece does not end within a character.
+-- `print` shortens long texts, so an answer is printed in pieces. A piece never ends within a UTF-8 character.
 local function answer(value)
   local text, at = json(value), 1
   while at <= #text do
@@ -47,7 +47,7 @@ local function find_port(path)
   return world[component].ports[name]
 end
 
-local function look(port)
+local function describe(port)
   return {
     type = port.type, direction = port.direction, value = port.value, came = port.count > 0, tm = port.tm,
     stale = port.stale, override = port.override, peers = port.peers,
@@ -57,7 +57,7 @@ end
 local paths = {}
 local fed, fed_at = {}, {} -- by path
 
--- What stands still gets nothing twice, and no queue fills.
+-- While time stands still, a value is sent only once, or queues would fill.
 local function feed(port, value)
   local path, text = port.path, json(value)
   local is_once = once[port.type] == true
@@ -73,7 +73,7 @@ function calc_ports()
   local all = {}
   for name, component in pairs(world) do
     for _, port in pairs(component.ports) do
-      local seen = look(port)
+      local seen = describe(port)
       seen.path, seen.doc = port.path, port.doc
       all[#all + 1] = seen
     end
@@ -89,11 +89,10 @@ function calc_check(names)
   end
 end
 
---- Whose ports the next refreshes are about.
+--- Sets the ports that the next refreshes read and write.
 function calc_bind(new_paths) paths = new_paths end
 
---- Feeds `values[i]` to the port i, then looks at all. A port that is not there, or does not take its value, has an
---- error.
+--- Sends `values[i]` to port i, then reads all ports. A port that does not exist, or refuses its value, has an error.
 function calc_refresh(values)
   local seen = {}
   for i, path in ipairs(paths) do
@@ -106,7 +105,7 @@ function calc_refresh(values)
       else
         fed[path] = nil
       end
-      seen[i] = try(look, port) or { error = path .. " is gone" }
+      seen[i] = try(describe, port) or { error = path .. " is gone" }
       seen[i].once, seen[i].error = sent, seen[i].error or refused
     else
       seen[i] = { error = unknown }
