@@ -148,7 +148,69 @@ void follow(const std::string& name, const std::string& folder = "") {
     }
 }
 
+const fs::path root = source_root();
+
+std::vector<fs::path> pages() {
+    std::vector<fs::path> all{root / "README.md", root / "CONTRIBUTING.md"};
+    for (const auto& entry : fs::directory_iterator(root / "docs")) {
+        if (entry.path().extension() == ".md") all.push_back(entry.path());
+    }
+    return all;
+}
+
+// What stands in a page between `begin` and the next `end`.
+std::vector<std::string> parts_between(const std::string& page, const std::string& begin, char end) {
+    std::vector<std::string> parts;
+    for (std::size_t at = 0; (at = page.find(begin, at)) != std::string::npos;) {
+        at += begin.size();
+        parts.push_back(page.substr(at, page.find(end, at) - at));
+    }
+    return parts;
+}
+
 }  // namespace
+
+TEST_CASE("every link within the documentation leads to a file", "[cli][docs]") {
+    std::size_t links = 0;
+    for (const fs::path& page : pages()) {
+        for (std::string link : parts_between(read(page), "](", ')')) {
+            link = link.substr(0, link.find('#'));
+            if (link.empty() || link.find("://") != std::string::npos) continue;
+            CAPTURE(page.filename().string(), link);
+            CHECK(fs::exists(page.parent_path() / link));
+            ++links;
+        }
+    }
+    CHECK(links > 30);
+}
+
+TEST_CASE("every source that the pages for developers name is there", "[cli][docs]") {
+    std::size_t sources = 0;
+    for (const char* page : {"CONTRIBUTING.md", "docs/architecture.md"}) {
+        std::istringstream words(read(root / page));
+        for (std::string word; words >> word;) {
+            const std::size_t begin = word.find_first_not_of("`(");
+            if (begin == std::string::npos) continue;
+            word = word.substr(begin, word.find_first_of("`),:;", begin) - begin);
+            const bool is_source = word.ends_with(".cpp") || word.ends_with(".hpp") || word.ends_with(".lua");
+            if (!is_source || word.find('/') == std::string::npos || word.find('*') != std::string::npos) continue;
+            CAPTURE(page, word);
+            CHECK(fs::exists(root / word));
+            ++sources;
+        }
+    }
+    CHECK(sources > 20);
+}
+
+TEST_CASE("the page about the architecture lists the engine's rooms as the doors have them", "[cli][docs]") {
+    const auto doors = parts_between(read(root / "tests/lint/doors"), "split(\"", '"');
+    REQUIRE_FALSE(doors.empty());
+    std::string listed;
+    for (const std::string& room : parts_between(read(root / "docs/architecture.md"), "\n| `engine/", '`')) {
+        if (room != "robots") listed += (listed.empty() ? "" : " ") + room;
+    }
+    CHECK(listed == doors.front());
+}
 
 TEST_CASE("the page about editors does what it says", "[cli][docs]") { follow("editors.md"); }
 
