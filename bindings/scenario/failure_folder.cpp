@@ -30,7 +30,7 @@ bool is_inside_a_letter(char c) { return (static_cast<unsigned char>(c) & 0xc0) 
 
 }  // namespace
 
-std::string failure_folder_name(const fs::path& file, std::string_view run, bool alone) {
+std::string run_file_name(const fs::path& file, std::string_view run, bool alone) {
     bool lossy = !alone;
     std::string out;
     const auto add = [&](std::string_view given) {

@@ -5,8 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 
 namespace nezumi {
@@ -22,6 +24,23 @@ std::string_view text_or_empty(lua_State* lua, int index) {
     std::size_t length = 0;
     const char* text = lua_tolstring(lua, index, &length);
     return {text, length};
+}
+
+// Each run of a sweep has a golden of its own: "stop.csv" is "stop-speed=0.1.csv".
+std::string golden_name(const std::filesystem::path& file, const SweepPoint& point) {
+    if (point.empty()) return file.string();
+    return file.parent_path() / (run_file_name(file.filename(), text_of(point), true) + file.extension().string());
+}
+
+// Refuses every field of the table at `index` but this one.
+Expected<void> only_option(lua_State* lua, int index, std::string_view known) {
+    const auto value = read_file_value(lua, index);
+    if (!value) return Unexpected(value.error());
+    for (const FileField& field : value->table()->fields) {
+        if (field.name != known)
+            return failure(fmt::format("unknown option '{}'{}", shown(field.name), did_you_mean(field.name, {known})));
+    }
+    return {};
 }
 
 int copy_without_seconds(lua_State* lua) {
@@ -55,9 +74,11 @@ int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
 
 int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "expected the name of a CSV file beside the scenario's");
-    const std::string name(text_or_empty(lua, 2));
+    const std::string name = golden_name(text_or_empty(lua, 2), run.settings_.point);
     double tolerance = 1e-9;
     const bool has_options = lua_type(lua, 3) == LUA_TTABLE;
+    if (const auto options = has_options ? only_option(lua, 3, "tolerance") : Expected<void>(); !options)
+        return raise(run, fmt::format("'{}': {}", name, options.error().message));
     if (has_options && detail::push_raw_field(lua, 3, "tolerance")) {
         Mismatch why;
         if (!detail::read_number(lua, lua_gettop(lua), 1e300, tolerance, &why) || tolerance < 0)
@@ -215,15 +236,17 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
 
 const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts() {
     static const std::vector<Method> methods{
-        {"load", load},
-        {"golden", golden},
-        {"reload", reload},
-        {"drop", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::dropped); }},
-        {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }},
-        {"disturb", disturb},
-        {"press", press},
-        {"teleport", teleport},
-        {"restore", restore},
+        {"load", load, 1, " \"FILE\""},
+        {"golden", golden, 250, "(name, options, port, ...)"},
+        {"reload", reload, 2, "(component, { file = } or { text = })"},
+        {"drop", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::dropped); }, 2,
+         "(port, seconds)"},
+        {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }, 2,
+         "(port, seconds)"},
+        {"disturb", disturb, 2, "(robot, { vx =, va =, seconds = })"},
+        {"press", press, 3, "(robot, sensor, seconds)"},
+        {"teleport", teleport, 2, "(robot, pose)"},
+        {"restore", restore, 1, "(thing)"},
     };
     return methods;
 }

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "bindings/scenario/scenario_methods.hpp"
+#include "bindings/scenario/word_scan.hpp"
 
 namespace nezumi {
 namespace {
@@ -84,6 +87,10 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
     if (file->scenarios_.empty()) {
         return give_up({"the file has no scenario: expected scenario(\"name\", function(s) ... end)", {file->shown_}});
     }
+    if (const auto slips = unknown_words(file->text_, file->shown_, ScenarioRun::Methods::names()); !slips.empty()) {
+        if (errors != nullptr) *errors = slips;
+        return give_up(slips.front());
+    }
     lua_settop(file->file_->lua(), 0);
     file->is_read_ = true;
     return file;
@@ -98,19 +105,21 @@ void ScenarioFile::push_function(lua_State* lua, std::size_t scenario) const {
 }
 
 int ScenarioFile::range_word(lua_State* lua) {
-    const auto read = [lua](int index, double& out) {
-        Mismatch why;
-        lua_settop(lua, std::max(index, lua_gettop(lua)));
-        return detail::read_number(lua, index, 1e300, out, &why);
-    };
     SweepRange range;
-    const bool stepped = lua_type(lua, 3) > LUA_TNIL;
-    const bool fits = read(1, range.lo) && read(2, range.hi) && (!stepped || read(3, range.step));
-    if (!fits) return luaL_error(lua, "range: expected range(lo, hi) or range(lo, hi, step) with numbers");
-    if (range.hi < range.lo || (stepped && !(range.step > 0)) || lua_gettop(lua) > 3) {
-        return luaL_error(lua, "range: expected lo <= hi, and a step above 0");
-    }
-    range.whole = stepped && lua_isinteger(lua, 1) != 0 && lua_isinteger(lua, 3) != 0;
+    bridge(lua, [&]() -> Expected<void> {
+        const Arguments arguments{lua};
+        if (auto ok = arguments.at_most("range", 3, "(lo, hi, step)"); !ok) return ok;
+        const bool stepped = arguments.has(3);
+        const auto read = [lua](int index, double& out) {
+            return lua_gettop(lua) >= index && detail::read_number(lua, index, 1e300, out, nullptr);
+        };
+        const bool fits = read(1, range.lo) && read(2, range.hi) && (!stepped || read(3, range.step));
+        if (!fits) return failure("range: expected range(lo, hi) or range(lo, hi, step) with numbers");
+        if (range.hi < range.lo || (stepped && !(range.step > 0)))
+            return failure("range: expected lo <= hi, and a step above 0");
+        range.whole = stepped && lua_isinteger(lua, 1) != 0 && lua_isinteger(lua, 3) != 0;
+        return {};
+    });
     *static_cast<SweepRange*>(lua_newuserdatauv(lua, sizeof(SweepRange), 0)) = range;
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &range_key);
     lua_setmetatable(lua, -2);
@@ -120,28 +129,24 @@ int ScenarioFile::range_word(lua_State* lua) {
 int ScenarioFile::scenario_word(lua_State* lua) {
     auto& file = *static_cast<ScenarioFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
     luaL_checkstack(lua, 20, nullptr);
-    if (file.is_read_) return luaL_error(lua, "scenario: scenarios are declared by the file, not by one another");
-    const char* problem = file.add(lua);
-    if (problem != nullptr) {
-        lua_pushstring(lua, problem);
-        return lua_error(lua);
-    }
+    bridge(lua, [&] { return file.add(lua); });
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &functions_key);
     lua_pushvalue(lua, lua_isfunction(lua, 2) ? 2 : 3);
     lua_rawseti(lua, -2, static_cast<lua_Integer>(file.scenarios_.size()));
     return 0;
 }
 
-const char* ScenarioFile::add(lua_State* lua) {
+Expected<void> ScenarioFile::add(lua_State* lua) {
+    if (is_read_) return failure("scenario: scenarios are declared by the file, not by one another");
     const Place place = calling_place(lua);
     auto scenario = read_call(lua, place);
     if (scenario) {
         scenarios_.push_back(std::move(*scenario));
-        return nullptr;
+        return {};
     }
     Error error = scenario.error();
     if (error.place.file.empty()) error.place = place;
-    return file_->fail(std::move(error));
+    return Unexpected(file_->fail(std::move(error)));
 }
 
 Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
@@ -170,6 +175,8 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
         return failure(
             fmt::format("{}: expected scenario(name, options, function), got {} arguments", what, lua_gettop(lua)));
     }
+    if (auto ok = check_parameters(lua, has_options ? 3 : 2, 2); !ok)
+        return failure(fmt::format("{}: the function gets the scenario and its values; {}", what, ok.error().message));
     for (const Scenario& other : scenarios_) {
         if (other.name != scenario.name) continue;
         return failure(

@@ -58,7 +58,7 @@ private:
 
     static int scenario_word(lua_State* lua);
     static int range_word(lua_State* lua);
-    const char* add(lua_State* lua);
+    Expected<void> add(lua_State* lua);
     Expected<Scenario> read_call(lua_State* lua, const Place& place);
     Expected<void> read_options(lua_State* lua, int index, Scenario& scenario);
     Expected<void> read_sweep(lua_State* lua, int index, Scenario& scenario);

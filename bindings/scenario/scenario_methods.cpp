@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
@@ -91,10 +92,15 @@ int ScenarioRun::Methods::index(lua_State* lua) {
     const int answered = find_member(run, lua);
     if (answered == end_run) end_call(lua);
     if (answered != raise_text) return answered;
-    luaL_where(lua, 1);
-    lua_pushlstring(lua, run.raised_.data(), run.raised_.size());
-    lua_concat(lua, 2);
-    return lua_error(lua);
+    note_slip(run, lua);
+    return raise_kept(lua);
+}
+
+// What a method refuses is a mistake of the scenario, which then could not be run, unless it catches that.
+void ScenarioRun::Methods::note_slip(ScenarioRun& run, lua_State* lua) {
+    const std::string& text = run.file_.state().kept_error;
+    if (!run.setup_error_ || text.find(run.setup_error_->message) == std::string::npos)
+        run.setup_error_ = Error{one_line(text), calling_place(lua)};
 }
 
 int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
@@ -144,17 +150,23 @@ int ScenarioRun::Methods::call(lua_State* lua) {
     const auto& method = *static_cast<const Method*>(lua_touserdata(lua, lua_upvalueindex(2)));
     if (!is_object(lua, 1)) return luaL_error(lua, "write s:%s(...) with a colon", method.name);
     luaL_checkstack(lua, 20, nullptr);
-    const bool too_late = run.looking_ && needs_time(method.name);
-    const int answered = run.stopped_ ? end_run
-                         : too_late   ? raise(run, "a condition only looks: time and expectations are the scenario's")
-                                      : method.function(run, lua);
+    const int answered = run.stopped_ ? end_run : carry_out(run, lua, method);
     if (answered == end_run || run.stopped_) end_call(lua);
     if (answered != raise_text) return answered;
-    luaL_where(lua, 1);
-    lua_pushfstring(lua, std::string_view(run.raised_).starts_with(method.name) ? "" : "%s: ", method.name);
-    lua_pushlstring(lua, run.raised_.data(), run.raised_.size());
-    lua_concat(lua, 3);
-    return lua_error(lua);
+    note_slip(run, lua);
+    return raise_kept(lua);
+}
+
+int ScenarioRun::Methods::carry_out(ScenarioRun& run, lua_State* lua, const Method& method) {
+    if (run.looking_ && needs_time(method.name))
+        return raise(run,
+                     fmt::format("{}: a condition only looks: time and expectations are the scenario's", method.name));
+    if (auto ok = Arguments{lua, 2}.at_most(method.name, method.most, method.usage); !ok)
+        return raise(run, ok.error().message);
+    const int answered = method.function(run, lua);
+    std::string& text = run.file_.state().kept_error;
+    if (answered == raise_text && !text.starts_with(method.name)) text.insert(0, fmt::format("{}: ", method.name));
+    return answered;
 }
 
 Expected<double> ScenarioRun::Methods::seconds(lua_State* lua, int index, std::string_view what,
@@ -223,6 +235,8 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
         return raise(run, fmt::format("'{}': expected an option 'hold', in seconds", terms.name));
     if (lua_gettop(lua) > function)
         return raise(run, fmt::format("'{}': expected nothing after the function", terms.name));
+    if (auto ok = check_parameters(lua, function, 0); !ok)
+        return raise(run, fmt::format("'{}': the function is called with nothing; {}", terms.name, ok.error().message));
 
     auto condition = Condition::take(lua, function, run.file_.text(terms.place.file));
     if (!condition) return raise(run, condition.error().message);
@@ -281,15 +295,15 @@ int ScenarioRun::Methods::now(ScenarioRun& run, lua_State* lua) {
 const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_time() {
     using Kind = Expectation::Kind;
     static const std::vector<Method> methods{
-        {"always", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::always); }},
-        {"never", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::never); }},
-        {"wait_until", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::wait_until); }},
-        {"eventually", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::eventually); }},
-        {"maintain", [](ScenarioRun& run, lua_State* lua) { return expect(run, lua, Kind::maintain); }},
-        {"run", run_seconds},
-        {"check", check},
-        {"near", near},
-        {"now", now},
+        {"always", expect_as<Kind::always>, 3, "(name, function)"},
+        {"never", expect_as<Kind::never>, 3, "(name, function)"},
+        {"wait_until", expect_as<Kind::wait_until>, 3, "(name, options, function)"},
+        {"eventually", expect_as<Kind::eventually>, 3, "(name, options, function)"},
+        {"maintain", expect_as<Kind::maintain>, 3, "(name, options, function)"},
+        {"run", run_seconds, 1, "(seconds)"},
+        {"check", check, 2, "(value, message)"},
+        {"near", near, 4, "(actual, expected, tolerance, message)"},
+        {"now", now, 0, "()"},
     };
     return methods;
 }

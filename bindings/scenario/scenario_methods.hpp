@@ -9,7 +9,7 @@ namespace nezumi {
 
 /// What a method's C++ part says to its Lua part.
 enum Answered : int {
-    raise_text = -1,  ///< `raised_` is to be raised as a Lua error
+    raise_text = -1,  ///< the text that the state keeps is to be raised as a Lua error
     end_run = -2,     ///< the run has stopped: nothing of the script runs on
     // 0 and more: so many results are on the stack
 };
@@ -24,6 +24,8 @@ struct ScenarioRun::Methods {
     struct Method {
         const char* name;
         Function function;
+        int most = 0;  ///< arguments at most
+        const char* usage = "()";
     };
     /// Those of time and expectations, and those that act.
     static const std::vector<Method>& of_time();
@@ -31,7 +33,7 @@ struct ScenarioRun::Methods {
 
     // Tools of both.
     static int raise(ScenarioRun& run, std::string text) {
-        run.raised_ = std::move(text);
+        run.file_.state().kept_error = std::move(text);
         return raise_text;
     }
     /// Seconds at `index`, or `otherwise` where there is nothing.
@@ -43,8 +45,14 @@ private:
     static int index(lua_State* lua);
     static int newindex(lua_State* lua);
     static int find_member(ScenarioRun& run, lua_State* lua);
+    static int carry_out(ScenarioRun& run, lua_State* lua, const Method& method);
+    static void note_slip(ScenarioRun& run, lua_State* lua);
 
     static int expect(ScenarioRun& run, lua_State* lua, Expectation::Kind kind);
+    template <Expectation::Kind kind>
+    static int expect_as(ScenarioRun& run, lua_State* lua) {
+        return expect(run, lua, kind);
+    }
     static int run_seconds(ScenarioRun& run, lua_State* lua);
     static int check(ScenarioRun& run, lua_State* lua);
     static int near(ScenarioRun& run, lua_State* lua);

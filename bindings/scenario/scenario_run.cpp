@@ -38,9 +38,8 @@ Expected<void> ScenarioRun::open() {
     state.seed_random(seed_of(settings_.seed, scenario_.name));
     word_host_.source = [this](const std::string& shown) { return file_.source(shown); };
     word_host_.fail = [this](Error error) {
-        raised_ = describe(error);
-        setup_error_ = std::move(error);
-        return raised_.c_str();
+        setup_error_ = error;
+        return error;
     };
     auto objects = Objects::open(state, [this]() -> LiveSystem& { return current(); });
     if (!objects) return Unexpected(objects.error());
@@ -77,13 +76,17 @@ RunResult ScenarioRun::run() {
     return std::move(result_);
 }
 
+// Whether Lua has raised what a word or a method refused.
+bool ScenarioRun::is_setup_error(const CallError& error) const {
+    return setup_error_ && one_line(error.message).find(setup_error_->message) != std::string::npos;
+}
+
 void ScenarioRun::take_outcome(const CallResult& called) {
     if (stopped_) return;
     if (!called) {
         const CallError& error = called.error();
         // The error of a word or of a system is the one that Lua raised, unless the scenario caught that.
-        if (setup_error_ && error.message.find(setup_error_->message) != std::string::npos)
-            return stop(RunOutcome::could_not_run, *setup_error_);
+        if (is_setup_error(error)) return stop(RunOutcome::could_not_run, *setup_error_);
         Error plain{one_line(error.message), error.place};
         if (plain.place.file.empty()) plain.place = scenario_.place;
         return stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));

@@ -139,9 +139,9 @@ private:
     std::size_t printed_bytes_ = 0;
     bool looking_ = false;  // a condition is being called
     bool stopped_ = false;
-    std::optional<Error> setup_error_;  // of a word or of building, which Lua may be about to raise
+    std::optional<Error> setup_error_;  // of a word, a method or of building, which Lua may be about to raise
+    bool is_setup_error(const CallError& error) const;
     RunResult result_;
-    std::string raised_;
 };
 
 }  // namespace nezumi

@@ -116,7 +116,8 @@ void ScenarioRun::fail(const CallError& error, const Watched& watched) {
     if (stopped_) return;
     Error plain{watched.expectation.title() + ": " + error.message, error.place};
     if (plain.place.file.empty()) plain.place = watched.expectation.terms().place;
-    stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
+    const bool could_not = error.over_budget || is_setup_error(error);
+    stop(could_not ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
     tell_ports(looked_);
 }
 

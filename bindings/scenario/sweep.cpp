@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <set>
 
 #include "bindings/lua/sandbox/random.hpp"
 #include "engine/base/names.hpp"
@@ -85,21 +87,46 @@ double number_of(const SweepValue& value) {
     return std::get<double>(held);
 }
 
+// How many steps there are from lo to hi.
+double steps_of(const SweepRange& range) { return std::floor((range.hi - range.lo) / range.step + 1e-9); }
+
 // The number of the range that is nearest to this.
 double within(const SweepRange& range, double number) {
     if (range.step > 0) {
-        const double most = std::floor((range.hi - range.lo) / range.step + 1e-9);
+        const double most = steps_of(range);
         number = range.lo + std::clamp(std::round((number - range.lo) / range.step), 0.0, most) * range.step;
     }
     return std::clamp(number, range.lo, range.hi);
 }
 
-SweepValue draw(const SweepRange& range, Random& random) {
-    if (range.step > 0) {
-        const double most = std::floor((range.hi - range.lo) / range.step + 1e-9);
-        return number_value(range, within(range, range.lo + range.step * static_cast<double>(random.next_up_to(
-                                                                             static_cast<std::uint64_t>(most)))));
+// Value `index` of a range with a step.
+SweepValue value_at(const SweepRange& range, std::uint64_t index) {
+    return number_value(range, within(range, range.lo + range.step * static_cast<double>(index)));
+}
+
+// How many values a key has; infinite for a range without a step.
+double count_of(const SweepKey& key) {
+    if (const auto* list = std::get_if<std::vector<SweepValue>>(&key.values)) return static_cast<double>(list->size());
+    const SweepRange& range = std::get<SweepRange>(key.values);
+    return range.step > 0 ? steps_of(range) + 1 : std::numeric_limits<double>::infinity();
+}
+
+// Combination `index` of all, the last key changing fastest.
+SweepPoint point_at(const Sweep& sweep, std::uint64_t index) {
+    SweepPoint point(sweep.keys.size());
+    for (std::size_t i = sweep.keys.size(); i-- > 0;) {
+        const SweepKey& key = sweep.keys[i];
+        const auto count = static_cast<std::uint64_t>(count_of(key));
+        const std::uint64_t at = index % count;
+        index /= count;
+        const auto* list = std::get_if<std::vector<SweepValue>>(&key.values);
+        point[i] = {key.name, list != nullptr ? (*list)[at] : value_at(std::get<SweepRange>(key.values), at)};
     }
+    return point;
+}
+
+SweepValue draw(const SweepRange& range, Random& random) {
+    if (range.step > 0) return value_at(range, random.next_up_to(static_cast<std::uint64_t>(steps_of(range))));
     return number_value(range, range.lo + (range.hi - range.lo) * random.next_fraction());
 }
 
@@ -205,6 +232,32 @@ SweepPoint draw(const Sweep& sweep, std::uint64_t seed, std::size_t index) {
         }
     }
     return point;
+}
+
+std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed) {
+    constexpr double countable = 1e15;  // a double holds every whole number up to here
+    double all = 1;
+    for (const SweepKey& key : sweep.keys) all *= count_of(key);
+    std::vector<SweepPoint> points;
+    if (!(all <= countable)) {
+        for (std::size_t i = 0; i < sweep.samples; ++i) points.push_back(draw(sweep, seed, i));
+        return points;
+    }
+    const auto count = static_cast<std::uint64_t>(all);
+    if (count <= sweep.samples) {
+        for (std::uint64_t i = 0; i < count; ++i) points.push_back(point_at(sweep, i));
+        return points;
+    }
+    // Floyd's: every set of so many out of all is as likely.
+    Random random(seed, 0);
+    std::set<std::uint64_t> drawn;
+    for (std::uint64_t last = count - sweep.samples; last < count; ++last) {
+        const std::uint64_t index = random.next_up_to(last);
+        const std::uint64_t next = drawn.contains(index) ? last : index;
+        drawn.insert(next);
+        points.push_back(point_at(sweep, next));
+    }
+    return points;
 }
 
 std::optional<SweepPoint> find_point(const Sweep& sweep, std::string_view text) {

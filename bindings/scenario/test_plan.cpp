@@ -23,12 +23,8 @@ std::string text_of_paths(const std::vector<fs::path>& paths) {
 std::vector<PlannedRun> runs_of(const Scenario& scenario, std::size_t file, std::size_t index, std::uint64_t seed) {
     std::vector<PlannedRun> runs;
     const bool drawn = scenario.sweep.is_random();
-    if (!drawn) {
-        for (SweepPoint& point : combinations(scenario.sweep))
-            runs.push_back({file, index, std::move(point), "", false});
-    }
-    for (std::size_t i = 0; drawn && i < scenario.sweep.samples; ++i)
-        runs.push_back({file, index, draw(scenario.sweep, seed_of(seed, scenario.name), i), "", true});
+    auto points = drawn ? draws(scenario.sweep, seed_of(seed, scenario.name)) : combinations(scenario.sweep);
+    for (SweepPoint& point : points) runs.push_back({file, index, std::move(point), "", drawn});
     for (PlannedRun& run : runs) run.name = name_of_run(scenario, run.point);
     return runs;
 }

@@ -231,8 +231,7 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const Session
     const PlannedFile& file = plan.files[run.file];
     RunResult first = run_once(file, run, options, nullptr, false);
     if (quick || first.outcome != RunOutcome::failed) return first;
-    const auto folder =
-        make_failure_folder(options.folder / failure_folder_name(file.shown, run.name, file.has_own_stem));
+    const auto folder = make_failure_folder(options.folder / run_file_name(file.shown, run.name, file.has_own_stem));
     std::unique_ptr<RunFiles> files;
     if (folder && options.files) files = options.files(*folder);
     RunResult again = run_once(file, run, options, files.get(), true);

@@ -7,6 +7,7 @@
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/sandbox/strict_globals.hpp"
+#include "bindings/lua/values/bridge.hpp"
 
 namespace nezumi {
 namespace {
@@ -48,11 +49,10 @@ Expected<std::unique_ptr<DataFile>> DataFile::create(const Project& project, Dat
     return file;
 }
 
-const char* DataFile::fail(Error error) {
+Error DataFile::fail(Error error) {
     error.message = one_line(std::move(error.message));
-    raised_ = describe(error);
-    if (!error_) error_ = std::move(error);
-    return raised_.c_str();
+    if (!error_) error_ = error;
+    return error;
 }
 
 const FileSource* DataFile::source(const std::string& shown) const {
@@ -118,17 +118,17 @@ Expected<void> DataFile::try_to_run(std::string_view text, const std::string& sh
     return {};
 }
 
-// Raises no Lua error; what is wrong is in `raised_`.
-DataFile::Module DataFile::find_module(lua_State* lua) {
+// Raises no Lua error.
+Expected<DataFile::Module> DataFile::find_module(lua_State* lua) {
     const Place place = calling_place(lua);
-    const auto refuse = [&](Error error) {
+    const auto refuse = [&](Error error) -> Expected<Module> {
         if (error.place.file.empty()) {
             error.place = place;
-            error.message = "require: " + error.message;
+            if (!error.message.starts_with("require: ")) error.message = "require: " + error.message;
         }
-        fail(std::move(error));
-        return Module::failed;
+        return Unexpected(fail(std::move(error)));
     };
+    if (auto ok = Arguments{lua}.at_most("require", 1, "(name)"); !ok) return refuse(ok.error());
     if (lua_type(lua, 1) != LUA_TSTRING) {
         return refuse({fmt::format("expected a module's name, got {}", lua_typename(lua, lua_type(lua, 1)))});
     }
@@ -150,11 +150,8 @@ DataFile::Module DataFile::find_module(lua_State* lua) {
 
 int DataFile::require(lua_State* lua) {
     auto& file = *static_cast<DataFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
-    const Module found = file.find_module(lua);
-    if (found == Module::failed) {
-        lua_pushstring(lua, file.raised_.c_str());
-        return lua_error(lua);
-    }
+    Module found = Module::known;
+    bridge(lua, [&] { return file.find_module(lua).map([&](Module module) { found = module; }); });
     lua_settop(lua, 1);
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &modules_key);
     lua_pushlstring(lua, file.module_.data(), file.module_.size());

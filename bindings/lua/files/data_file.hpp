@@ -54,9 +54,9 @@ public:
     /// All that is wrong after a run that failed; a file that names unknown globals has one error for each.
     const std::vector<Error>& errors() const { return errors_; }
 
-    /// Keeps an error of one of our words, the first one, with its place, and returns the text for Lua. The run has
-    /// failed, even if the file catches the Lua error that the word then raises.
-    const char* fail(Error error);
+    /// Keeps an error of one of our words, the first one, with its place, and returns it with the text for Lua. The run
+    /// has failed, even if the file catches the Lua error that the word then raises.
+    Error fail(Error error);
 
     /// The text of a file that was run or required; null when it was not.
     const FileSource* source(const std::string& shown) const;
@@ -68,12 +68,12 @@ public:
     Error to_error(const CallError& error) const;
 
 private:
-    enum class Module { failed, known, compiled };
+    enum class Module { known, compiled };
 
     DataFile(const Project& project, DataFileOptions options);
     Expected<void> try_to_run(std::string_view text, const std::string& shown, const std::vector<Word>& words);
     Expected<Chunk> compile_file(std::string_view text, const std::string& shown);
-    Module find_module(lua_State* lua);
+    Expected<Module> find_module(lua_State* lua);
     static int require(lua_State* lua);
 
     const Project& project_;
@@ -82,7 +82,6 @@ private:
     std::string shown_;
     std::optional<Error> error_;  // of a word, or of a file that does not compile
     std::vector<Error> errors_;
-    std::string raised_;  // the text of the Lua error that is about to be raised
     std::map<std::string, FileSource> sources_;
     std::vector<std::string> files_;
     std::set<std::string> loading_;  // modules that run now

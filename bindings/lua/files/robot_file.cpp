@@ -10,6 +10,7 @@
 
 #include "bindings/lua/files/data_file.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
+#include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
@@ -26,10 +27,7 @@ public:
 
     static int robot_model(lua_State* lua) {
         auto& reader = *static_cast<Reader*>(lua_touserdata(lua, lua_upvalueindex(1)));
-        if (const char* problem = reader.read(lua); problem != nullptr) {
-            lua_pushstring(lua, problem);
-            return lua_error(lua);
-        }
+        bridge(lua, [&] { return reader.read(lua); });
         lua_pushlightuserdata(lua, const_cast<char*>(&model_mark));
         return 1;
     }
@@ -38,23 +36,27 @@ public:
     std::vector<std::string> tables;  // files that were read beside the robot file
 
 private:
-    // Raises no Lua error. nullptr when all is well.
-    const char* read(lua_State* lua) {
+    // Raises no Lua error.
+    Expected<void> read(lua_State* lua) {
         const Place place = calling_place(lua);
-        if (spec)
-            return file_.fail({fmt::format("robot_model: is called twice, first in line {}", spec->place.line), place});
+        const auto refuse = [&](const std::string& text) {
+            return Unexpected(file_.fail({"robot_model: " + text, place}));
+        };
+        if (spec) return refuse(fmt::format("is called twice, first in line {}", spec->place.line));
+        if (const int count = Arguments{lua}.count(); count > 1)
+            return refuse(fmt::format("expected one table, got {} arguments", count));
         const auto value = read_file_value(lua, 1);
-        if (!value) return file_.fail({"robot_model: " + value.error().message, place});
-        if (value->is_nil()) return file_.fail({"robot_model: expected a table, got nil", place});
+        if (!value) return refuse(value.error().message);
+        if (value->is_nil()) return refuse("expected a table, got nil");
         FieldCheck check("robot_model", "robot_model", place, file_.source(place.file));
         RobotSpec read = read_robot_fields(
             check, *value,
             {[&](const std::string& name) { return read_table(name, place); },
              [&](const FieldPath& path, const std::vector<double>& distances) { return call(lua, path, distances); }});
-        if (auto ok = check.result(); !ok) return file_.fail(ok.error());
+        if (auto ok = check.result(); !ok) return Unexpected(file_.fail(ok.error()));
         read.place = place;
         spec = std::move(read);
-        return nullptr;
+        return {};
     }
 
     Expected<std::vector<ResponseTable::Point>> read_table(const std::string& name, const Place& place) {

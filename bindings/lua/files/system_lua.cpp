@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "bindings/lua/files/data_file.hpp"
+#include "bindings/lua/values/bridge.hpp"
 
 namespace nezumi {
 namespace {
@@ -40,39 +41,44 @@ Expected<Result> nothing(Expected<void> done) {
     return Result{};
 }
 
-// The arguments of a word, copied.
-struct Arguments {
-    lua_State* lua;
-    int first;  // after the object of a method
+// A copy of an argument.
+Expected<FileValue> value_of(const Arguments& arguments, int position) {
+    if (!arguments.has(position)) return FileValue{};
+    return read_file_value(arguments.lua, arguments.index(position));
+}
 
-    int count() const { return lua_gettop(lua) - first + 1; }
-    Expected<FileValue> at(int index) const {
-        if (first + index > lua_gettop(lua)) return FileValue{};
-        return read_file_value(lua, first + index);
+// What is given to a word, for messages.
+std::string_view usage_of(int word) {
+    switch (word) {
+        case connect: return "(from, to)";
+        case robot:
+        case behavior:
+        case component: return " \"NAME\" { ... }";
+        case csv: return " \"FILE\"";
+        case rate: return "(hertz)";
+        case seed: return "(number)";
+        default: return " { ... }";
     }
-};
+}
 
 Expected<Result> entry(SystemWords& words, const WordCall& call, const Arguments& arguments) {
-    const auto name = arguments.at(0);
+    const auto name = value_of(arguments, 1);
     if (!name) return Unexpected(name.error());
     auto begun = words.begin_entry(call, *name);
     if (!begun) return Unexpected(begun.error());
     if (arguments.count() < 2) return Result{Begun{*begun}};
-    const auto fields = arguments.at(1);
+    const auto fields = value_of(arguments, 2);
     if (!fields) return Unexpected(fields.error());
     return nothing(words.complete_entry(*begun, *fields));
 }
 
 Expected<Result> carry_out(SystemWords& words, int word, const WordCall& call, const Arguments& arguments) {
     const int most = word == connect || word == robot || word == behavior || word == component ? 2 : 1;
-    if (arguments.count() > most) {
-        return failure(fmt::format("{}: expected at most {} argument{}, got {}", call.word, most, most > 1 ? "s" : "",
-                                   arguments.count()));
-    }
+    if (auto ok = arguments.at_most(call.word, most, usage_of(word)); !ok) return Unexpected(ok.error());
     if (word == robot || word == behavior || word == component) return entry(words, call, arguments);
-    const auto first = arguments.at(0);
+    const auto first = value_of(arguments, 1);
     if (!first) return Unexpected(first.error());
-    const auto second = arguments.at(1);
+    const auto second = value_of(arguments, 2);
     if (!second) return Unexpected(second.error());
     if (first->is_nil() && word != connect)
         return failure(fmt::format("{}: expected an argument, got none", call.word));
@@ -90,16 +96,14 @@ Expected<Result> carry_out(SystemWords& words, int word, const WordCall& call, c
     }
 }
 
-// Tells the host of an error; nullptr when there is none, else the text to raise.
-const char* report(WordHost& host, const WordCall& call, Error error) {
+// Tells the host of an error; what to raise.
+Error report(const WordHost& host, const WordCall& call, Error error) {
     if (error.place.file.empty()) {
         error.place = call.place;
         if (!error.message.starts_with(call.word)) error.message = call.word + ": " + error.message;
     }
     error.message = one_line(std::move(error.message));
-    if (host.fail) return host.fail(std::move(error));
-    host.raised = describe(error);
-    return host.raised.c_str();
+    return host.fail ? host.fail(std::move(error)) : error;
 }
 
 WordCall make_call(lua_State* lua, const WordHost& host, std::string word) {
@@ -108,32 +112,29 @@ WordCall make_call(lua_State* lua, const WordHost& host, std::string word) {
     return call;
 }
 
-// Raises no Lua error. What to raise, or null.
-const char* run_word(lua_State* lua, WordHost& host, int word, bool method, Result& result) {
+Expected<Result> run_word(lua_State* lua, WordHost& host, int word, bool method) {
     ++host.calls;
     const WordCall call = make_call(lua, host, system_word_names()[static_cast<std::size_t>(word)]);
     auto done = carry_out(*host.words, word, call, {lua, method ? 2 : 1});
-    if (!done) return report(host, call, done.error());
-    result = *done;
-    return nullptr;
+    if (!done) return Unexpected(report(host, call, done.error()));
+    return done;
 }
 
-const char* complete(lua_State* lua, WordHost& host, std::size_t begun) {
-    auto fields = read_file_value(lua, 1);
-    auto done = fields ? host.words->complete_entry(begun, *fields) : Expected<void>(Unexpected(fields.error()));
-    if (done) return nullptr;
-    return report(host, make_call(lua, host, ""), done.error());
+Expected<void> complete(lua_State* lua, WordHost& host, std::size_t begun) {
+    auto done = Arguments{lua}.at_most("NAME", 1, " { ... }");
+    if (done) {
+        const auto fields = read_file_value(lua, 1);
+        done = fields ? host.words->complete_entry(begun, *fields) : Expected<void>(Unexpected(fields.error()));
+    }
+    if (done) return {};
+    return Unexpected(report(host, make_call(lua, host, ""), done.error()));
 }
 
 // What `robot "mouse"` returns: takes the table.
 int take_table(lua_State* lua) {
     auto& host = *static_cast<WordHost*>(lua_touserdata(lua, lua_upvalueindex(1)));
     const auto begun = static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)));
-    if (const char* problem = complete(lua, host, begun); problem != nullptr) {
-        lua_pushstring(lua, problem);
-        return lua_error(lua);
-    }
-    return 0;
+    return bridge(lua, [&] { return complete(lua, host, begun); });
 }
 
 }  // namespace
@@ -150,10 +151,7 @@ int call_system_word(lua_State* lua) {
     const auto word = static_cast<int>(lua_tointeger(lua, lua_upvalueindex(2)));
     const bool method = lua_toboolean(lua, lua_upvalueindex(3)) != 0;
     Result result;
-    if (const char* problem = run_word(lua, host, word, method, result); problem != nullptr) {
-        lua_pushstring(lua, problem);
-        return lua_error(lua);
-    }
+    bridge(lua, [&] { return run_word(lua, host, word, method).map([&](const Result& made) { result = made; }); });
     if (const auto* thing = std::get_if<FileThing>(&result)) {
         push_file_thing(lua, *thing);
         return 1;

@@ -16,13 +16,10 @@ struct WordHost {
     SystemWords* words = nullptr;
     /// The text of a file, for places within a call; may be empty, and may return null.
     std::function<const FileSource*(const std::string& shown)> source{};
-    /// Is given the error of a word before it is raised in Lua as the text returned. Empty: the text is the error as
-    /// shown.
-    std::function<const char*(Error error)> fail{};
+    /// Is given the error of a word, and returns what is raised in Lua. Empty: the error itself.
+    std::function<Error(Error error)> fail{};
     /// How many words were called.
     std::size_t calls = 0;
-    /// The text of the error that is being raised.
-    std::string raised{};
 };
 
 /// "arena", "behavior", "box", ..., in the order of their numbers.

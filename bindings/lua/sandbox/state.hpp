@@ -76,6 +76,9 @@ public:
 
     /// Whether `next` has ever had to remember keys.
     bool has_next_cache = false;
+    /// The text of an error between the C++ that found it and the Lua error (values/bridge.hpp): out of reach of the
+    /// jump.
+    std::string kept_error;
 
 private:
     explicit LuaState(StateOptions options);

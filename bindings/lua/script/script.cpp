@@ -101,13 +101,6 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     return {};
 }
 
-int Script::raise(lua_State* L) const {
-    luaL_where(L, 1);
-    lua_pushlstring(L, raised.data(), raised.size());
-    lua_concat(L, 2);
-    return lua_error(L);
-}
-
 // Declarations
 
 Expected<void> Script::check_loading(std::string_view word) const {
@@ -295,7 +288,7 @@ Expected<void> Script::begin_call() {
     Parameters& now = parameters();
     if (now.version() == seen_parameters_) return {};
     auto ok = protect(lua(), context_.budget, [&](lua_State* L) {
-        show_parameters(L, *this, now);
+        show_parameters(L, now);
         return 0;
     });
     if (!ok) return Unexpected(to_error(ok.error()));

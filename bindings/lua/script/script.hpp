@@ -150,10 +150,6 @@ public:
     double dt() const;
     void log(LogLevel level, std::string text);
 
-    /// The text of the Lua error that `raise` raises. Set it, let everything go that needs a destructor, then `raise`.
-    std::string raised;
-    int raise(lua_State* L) const;
-
     Expected<PortSlot*> declare_port(PortDeclaration declaration);
     Expected<void> declare_parameter(ParameterSpec spec);
     Expected<void> declare_command(CommandDeclaration declaration);

@@ -11,12 +11,11 @@ Place caller(lua_State* L) {
     return {file, activation.currentline};
 }
 
-bool keep_slip(lua_State* L, Script& script) {
+bool keep_slip(lua_State* L, Script& script, const Error& error) {
     constexpr std::size_t most = 1000;
     std::vector<Error>* slips = script.context().slips;
     if (slips == nullptr || script.phase() != Script::Phase::loading || slips->size() >= most) return false;
-    slips->push_back({std::move(script.raised), caller(L)});
-    script.raised.clear();
+    slips->push_back({error.message, caller(L)});
     return true;
 }
 

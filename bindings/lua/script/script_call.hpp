@@ -1,10 +1,11 @@
-// How a C function that scripts call finds its script, and raises what went wrong.
+// How a C function that scripts call finds its script, and what becomes of a declaration that is wrong.
 #pragma once
 
 #include <lua.hpp>
 #include <utility>
 
 #include "bindings/lua/script/script.hpp"
+#include "bindings/lua/values/bridge.hpp"
 
 namespace nezumi {
 
@@ -18,40 +19,24 @@ inline void set_word(lua_State* L, Script& script, const char* name, lua_CFuncti
     lua_setfield(L, -2, name);
 }
 
-/// Runs `body()`, which reads from Lua without raising and returns an `Expected<void>`; raises its error as a Lua error
-/// at the line of the caller once nothing is left that needs a destructor.
-template <class Body>
-int finish(lua_State* L, Script& script, Body&& body) {
-    bool failed = false;
-    {
-        Expected<void> ok = body();
-        if (!ok) {
-            script.raised = std::move(ok.error().message);
-            failed = true;
-        }
-    }
-    return failed ? script.raise(L) : 0;
-}
-
 /// The line of the script that calls the C function that runs; no place when there is none.
 Place caller(lua_State* L);
 
-/// Keeps `script.raised` as a slip, where all slips of a file are wanted. False where it is to be raised.
-bool keep_slip(lua_State* L, Script& script);
+/// Keeps an error as a slip, where all slips of a file are wanted. False where it is to be raised.
+bool keep_slip(lua_State* L, Script& script, const Error& error);
 
-/// As `finish`, for a declaration: true when it was made, false when what is wrong with it was kept as a slip.
+/// As `bridge`, for a declaration: true when it was made, false when what is wrong with it was kept as a slip.
 template <class Body>
-bool finish_declaration(lua_State* L, Script& script, Body&& body) {
-    bool failed = false;
-    {
+bool declare(lua_State* L, Script& script, Body&& body) {
+    bool made = false;
+    const auto run = [&]() -> Expected<void> {
         Expected<void> ok = body();
-        if (!ok) {
-            script.raised = std::move(ok.error().message);
-            failed = true;
-        }
-    }
-    if (failed && !keep_slip(L, script)) script.raise(L);
-    return !failed;
+        made = ok.has_value();
+        if (!made && keep_slip(L, script, ok.error())) return {};
+        return ok;
+    };
+    bridge(L, run);
+    return made;
 }
 
 }  // namespace nezumi

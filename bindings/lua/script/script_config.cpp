@@ -15,17 +15,19 @@ namespace {
 constexpr char config_values_key = 0;  // its address is a key of the registry
 
 // A value as `config` shows it, on top of the stack: arrays are locked.
-void push_config_value(lua_State* L, Script& script, const Parameters::Parameter& parameter) {
+void push_config_value(lua_State* L, const Parameters::Parameter& parameter) {
     push_parameter(L, parameter.value);
     if (lua_type(L, -1) != LUA_TTABLE) return;
-    script.raised = "config." + parameter.spec.name;
-    lock_table(L, script.raised.c_str());
+    lua_pushfstring(L, "config.%s", parameter.spec.name.c_str());
+    lua_insert(L, -2);
+    lock_table(L, lua_tostring(L, -2));
+    lua_remove(L, -2);
 }
 
 int unknown_parameter(lua_State* L) {
     Script& script = script_of(L);
     push_text(L, 2);
-    return finish(L, script, [&]() -> Expected<void> {
+    return bridge(L, [&]() -> Expected<void> {
         std::vector<std::string_view> names;
         for (const auto& parameter : script.parameters().all()) names.push_back(parameter.spec.name);
         const std::string_view name = lua_tostring(L, -1);
@@ -36,7 +38,7 @@ int unknown_parameter(lua_State* L) {
 int config_newindex(lua_State* L) {
     Script& script = script_of(L);
     push_text(L, 2);
-    return finish(L, script, [&]() -> Expected<void> {
+    return bridge(L, [&]() -> Expected<void> {
         const std::string_view name = lua_tostring(L, -1);
         if (script.phase() == Script::Phase::loading) {
             return failure(fmt::format("config.{} can't be set while the file loads", shown(name)));
@@ -78,17 +80,17 @@ void push_config(lua_State* L, Script& script) {
     lua_setmetatable(L, -2);
 }
 
-void show_parameter(lua_State* L, Script& script, const Parameters::Parameter& parameter) {
+void show_parameter(lua_State* L, const Parameters::Parameter& parameter) {
     luaL_checkstack(L, 10, nullptr);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &config_values_key);
     lua_pushlstring(L, parameter.spec.name.data(), parameter.spec.name.size());
-    push_config_value(L, script, parameter);
+    push_config_value(L, parameter);
     lua_rawset(L, -3);
     lua_pop(L, 1);
 }
 
-void show_parameters(lua_State* L, Script& script, const Parameters& parameters) {
-    for (const auto& parameter : parameters.all()) show_parameter(L, script, parameter);
+void show_parameters(lua_State* L, const Parameters& parameters) {
+    for (const auto& parameter : parameters.all()) show_parameter(L, parameter);
 }
 
 }  // namespace nezumi

@@ -12,8 +12,8 @@ namespace nezumi {
 /// Pushes the object `config`, which shows nothing yet.
 void push_config(lua_State* L, Script& script);
 /// Lets it show this value.
-void show_parameter(lua_State* L, Script& script, const Parameters::Parameter& parameter);
+void show_parameter(lua_State* L, const Parameters::Parameter& parameter);
 /// Lets it show all values.
-void show_parameters(lua_State* L, Script& script, const Parameters& parameters);
+void show_parameters(lua_State* L, const Parameters& parameters);
 
 }  // namespace nezumi

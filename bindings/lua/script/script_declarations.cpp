@@ -16,6 +16,13 @@
 namespace nezumi {
 namespace {
 
+// All of a word's arguments lie on the stack after this, nil where none is given.
+Expected<void> take_arguments(lua_State* L, std::string_view word, int most, std::string_view usage) {
+    auto ok = Arguments{L}.at_most(word, most, usage);
+    if (ok) lua_settop(L, most);
+    return ok;
+}
+
 // The string at `index`, or an empty one when nothing is there, or why it is neither.
 Expected<std::string> text_at(lua_State* L, int index, std::string_view what) {
     if (lua_isnoneornil(L, index)) return std::string();
@@ -75,6 +82,7 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
     const std::string_view word = direction == Direction::in ? "input" : "output";
     PortDeclaration port{
         .direction = direction, .name = {}, .type = 0, .doc = {}, .queue = 0, .safe = {}, .place = caller(L)};
+    if (auto ok = take_arguments(L, word, 4, "(name, type, doc, options)"); !ok) return Unexpected(ok.error());
     if (lua_type(L, 1) != LUA_TSTRING)
         return failure(fmt::format("{}: its name expected a string, got {}", word, luaL_typename(L, 1)));
     port.name = *text_at(L, 1, "");
@@ -111,22 +119,14 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
 
 int word_port(lua_State* L, Direction direction) {
     Script& script = script_of(L);
-    lua_settop(L, 4);
     PortSlot* slot = nullptr;
-    {
-        auto declared = declare_port(L, script, direction);
-        if (declared) {
-            slot = *declared;
-        } else {
-            script.raised = std::move(declared.error().message);
-        }
-    }
-    if (slot == nullptr) {
-        if (!keep_slip(L, script)) return script.raise(L);
+    const bool declared = declare(
+        L, script, [&] { return declare_port(L, script, direction).map([&](PortSlot* made) { slot = made; }); });
+    if (declared) {
+        push_port_object(L, *slot);
+    } else {
         lua_newtable(L);  // stands in for the port
-        return 1;
     }
-    push_port_object(L, *slot);
     return 1;
 }
 
@@ -152,6 +152,7 @@ Expected<std::vector<ParameterValue>> read_choices(lua_State* L, int index) {
 }
 
 Expected<void> declare_parameter(lua_State* L, Script& script) {
+    if (auto ok = take_arguments(L, "param", 3, "(name, default, options)"); !ok) return ok;
     ParameterSpec spec;
     spec.place = caller(L);
     if (lua_type(L, 1) != LUA_TSTRING)
@@ -203,22 +204,21 @@ Expected<void> declare_parameter(lua_State* L, Script& script) {
 
 int word_param(lua_State* L) {
     Script& script = script_of(L);
-    lua_settop(L, 3);
-    if (finish_declaration(L, script, [&] { return declare_parameter(L, script); }))
-        show_parameter(L, script, script.parameters().all().back());
+    if (declare(L, script, [&] { return declare_parameter(L, script); }))
+        show_parameter(L, script.parameters().all().back());
     return 0;
 }
 
 // command(name, fn, doc)
 int word_command(lua_State* L) {
     Script& script = script_of(L);
-    lua_settop(L, 3);
     int function = LUA_NOREF;
-    if (lua_type(L, 2) == LUA_TFUNCTION) {
+    if (lua_type(L, 2) == LUA_TFUNCTION && lua_gettop(L) <= 3) {
         lua_pushvalue(L, 2);
         function = luaL_ref(L, LUA_REGISTRYINDEX);
     }
-    finish_declaration(L, script, [&]() -> Expected<void> {
+    declare(L, script, [&]() -> Expected<void> {
+        if (auto ok = take_arguments(L, "command", 3, "(name, function, doc)"); !ok) return ok;
         CommandDeclaration command{.name = {}, .doc = {}, .function = function, .place = caller(L)};
         if (lua_type(L, 1) != LUA_TSTRING)
             return failure(fmt::format("command: its name expected a string, got {}", luaL_typename(L, 1)));
@@ -237,8 +237,8 @@ int word_command(lua_State* L) {
 // about { version =, vendor =, category = }
 int word_about(lua_State* L) {
     Script& script = script_of(L);
-    lua_settop(L, 1);
-    finish_declaration(L, script, [&]() -> Expected<void> {
+    declare(L, script, [&]() -> Expected<void> {
+        if (auto ok = take_arguments(L, "about", 1, " { version =, vendor =, category = }"); !ok) return ok;
         ScriptAbout about{.version = {}, .vendor = {}, .category = {}, .given = true};
         if (lua_type(L, 1) != LUA_TTABLE)
             return failure(fmt::format("about expected a table, got {}", luaL_typename(L, 1)));

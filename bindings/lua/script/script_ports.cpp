@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
@@ -13,19 +14,20 @@ namespace {
 
 PortSlot& slot_of(lua_State* L) { return *static_cast<PortSlot*>(lua_touserdata(L, lua_upvalueindex(1))); }
 
-// All that follows `slot.script->raised = ...` needs no destructor.
-int raise(lua_State* L, const PortSlot& slot) { return slot.script->raise(L); }
-
 std::string title(const PortSlot& slot) { return port_title(*slot.declaration); }
 
-int refuse_self(lua_State* L, PortSlot& slot, const char* method) {
-    slot.script->raised = fmt::format("{}: write `:{}(...)` with a colon, not `.{}(...)`", title(slot), method, method);
-    return raise(L, slot);
+int refuse_self(lua_State* L, const PortSlot& slot, const char* method) {
+    keep_error(L, fmt::format("{}: write `:{}(...)` with a colon, not `.{}(...)`", title(slot), method, method));
+    return raise_kept(L);
 }
 
-int refuse_while_loading(lua_State* L, PortSlot& slot, const char* verb) {
-    slot.script->raised = fmt::format("{}: ports can't be {} while the file loads", title(slot), verb);
-    return raise(L, slot);
+int refuse_while_loading(lua_State* L, const PortSlot& slot, const char* verb) {
+    keep_error(L, fmt::format("{}: ports can't be {} while the file loads", title(slot), verb));
+    return raise_kept(L);
+}
+
+int refuse_surplus(lua_State* L, const PortSlot& slot, const char* method, int most, const char* usage) {
+    return bridge(L, [&] { return Arguments{L, 2}.at_most(title(slot) + ":" + method, most, usage); });
 }
 
 // Why the port can't be written now; empty when it can. Writing needs an ACTIVE component; on the way to ERROR and back
@@ -56,6 +58,7 @@ template <Payload T>
 int port_read(lua_State* L) {
     PortSlot& slot = slot_of(L);
     if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "read");
+    if (lua_gettop(L) > 1) return refuse_surplus(L, slot, "read", 0, "()");
     if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");
     if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 20, nullptr);
     auto& port = *static_cast<InPort<T>*>(slot.port);
@@ -64,11 +67,11 @@ int port_read(lua_State* L) {
 }
 
 template <Payload T>
-bool explain_write(lua_State* L, PortSlot& slot) {
+bool explain_write(lua_State* L, const PortSlot& slot) {
     T value{};
     Mismatch why;
     if (read_value(L, 2, value, &why)) return true;
-    slot.script->raised = fmt::format("{} ({}): {}", title(slot), message_type_names[type_index<T>()], describe(why));
+    keep_error(L, fmt::format("{} ({}): {}", title(slot), message_type_names[type_index<T>()], describe(why)));
     return false;
 }
 
@@ -76,10 +79,11 @@ template <Payload T>
 int port_write(lua_State* L) {
     PortSlot& slot = slot_of(L);
     if (lua_touserdata(L, 1) != slot.object) return refuse_self(L, slot, "write");
+    if (lua_gettop(L) > 2) return refuse_surplus(L, slot, "write", 1, "(value)");
     if (slot.port == nullptr) return refuse_while_loading(L, slot, "written");
     if (!slot.live || slot.script->owner()->state() != LifeState::active) {
-        slot.script->raised = refuse_write(slot);
-        if (!slot.script->raised.empty()) return raise(L, slot);
+        keep_error(L, refuse_write(slot));
+        if (!LuaState::of(L).kept_error.empty()) return raise_kept(L);
     }
     lua_settop(L, 2);
     if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 30, nullptr);
@@ -90,12 +94,12 @@ int port_write(lua_State* L) {
     if (fits && slot.script->may_write(sizeof(Message<T>) + heap_bytes(value))) return 0;
     port.discard_after(before);
     if (fits) {
-        slot.script->raised = fmt::format("{} ({}): more than {} MB were written in one execution", title(slot),
-                                          message_type_names[slot.declaration->type], Script::most_written_bytes >> 20);
+        keep_error(L, fmt::format("{} ({}): more than {} MB were written in one execution", title(slot),
+                                  message_type_names[slot.declaration->type], Script::most_written_bytes >> 20));
     } else {
         explain_write<T>(L, slot);
     }
-    return raise(L, slot);
+    return raise_kept(L);
 }
 
 // The stamp of what a read gives: with a queue that of the message read last, once there is one.
@@ -142,13 +146,12 @@ void push_property(lua_State* L, const PortSlot& slot, Property property) {
     }
 }
 
-void explain_property(lua_State* L, PortSlot& slot) {
+void explain_property(lua_State* L, const PortSlot& slot) {
     const bool in = slot.declaration->direction == Direction::in;
     if (lua_type(L, 2) != LUA_TSTRING) {
-        slot.script->raised =
-            in ? fmt::format("{} is the port, not its value: read it first, with `:read()`", title(slot))
-               : fmt::format("{} is the port, not its value: write it with `:write(value)`", title(slot));
-        return;
+        return keep_error(
+            L, in ? fmt::format("{} is the port, not its value: read it first, with `:read()`", title(slot))
+                  : fmt::format("{} is the port, not its value: write it with `:write(value)`", title(slot)));
     }
     const std::string_view key = lua_tostring(L, 2);
     std::vector<std::string_view> names;
@@ -159,8 +162,8 @@ void explain_property(lua_State* L, PortSlot& slot) {
         names.emplace_back("write");
     }
     const std::string near = did_you_mean(key, names);
-    slot.script->raised = fmt::format("{} has no '{}'{}", title(slot), shown(key),
-                                      near.empty() ? fmt::format(" (it has {})", fmt::join(names, ", ")) : near);
+    keep_error(L, fmt::format("{} has no '{}'{}", title(slot), shown(key),
+                              near.empty() ? fmt::format(" (it has {})", fmt::join(names, ", ")) : near));
 }
 
 // __index of the table of methods: what is no method is a property. Stack: methods, key.
@@ -176,16 +179,15 @@ int port_index(lua_State* L) {
         }
     }
     explain_property(L, slot);
-    return raise(L, slot);
+    return raise_kept(L);
 }
 
 int port_newindex(lua_State* L) {
     PortSlot& slot = slot_of(L);
-    slot.script->raised =
-        slot.declaration->direction == Direction::in
-            ? fmt::format("{}: nothing of it can be set", title(slot))
-            : fmt::format("{}: nothing of it can be set; write a value with `:write(value)`", title(slot));
-    return raise(L, slot);
+    keep_error(L, slot.declaration->direction == Direction::in
+                      ? fmt::format("{}: nothing of it can be set", title(slot))
+                      : fmt::format("{}: nothing of it can be set; write a value with `:write(value)`", title(slot)));
+    return raise_kept(L);
 }
 
 int port_tostring(lua_State* L) {

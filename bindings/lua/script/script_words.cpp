@@ -22,6 +22,7 @@ constexpr char modules_key = 0;
 // now(), log.*
 
 int word_now(lua_State* L) {
+    bridge(L, [L] { return Arguments{L}.at_most("now", 0, "()"); });
     lua_pushnumber(L, script_of(L).seconds());
     return 1;
 }
@@ -44,9 +45,8 @@ int word_log(lua_State* L) {
 }
 
 int unknown_level(lua_State* L) {
-    Script& script = script_of(L);
     push_text(L, 2);
-    return finish(L, script, [&]() -> Expected<void> {
+    return bridge(L, [&]() -> Expected<void> {
         const std::string_view name = lua_tostring(L, -1);
         const std::string near = did_you_mean(name, {"debug", "info", "warn", "error"});
         return failure(
@@ -69,6 +69,7 @@ void push_log(lua_State* L, Script& script) {
 // require(name)
 int word_require(lua_State* L) {
     Script& script = script_of(L);
+    bridge(L, [L] { return Arguments{L}.at_most("require", 1, "(name)"); });
     lua_settop(L, 1);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &modules_key);
     if (lua_type(L, 1) == LUA_TSTRING) {
@@ -76,7 +77,7 @@ int word_require(lua_State* L) {
         if (lua_rawget(L, 2) != LUA_TNIL) return 1;
         lua_pop(L, 1);
     }
-    finish(L, script, [&]() -> Expected<void> {
+    bridge(L, [&]() -> Expected<void> {
         if (lua_type(L, 1) != LUA_TSTRING)
             return failure(fmt::format("require expected a module's name, got {}", luaL_typename(L, 1)));
         return script.begin_module(L, lua_tostring(L, 1));
@@ -102,11 +103,16 @@ int global_newindex(lua_State* L) {
     push_text(L, 2);
     std::size_t hook = 0;
     int line = 0;
-    finish(L, script, [&]() -> Expected<void> {
+    bridge(L, [&]() -> Expected<void> {
         line = caller(L).line;
-        return script.check_hook(lua_tostring(L, -1), luaL_typename(L, 3)).map([&](std::size_t found) {
-            hook = found;
-        });
+        const std::string_view name = lua_tostring(L, -1);
+        const auto found = script.check_hook(name, luaL_typename(L, 3));
+        if (!found) return Unexpected(found.error());
+        hook = *found;
+        const int given = hook == static_cast<std::size_t>(Hook::on_reload) ? 1 : 0;
+        if (auto ok = check_parameters(L, 3, given); !ok)
+            return failure(fmt::format("{}: {}", name, ok.error().message));
+        return {};
     });
     lua_pushvalue(L, 3);
     script.set_hook(hook, luaL_ref(L, LUA_REGISTRYINDEX), line);
@@ -130,7 +136,7 @@ int global_index(lua_State* L) {
         lua_rawgeti(L, LUA_REGISTRYINDEX, function);
         return 1;
     }
-    return finish(L, script, [&]() -> Expected<void> {
+    return bridge(L, [&]() -> Expected<void> {
         const std::string_view name = lua_tostring(L, -1);
         return failure(fmt::format("unknown global '{}'{}", name, did_you_mean(name, script_words())));
     });

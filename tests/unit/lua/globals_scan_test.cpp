@@ -133,6 +133,26 @@ TEST_CASE("text that is no Lua is scanned to its end all the same", "[lua][scan]
     scan_globals(nested);
 }
 
+TEST_CASE("globals are found as deep as Lua nests, and no deeper than the scan may", "[lua][scan]") {
+    const auto finds = [](const std::string& open, const std::string& close, int depth, const std::string& inner) {
+        std::string text = inner.starts_with("x") ? "" : "return ";
+        for (int i = 0; i < depth; ++i) text += open;
+        text += inner;
+        for (int i = 0; i < depth; ++i) text += close;
+        const auto uses = scan_globals(text);
+        return std::any_of(uses.begin(), uses.end(), [](const GlobalUse& use) { return use.name == "xyz"; });
+    };
+    const auto deepest = [&](const std::string& open, const std::string& close, const std::string& inner) {
+        int depth = 0;
+        while (depth < 2000 && finds(open, close, depth + 1, inner)) ++depth;
+        return depth;
+    };
+    CHECK(deepest("(", ")", "(xyz)") == 997);
+    CHECK(deepest("{ ", "}", "(xyz)") == 498);
+    CHECK(deepest("do ", " end", "xyz()") == 999);
+    CHECK(deepest("function() return ", " end", "(xyz)") == 332);
+}
+
 TEST_CASE("globals are found in a chunk with more constants than an instruction can name", "[lua][scan]") {
     std::string source = "local t = {}\n";
     for (int i = 0; i < 400; ++i) source += "t.field" + std::to_string(i) + " = " + std::to_string(i) + ".5\n";

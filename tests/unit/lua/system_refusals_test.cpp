@@ -196,7 +196,7 @@ TEST_CASE("names are free identifiers", "[lua][system_file]") {
           "s.lua:1: robot: expected a name, got table: write robot \"NAME\" { ... }");
     CHECK(error("-- a name alone\nrobot 'm'") ==
           "s.lua:2: robot 'm': expected a table after the name: robot \"m\" { ... }");
-    CHECK(error("robot('m', {}, 3)") == "s.lua:1: robot: expected at most 2 arguments, got 3");
+    CHECK(error("robot('m', {}, 3)") == "s.lua:1: robot: expected at most 2 arguments, got 3: robot \"NAME\" { ... }");
 }
 
 TEST_CASE("a set is one of the sets", "[lua][system_file]") {

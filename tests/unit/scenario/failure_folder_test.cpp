@@ -9,30 +9,30 @@
 using namespace nezumi;
 
 TEST_CASE("the folder of a failure is called like its file and its run", "[lua][scenario][folder]") {
-    CHECK(failure_folder_name("tests/stop_test.lua", "drives [speed=0.1, turn=-2]", true) ==
+    CHECK(run_file_name("tests/stop_test.lua", "drives [speed=0.1, turn=-2]", true) ==
           "stop_test-drives-speed=0.1-turn=-2");
-    CHECK(failure_folder_name("停止_test.lua", "壁の前で止まる", true) == "停止_test-壁の前で止まる");
+    CHECK(run_file_name("停止_test.lua", "壁の前で止まる", true) == "停止_test-壁の前で止まる");
 }
 
 TEST_CASE("no two runs share the folder of their failures, whatever their names", "[lua][scenario][folder]") {
-    const auto name = [](std::string_view run) { return failure_folder_name("a_test.lua", run, true); };
+    const auto name = [](std::string_view run) { return run_file_name("a_test.lua", run, true); };
     CHECK(name("a/b") != name("a:b"));
     CHECK(name("a b") != name("a-b"));
     CHECK(name(std::string(200, 'x')) != name(std::string(201, 'x')));
-    CHECK(failure_folder_name("one/a_test.lua", "x", false) != failure_folder_name("two/a_test.lua", "x", false));
+    CHECK(run_file_name("one/a_test.lua", "x", false) != run_file_name("two/a_test.lua", "x", false));
 }
 
 TEST_CASE("the folder of a failure lies below the one that was given, whatever its name", "[lua][scenario][folder]") {
     for (const std::string_view run : {"", ".", "..", "../..", "/", "-", "\n", "a/../../b", "日本", "\xff\xfe"}) {
         for (const char* file : {".lua", "..", "...lua", "日本.lua", "-.lua", "/"}) {
-            const std::string name = failure_folder_name(file, run, true);
+            const std::string name = run_file_name(file, run, true);
             CAPTURE(file, run, name);
             CHECK_FALSE(name.empty());
             CHECK_FALSE(name.starts_with('.'));
             CHECK(name.find('/') == std::string::npos);
         }
     }
-    const std::string long_name = failure_folder_name("a_test.lua", std::string(99, 'x') + "日本日本", true);
+    const std::string long_name = run_file_name("a_test.lua", std::string(99, 'x') + "日本日本", true);
     CHECK(long_name.size() <= 110);
     CHECK(long_name.find("x-") != std::string::npos);  // no letter is cut in two
 }

@@ -55,6 +55,30 @@ TEST_CASE("a run agrees with the golden that it wrote", "[lua][scenario][golden]
     CHECK(std::count(text.begin(), text.end(), '\n') == 11);
 }
 
+TEST_CASE("each run of a sweep has a golden of its own", "[lua][scenario][golden]") {
+    ScenarioRig rig(
+        "scenario('it', { sweep = { speed = { 0.1, 0.2 }, way = { 'a/b' } } }, function(s, p)\n"
+        "  local w = s:load 'systems/stop_at_wall.lua' w.controller.config.speed_x = p.speed\n"
+        "  s:golden('out/it.csv', 'controller.out')\n"
+        "  s:run(0.1)\n"
+        "end)\n");
+    std::filesystem::create_directory(rig.folder().path("out"));
+    rig.options.update_goldens = true;
+    CHECK(rig.session().status() == 0);
+    rig.options.update_goldens = false;
+    CHECK(rig.session().status() == 0);
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(rig.folder().path("out")))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    REQUIRE(names.size() == 2);
+    CHECK(names[0].starts_with("it-speed=0.1-way=a-b-"));  // and a number, since a sign was replaced
+    CHECK(names[1].starts_with("it-speed=0.2-way=a-b-"));
+    static_cast<void>(rig.folder().write("out/" + names[1], text_of_file(rig.folder().path("out/" + names[0]))));
+    CHECK(rig.session().status() == 1);
+    CHECK(rig.said.find("golden 'out/" + names[1] + "': line ") != std::string::npos);
+}
+
 TEST_CASE("a value beyond the tolerance is named with its line and time", "[lua][scenario][golden]") {
     ScenarioRig rig(drive);
     write_golden(rig);

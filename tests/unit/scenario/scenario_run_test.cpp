@@ -104,13 +104,15 @@ TEST_CASE("errors of a scenario name its line", "[lua][scenario][run]") {
     CHECK(outcome_of("error('so')") == "failed: it_test.lua:2: so");
     CHECK(outcome_of("local w = s:load 'systems/stop_at_wall.lua'\nreturn w.mouze") ==
           "failed: it_test.lua:3: there is no component 'mouze' (did you mean 'mouse'?)");
-    CHECK(outcome_of("s:rum(1)") == "failed: it_test.lua:2: s has no 'rum' (did you mean 'run'?)");
-    CHECK(outcome_of("s:run(1)") ==
-          "failed: it_test.lua:2: s.run: there is no world yet: s:load a system, or say s:robot, s:behavior ...");
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\nlocal it = s.rum") ==
+          "could not run: it_test.lua:3: s has no 'rum' (did you mean 'run'?)");
+    CHECK(
+        outcome_of("s:run(1)") ==
+        "could not run: it_test.lua:2: s.run: there is no world yet: s:load a system, or say s:robot, s:behavior ...");
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns.run(1)") ==
           "failed: it_test.lua:3: write s:run(...) with a colon");
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns:run(-1)") ==
-          "failed: it_test.lua:3: run: it expected seconds from 0 on, got -1");
+          "could not run: it_test.lua:3: run: it expected seconds from 0 on, got -1");
     CHECK(outcome_of("s:check(1 == 2, 'no')") == "failed: it_test.lua:2: check failed: no");
     CHECK(outcome_of("s:near(1, 2, 0.5)") ==
           "failed: it_test.lua:2: near failed: 1 is off 2 by 1, more than the tolerance of 0.5");
@@ -119,15 +121,15 @@ TEST_CASE("errors of a scenario name its line", "[lua][scenario][run]") {
 TEST_CASE("options of an expectation are checked", "[lua][scenario][run]") {
     const auto with = [](const std::string& line) { return outcome_of("s:load 'systems/stop_at_wall.lua'\n" + line); };
     CHECK(with("s:maintain('m', { within = 1 }, function() return true end)") ==
-          "failed: it_test.lua:3: maintain: 'm': expected an option 'hold', in seconds");
+          "could not run: it_test.lua:3: maintain: 'm': expected an option 'hold', in seconds");
     CHECK(with("s:eventually('e', { witin = 1 }, function() return true end)") ==
-          "failed: it_test.lua:3: eventually: 'e': unknown option 'witin' (did you mean 'within'?)");
+          "could not run: it_test.lua:3: eventually: 'e': unknown option 'witin' (did you mean 'within'?)");
     CHECK(with("s:eventually('e', { within = 'x' }, function() return true end)") ==
-          "failed: it_test.lua:3: eventually: 'e': option 'within' expected seconds from 0 on, got string");
+          "could not run: it_test.lua:3: eventually: 'e': option 'within' expected seconds from 0 on, got string");
     CHECK(with("s:always('a', true)") ==
-          "failed: it_test.lua:3: always: 'a': expected options (a table) or a function, got boolean");
+          "could not run: it_test.lua:3: always: 'a': expected options (a table) or a function, got boolean");
     CHECK(with("s:always(function() return true end)") ==
-          "failed: it_test.lua:3: always: expected a name (what should hold), got function");
+          "could not run: it_test.lua:3: always: expected a name (what should hold), got function");
 }
 
 TEST_CASE("a system that can't be built could not be run, unless the scenario expects that", "[lua][scenario][run]") {
@@ -189,7 +191,7 @@ TEST_CASE("a condition looks, and lets no time pass", "[lua][scenario][run]") {
             "s:load 'systems/stop_at_wall.lua'\n"
             "s:always('a', function() " +
             inner + " return true end)\ns:run(1)");
-        CHECK(outcome.starts_with("failed: it_test.lua:3: always 'a': "));
+        CHECK(outcome.starts_with("could not run: it_test.lua:3: always 'a': "));
         CHECK(outcome.ends_with(": a condition only looks: time and expectations are the scenario's"));
     }
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"

@@ -1,5 +1,6 @@
 // Sweeps: combinations, draws, names of runs and the way back from them, simpler points.
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "bindings/scenario/sweep.hpp"
 
@@ -26,6 +27,12 @@ Sweep one_range(SweepRange range) {
     sweep.keys.push_back({"x", range});
     sweep.samples = 50;
     return sweep;
+}
+
+// All points of a sweep of lists and ranges with a step.
+std::vector<SweepPoint> combinations_of(Sweep sweep) {
+    sweep.samples = 100'000;
+    return draws(sweep, 1);
 }
 
 double number(const SweepPoint& point) { return std::get<double>(point.front().second.data.values.front()); }
@@ -83,6 +90,58 @@ TEST_CASE("a range with a step draws its multiples, as integers when lo and step
         seen[drawn] = true;
     }
     CHECK((seen[1] && seen[5] && seen[9]));
+}
+
+TEST_CASE("values that can be counted are drawn without repetition", "[lua][scenario][sweep]") {
+    const auto texts = [](const Sweep& sweep, std::uint64_t seed) {
+        std::vector<std::string> all;
+        for (const SweepPoint& point : draws(sweep, seed)) all.push_back(text_of(point));
+        return all;
+    };
+    Sweep sweep = one_range({.lo = 0.5, .hi = 2, .step = 0.5});
+    CHECK(texts(sweep, 1) == std::vector<std::string>{"[x=0.5]", "[x=1.0]", "[x=1.5]", "[x=2.0]"});
+    sweep.keys.insert(sweep.keys.begin(), two_lists().keys.back());
+    sweep.keys.front().name = "a";
+    sweep.samples = 12;
+    CHECK(texts(sweep, 1).size() == 12);
+    CHECK(texts(sweep, 1).front() == "[a=0.1, x=0.5]");
+    CHECK(texts(sweep, 1).back() == "[a=3.0, x=2.0]");
+
+    sweep.samples = 11;  // one less than there are
+    std::set<std::string> left_out;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const std::vector<std::string> drawn = texts(sweep, seed);
+        CHECK(drawn.size() == 11);
+        const std::set<std::string> once(drawn.begin(), drawn.end());
+        CHECK(once.size() == 11);
+        CHECK(texts(sweep, seed) == drawn);
+        for (const SweepPoint& point : combinations_of(sweep)) {
+            if (!once.contains(text_of(point))) left_out.insert(text_of(point));
+        }
+    }
+    CHECK(left_out.size() == 12);  // any may be the one
+    Sweep wide = one_range({.lo = 0, .hi = 1e6, .step = 1, .whole = true});
+    const std::vector<std::string> drawn = texts(wide, 3);
+    CHECK(std::set<std::string>(drawn.begin(), drawn.end()).size() == 50);
+}
+
+TEST_CASE("values of a range without a step are drawn each by itself", "[lua][scenario][sweep]") {
+    const Sweep sweep = one_range({.lo = 0, .hi = 1});
+    const std::vector<SweepPoint> all = draws(sweep, 7);
+    REQUIRE(all.size() == 50);
+    for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == draw(sweep, 7, i));
+}
+
+TEST_CASE("a control character in a text is a number in the run's name", "[lua][scenario][sweep]") {
+    const auto name = [](const std::string& text) { return value(text).text; };
+    CHECK(name("a\tb") == "\"a\\009b\"");
+    CHECK(name("\x1f") == "\"\\031\"");
+    CHECK(name("\x7f") == "\"\\127\"");
+    CHECK(name(" ") == "\" \"");
+    CHECK(name("!") == "!");
+    CHECK(name("~") == "~");
+    CHECK(name("") == "\"\"");
+    CHECK(name("a\"b") == "\"a\\\"b\"");
 }
 
 TEST_CASE("simplifying comes to an end, nearer to zero or shorter with every step", "[lua][scenario][sweep]") {

@@ -1,0 +1,70 @@
+// The one bridge between C functions that Lua calls and C++ that may fail.
+//
+// A Lua error is a jump that runs no destructors. A C function therefore has two halves: a body of C++, which reads its
+// arguments without raising and returns an `Expected`, and what comes after, where nothing is left to destroy: it
+// pushes results or raises the error, whose text the Lua state has kept meanwhile.
+#pragma once
+
+#include <lua.hpp>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "bindings/lua/sandbox/state.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+/// The arguments of a call, from the stack index `first` on: 2 for methods. Positions count from 1. Reading raises
+/// nothing.
+struct Arguments {
+    lua_State* lua;
+    int first = 1;
+
+    int count() const { return lua_gettop(lua) - first + 1; }
+    int index(int position) const { return first + position - 1; }
+    /// Something else than nil is there.
+    bool has(int position) const { return lua_type(lua, index(position)) > LUA_TNIL; }
+    /// Its type for messages: "nothing", "string".
+    std::string_view kind(int position) const;
+    /// A string, of which a number is none; else "expected WHAT, got KIND".
+    Expected<std::string> text(int position, std::string_view what) const;
+    /// A number, of which a numeral in a string is none; else "expected WHAT, got KIND".
+    Expected<double> number(int position, std::string_view what) const;
+    /// "WORD: expected at most 2 arguments, got 3: WORD(name, value)" when there are more; `usage` is "(name, value)".
+    Expected<void> at_most(std::string_view word, int most, std::string_view usage) const;
+};
+
+/// Keeps the text of an error until it is raised.
+inline void keep_error(lua_State* L, std::string text) { LuaState::of(L).kept_error = std::move(text); }
+/// Raises the kept text, with the line of the caller before it.
+int raise_kept(lua_State* L);
+/// Raises the kept text as it is: it says its place itself.
+int raise_kept_alone(lua_State* L);
+
+/// Runs `body()`, which returns an `Expected<void>`, or an `Expected<int>`: the number of its results on the stack,
+/// none of them pushed by what may raise (texts, tables). Returns that number, or raises: with the error's own place if
+/// it has one, with the line of the caller otherwise.
+template <class Body>
+int bridge(lua_State* L, Body&& body) {
+    enum class End : unsigned char { well, error, error_with_place } end = End::well;
+    int results = 0;
+    {
+        auto done = body();
+        if (!done) {
+            end = done.error().place.file.empty() ? End::error : End::error_with_place;
+            keep_error(L, describe(done.error()));
+        } else if constexpr (!std::is_void_v<typename decltype(done)::value_type>) {
+            results = *done;
+        }
+    }
+    if (end == End::well) return results;
+    return end == End::error ? raise_kept(L) : raise_kept_alone(L);
+}
+
+/// Refuses a Lua function at `index` that declares more parameters than it will be given: "its parameter 'dt' is never
+/// given: `dt` is a global". Anything else than a Lua function is none of this one's business.
+Expected<void> check_parameters(lua_State* L, int index, int given);
+
+}  // namespace nezumi

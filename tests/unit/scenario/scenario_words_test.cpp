@@ -1,0 +1,143 @@
+// Slips in a scenario's own words: the scenario could not be run, and what is in the text is found before it runs.
+#include <catch2/catch.hpp>
+#include <map>
+#include <string>
+
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/scenario/scenario_methods.hpp"
+#include "bindings/scenario/word_scan.hpp"
+#include "tests/unit/scenario/scenario_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+std::string slips(const std::string& text) {
+    const std::vector<std::string_view> words{"always", "check", "run"};
+    std::string all;
+    for (const Error& error : unknown_words(text, "t.lua", words)) all += describe(error) + "\n";
+    return all;
+}
+
+std::string with_world(const std::string& line) { return outcome_of("s:load 'systems/stop_at_wall.lua'\n" + line); }
+
+}  // namespace
+
+TEST_CASE("every method of a scenario refuses an argument too many and one of a wrong kind", "[scenario][bridge]") {
+    struct Refusals {
+        std::string surplus, surplus_says, wrong, wrong_says;
+    };
+    const std::string f = "function() return true end";
+    const std::string watch = ": expected at most 3 arguments, got 4: ";
+    const std::string no_name = ": expected a name (what should hold), got boolean";
+    const std::string no_port = "expected a port or \"name.port\", got boolean";
+    const std::string no_component = "expected a component or its name, got boolean";
+    std::map<std::string, Refusals> table{
+        {"run",
+         {"s:run(1, 2)", "expected at most 1 argument, got 2: run(seconds)", "s:run 'x'",
+          "it expected seconds from 0 on, got string"}},
+        {"check",
+         {"s:check(true, 'a', 3)", "expected at most 2 arguments, got 3: check(value, message)", "s:check()",
+          "expected a value"}},
+        {"near",
+         {"s:near(1, 1, 0, 'a', 5)", "expected at most 4 arguments, got 5: near(actual, expected, tolerance, message)",
+          "s:near(1, 'x', 0)", "expected the expected value (a number), got string"}},
+        {"now", {"s:now(1)", "expected no arguments, got 1: now()", "", ""}},
+        {"load",
+         {"s:load('a', 2)", "expected at most 1 argument, got 2: load \"FILE\"", "s:load(5)",
+          "expected the name of a system file, as in s:load \"systems/stop_at_wall.lua\""}},
+        {"golden",
+         {"s:golden('a.csv', { tolerence = 1 }, 'mouse.ir_sensor_out')",
+          "'a.csv': unknown option 'tolerence' (did you mean 'tolerance'?)", "s:golden('a.csv', true)",
+          "'a.csv': " + no_port}},
+        {"reload",
+         {"s:reload('controller', { text = '' }, 3)",
+          "expected at most 2 arguments, got 3: reload(component, { file = } or { text = })",
+          "s:reload('controller', 'x')", "expected { file = \"NAME\" } or { text = \"...\" }"}},
+        {"disturb",
+         {"s:disturb('mouse', { vx = 0.1 }, 3)",
+          "expected at most 2 arguments, got 3: disturb(robot, { vx =, va =, seconds = })", "s:disturb(true, {})",
+          no_component}},
+        {"press",
+         {"s:press('mouse', 'switch0', 1, 4)", "expected at most 3 arguments, got 4: press(robot, sensor, seconds)",
+          "s:press('mouse', 5)", "expected the name of a button or touch sensor"}},
+        {"teleport",
+         {"s:teleport('mouse', { x = 1 }, 3)", "expected at most 2 arguments, got 3: teleport(robot, pose)", "", ""}},
+        {"restore",
+         {"s:restore('mouse', 2)", "expected at most 1 argument, got 2: restore(thing)", "s:restore(true)", no_port}},
+    };
+    for (const std::string word : {"always", "never", "wait_until", "eventually", "maintain"}) {
+        const bool watches = word == "always" || word == "never";
+        table[word] = {"s:" + word + "('a', {}, " + f + ", 4)",
+                       "expected at most 3 arguments, got 4: " + word +
+                           (watches ? "(name, function)" : "(name, options, function)"),
+                       "s:" + word + "(true, " + f + ")", "expected a name (what should hold), got boolean"};
+    }
+    for (const std::string word : {"drop", "freeze"}) {
+        table[word] = {"s:" + word + "('mouse.ir_sensor_out', 1, 3)",
+                       "expected at most 2 arguments, got 3: " + word + "(port, seconds)", "s:" + word + "(true)",
+                       no_port};
+    }
+    for (const auto* methods : {&ScenarioRun::Methods::of_time(), &ScenarioRun::Methods::of_acts()}) {
+        for (const auto& method : *methods) {
+            CAPTURE(method.name);
+            CHECK((table.contains(method.name) || std::string(method.usage) == "()"));
+        }
+    }
+    for (const auto& [word, refusals] : table) {
+        const std::string begin = "could not run: it_test.lua:3: " + word + ": ";
+        CHECK(with_world(refusals.surplus) == begin + refusals.surplus_says);
+        if (!refusals.wrong.empty()) CHECK(with_world(refusals.wrong) == begin + refusals.wrong_says);
+    }
+}
+
+TEST_CASE("a slip that the scenario catches, or that is none, decides nothing", "[scenario][slips]") {
+    CHECK(with_world("s:check(not pcall(s.run, s, 'x'))") == "passed");
+    CHECK(with_world("pcall(s.run, s, 'x') error('mine')") == "failed: it_test.lua:3: mine");
+    CHECK(with_world("s:always('a', function() s:run('x', 2) return true end) s:run(1)") ==
+          "could not run: it_test.lua:3: always 'a': run: a condition only looks: time and expectations are the "
+          "scenario's");
+    CHECK(with_world("s:always('a', function(world) return world end)") ==
+          "could not run: it_test.lua:3: always: 'a': the function is called with nothing; its parameter 'world' is "
+          "never "
+          "given: leave it out");
+}
+
+TEST_CASE("words that a scenario does not have are found in its text", "[scenario][slips]") {
+    CHECK(slips("scenario('a', function(s)\n  s:rum(1) s:run(1)\n  if x then s:chek(1) end\nend)") ==
+          "t.lua:2:5: s has no 'rum' (did you mean 'run'?)\nt.lua:3:15: s has no 'chek' (did you mean 'check'?)\n");
+    CHECK(slips("scenario('a', { sweep = { f = { function() end } } }, function(it, p) it:rum() end)") ==
+          "t.lua:1:74: it has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) local function g() s:rum() end for i = 1, 2 do g() end end) s:rum()") ==
+          "t.lua:1:48: s has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) s:run() end) scenario('b', function(t) t:rum() end)") ==
+          "t.lua:1:68: t has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) repeat local x = 1 until x s:rum() end)") ==
+          "t.lua:1:56: s has no 'rum' (did you mean 'run'?)\n");
+}
+
+TEST_CASE("what only looks like a scenario's word is left alone", "[scenario][slips]") {
+    CHECK(slips("-- s:rum()\nscenario('a', function(s) print('s:rum()') x.s:rum() y:s() s.rum() s.mouse:rum() end)")
+              .empty());
+    CHECK(slips("scenario('a', function(s) local s = other s:rum() end)").empty());
+    CHECK(slips("scenario('a', function(s) local a, s = 1, 2 s:rum() end)").empty());
+    CHECK(slips("scenario('a', function(s) f(function(s) s:rum() end) end)").empty());
+    CHECK(slips("scenario('a', function(s) for _, s in pairs(t) do s:rum() end end)").empty());
+    CHECK(slips("scenario('a', function(s)").empty());
+    CHECK(slips("scenario(").empty());
+    CHECK(slips("scenario 'a'").empty());
+}
+
+TEST_CASE("a file with such a slip could not be run", "[scenario][slips]") {
+    ScenarioRig rig("scenario('it', function(s)\n  s:rum(1)\nend)");
+    const SessionEnd end = rig.session();
+    CHECK(end.status() == 2);
+    CHECK(rig.said.find("it_test.lua:2:5: s has no 'rum' (did you mean 'run'?)") != std::string::npos);
+}
+
+TEST_CASE("a scenario's function declares what it is given", "[scenario][slips]") {
+    ScenarioRig rig("scenario('it', function(s, p, extra) end)");
+    static_cast<void>(rig.session());
+    CHECK(rig.said.find("scenario 'it': the function gets the scenario and its values; its parameter 'extra' is never "
+                        "given: leave it out") != std::string::npos);
+}
