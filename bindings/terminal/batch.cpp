@@ -36,11 +36,11 @@ private:
     ConsoleClient& client_;
     BatchFiles files_;
     LineReader reader_;
-    bool ended_ = false;  // the input
-    bool lost_ = false;   // nobody takes the output any more
-    bool fed_ = false;    // the reader may have another line
-    std::string rest_;    // of the input that no end of line has ended
-    int first_line_ = 0;  // of the command that runs
+    bool ended_ = false;  // the input is at its end
+    bool lost_ = false;   // the output is closed
+    bool fed_ = false;    // the reader may hold another line
+    std::string rest_;    // of the input: an incomplete line
+    int first_line_ = 0;  // of the running command
 };
 
 bool Batch::run_all() {

@@ -8,7 +8,7 @@
 
 namespace nezumi {
 
-/// Where commands come from and what is said goes.
+/// Where commands are read from, and where output is written.
 struct BatchFiles {
     bool own = false;      ///< the system runs for these commands: that it ends, by `quit()`, is no failure of the next
     int input = 0;         ///< commands; an input of several lines is taken whole
@@ -17,10 +17,10 @@ struct BatchFiles {
 };
 
 /// Runs one command after the other until there are no more or the system ends. An error costs its command and no more.
-/// Returns whether all went well.
+/// Returns whether all of them succeeded.
 bool run_batch(ConsoleClient& client, const BatchFiles& files);
 
-/// Runs one. Returns whether it went well.
+/// Runs one command. Returns whether it succeeded.
 bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files);
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Whoever writes holds the file's lock, and makes sure that what is locked is still the file of that name.
+// A writer locks the file, then checks that the locked file still has that name.
 #include "bindings/terminal/input_history.hpp"
 
 #include <fcntl.h>
@@ -126,7 +126,7 @@ Expected<void> HistoryFile::append(std::string_view input) const {
     if (!error && mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return failed();
     const FileHandle file = open_locked(path_, O_RDWR | O_APPEND | O_CREAT);
     if (!file) return failed();
-    // One that somebody else wrote, or that a full disk cut off, may end within a line.
+    // A file written by another program, or truncated by a full disk, may end within a line.
     char last = '\n';
     if (const off_t size = lseek(file.get(), 0, SEEK_END); size > 0) {
         if (pread(file.get(), &last, 1, size - 1) != 1) return failed();

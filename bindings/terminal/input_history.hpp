@@ -1,4 +1,4 @@
-// The inputs of the past, in a file that all consoles of a user share.
+// The history of inputs, in a file that all consoles of a user share.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// libedit draws and edits; what it can't is here: printing above the line, pasting several lines, Ctrl-C without a
-// signal.
+// libedit draws and edits; this file adds what it lacks: printing above the line, pasting several lines, Ctrl-C without
+// a signal.
 #include "bindings/terminal/line_editor.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ struct LineEditor::Parts {
     std::string prompt;
     std::string so_far;
     std::string typed;
-    int width = 0;  // [columns] when libedit last looked
+    int width = 0;  // [columns] when libedit last read it
     bool editing = false;
     Outcome outcome = Outcome::input;
     std::string dropped;
@@ -105,7 +105,7 @@ int LineEditor::Parts::cursor_row() const {
     return std::min(row_after(text, columns()), rows - 1);
 }
 
-// Somebody may have changed the window: without a signal, which is the whole process's, this is how to know.
+// The window may have been resized: polled, as SIGWINCH belongs to the whole process.
 void LineEditor::Parts::follow_size() {
     const int before_now = std::exchange(width, columns());
     if (width != before_now) el_resize(editor);
@@ -131,7 +131,7 @@ unsigned char LineEditor::Parts::complete() {
     const LineInfoW* line = el_wline(editor);
     const std::wstring all(line->buffer, static_cast<std::size_t>(line->lastchar - line->buffer));
     const std::wstring before_cursor = all.substr(0, static_cast<std::size_t>(line->cursor - line->buffer));
-    // At the beginning of a line in a block a Tab is what it is in an editor.
+    // At the beginning of a line within a block, Tab inserts an indentation.
     const std::size_t row = before_cursor.rfind(L'\n') + 1;
     const bool first = so_far.empty() && row == 0;
     if (!first && before_cursor.find_first_not_of(L" \t", row) == std::wstring::npos) {
@@ -281,7 +281,7 @@ Expected<std::unique_ptr<LineEditor>> LineEditor::create(int input, int output, 
     parts->out.reset(fdopen(dup(output), "w"));
     if (!parts->in || !parts->out) return failed();
     parts->input = input;
-    // Of this thread alone: everything else keeps the locale it has.
+    // The locale of this thread only: the process keeps its own.
     parts->locale = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
     if (parts->locale != nullptr) parts->locale_before = uselocale(parts->locale);
     parts->history = history_init();

@@ -15,15 +15,15 @@ namespace nezumi {
 class LineEditor {
 public:
     enum class Waited {
-        typed,    ///< something was
-        nothing,  ///< the time is over
-        end,      ///< nothing more will be
+        typed,    ///< bytes were typed
+        nothing,  ///< time-out
+        end,      ///< the terminal is closed
     };
     struct Hooks {
         /// Waits until more is typed and appends it to `typed`, for at most so many milliseconds (-1: without end); may
         /// call `print` meanwhile.
         std::function<Waited(std::string& typed, int milliseconds)> wait;
-        /// What could stand before the cursor; may call `print`.
+        /// Completions of the text before the cursor; may call `print`.
         std::function<Completion(const std::string& text, std::size_t cursor)> complete;
     };
     enum class Outcome {
@@ -32,9 +32,9 @@ public:
         end,          ///< Ctrl-D in an empty line, or there is no more
     };
 
-    /// Takes the terminal over; an error when it is none. One thread is to use it, the one that made it.
+    /// Takes over the terminal; an error when it is none. Must be used by the thread that made it only.
     static Expected<std::unique_ptr<LineEditor>> create(int input, int output, bool may_stop, Hooks hooks);
-    /// Leaves the terminal as it was.
+    /// Restores the terminal's settings.
     ~LineEditor();
     LineEditor(const LineEditor&) = delete;
     LineEditor& operator=(const LineEditor&) = delete;
@@ -42,17 +42,17 @@ public:
     /// Reads an input, which has several lines if several were pasted. `so_far` is what was typed of it before. When
     /// it is interrupted, `input` is what was dropped.
     Outcome read(const std::string& so_far, std::string& input);
-    /// Writes whole lines; an input that is being edited comes back below them.
+    /// Writes whole lines; an input that is being edited is drawn again below them.
     void print(std::string_view lines);
-    /// Of the input that is edited now, and of those that follow.
+    /// Sets the prompt of the input that is edited now and of those that follow.
     void set_prompt(std::string prompt);
-    /// The terminal's title, where it has one.
+    /// Sets the terminal's title, where it has one.
     void set_title(std::string_view title);
-    /// The latest input, for the arrow keys and Ctrl-R.
+    /// Adds the latest input to the history of the arrow keys and Ctrl-R.
     void remember(const std::string& input);
-    /// Whether colours and the like are understood.
+    /// Whether the terminal understands escape sequences, for colours.
     bool is_plain() const;
-    /// Bytes that were typed and not taken yet.
+    /// Bytes that were typed and not yet consumed.
     std::string& typed();
 
 private:

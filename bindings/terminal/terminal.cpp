@@ -1,4 +1,4 @@
-// Waits for the terminal and for the system at once: whichever speaks, the other is not kept waiting.
+// Waits for the terminal and for the system at once, so that neither blocks the other.
 #include "bindings/terminal/terminal.hpp"
 
 #include <poll.h>
@@ -172,7 +172,7 @@ std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
         if (keys_) take_keys(came == Came::nothing && undecided);
         const std::size_t interrupted = editor_->typed().find('\x03');
         if (interrupted == std::string::npos) continue;
-        // What was typed ahead of it was meant for another outcome.
+        // Ctrl-C also discards what was typed before it.
         editor_->typed().erase(0, interrupted + 1);
         interrupt();
     }
@@ -217,7 +217,7 @@ Prompt::Came Prompt::wait(int timeout) {
 }
 
 void Prompt::show_events() {
-    // All that is there, as one: the line being edited is drawn again only once.
+    // All pending output at once, so that the line being edited is redrawn only once.
     std::string text;
     while (auto event = client_.next(0)) show(*event, text);
     if (!text.empty()) editor_->print(text);

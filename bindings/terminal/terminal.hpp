@@ -11,20 +11,20 @@
 namespace nezumi {
 
 struct TerminalOptions {
-    int input = 0;                  ///< a terminal; read by nobody else meanwhile
+    int input = 0;                  ///< a terminal; not to be read by others meanwhile
     int output = 1;                 ///< the same terminal
     std::string greeting;           ///< the first line; "" for none
-    std::filesystem::path history;  ///< where inputs are kept; empty: nowhere
+    std::filesystem::path history;  ///< the history file; empty: none
     bool attached = false;          ///< the system runs elsewhere: Ctrl-Z may stop this process
 };
 
-/// Why the prompt went away.
+/// Why the prompt ended.
 enum class PromptEnd {
     left,   ///< Ctrl-D, or the terminal is gone
     ended,  ///< the system has ended
 };
 
-/// Reads inputs, runs them and shows what comes, until somebody leaves. The terminal is as before afterwards. An error
+/// Reads inputs, runs them and shows output, until the user leaves. Restores the terminal's settings. An error
 /// when this is no terminal.
 Expected<PromptEnd> run_prompt(ConsoleClient& client, const TerminalOptions& options);
 

@@ -1,4 +1,4 @@
-// What is typed at a terminal: bytes, as characters for the line editor, and as keys for driving.
+// Decodes bytes typed at a terminal into characters for the line editor and keys for driving.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace nezumi {
 /// A lone Escape is one when nothing follows it for so long [ms]; until then it may begin what another key sends.
 inline constexpr int escape_wait = 50;
 
-/// What a piece of input is, taken from its front.
+/// A decoded piece from the front of the input.
 struct TypedKey {
     std::optional<Key> key;  ///< none: another key
     bool interrupt = false;  ///< Ctrl-C

@@ -1,4 +1,4 @@
-// Error texts and the nearest name to a slip.
+// Error texts, and the nearest name to a misspelt one.
 #include "engine/base/error.hpp"
 
 #include <algorithm>
@@ -63,12 +63,12 @@ std::string shown(std::string_view name) {
 
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates) {
     std::string_view best;
-    constexpr std::size_t longest = 200;  // whoever writes such a name has made no slip, and comparing takes its time
+    constexpr std::size_t longest = 200;  // longer names are no misspellings, and comparing is quadratic
     if (name.size() > longest) return best;
     std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
         const std::size_t d = distance(name, candidate);
-        // A name of which no character stays is no slip.
+        // A name that keeps no character is no misspelling.
         if (d < best_distance && d < std::max(name.size(), candidate.size())) {
             best_distance = d;
             best = candidate;

@@ -1,4 +1,4 @@
-// Arithmetic of rates, exact.
+// Exact arithmetic of rates.
 #include "engine/base/schedule.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
     const double steps = 1.0 / (rate * physics_step);
     const double whole = std::round(steps);
     if (whole >= 1 && whole <= most_steps && std::abs(steps - whole) < 1e-9 * whole) return static_cast<int>(whole);
-    // In full: a person may copy it.
+    // All digits: the user may copy the number.
     const auto rate_of = [&](double n) { return fmt::format("{}", 1.0 / (n * physics_step)); };
     const double slower = std::clamp(std::ceil(steps), 1.0, most_steps);
     const double faster = std::clamp(std::floor(steps), 1.0, most_steps);
