@@ -2,6 +2,9 @@
 #include "bindings/lua/script/script_chunk.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
 
 #include "bindings/lua/sandbox/lexer.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
@@ -41,15 +44,42 @@ void find_local_callbacks(const SourceText& source, std::vector<Error>& errors) 
     }
 }
 
-// A module's callback would be no global that it may define.
-void explain_callbacks(std::vector<Error>& errors) {
+// Globals that a person may expect here, and what there is instead.
+struct Instead {
+    std::string_view name;
+    std::string_view hint;
+};
+constexpr std::string_view of_system_files = "it is of system files, and this is to be a behaviour";
+constexpr std::string_view no_loading = "code comes from files, by `require`";
+constexpr std::array instead{
+    Instead{"os", "the time is now(); there are no files and no processes"},
+    Instead{"io", "`log` writes lines, and `nezumi run --record` what ports carry"},
+    Instead{"debug", "`print` and the console show values"},
+    Instead{"load", no_loading},
+    Instead{"loadfile", no_loading},
+    Instead{"dofile", no_loading},
+    Instead{"package", no_loading},
+    Instead{"collectgarbage", "memory is collected by itself"},
+    Instead{"arena", of_system_files},
+    Instead{"robot", of_system_files},
+    Instead{"behavior", of_system_files},
+    Instead{"component", of_system_files},
+    Instead{"connect", of_system_files},
+};
+
+void explain_unknown_globals(std::vector<Error>& errors, ScriptKind kind) {
     for (Error& error : errors) {
-        for (const std::string_view name : hook_names()) {
-            const std::string quoted = "'" + std::string(name) + "'";
-            if (error.message.find("unknown global " + quoted) != 0) continue;
-            error.message = quoted + " can't be used in a module: callbacks belong into the component's own file";
-            break;
+        constexpr std::string_view begin = "unknown global '";
+        if (!error.message.starts_with(begin)) continue;
+        const std::string name =
+            error.message.substr(begin.size(), error.message.find('\'', begin.size()) - begin.size());
+        const auto& hooks = hook_names();
+        if (kind == ScriptKind::module && std::find(hooks.begin(), hooks.end(), name) != hooks.end()) {
+            error.message = "'" + name + "' can't be used in a module: callbacks belong into the component's own file";
         }
+        const auto* found =
+            std::find_if(instead.begin(), instead.end(), [&](const Instead& i) { return i.name == name; });
+        if (found != instead.end()) error.message = std::string(begin) + name + "': " + std::string(found->hint);
     }
 }
 
@@ -66,7 +96,7 @@ tl::expected<Chunk, std::vector<Error>> compile_script(const SourceText& source,
             return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
         });
     }
-    if (kind == ScriptKind::module) explain_callbacks(errors);
+    explain_unknown_globals(errors, kind);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return chunk;
 }

@@ -38,6 +38,29 @@ TEST_CASE("an unknown callback names the nearest", "[lua][refusals]") {
           "on_aborting, on_error, on_reset, on_reload)");
 }
 
+TEST_CASE("a library that behaviours don't have is refused with what there is instead", "[lua][refusals]") {
+    CHECK(refusal("local t = os.clock()") ==
+          "robot_controller.lua:1:11: unknown global 'os': the time is now(); there are no files and no processes");
+    CHECK(refusal("io.write('x')") ==
+          "robot_controller.lua:1:1: unknown global 'io': `log` writes lines, and `nezumi run --record` what ports "
+          "carry");
+    CHECK(refusal("debug.traceback()") ==
+          "robot_controller.lua:1:1: unknown global 'debug': `print` and the console show values");
+    for (const std::string name : {"load", "loadfile", "dofile", "package"}) {
+        CHECK(refusal(name + "('x')") ==
+              "robot_controller.lua:1:1: unknown global '" + name + "': code comes from files, by `require`");
+    }
+    CHECK(refusal("collectgarbage()") ==
+          "robot_controller.lua:1:1: unknown global 'collectgarbage': memory is collected by itself");
+}
+
+TEST_CASE("a system file in the place of a behaviour is told as such", "[lua][refusals]") {
+    for (const std::string word : {"arena", "robot", "behavior", "component", "connect"}) {
+        CHECK(refusal(word + " 'x'") == "robot_controller.lua:1:1: unknown global '" + word +
+                                            "': it is of system files, and this is to be a behaviour");
+    }
+}
+
 TEST_CASE("a callback is a global function, defined once, while the file loads", "[lua][refusals]") {
     CHECK(refusal("on_execute = 5") == at1 + "on_execute expected a function, got number");
     CHECK(refusal("function on_execute() end\nfunction on_execute() end") ==
