@@ -32,7 +32,7 @@ bool OdeWorld::touches_something(const SimRobot& robot, const SensorSpec& sensor
 }
 
 std::optional<Rgb> OdeWorld::floor_under(const SimRobot& robot, const SensorSpec& sensor) const {
-    constexpr double highest = 0.05;  // [m] its lamp does not reach farther
+    constexpr double highest = 0.018;  // [m] its lamp does not reach farther
     if (!floor_) return std::nullopt;
     const Vec3 from = to_vec(sensor.at) + robot.model->origin;
     const Vec3 at = robot.body.centre() + rotate(robot.body.rotation(), from);

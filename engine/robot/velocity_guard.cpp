@@ -1,4 +1,12 @@
 // The safety rules for a velocity, the same in simulation and on hardware.
+//
+// A robot that slows down because it must, or gets up to speed, stays on the arc that it was told: its path is what was
+// planned around obstacles, its speed is not. So a command beyond a limit is scaled as a whole, and axes that speed up
+// do it together, at the pace of the slower one. Braking is each axis at its own full deceleration: who brakes wants to
+// stand, or at least to be slower, as soon as can be, and an arc kept would make one axis wait for the other. An axis
+// brakes when its target is nearer to zero or on the other side of it (then to zero first, and speeds up from there);
+// it speeds up when its target is farther from zero on its own side. While one axis brakes the other does not wait for
+// it.
 #include "engine/robot/velocity_guard.hpp"
 
 #include <algorithm>
@@ -7,6 +15,18 @@
 #include "engine/ports/payload.hpp"
 
 namespace nezumi {
+namespace {
+
+// Whether an axis at `from` brakes on its way to `to`.
+bool brakes(double from, double to) { return from * to < 0 || std::abs(to) < std::abs(from); }
+
+// Nearer to `to` by at most `most`, and not beyond zero.
+double brake(double from, double to, double most) {
+    const double end = from * to > 0 ? to : 0;
+    return std::abs(end - from) <= most ? end : from + std::copysign(most, end - from);
+}
+
+}  // namespace
 
 VelocityGuard::Verdict VelocityGuard::command(const Velocity2D& velocity, double now) {
     commanded_at_ = now;
@@ -14,18 +34,38 @@ VelocityGuard::Verdict VelocityGuard::command(const Velocity2D& velocity, double
         stop();
         return Verdict::not_finite;
     }
-    target_ = {.vx = std::clamp(velocity.vx, -limits_.speed, limits_.speed),
+    const double part =
+        std::min({1.0, limits_.speed / std::abs(velocity.vx), limits_.yaw_rate / std::abs(velocity.va)});
+    target_ = {.vx = std::clamp(velocity.vx * part, -limits_.speed, limits_.speed),
                .vy = 0,
-               .va = std::clamp(velocity.va, -limits_.yaw_rate, limits_.yaw_rate)};
-    return target_.vx == velocity.vx && target_.va == velocity.va ? Verdict::taken : Verdict::clamped;
+               .va = std::clamp(velocity.va * part, -limits_.yaw_rate, limits_.yaw_rate)};
+    return part == 1 ? Verdict::taken : Verdict::clamped;
 }
 
 Velocity2D VelocityGuard::advance(double now, double dt) {
     constexpr double rounding = 1e-9;  // a command at 0.1 s has timed out at 0.6 s, however these were added up
     if (now - commanded_at_ >= timeout - rounding) stop();
-    const auto approach = [](double from, double to, double most) { return from + std::clamp(to - from, -most, most); };
-    current_.vx = approach(current_.vx, target_.vx, limits_.acceleration * dt);
-    current_.va = approach(current_.va, target_.va, limits_.yaw_acceleration * dt);
+
+    struct Axis {
+        double& current;
+        double target;
+        double acceleration;
+        bool braking;
+    };
+    Axis axes[] = {{current_.vx, target_.vx, limits_.acceleration, brakes(current_.vx, target_.vx)},
+                   {current_.va, target_.va, limits_.yaw_acceleration, brakes(current_.va, target_.va)}};
+    double part = 1;  // of the way to their targets that axes which speed up go
+    for (const Axis& axis : axes) {
+        const double way = std::abs(axis.target - axis.current), most = axis.acceleration * dt;
+        if (!axis.braking && way > most) part = std::min(part, most / way);
+    }
+    for (const Axis& axis : axes) {
+        if (axis.braking) {
+            axis.current = brake(axis.current, axis.target, axis.acceleration * dt);
+        } else {
+            axis.current = part < 1 ? axis.current + part * (axis.target - axis.current) : axis.target;
+        }
+    }
     return current_;
 }
 

@@ -187,11 +187,16 @@ TEST_CASE("a text is a beep, a tone of two whole numbers, or to be spoken", "[en
     CHECK(read_sound("tone,99999999999999999999,99999999").hertz == highest_tone);
     CHECK(read_sound("tone,99999,99999999").seconds == longest_tone / 1000.0);
     for (const char* text : {"tone", "tone,", "tone,440", "tone,440,", "tone,,100", "tone,-1,100", "tone,440,100,1",
-                             "tone,4.5,100", "tone, 440,100", "Beep", "beep ", "hello, world", "-w /etc/passwd"}) {
+                             "tone,4.5,100", "tone,4 40,100", "Beep", "be ep", "hello, world", "-w /etc/passwd"}) {
         INFO(text);
         CHECK(kind(text) == Sound::Kind::speech);
         CHECK(read_sound(text).text == text);
     }
+    // Blanks count for nothing.
+    CHECK(kind(" beep\n") == Sound::Kind::tone);
+    CHECK(read_sound("tone, 440 , 100 ").hertz == 440);
+    CHECK(read_sound("tone, 440 , 100 ").seconds == 0.1);
+    CHECK(read_sound("  good morning\t").text == "good morning");
     CHECK(kind("") == Sound::Kind::nothing);
     CHECK(kind(" \n\t ") == Sound::Kind::nothing);
 }

@@ -26,10 +26,10 @@ FakeRun& at_speed(FakeRun& run) {
 TEST_CASE("a command reaches the wheels within the robot's acceleration", "[engine][robot][safety]") {
     FakeRun run;
     run.send("velocity_in", Velocity2D{.vx = 0.1, .va = 1});
-    CHECK(speed_of(run) == Approx(0.02));  // 2 m/s2 for 0.01 s
-    CHECK(turn_of(run) == Approx(0.12));
+    CHECK(turn_of(run) == Approx(0.12));    // 12 rad/s2 for 0.01 s
+    CHECK(speed_of(run) == Approx(0.012));  // the same part of its target
     run.ticks(3);
-    CHECK(speed_of(run) == Approx(0.08));
+    CHECK(speed_of(run) == Approx(0.048));
     run.ticks(10);
     CHECK(speed_of(run) == Approx(0.1));
     CHECK(turn_of(run) == Approx(1.0));
@@ -42,7 +42,7 @@ TEST_CASE("a command above the limits is clamped, logged once and shown on the p
     CHECK(run.robot->find_in_port("velocity_in")->note().empty());
     for (int i = 0; i < 100; ++i) run.send("velocity_in", Velocity2D{.vx = -1.5, .va = 9});
     CHECK(speed_of(run) == Approx(-0.5));
-    CHECK(turn_of(run) == Approx(6));
+    CHECK(turn_of(run) == Approx(3));  // the same arc
     CHECK(run.log == Names{"mouse: input 'velocity_in': a command of -1.5 m/s and 9 rad/s was limited to 0.5 m/s and 6 "
                            "rad/s (said once)"});
     CHECK(run.robot->find_in_port("velocity_in")->note() == "limited to 0.5 m/s and 6 rad/s");

@@ -163,6 +163,21 @@ TEST_CASE("the EV3 sees the floor's picture, and nothing beside it", "[sim][ev3]
     look(-5, FloorColor::none, 0);
 }
 
+TEST_CASE("the EV3 sees the floor's colour from 18 mm, and no farther", "[sim][ev3][floor]") {
+    const FloorFile file({255, 0, 0});
+    ArenaSpec arena;
+    arena.floor = FloorSpec{.image = file.path.string(), .size = {3, 3}};
+    for (const auto& [height, expected] : {std::pair{0.017, FloorColor::red}, {0.019, FloorColor::none}}) {
+        RobotSpec spec = ev3();
+        const std::size_t color = sensor(spec, "color");
+        CHECK(spec.sensors[color].at.z < 0.018);
+        spec.sensors[color].at.z = height;
+        TryWorld w(arena);
+        w.add(spec, 0, 0);
+        CHECK(to_text(w.bodies[0]->floor_color(color)) == to_text(expected));
+    }
+}
+
 TEST_CASE("without a picture on the floor the EV3 sees no colour", "[sim][ev3][floor]") {
     const RobotSpec spec = ev3();
     TryWorld w;
