@@ -43,4 +43,7 @@ struct CsvRow {
 Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string& file,
                                        const std::vector<CsvColumn>& columns);
 
+/// The number in a field's text, or what was expected in this column.
+Expected<double> csv_number(const std::string& text, const CsvColumn& column, const Place& place);
+
 }  // namespace nezumi

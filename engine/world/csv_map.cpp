@@ -1,32 +1,82 @@
 // Maps in CSV files: one fixed box a row.
+#include "engine/world/csv_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
 #include "engine/base/csv.hpp"
-#include "engine/world/arena_spec.hpp"
 
 namespace nezumi {
+namespace {
+
+constexpr std::array<CsvColumn, 7> columns{{{"x"},
+                                            {"y"},
+                                            {"z"},
+                                            {"lx", CsvColumn::Range::positive},
+                                            {"ly", CsvColumn::Range::positive},
+                                            {"lz", CsvColumn::Range::positive},
+                                            {"yaw"}}};
+
+// The texts of a row; nothing when a quote is not closed.
+std::optional<std::vector<std::string>> fields_of(std::string_view row) {
+    const auto written = split_csv_row(row);
+    if (!written) return std::nullopt;
+    std::vector<std::string> fields;
+    for (const std::string_view field : *written) fields.push_back(csv_text(field));
+    return fields;
+}
+
+Expected<BoxSpec> read_row(const std::vector<std::string>& fields, const Place& place) {
+    std::array<double, 7> v{};
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const auto number = csv_number(fields[i], columns[i], place);
+        if (!number) return Unexpected(number.error());
+        v[i] = *number;
+    }
+    return BoxSpec{.at = {v[0], v[1], v[2]}, .size = {v[3], v[4], v[5]}, .yaw = v[6], .place = place};
+}
+
+}  // namespace
+
+Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
+    if (text.empty()) return failure("is empty: expected a header line, then rows x,y,z,lx,ly,lz,yaw", {file});
+    CsvMap map;
+    for (int number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const Place place{file, number};
+        const auto fields = fields_of(line);
+        if (number == 1) {
+            map.header_is_numbers = fields && fields->size() >= columns.size() && read_row(*fields, place).has_value();
+            continue;
+        }
+        const auto is_empty = [](const std::string& field) { return field.empty(); };
+        if (fields && std::all_of(fields->begin(), fields->end(), is_empty)) continue;
+        if (line[line.find_first_not_of(" \t")] == '#' || (fields && fields->size() < columns.size())) {
+            ++map.skipped;
+            continue;
+        }
+        if (!fields) return failure("a quote is not closed", place);
+        auto box = read_row(*fields, place);
+        if (!box) return Unexpected(box.error());
+        map.boxes.push_back(std::move(*box));
+    }
+    return map;
+}
 
 Expected<std::vector<BoxSpec>> read_csv_map(std::string_view text, const std::string& file) {
-    using Range = CsvColumn::Range;
-    const auto rows = read_csv(text, file,
-                               {{"x", Range::any},
-                                {"y", Range::any},
-                                {"z", Range::any},
-                                {"lx", Range::positive},
-                                {"ly", Range::positive},
-                                {"lz", Range::positive},
-                                {"yaw", Range::any}});
-    if (!rows) return Unexpected(rows.error());
-    std::vector<BoxSpec> boxes;
-    boxes.reserve(rows->size());
-    for (const CsvRow& row : *rows) {
-        const std::vector<double>& v = row.values;
-        BoxSpec box;
-        box.at = {v[0], v[1], v[2]};
-        box.size = {v[3], v[4], v[5]};
-        box.yaw = v[6];
-        box.place = {file, row.line};
-        boxes.push_back(std::move(box));
-    }
-    return boxes;
+    return read_map(text, file).map([](CsvMap map) { return std::move(map.boxes); });
+}
+
+std::string describe(const CsvMap& map, const std::string& file) {
+    std::string text = fmt::format("{}: {} box{}", file, map.boxes.size(), map.boxes.size() == 1 ? "" : "es");
+    if (map.skipped > 0)
+        text += fmt::format(", {} row{} of fewer than 7 columns skipped", map.skipped, map.skipped == 1 ? "" : "s");
+    if (map.header_is_numbers) text += "; its first line, which is skipped as a header, reads like a box";
+    return text;
 }
 
 }  // namespace nezumi
