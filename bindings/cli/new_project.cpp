@@ -8,6 +8,7 @@
 #include "bindings/cli/json_text.hpp"
 #include "bindings/lua/script/script_words.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -140,7 +141,7 @@ std::vector<NewFile> project_files(const std::string& name) {
         {"README.md", readme(name)},
         {".gitignore", "# What a failed scenario leaves to look at.\n/nezumi-test/\n"},
         {".luarc.json", luarc()},
-        {".nezumi/library/nezumi.lua", annotations()},
+        {".nezumi/library/nezumi.lua", annotations(scenario_records())},
         {".nezumi/plugin.lua", annotations_plugin},
         {".vscode/extensions.json", std::string(extensions)},
         {".vscode/tasks.json", std::string(tasks)},

@@ -10,6 +10,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/type_table.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -22,7 +23,7 @@ struct TypesOptions {
 int show_types(const TypesOptions& options) {
     if (options.lua && !options.names.empty()) return refuse("types: --lua writes all types: leave out the names");
     if (options.lua) {
-        fmt::print("{}", annotations());
+        fmt::print("{}", annotations(scenario_records()));
         return kDone;
     }
     if (options.names.empty()) {

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/failure_folder.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 
 namespace nezumi {
@@ -75,15 +77,11 @@ int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
 int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "expected the name of a CSV file beside the scenario's");
     const std::string name = golden_name(text_or_empty(lua, 2), run.settings_.point);
-    double tolerance = 1e-9;
+    GoldenOptions options;
     const bool has_options = lua_type(lua, 3) == LUA_TTABLE;
-    if (const auto options = has_options ? only_option(lua, 3, "tolerance") : Expected<void>(); !options)
-        return raise(run, fmt::format("'{}': {}", name, options.error().message));
-    if (has_options && detail::push_raw_field(lua, 3, "tolerance")) {
-        Mismatch why;
-        if (!detail::read_number(lua, lua_gettop(lua), 1e300, tolerance, &why) || tolerance < 0)
-            return raise(run, fmt::format("'{}': option 'tolerance' expected a number from 0 on", name));
-        lua_pop(lua, 1);
+    if (has_options) {
+        FieldCheck check(fmt::format("'{}'", name), "", {}, nullptr, "option");
+        if (auto ok = read_options(lua, 3, std::move(check), options); !ok) return raise(run, ok.error().message);
     }
     std::vector<const Channel*> channels;
     for (int index = has_options ? 4 : 3; index <= lua_gettop(lua); ++index) {
@@ -94,7 +92,7 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     if (channels.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
     Place place = calling_place(lua);
     auto file = std::filesystem::path(place.file).parent_path() / name;
-    run.goldens_.emplace_back(std::move(file), name, tolerance, std::move(place), std::move(channels));
+    run.goldens_.emplace_back(std::move(file), name, options.tolerance, std::move(place), std::move(channels));
     return 0;
 }
 

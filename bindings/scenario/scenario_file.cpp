@@ -7,8 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "bindings/scenario/word_scan.hpp"
 
@@ -183,55 +185,28 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
             fmt::format("{}: the name is taken by the scenario of {}:{}", what, other.place.file, other.place.line));
     }
     if (has_options && lua_type(lua, 2) == LUA_TTABLE) {
-        if (auto ok = read_options(lua, 2, scenario); !ok) {
-            Error error = ok.error();
-            error.message = what + ": " + error.message;
-            return Unexpected(std::move(error));
-        }
+        if (auto ok = read_options(lua, 2, scenario); !ok) return Unexpected(ok.error());
     }
     return scenario;
 }
 
 Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& scenario) {
-    const auto place_of = [&](const FieldPath& path) {
-        const FileSource* source = file_->source(scenario.place.file);
-        return source != nullptr ? source->find("scenario", scenario.place, path) : scenario.place;
-    };
-    const auto names = names_of(lua, index, "options");
-    if (!names) return Unexpected(names.error());
-    const std::vector<std::string_view> known{"samples", "sweep", "timeout"};
-    for (const std::string& name : *names) {
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        return failure(fmt::format("unknown option '{}'{}", nezumi::shown(name), did_you_mean(name, known)),
-                       place_of({name}));
-    }
-    Mismatch why;
-    if (detail::push_raw_field(lua, index, "timeout")) {
-        if (!detail::read_number(lua, lua_gettop(lua), 1e9, scenario.timeout, &why) || !(scenario.timeout > 0)) {
-            return failure(fmt::format("option 'timeout' expected seconds above 0, got {}",
-                                       why.text.empty() ? fmt::format("{}", scenario.timeout) : type_at(lua, -1)),
-                           place_of({"timeout"}));
-        }
-        lua_pop(lua, 1);
-    }
     std::int64_t samples = 0;
-    const bool has_samples = detail::push_raw_field(lua, index, "samples");
-    if (has_samples) {
-        if (!detail::read_integer(lua, lua_gettop(lua), 1, static_cast<std::int64_t>(most_runs), samples, &why)) {
-            return failure(fmt::format("option 'samples' expected a whole number from 1 to {}", most_runs),
-                           place_of({"samples"}));
+    const auto by_hand = [&](Fields& options) {
+        const bool has_samples = options.whole("samples", samples, 1, static_cast<std::int64_t>(most_runs));
+        if (!options.gives("sweep")) {
+            if (has_samples) options.check().explain({"samples"}, "there is no sweep to draw from");
+            return;
         }
+        detail::push_raw_field(lua, index, "sweep");
+        const auto swept = read_sweep(lua, lua_gettop(lua), scenario);
         lua_pop(lua, 1);
-    }
-    if (detail::push_raw_field(lua, index, "sweep")) {
-        if (auto ok = read_sweep(lua, lua_gettop(lua), scenario); !ok) {
-            return failure(ok.error().message, place_of({"sweep"}));
-        }
-        lua_pop(lua, 1);
-    } else if (has_samples) {
-        return failure("option 'samples' needs a sweep to draw from", place_of({"samples"}));
-    }
-    if (has_samples) scenario.sweep.samples = static_cast<std::size_t>(samples);
+        if (!swept) options.check().wrong_at({"sweep"}, swept.error().message);
+    };
+    FieldCheck check(fmt::format("scenario '{}'", nezumi::shown(scenario.name)), "scenario", scenario.place,
+                     file_->source(scenario.place.file), "option");
+    if (auto ok = nezumi::read_options(lua, index, std::move(check), scenario, {}, by_hand); !ok) return ok;
+    if (samples > 0) scenario.sweep.samples = static_cast<std::size_t>(samples);
     return {};
 }
 

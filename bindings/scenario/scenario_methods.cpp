@@ -1,5 +1,7 @@
 // How the methods of `s` are found and called, and those that let time pass.
 #include "bindings/scenario/scenario_methods.hpp"
+#include "bindings/lua/files/read_options.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
 
 #include <fmt/format.h>
 
@@ -207,32 +209,13 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
         return raise(run, fmt::format("'{}': expected a function that says true or false, got {}", terms.name,
                                       type_at(lua, function)));
     const bool watches = kind == Expectation::Kind::always || kind == Expectation::Kind::never;
-    bool has_hold = false;
-    if (lua_type(lua, 3) == LUA_TTABLE) {
-        std::vector<std::string_view> known;
-        if (!watches) known.emplace_back("within");
-        if (kind == Expectation::Kind::maintain) known.emplace_back("hold");
-        std::vector<std::string> names;
-        for (lua_pushnil(lua); lua_next(lua, 3) != 0; lua_pop(lua, 1))
-            names.emplace_back(lua_type(lua, -2) == LUA_TSTRING ? detail::key_text(lua) : "[...]");
-        std::sort(names.begin(), names.end());
-        for (const std::string& name : names) {
-            if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-            return raise(
-                run, fmt::format("'{}': unknown option '{}'{}", terms.name, shown(name), did_you_mean(name, known)));
-        }
-        for (const auto& [name, target] : {std::pair{"within", &terms.within}, std::pair{"hold", &terms.hold}}) {
-            if (!detail::push_raw_field(lua, 3, name)) continue;
-            const auto value =
-                seconds(lua, lua_gettop(lua), fmt::format("'{}': option '{}'", terms.name, name), nullptr);
-            lua_pop(lua, 1);
-            if (!value) return raise(run, value.error().message);
-            *target = *value;
-            has_hold = has_hold || target == &terms.hold;
-        }
+    if (has_options) {
+        FieldCheck check(fmt::format("'{}'", terms.name), "", {}, nullptr, "option");
+        if (auto ok = read_options(lua, 3, std::move(check), terms, {.kind = 1U << static_cast<unsigned>(kind)}); !ok)
+            return raise(run, ok.error().message);
+    } else if (kind == Expectation::Kind::maintain) {
+        return raise(run, fmt::format("'{}': expected options with a 'hold', in seconds", terms.name));
     }
-    if (kind == Expectation::Kind::maintain && !has_hold)
-        return raise(run, fmt::format("'{}': expected an option 'hold', in seconds", terms.name));
     if (lua_gettop(lua) > function)
         return raise(run, fmt::format("'{}': expected nothing after the function", terms.name));
     if (auto ok = check_parameters(lua, function, 0); !ok)

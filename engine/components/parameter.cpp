@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/components/parameter_fields.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -101,6 +103,68 @@ std::string headline(const ParameterSpec& spec) {
     return fmt::format("parameter '{}' ({})", spec.name, type_text(spec.initial));
 }
 
+// The elements of an array; any other value is its own only element.
+std::vector<ParameterValue> elements_of(const ParameterValue& value) {
+    return std::visit(
+        [](const auto& v) {
+            using T = std::decay_t<decltype(v)>;
+            std::vector<ParameterValue> all;
+            if constexpr (IsVector<T>::value) {
+                for (std::size_t i = 0; i < v.size(); ++i) all.emplace_back(static_cast<typename T::value_type>(v[i]));
+            } else {
+                all.emplace_back(v);
+            }
+            return all;
+        },
+        value);
+}
+
+bool is_array(const ParameterValue& value) { return value.index() >= 4; }
+
+// A value of the type that an array's elements have.
+ParameterValue element_like(const ParameterValue& array) {
+    switch (array.index() % 4) {
+        case 0: return false;
+        case 1: return std::int64_t{0};
+        case 2: return 0.0;
+        default: return std::string();
+    }
+}
+
+// Whether the choices of an array are choices of its elements.
+bool chooses_elements(const ParameterSpec& spec) {
+    return is_array(spec.initial) && !spec.choices.empty() && !is_array(spec.choices.front());
+}
+
+// The choices' own declaration: what each of them must fit.
+ParameterSpec choice_spec(const ParameterSpec& spec) {
+    ParameterSpec bare = spec;
+    if (chooses_elements(spec)) {
+        bare.initial = element_like(spec.initial);
+        bare.min_size = bare.max_size = std::nullopt;
+    }
+    bare.choices.clear();
+    return bare;
+}
+
+// Why this widget can't show such a parameter, or "".
+std::string widget_broken(const ParameterSpec& spec) {
+    if (spec.widget.empty() || spec.widget == "text") return "";
+    const bool is_number = spec.initial.index() % 4 == 1 || spec.initial.index() % 4 == 2;
+    if (std::find(widgets.begin(), widgets.end(), spec.widget) == widgets.end()) {
+        return fmt::format("there is no widget '{}'{}: expected one of {}", spec.widget,
+                           did_you_mean(spec.widget, {widgets.begin(), widgets.end()}), fmt::join(widgets, ", "));
+    }
+    std::string_view needs;
+    if (spec.widget == "slider" && !(is_number && spec.min && spec.max)) needs = "numbers with min and max";
+    if (spec.widget == "spin" && !is_number) needs = "numbers";
+    if (spec.widget == "radio" && (spec.choices.empty() || is_array(spec.initial))) needs = "one value with choices";
+    if (spec.widget == "checkbox" && spec.initial.index() != 0 && !chooses_elements(spec))
+        needs = "a boolean, or an array with choices of its elements";
+    if (spec.widget == "ordered_list" && !chooses_elements(spec)) needs = "an array with choices of its elements";
+    return needs.empty() ? "" : fmt::format("the widget '{}' is for {}", spec.widget, needs);
+}
+
 // Why this number may not be, or "".
 template <class Number>
 std::string bound_broken(const ParameterSpec& spec, Number number) {
@@ -175,16 +239,19 @@ Expected<ParameterValue> check_value(const ParameterSpec& spec, const ParameterV
         *converted);
     if (!broken.empty()) return refuse(broken);
 
-    if (!spec.choices.empty() &&
-        std::find(spec.choices.begin(), spec.choices.end(), *converted) == spec.choices.end()) {
+    const std::vector<ParameterValue> chosen =
+        chooses_elements(spec) ? elements_of(*converted) : std::vector{*converted};
+    for (const ParameterValue& one : chosen) {
+        if (spec.choices.empty() || std::find(spec.choices.begin(), spec.choices.end(), one) != spec.choices.end())
+            continue;
         std::string list;
         std::vector<std::string_view> texts;
         for (const ParameterValue& choice : spec.choices) {
             list += (list.empty() ? "" : ", ") + to_text(choice);
             if (const auto* text = std::get_if<std::string>(&choice)) texts.emplace_back(*text);
         }
-        const auto* text = std::get_if<std::string>(&*converted);
-        return refuse(fmt::format("{} is none of its choices {}{}", to_text(*converted), list,
+        const auto* text = std::get_if<std::string>(&one);
+        return refuse(fmt::format("{} is none of its choices {}{}", to_text(one), list,
                                   text != nullptr ? did_you_mean(*text, texts) : ""));
     }
     return std::move(*converted);
@@ -202,8 +269,8 @@ Expected<void> check_declaration(const ParameterSpec& spec) {
     if (spec.min_size && spec.max_size && *spec.min_size > *spec.max_size) {
         return refuse(fmt::format("min_size {} is above max_size {}", *spec.min_size, *spec.max_size));
     }
-    ParameterSpec bare = spec;
-    bare.choices.clear();
+    if (const std::string broken = widget_broken(spec); !broken.empty()) return refuse(broken);
+    const ParameterSpec bare = choice_spec(spec);
     for (const ParameterValue& choice : spec.choices) {
         if (const auto allowed = check_value(bare, choice); !allowed)
             return failure(allowed.error().message + ", in its choices", spec.place);
@@ -217,8 +284,9 @@ Expected<void> check_declaration(const ParameterSpec& spec) {
 Expected<void> Parameters::declare(ParameterSpec spec) {
     if (find(spec.name) != nullptr)
         return failure(fmt::format("parameter '{}' is declared twice", spec.name), spec.place);
+    const ParameterValue like = chooses_elements(spec) ? element_like(spec.initial) : spec.initial;
     for (ParameterValue& choice : spec.choices) {
-        if (auto same_type = convert(spec.initial, choice)) choice = std::move(*same_type);
+        if (auto same_type = convert(like, choice)) choice = std::move(*same_type);
     }
     if (auto ok = check_declaration(spec); !ok) return ok;
     all_.push_back({spec, spec.initial, false});

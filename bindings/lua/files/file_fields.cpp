@@ -9,8 +9,6 @@
 namespace nezumi {
 namespace {
 
-constexpr double largest = 1e6;  // no length, mass or rate of a robot comes near it
-
 const FileTable& empty_table() {
     static const FileTable table;
     return table;
@@ -26,7 +24,7 @@ std::string_view words_for(NumberRange range) {
 }
 
 // Why the value is no number of this range, or "".
-std::string read_number(const FileValue& value, NumberRange range, double& out) {
+std::string read_number(const FileValue& value, NumberRange range, double most, double& out) {
     if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
         out = static_cast<double>(*whole);
     } else if (const auto* number = std::get_if<double>(&value.data)) {
@@ -39,7 +37,7 @@ std::string read_number(const FileValue& value, NumberRange range, double& out) 
     if ((range == NumberRange::positive && out <= 0) || (range == NumberRange::not_negative && out < 0)) {
         return fmt::format("expected {}, got {}", words_for(range), out);
     }
-    if (std::abs(out) > largest) return fmt::format("expected a number up to {}, got {}", largest, out);
+    if (std::abs(out) > most) return fmt::format("expected a number up to {}, got {}", most, out);
     return "";
 }
 
@@ -52,19 +50,20 @@ void FieldCheck::keep(int gravity, Error error) {
 }
 
 void FieldCheck::unknown(const FieldPath& path, std::string_view hint) {
-    keep(3, {fmt::format("{}: unknown field '{}'{}", what_, to_text(path), hint), place_of(path)});
+    keep(3, {fmt::format("{}: unknown {} '{}'{}", what_, noun_, to_text(path), hint), place_of(path)});
 }
 
 void FieldCheck::wrong(const FieldPath& path, std::string_view text) {
-    keep(2, {fmt::format("{}: field '{}' {}", what_, to_text(path), text), place_of(path)});
+    keep(2, {fmt::format("{}: {} '{}' {}", what_, noun_, to_text(path), text), place_of(path)});
 }
 
 void FieldCheck::explain(const FieldPath& path, std::string_view text) {
-    keep(2, {fmt::format("{}: field '{}': {}", what_, to_text(path), text), place_of(path)});
+    keep(2, {fmt::format("{}: {} '{}': {}", what_, noun_, to_text(path), text), place_of(path)});
 }
 
 void FieldCheck::missing(const FieldPath& path, std::string_view expected) {
-    keep(1, {fmt::format("{}: field '{}' is missing: expected {}", what_, to_text(path), expected), place_of(path)});
+    keep(1,
+         {fmt::format("{}: {} '{}' is missing: expected {}", what_, noun_, to_text(path), expected), place_of(path)});
 }
 
 void FieldCheck::wrong_at(const FieldPath& path, std::string_view text) {
@@ -83,7 +82,8 @@ Fields::Fields(FieldCheck& check, const FileValue& value, FieldPath path)
     if (table_ != nullptr) return;
     table_ = &empty_table();
     if (value.is_nil()) return;
-    const std::string text = fmt::format("expected a table, got {}", kind_of(value));
+    const std::string text = fmt::format("{}expected a table, got {}",
+                                         path_.empty() && check_.noun() == "option" ? "options " : "", kind_of(value));
     path_.empty() ? check_.wrong_at(path_, text) : check_.wrong(path_, text);
 }
 
@@ -109,11 +109,11 @@ bool Fields::boolean(std::string_view name, bool& out) {
     return false;
 }
 
-bool Fields::number(std::string_view name, double& out, NumberRange range) {
+bool Fields::number(std::string_view name, double& out, NumberRange range, double most) {
     const FileValue* value = field(name);
     if (value == nullptr) return false;
     double number = 0;
-    const std::string problem = read_number(*value, range, number);
+    const std::string problem = read_number(*value, range, most, number);
     if (problem.empty()) {
         out = number;
         return true;
@@ -176,7 +176,7 @@ bool Fields::coordinates(std::string_view name, std::vector<double>& out, std::s
         if (axis == nullptr) break;
         path.back() = by_name ? std::string(axes[i]) : fmt::format("[{}]", i + 1);
         double number = 0;
-        if (const std::string problem = read_number(*axis, range, number); !problem.empty()) {
+        if (const std::string problem = read_number(*axis, range, Rule{}.most, number); !problem.empty()) {
             check_.wrong(path, problem);
             return false;
         }
@@ -212,19 +212,77 @@ bool Fields::point(std::string_view name, Point3D& out, NumberRange range, bool 
     return true;
 }
 
-bool Fields::choice(std::string_view name, std::size_t& out, const std::vector<std::string_view>& choices) {
+bool Fields::choice(std::string_view name, std::size_t& out, std::span<const std::string_view> choices) {
     const FileValue* value = field(name);
     if (value == nullptr) return false;
     const std::string* text = value->text();
     const std::string got = text != nullptr ? "'" + *text + "'" : kind_of(*value);
     const auto found = text != nullptr ? std::find(choices.begin(), choices.end(), *text) : choices.end();
     if (found == choices.end()) {
-        const std::string hint = text != nullptr ? did_you_mean(*text, choices) : "";
+        const std::string hint = text != nullptr ? did_you_mean(*text, {choices.begin(), choices.end()}) : "";
         check_.wrong(path_of(name), fmt::format("expected one of {}, got {}{}", fmt::join(choices, ", "), got, hint));
         return false;
     }
     out = static_cast<std::size_t>(found - choices.begin());
     return true;
+}
+
+bool Fields::names(std::string_view name, std::vector<std::string>& out) {
+    const FileValue* value = field(name);
+    if (value == nullptr) return false;
+    std::vector<std::string> names;
+    const FileTable* table = value->table();
+    if (const std::string* text = value->text()) names.push_back(*text);
+    for (std::size_t i = 0; table != nullptr && table->fields.empty() && i < table->elements.size(); ++i) {
+        const std::string* text = table->elements[i].text();
+        if (text != nullptr) names.push_back(*text);
+    }
+    if (names.empty() || (table != nullptr && names.size() != table->elements.size())) {
+        check_.wrong(path_of(name), fmt::format("expected a name or a list of names, got {}",
+                                                table == nullptr ? kind_of(*value) : "another table"));
+        return false;
+    }
+    out = std::move(names);
+    return true;
+}
+
+bool Fields::values(std::string_view name, ParameterValues& out) {
+    Fields table = inner(name);
+    for (const auto& [key, value] : table.all()) {
+        table.field(key);
+        auto read = to_parameter(value);
+        if (read) {
+            out.insert_or_assign(key, std::move(*read));
+        } else {
+            check_.wrong(table.path_of(key), read.error().message);
+        }
+    }
+    table.done([](std::string_view) -> std::string { return ": expected NAME = VALUE"; });
+    return has(name);
+}
+
+bool Fields::pose(std::string_view name, Pose2D& out) {
+    Fields table = inner(name);
+    table.number("x", out.position.x);
+    table.number("y", out.position.y);
+    table.number("heading", out.heading);
+    table.done();
+    return has(name);
+}
+
+void Fields::check_least(std::string_view name, const Rule& rule, std::string_view unit,
+                         std::span<const double> numbers) {
+    if (rule.least <= 0) return;
+    for (const double number : numbers) {
+        if (number >= rule.least || (number == 0 && rule.range == NumberRange::not_negative)) continue;
+        if (numbers.size() > 1) {
+            check_.wrong(path_of(name), fmt::format("expected lengths of at least {} {}", rule.least, unit));
+        } else {
+            check_.wrong(path_of(name), fmt::format("expected at least {} {}{}, got {}", rule.least, unit,
+                                                    rule.range == NumberRange::not_negative ? ", or 0" : "", number));
+        }
+        return;
+    }
 }
 
 Fields Fields::inner(std::string_view name) {
@@ -247,6 +305,7 @@ void Fields::done(std::string (*hint)(std::string_view name)) {
     const auto refuse = [&](std::string_view key) {
         std::string more = hint != nullptr ? hint(key) : std::string();
         if (more.empty()) more = did_you_mean(key, known);
+        if (more.empty() && known.empty()) more = fmt::format(": there are no {}s here", check_.noun());
         if (more.empty()) more = fmt::format(": expected {}", fmt::join(known, ", "));
         check_.unknown(path_of(key), more);
     };

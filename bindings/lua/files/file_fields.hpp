@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,9 @@
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/files/file_value.hpp"
 #include "engine/base/error.hpp"
+#include "engine/components/parameter.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/ports/setting.hpp"
 
 namespace nezumi {
 
@@ -18,9 +21,13 @@ namespace nezumi {
 /// explains the field that is missing), then a value that does not fit, then a field that is missing.
 class FieldCheck {
 public:
-    /// `what` begins every message: "robot 'mouse'". `source` may be null.
-    FieldCheck(std::string what, std::string word, Place call, const FileSource* source)
-        : what_(std::move(what)), word_(std::move(word)), call_(std::move(call)), source_(source) {}
+    /// `what` begins every message: "robot 'mouse'". `source` may be null. `noun` is what the fields are called.
+    FieldCheck(std::string what, std::string word, Place call, const FileSource* source, std::string noun = "field")
+        : what_(std::move(what)),
+          word_(std::move(word)),
+          call_(std::move(call)),
+          source_(source),
+          noun_(std::move(noun)) {}
 
     void unknown(const FieldPath& path, std::string_view hint);
     /// "robot 'mouse': field 'pose.x' TEXT".
@@ -38,6 +45,7 @@ public:
         return source_ != nullptr ? source_->find(word_, call_, path) : call_;
     }
     const Place& call() const { return call_; }
+    const std::string& noun() const { return noun_; }
     Expected<void> result() const;
 
 private:
@@ -47,12 +55,10 @@ private:
     std::string word_;
     Place call_;
     const FileSource* source_;
+    std::string noun_;
     int gravity_ = 0;
     Error error_;
 };
-
-/// Which numbers may stand in a field. All are finite and at most a million.
-enum class NumberRange { any, not_negative, positive };
 
 /// One table and what has been asked of it. A getter leaves `out` as it is when there is no such field; it returns
 /// whether there is one that fits.
@@ -64,8 +70,10 @@ public:
     /// nullptr when there is none.
     const FileValue* field(std::string_view name);
     bool has(std::string_view name) { return field(name) != nullptr; }
+    /// Whether there is one, without asking for it: it may still be unknown.
+    bool gives(std::string_view name) const { return table_->find(name) != nullptr; }
     bool boolean(std::string_view name, bool& out);
-    bool number(std::string_view name, double& out, NumberRange range = NumberRange::any);
+    bool number(std::string_view name, double& out, NumberRange range = NumberRange::any, double most = Rule{}.most);
     bool whole(std::string_view name, std::int64_t& out, std::int64_t min, std::int64_t max);
     bool text(std::string_view name, std::string& out);
     /// `{ x, y }` or `{ x =, y = }`.
@@ -73,7 +81,16 @@ public:
     /// `{ x, y, z }` or `{ x =, y =, z = }`; z may be left out, and keeps its value, when `z_optional`.
     bool point(std::string_view name, Point3D& out, NumberRange range = NumberRange::any, bool z_optional = false);
     /// One of these words, as its index.
-    bool choice(std::string_view name, std::size_t& out, const std::vector<std::string_view>& choices);
+    bool choice(std::string_view name, std::size_t& out, std::span<const std::string_view> choices);
+    /// A text or a list of texts.
+    bool names(std::string_view name, std::vector<std::string>& out);
+    /// Values of parameters, by name.
+    bool values(std::string_view name, ParameterValues& out);
+    /// `{ x =, y =, heading = }`.
+    bool pose(std::string_view name, Pose2D& out);
+    /// A number, or each coordinate of a place, that is not too small for physics: 0, where the range allows it, is
+    /// not.
+    void check_least(std::string_view name, const Rule& rule, std::string_view unit, std::span<const double> numbers);
     /// The fields of a table within; those of an empty one when there is none.
     Fields inner(std::string_view name);
     /// Every field, by its name in ascending order, when the names are the person's own.

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "bindings/lua/sandbox/locked_table.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -61,6 +63,11 @@ private:
 
     Expected<FileValue> read_table(int index, int depth) {
         index = lua_absindex(lua_, index);
+        if (push_behind_lock(lua_, index)) {
+            auto behind = read_table(-1, depth);
+            lua_pop(lua_, 1);
+            return behind;
+        }
         FileTable table;
         for (lua_Integer i = 1;; ++i) {
             const bool nothing = lua_rawgeti(lua_, index, i) == LUA_TNIL;

@@ -4,45 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
 #include "engine/robot/robot.hpp"
-#include "engine/system/system_spec.hpp"
+#include "engine/world/robot_fields.hpp"
 
 namespace nezumi {
 namespace {
-
-constexpr double clearance = 0.01;     // [m] between the floor and a hull whose height nobody gave
-constexpr double least_length = 1e-3;  // [m] of a hull or between wheels: smaller robots can't be simulated
-constexpr double least_mass = 1e-3;    // [kg]
-
-// A number that a simulated robot can't do with less of.
-bool read_at_least(Fields& fields, std::string_view name, double& out, double least, std::string_view unit) {
-    if (!fields.number(name, out, NumberRange::positive)) return false;
-    if (out < least)
-        fields.check().wrong(fields.path_of(name), fmt::format("expected at least {} {}, got {}", least, unit, out));
-    return true;
-}
-
-// A text or a list of texts.
-std::vector<std::string> read_names(Fields& fields, std::string_view name) {
-    const FileValue* value = fields.field(name);
-    if (value == nullptr) return {};
-    if (const std::string* text = value->text()) return {*text};
-    std::vector<std::string> names;
-    const FileTable* table = value->table();
-    bool fits = table != nullptr && table->fields.empty() && !table->elements.empty();
-    for (std::size_t i = 0; fits && i < table->elements.size(); ++i) {
-        const std::string* text = table->elements[i].text();
-        fits = text != nullptr;
-        if (fits) names.push_back(*text);
-    }
-    if (!fits)
-        fields.check().wrong(fields.path_of(name), fmt::format("expected a name or a list of names, got {}",
-                                                               table == nullptr ? kind_of(*value) : "another table"));
-    return names;
-}
 
 // Calls `read(name, fields)` for each entry of a table of named tables.
 template <class Read>
@@ -62,116 +34,72 @@ void for_each_named(Fields& fields, std::string_view group, Read&& read) {
     named.done([](std::string_view) -> std::string { return ": expected NAME = { ... }"; });
 }
 
+double on_the_floor(const BodySpec& body) { return hull_clearance + body.size.z / 2; }
+
 // A hull that nobody described: a box about as long and as wide as the wheels are apart.
 BodySpec body_over(double track) {
     BodySpec spec;
     spec.size = {1.1 * track, 0.9 * track, 0.65 * track};
-    spec.at = {0, 0, clearance + spec.size.z / 2};
+    spec.at = {0, 0, on_the_floor(spec)};
     return spec;
 }
 
 BodySpec read_body(Fields body) {
     BodySpec spec;
-    std::size_t shape = 0;
-    body.choice("shape", shape, {"box", "cylinder"});
-    spec.shape = shape == 0 ? BodySpec::Shape::box : BodySpec::Shape::cylinder;
-    double radius = 0;
-    double height = 0;
-    if (spec.shape == BodySpec::Shape::cylinder && (body.has("radius") || body.has("height"))) {
-        if (read_at_least(body, "radius", radius, least_length, "m") &&
-            read_at_least(body, "height", height, least_length, "m")) {
-            spec.size = {2 * radius, 2 * radius, height};
-        }
+    spec.at = {0, 0, std::numeric_limits<double>::quiet_NaN()};
+    read_record(body, spec);
+    const bool is_cylinder = spec.shape == BodySpec::Shape::cylinder;
+    const Rule positive{.range = NumberRange::positive, .least = least_robot_length};
+    if (is_cylinder && (body.gives("radius") || body.gives("height"))) {
+        double radius = 0, height = 0;
+        detail::read_setting(body, "radius", "m", positive, radius);
+        detail::read_setting(body, "height", "m", positive, height);
         body.require("radius", "metres");
         body.require("height", "metres");
+        spec.size = {2 * radius, 2 * radius, height};
     } else {
-        body.require("size", "{ length, width, height } in metres");
-        if (body.point("size", spec.size, NumberRange::positive) &&
-            std::min({spec.size.x, spec.size.y, spec.size.z}) < least_length) {
-            body.check().wrong(body.path_of("size"), fmt::format("expected lengths of at least {} m", least_length));
-        }
+        body.require("size", "{ length, width, height } in m");
+        detail::read_setting(body, "size", "m", positive, spec.size);
     }
-    if (spec.shape == BodySpec::Shape::cylinder && spec.size.x != spec.size.y) {
+    if (is_cylinder && spec.size.x != spec.size.y)
         body.check().wrong(body.path_of("size"), "expected { diameter, diameter, height } of a cylinder");
-    }
-    spec.at = {0, 0, clearance + spec.size.z / 2};
-    body.point("at", spec.at, NumberRange::any, true);
+    if (std::isnan(spec.at.z)) spec.at.z = on_the_floor(spec);
     body.done();
     return spec;
 }
 
 DriveSpec read_drive(Fields drive) {
     DriveSpec spec;
-    drive.require("radius", "the wheels' radius in metres");
-    drive.require("track", "the distance between the wheels in metres");
-    read_at_least(drive, "radius", spec.radius, least_length, "m");
-    read_at_least(drive, "track", spec.track, least_length, "m");
-    drive.number("pulses_per_turn", spec.pulses_per_turn, NumberRange::not_negative);
     spec.skid = 0;
-    drive.number("skid", spec.skid, NumberRange::positive);
-    drive.boolean("coasts_until_commanded", spec.coasts_until_commanded);
-    read_limits(drive.inner("limits"), spec.limits);
+    // What the hardware's limits leave out are the simulation's.
+    detail::read_setting(drive, "limits", "", {}, spec.limits);
     spec.hardware_limits = spec.limits;
-    read_limits(drive.inner("hardware_limits"), spec.hardware_limits);
+    read_record(drive, spec);
     drive.done();
     return spec;
 }
 
 ActuatorSpec read_actuator(const std::string& name, Fields& actuator, const BodySpec& body) {
-    using Kind = ActuatorSpec::Kind;
     ActuatorSpec spec;
     spec.name = name;
-    std::size_t kind = 0;
-    const std::vector<std::string_view> kinds{"leds", "buzzer", "servo", "screen", "speaker"};
-    actuator.require("kind", fmt::format("one of {}", fmt::join(kinds, ", ")));
-    actuator.choice("kind", kind, kinds);
-    spec.kind = static_cast<Kind>(kind);
-    if (spec.kind == Kind::leds) {
-        std::int64_t count = spec.count;
-        actuator.whole("count", count, 1, 1000);
-        spec.count = static_cast<int>(count);
-    }
-    if (spec.kind == Kind::servo) {
-        actuator.number("max_rate", spec.max_rate, NumberRange::not_negative);
-        actuator.number("minimum", spec.minimum);
-        actuator.number("maximum", spec.maximum);
-        if (spec.minimum > spec.maximum)
-            actuator.check().explain(actuator.path_of("minimum"),
-                                     fmt::format("{} is above maximum {}", spec.minimum, spec.maximum));
-        Point3D at{};
-        actuator.point("at", at, NumberRange::any, true);
-        spec.at = {body.at.x + at.x, body.at.y + at.y, body.at.z + at.z};
-    }
+    read_record(actuator, spec);
+    if (spec.minimum > spec.maximum)
+        actuator.check().explain(actuator.path_of("minimum"),
+                                 fmt::format("{} is above maximum {}", spec.minimum, spec.maximum));
+    if (spec.kind == ActuatorSpec::Kind::servo) spec.at = on_body(body, spec.at);
     return spec;
 }
 
 PortSpec read_port(const std::string& name, Fields& port) {
     PortSpec spec;
     spec.name = name;
-    port.require("type", "a message type");
-    port.text("type", spec.type);
-    const bool from = port.has("from");
-    spec.is_input = port.has("to");
-    if (from == spec.is_input)
+    spec.is_input = port.gives("to");
+    if (port.gives("from") == spec.is_input)
         port.check().wrong_at(
             port.path(),
             fmt::format("port '{}': expected either 'from', what an out-port carries, or 'to', what an in-port drives",
                         name));
-    spec.items = read_names(port, spec.is_input ? "to" : "from");
-    port.text("doc", spec.doc);
-    if (spec.is_input) {
-        std::int64_t queue = 0;
-        port.whole("queue", queue, 0, 1000);
-        spec.queue = static_cast<std::size_t>(queue);
-        std::size_t silence = 0;
-        port.choice("silence", silence, {"hold", "off"});
-        spec.off_when_silent = silence == 1;
-    } else {
-        port.number("rate", spec.rate, NumberRange::not_negative);
-        std::size_t quantity = 0;
-        port.choice("quantity", quantity, {"value", "distance"});
-        spec.quantity = static_cast<PortSpec::Quantity>(quantity);
-    }
+    read_record(port, spec, {.kind = spec.is_input ? Describe<PortSpec>::in_only : Describe<PortSpec>::out_only});
     return spec;
 }
 
@@ -225,21 +153,15 @@ void check_ports(FieldCheck& check, const RobotSpec& spec) {
 
 }  // namespace
 
-void read_limits(Fields fields, Limits& limits) {
-    fields.number("speed", limits.speed, NumberRange::positive);
-    fields.number("yaw_rate", limits.yaw_rate, NumberRange::positive);
-    fields.number("acceleration", limits.acceleration, NumberRange::positive);
-    fields.number("yaw_acceleration", limits.yaw_acceleration, NumberRange::positive);
-    fields.done();
+// Facts about robots are given from the chassis' centre; the body frame begins on the floor.
+Point3D on_body(const BodySpec& body, const Point3D& at) {
+    return {body.at.x + at.x, body.at.y + at.y, body.at.z + at.z};
 }
 
 RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const RobotFileHelp& help) {
     RobotSpec spec;
     Fields fields(check, value);
-    fields.text("doc", spec.doc);
-    fields.require("mass", "kilograms");
-    read_at_least(fields, "mass", spec.mass, least_mass, "kg");
-    fields.require("drive", "{ radius =, track =, limits = }");
+    read_record(fields, spec);
     if (fields.has("drive")) spec.drive = read_drive(fields.inner("drive"));
     spec.body = fields.has("body") ? read_body(fields.inner("body")) : body_over(spec.drive.track);
     if (spec.drive.skid == 0) spec.drive.skid = 0.4 * spec.body.size.x;

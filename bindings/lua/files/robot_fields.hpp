@@ -30,7 +30,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
 /// One sensor of this name. Its place is given from the centre of `body`.
 SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body, const RobotFileHelp& help);
 
-/// Reads limits of speed and acceleration that a table sets; the others keep their values.
-void read_limits(Fields fields, Limits& limits);
+/// A place given from the hull's centre, in the body frame.
+Point3D on_body(const BodySpec& body, const Point3D& at);
 
 }  // namespace nezumi

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
+#include "engine/world/robot_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -120,23 +122,23 @@ void read_response(Fields& sensor, SensorSpec& spec, bool nothing_given, double 
 }
 
 void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& help) {
-    const bool range_given = sensor.number("range", spec.range, NumberRange::positive);
-    sensor.number("minimum", spec.minimum, NumberRange::not_negative);
+    const bool range_given = sensor.has("range");
     if (spec.minimum >= spec.range)
         sensor.check().wrong(sensor.path_of("minimum"),
                              fmt::format("expected less than the range of {} m, got {}", spec.range, spec.minimum));
-    sensor.number("cone", spec.cone, NumberRange::not_negative);
-    std::int64_t rays = spec.cone > 0 ? 5 : 1;
-    sensor.whole("rays", rays, 1, 1000);
-    spec.rays = static_cast<int>(rays);
-    sensor.number("noise", spec.noise, NumberRange::not_negative);
-
+    if (!sensor.has("rays")) spec.rays = spec.cone > 0 ? 5 : 1;
     double nothing = 0;
     double minimum = -infinity;
     double maximum = infinity;
     const bool has_table = sensor.has("table");
     const bool has_function = sensor.has("response");
-    if (!has_table && !has_function) return;
+    if (!has_table && !has_function) {
+        for (const std::string_view name : {"nothing", "min_value", "max_value"}) {
+            if (sensor.has(name))
+                sensor.check().wrong(sensor.path_of(name), "is for a sensor with a 'table' or a 'response'");
+        }
+        return;
+    }
     const bool nothing_given = sensor.number("nothing", nothing);
     sensor.number("min_value", minimum);
     sensor.number("max_value", maximum);
@@ -156,36 +158,15 @@ void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& he
 
 SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body,
                               const RobotFileHelp& help) {
-    using Kind = SensorSpec::Kind;
     SensorSpec spec;
     spec.name = name;
-    std::size_t kind = 0;
-    const std::vector<std::string_view> kinds{"range", "button", "touch", "gyro", "color", "reflect"};
-    sensor.require("kind", fmt::format("one of {}", fmt::join(kinds, ", ")));
-    sensor.choice("kind", kind, kinds);
-    spec.kind = static_cast<Kind>(kind);
+    read_record(sensor, spec);
     if (name == "velocity" || name == "odometry") {
         sensor.check().wrong_at(sensor.path(),
                                 fmt::format("no sensor may be called '{}': that is what the wheels measure", name));
     }
-    // Facts about robots are given from the chassis' centre; the body frame begins on the floor.
-    Point3D at{};
-    sensor.point("at", at, NumberRange::any, true);
-    spec.at = {body.at.x + at.x, body.at.y + at.y, body.at.z + at.z};
-    sensor.number("yaw", spec.yaw);
-    sensor.text("on", spec.on);
-    switch (spec.kind) {
-        case Kind::range: read_range_sensor(sensor, spec, help); break;
-        case Kind::touch: sensor.number("travel", spec.travel, NumberRange::not_negative); break;
-        case Kind::gyro:
-            sensor.number("noise", spec.noise, NumberRange::not_negative);
-            sensor.number("drift", spec.drift);
-            sensor.number("max_rate", spec.max_rate, NumberRange::not_negative);
-            break;
-        case Kind::reflect: sensor.number("noise", spec.noise, NumberRange::not_negative); break;
-        case Kind::button:
-        case Kind::color: break;
-    }
+    spec.at = on_body(body, spec.at);
+    if (spec.kind == SensorSpec::Kind::range) read_range_sensor(sensor, spec, help);
     return spec;
 }
 

@@ -35,6 +35,9 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
     }
     if (auto ok = words.finish(); !ok) return failure(one_line(ok.error().message), ok.error().place);
     for (const std::string& module : (*file)->files()) words.note_file(module);
+    for (const std::string& note : words.notes()) {
+        if (options.print) options.print(note);
+    }
     return std::move(words.spec());
 }
 

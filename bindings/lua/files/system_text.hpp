@@ -11,7 +11,4 @@ namespace nezumi {
 /// the same order. `title` becomes its first line, a comment.
 std::string write_system_text(const SystemSpec& spec, const std::string& title);
 
-/// A value as Lua reads it back: `0.1`, `true`, `"text"`, `{ 1, 2 }`.
-std::string to_lua(const ParameterValue& value);
-
 }  // namespace nezumi

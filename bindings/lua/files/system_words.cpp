@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bindings/lua/files/file_fields.hpp"
-#include "bindings/lua/files/robot_fields.hpp"
+#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
+#include "engine/system/system_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -19,23 +19,6 @@ namespace {
 std::string_view kind_of(const Entry& entry) {
     constexpr std::string_view kinds[] = {"robot", "behavior", "component"};
     return kinds[entry.index()];
-}
-
-// Values by parameter name: config, or one of the sets.
-ParameterValues read_values(Fields& fields, std::string_view name) {
-    ParameterValues values;
-    Fields table = fields.inner(name);
-    for (const auto& [key, value] : table.all()) {
-        table.field(key);
-        auto read = to_parameter(value);
-        if (read) {
-            values.emplace(key, std::move(*read));
-        } else {
-            fields.check().wrong(table.path_of(key), read.error().message);
-        }
-    }
-    table.done([](std::string_view) -> std::string { return ": expected NAME = VALUE"; });
-    return values;
 }
 
 template <class Sets>
@@ -130,27 +113,15 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
     RobotEntry entry;
     entry.name = name;
     entry.place = call.place;
-    fields.require("model", "a robot's model, for example \"raspimouse\"");
-    const bool has_model = fields.text("model", entry.model);
-    Fields pose = fields.inner("pose");
-    pose.number("x", entry.pose.position.x);
-    pose.number("y", entry.pose.position.y);
-    pose.number("heading", entry.pose.heading);
-    pose.done();
-    Fields limits = fields.inner("limits");
-    const auto limit = [&](std::string_view field, std::optional<double>& out) {
-        double number = 0;
-        if (limits.number(field, number, NumberRange::positive)) out = number;
-    };
-    limit("speed", entry.speed);
-    limit("yaw_rate", entry.yaw_rate);
-    limit("acceleration", entry.acceleration);
-    limit("yaw_acceleration", entry.yaw_acceleration);
-    limits.done();
-    fields.text("backend", entry.backend);
-    fields.boolean("active", entry.active);
+    read_record(fields, entry);
+    LimitChanges limits;
+    detail::read_setting(fields, "limits", "", {}, limits);
+    entry.speed = limits.speed;
+    entry.yaw_rate = limits.yaw_rate;
+    entry.acceleration = limits.acceleration;
+    entry.yaw_acceleration = limits.yaw_acceleration;
     fields.done();
-    if (check.ok() && has_model) {
+    if (check.ok()) {
         if (auto loaded = load_model(call, entry.model); !loaded) {
             Error error = loaded.error();
             if (error.place.file.empty())
@@ -187,20 +158,13 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
     BehaviorEntry entry;
     entry.name = name;
     entry.place = call.place;
-    fields.require("script", "a behaviour's file, for example \"robot_controller\"");
-    const bool has_script = fields.text("script", entry.script);
-    entry.config = read_values(fields, "config");
-    Fields sets = fields.inner("sets");
-    for (const auto& [set, values] : sets.all()) entry.sets.emplace(set, read_values(sets, set));
-    sets.done([](std::string_view) -> std::string { return ": expected NAME = { ... }"; });
-    if (fields.text("set", entry.set) && !entry.sets.contains(entry.set)) {
+    read_record(fields, entry);
+    fields.done();
+    if (!entry.set.empty() && !entry.sets.contains(entry.set)) {
         check.explain(fields.path_of("set"), fmt::format("there is no set '{}' in 'sets'{}", entry.set,
                                                          did_you_mean(entry.set, names_of(entry.sets))));
     }
-    const bool has_rate = fields.number("rate", entry.rate, NumberRange::positive);
-    fields.boolean("active", entry.active);
-    fields.done();
-    if (check.ok() && has_script) {
+    if (check.ok()) {
         if (const auto path = project_.find(FileKind::script, entry.script, call.place.file)) {
             entry.path = project_.shown(*path);
         } else {
@@ -208,7 +172,7 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
         }
     }
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
-    if (has_rate) rate_places_[name] = check.place_of({"rate"});
+    if (fields.has("rate")) rate_places_[name] = check.place_of({"rate"});
     return entry;
 }
 
@@ -219,17 +183,10 @@ Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const
     ComponentEntry entry;
     entry.name = name;
     entry.place = call.place;
-    fields.require("type", "a native component's type, for example \"Camera\"");
-    fields.text("type", entry.type);
-    entry.config = read_values(fields, "config");
-    const bool has_rate = fields.number("rate", entry.rate, NumberRange::positive);
-    fields.text("on", entry.on);
-    fields.point("at", entry.at);
-    fields.number("yaw", entry.yaw);
-    fields.boolean("active", entry.active);
+    read_record(fields, entry);
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
-    if (has_rate) rate_places_[name] = check.place_of({"rate"});
+    if (fields.has("rate")) rate_places_[name] = check.place_of({"rate"});
     return entry;
 }
 
@@ -293,16 +250,15 @@ Expected<void> SystemWords::rate(const WordCall& call, const FileValue& hertz) {
 Expected<void> SystemWords::physics(const WordCall& call, const FileValue& value) {
     FieldCheck check("physics", call.word, call.place, call.source);
     Fields fields(check, value);
-    double step = spec_.physics_step;
-    fields.require("step", "seconds, for example 0.005");
-    fields.number("step", step, NumberRange::positive);
+    PhysicsFields given;
+    read_record(fields, given);
     fields.done();
     if (auto ok = check.result(); !ok) return ok;
     if (physics_place_)
         return failure(fmt::format("physics: is set already, at {}:{}", physics_place_->file, physics_place_->line),
                        call.place);
     physics_place_ = call.place;
-    spec_.physics_step = step;
+    spec_.physics_step = given.step;
     return {};
 }
 

@@ -59,6 +59,8 @@ public:
     const Project& project() const { return project_; }
     /// Remembers a file that the system was read from.
     void note_file(const std::string& shown);
+    /// What whoever uses the file should hear: what was taken from a map.
+    const std::vector<std::string>& notes() const { return notes_; }
 
 private:
     using Made = std::variant<std::vector<BoxSpec>, CylinderSpec, MarkerSpec, FloorSpec>;
@@ -86,6 +88,7 @@ private:
     SystemSpec spec_;
     std::vector<Thing> things_;
     std::vector<Begun> begun_;
+    std::vector<std::string> notes_;
     std::optional<Place> size_place_, border_place_, seed_place_, physics_place_;
     std::map<std::string, std::size_t, std::less<>> names_;  // of the entries: their places in `spec_`
     std::set<std::pair<std::string, std::string>> wired_;

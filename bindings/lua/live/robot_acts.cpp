@@ -9,53 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "bindings/lua/files/read_options.hpp"
+#include "bindings/lua/live/act_fields.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
 namespace {
 
-// The table at an index, or while this lives the one behind it when that one is locked.
-struct Table {
-    Table(lua_State* state, int at) : lua(state), top(lua_gettop(state)), index(lua_absindex(state, at)) {
-        if (lua_checkstack(lua, 8) != 0 && push_behind_lock(lua, index)) index = lua_gettop(lua);
-    }
-    ~Table() { lua_settop(lua, top); }
-    Table(const Table&) = delete;
-    Table& operator=(const Table&) = delete;
-
-    lua_State* lua;
-    int top;
-    int index;
-};
-
-// Refuses every key of a table that is none of these.
-Expected<void> check_keys(lua_State* L, int table, const std::vector<std::string_view>& names, std::string_view what) {
-    Expected<void> ok;
-    lua_pushnil(L);
-    while (lua_next(L, table) != 0) {
-        const bool is_text = lua_type(L, -2) == LUA_TSTRING;
-        const std::string_view key = is_text ? detail::key_text(L) : "";
-        bool known = false;
-        for (const std::string_view name : names) known = known || name == key;
-        if (!known && ok) {
-            ok = is_text ? Expected<void>(failure(
-                               fmt::format("{}: unknown field '{}'{}", what, shown(key), did_you_mean(key, names))))
-                         : Expected<void>(failure(
-                               fmt::format("{}: expected fields with names, as in {{ {} = 0 }}", what, names.front())));
-        }
-        lua_pop(L, 1);
-    }
-    return ok;
-}
-
-Expected<std::optional<double>> read_field(lua_State* L, int table, std::string_view name, std::string_view what) {
-    if (!detail::push_raw_field(L, table, name)) return std::optional<double>{};
-    double value = 0;
-    Mismatch why;
-    const bool fits = read_value(L, lua_gettop(L), value, &why);
-    lua_pop(L, 1);
-    if (!fits) return failure(fmt::format("{}: field '{}' {}", what, name, why.text));
-    return std::optional<double>(value);
+// The fields of the table at `index`; `what` begins the messages about them.
+template <Recorded T>
+Expected<T> read_fields(lua_State* L, int index, const char* what, Reading reading = {}) {
+    T out;
+    if (auto ok = read_options(L, index, FieldCheck(what, "", {}, nullptr), out, reading); !ok)
+        return Unexpected(ok.error());
+    return out;
 }
 
 // Carries a marker that is there.
@@ -67,16 +34,11 @@ Expected<void> move_marker(System& system, std::string_view marker, lua_State* L
     if (lua_type(L, index) != LUA_TTABLE)
         return failure(fmt::format("pose: expected a table {{ x =, y =, z =, heading = }}, got {}",
                                    lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
-    const Table table(L, index);
-    if (auto ok = check_keys(L, table.index, {"x", "y", "z", "heading"}, "pose"); !ok) return ok;
-    for (const auto& [name, target] : {std::pair<std::string_view, double*>{"x", &pose.position.x},
-                                       {"y", &pose.position.y},
-                                       {"z", &pose.position.z},
-                                       {"heading", &pose.orientation.y}}) {
-        const auto value = read_field(L, table.index, name, "pose");
-        if (!value) return Unexpected(value.error());
-        *target = value->value_or(*target);
-    }
+    const auto place = read_fields<MarkerPlace>(L, index, "pose");
+    if (!place) return Unexpected(place.error());
+    pose.position = {place->x.value_or(pose.position.x), place->y.value_or(pose.position.y),
+                     place->z.value_or(pose.position.z)};
+    pose.orientation.y = place->heading.value_or(pose.orientation.y);
     return system.world()->move_marker(marker, pose);
 }
 
@@ -93,37 +55,25 @@ Expected<Pose2D> read_pose(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TTABLE)
         return failure(fmt::format("pose: expected a table {{ x =, y =, heading = }}, got {}",
                                    lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
-    const Table table(L, index);
-    if (detail::push_raw_field(L, table.index, "position")) {
+    const int top = lua_gettop(L);
+    const int table = lua_checkstack(L, 8) != 0 && push_behind_lock(L, index) ? lua_gettop(L) : lua_absindex(L, index);
+    if (detail::push_raw_field(L, table, "position")) {
         Pose2D pose;
         Mismatch why;
-        if (read_value(L, table.index, pose, &why)) return pose;
+        const bool fits = read_value(L, table, pose, &why);
+        lua_settop(L, top);
+        if (fits) return pose;
         return failure("pose: " + describe(why));
     }
-    if (auto ok = check_keys(L, table.index, {"x", "y", "heading"}, "pose"); !ok) return Unexpected(ok.error());
-    Pose2D pose;
-    for (const auto& [name, target] : {std::pair<std::string_view, double*>{"x", &pose.position.x},
-                                       {"y", &pose.position.y},
-                                       {"heading", &pose.heading}}) {
-        const auto value = read_field(L, table.index, name, "pose");
-        if (!value) return Unexpected(value.error());
-        *target = value->value_or(0);
-    }
-    return pose;
+    lua_settop(L, top);
+    const auto place = read_fields<RobotPlace>(L, index, "pose");
+    if (!place) return Unexpected(place.error());
+    return Pose2D{{place->x, place->y}, place->heading};
 }
 
 Expected<Push> read_push(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TTABLE) return failure("expected a table { vx =, va = }");
-    const Table table(L, index);
-    if (auto ok = check_keys(L, table.index, {"vx", "vy", "va"}, "disturb"); !ok) return Unexpected(ok.error());
-    Push push;
-    for (const auto& [name, target] :
-         {std::pair<std::string_view, std::optional<double>*>{"vx", &push.vx}, {"vy", &push.vy}, {"va", &push.va}}) {
-        const auto value = read_field(L, table.index, name, "disturb");
-        if (!value) return Unexpected(value.error());
-        *target = *value;
-    }
-    return push;
+    return read_fields<Push>(L, index, "disturb", {.kind = Describe<Push>::at_once});
 }
 
 Expected<void> teleport(System& system, Component& component, const Pose2D& pose) {

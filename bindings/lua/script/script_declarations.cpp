@@ -8,10 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/lua/files/read_options.hpp"
+#include "bindings/lua/script/declaration_fields.hpp"
 #include "bindings/lua/script/script_call.hpp"
 #include "bindings/lua/script/script_config.hpp"
 #include "bindings/lua/script/script_ports.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/components/parameter_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -33,48 +36,8 @@ Expected<std::string> text_at(lua_State* L, int index, std::string_view what) {
     return std::string(text, size);
 }
 
-Expected<double> number_at(lua_State* L, int index, std::string_view what) {
-    if (lua_type(L, index) != LUA_TNUMBER)
-        return failure(fmt::format("{} expected a number, got {}", what, luaL_typename(L, index)));
-    return lua_tonumber(L, index);
-}
-
-Expected<std::size_t> count_at(lua_State* L, int index, std::int64_t least, std::int64_t most, std::string_view what) {
-    std::int64_t value = 0;
-    Mismatch why;
-    if (!detail::read_integer(L, index, least, most, value, &why)) return failure(fmt::format("{} {}", what, why.text));
-    return static_cast<std::size_t>(value);
-}
-
-// Calls `read(name)` with the value on top of the stack for every option given. Nothing at `index` means no options.
-template <class Read>
-Expected<void> read_options(lua_State* L, int index, const std::vector<std::string_view>& names, const Read& read) {
-    if (lua_isnoneornil(L, index)) return {};
-    if (lua_type(L, index) != LUA_TTABLE)
-        return failure(fmt::format("options expected a table, got {}", luaL_typename(L, index)));
-    std::ptrdiff_t given = 0;
-    for (const std::string_view name : names) {
-        if (!detail::push_raw_field(L, index, name)) continue;
-        ++given;
-        Expected<void> ok = read(name);
-        lua_pop(L, 1);
-        if (!ok) return ok;
-    }
-    std::ptrdiff_t present = 0;
-    lua_pushnil(L);
-    while (lua_next(L, index) != 0) {
-        lua_pop(L, 1);
-        ++present;
-    }
-    if (present == given) return {};
-    Mismatch why;
-    detail::explain_unknown(L, index, names, &why);
-    std::string text = describe(why);
-    text.replace(0, std::string_view("unknown field").size(), "unknown option");
-    if (const auto fields = text.find("(its fields are"); fields != std::string::npos)
-        text.replace(fields, 15, "(the options are");
-    return failure(std::move(text));
-}
+// Errors of options are told at the declaration's line, which whoever declares adds.
+FieldCheck options_of(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
 
 // input(name, type, doc, { queue = n }) and output(name, type, doc, { safe = value })
 
@@ -102,18 +65,22 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
         if (!doc) return refuse(doc.error());
         port.doc = std::move(*doc);
     }
-    const std::vector<std::string_view> names{direction == Direction::in ? "queue" : "safe"};
-    const auto read = [&](std::string_view) -> Expected<void> {
-        if (direction == Direction::in) {
-            return count_at(L, lua_gettop(L), 1, 100'000, "option 'queue'").map([&](std::size_t n) { port.queue = n; });
-        }
+    const auto read_safe = [&](Fields& fields) {
+        if (direction == Direction::in || !fields.gives("safe")) return;
+        detail::push_raw_field(L, options, "safe");
         auto safe = read_payload(L, -1, port.type);
-        if (!safe)
-            return failure(fmt::format("option 'safe' ({}): {}", message_type_names[port.type], safe.error().message));
+        lua_pop(L, 1);
+        if (!safe) {
+            return fields.check().wrong({"safe"},
+                                        fmt::format("({}): {}", message_type_names[port.type], safe.error().message));
+        }
         port.safe.push_back(std::move(*safe));
-        return {};
     };
-    if (auto ok = read_options(L, options, names, read); !ok) return refuse(ok.error());
+    const unsigned kind = 1U << static_cast<unsigned>(direction);
+    if (auto ok = read_options(L, options, options_of(fmt::format("{} '{}'", word, shown(port.name))), port,
+                               {.kind = kind}, read_safe);
+        !ok)
+        return Unexpected(ok.error());
     return script.declare_port(std::move(port));
 }
 
@@ -135,20 +102,32 @@ int word_output(lua_State* L) { return word_port(L, Direction::out); }
 
 // param(name, default, { min, max, step, widget, unit, doc, choices, min_size, max_size })
 
-Expected<std::vector<ParameterValue>> read_choices(lua_State* L, int index) {
-    Mismatch why{.path = "", .text = fmt::format("expected an array, got {}", luaL_typename(L, index))};
-    const std::ptrdiff_t size = lua_type(L, index) == LUA_TTABLE ? read_array_size(L, index, &why) : -1;
-    if (size < 0) return failure("option 'choices' " + describe(why));
-    if (size == 0) return failure("option 'choices' is empty: nothing could be chosen");
-    std::vector<ParameterValue> choices;
-    for (std::ptrdiff_t i = 1; i <= size; ++i) {
-        lua_rawgeti(L, index, i);
-        auto choice = read_parameter(L, -1);
-        lua_pop(L, 1);
-        if (!choice) return failure(fmt::format("option 'choices': element {} {}", i, choice.error().message));
-        choices.push_back(std::move(*choice));
+void read_choices(Fields& options, ParameterSpec& spec) {
+    const FileValue* value = options.field("choices");
+    if (value == nullptr) return;
+    const auto refuse = [&](const std::string& why) { options.check().wrong({"choices"}, why); };
+    const FileTable* table = value->table();
+    if (table == nullptr || !table->fields.empty())
+        return refuse(fmt::format("expected an array, got {}", table == nullptr ? kind_of(*value) : "another table"));
+    if (table->elements.empty()) return refuse("is empty: nothing could be chosen");
+    for (std::size_t i = 0; i < table->elements.size(); ++i) {
+        auto choice = to_parameter(table->elements[i]);
+        if (!choice) return refuse(fmt::format("element {} {}", i + 1, choice.error().message));
+        spec.choices.push_back(std::move(*choice));
     }
-    return choices;
+}
+
+// An option that makes no sense for the default's type is no unknown one.
+void check_kinds(Fields& options, const ParameterSpec& spec, unsigned kind) {
+    for_each_setting<ParameterSpec>([&](const auto& field) {
+        const unsigned of = field.rule.of;
+        if (of == 0 || (of & kind) != 0 || !options.gives(field.name)) return;
+        options.field(field.name);
+        options.check().wrong(
+            {std::string(field.name)},
+            fmt::format("is for {}, and the parameter is of type {}",
+                        of == Describe<ParameterSpec>::arrays ? "arrays" : "numbers", type_text(spec.initial)));
+    });
 }
 
 Expected<void> declare_parameter(lua_State* L, Script& script) {
@@ -166,39 +145,15 @@ Expected<void> declare_parameter(lua_State* L, Script& script) {
     spec.initial = std::move(*initial);
     const bool is_array = spec.initial.index() >= 4;
     const bool is_number = spec.initial.index() % 4 == 1 || spec.initial.index() % 4 == 2;
-
-    const auto read = [&](std::string_view name) -> Expected<void> {
-        const int value = lua_gettop(L);
-        const std::string what = fmt::format("option '{}'", name);
-        const auto text = [&](std::string& out) {
-            return text_at(L, value, what).map([&](std::string t) { out = std::move(t); });
-        };
-        if (name == "widget") return text(spec.widget);
-        if (name == "unit") return text(spec.unit);
-        if (name == "doc") return text(spec.doc);
-        if (name == "choices") return read_choices(L, value).map([&](auto all) { spec.choices = std::move(all); });
-        if (name == "min_size" || name == "max_size") {
-            if (!is_array)
-                return failure(
-                    fmt::format("{} is for arrays, and the parameter is of type {}", what, type_text(spec.initial)));
-            return count_at(L, value, 0, 1'000'000, what).map([&](std::size_t n) {
-                (name == "min_size" ? spec.min_size : spec.max_size) = n;
-            });
-        }
-        if (!is_number)
-            return failure(
-                fmt::format("{} is for numbers, and the parameter is of type {}", what, type_text(spec.initial)));
-        return number_at(L, value, what).map([&](double number) {
-            if (name == "min") spec.min = number;
-            if (name == "max") spec.max = number;
-            if (name == "step") spec.step = number;
-        });
+    const unsigned kind = is_number ? (is_array ? 2U : 1U) : (is_array ? 4U : 8U);
+    const auto by_hand = [&](Fields& options) {
+        check_kinds(options, spec, kind);
+        read_choices(options, spec);
     };
-    if (auto ok = read_options(L, 3, {"min", "max", "step", "widget", "unit", "doc", "choices", "min_size", "max_size"},
-                               read);
-        !ok) {
-        return refuse(ok.error());
-    }
+    if (auto ok = read_options(L, 3, options_of(fmt::format("parameter '{}'", shown(spec.name))), spec, {.kind = kind},
+                               by_hand);
+        !ok)
+        return ok;
     return script.declare_parameter(std::move(spec));
 }
 
@@ -242,14 +197,7 @@ int word_about(lua_State* L) {
         ScriptAbout about{.version = {}, .vendor = {}, .category = {}, .given = true};
         if (lua_type(L, 1) != LUA_TTABLE)
             return failure(fmt::format("about expected a table, got {}", luaL_typename(L, 1)));
-        const auto read = [&](std::string_view name) {
-            std::string& field = name == "version" ? about.version : name == "vendor" ? about.vendor : about.category;
-            return text_at(L, lua_gettop(L), fmt::format("'{}'", name)).map([&](std::string text) {
-                field = std::move(text);
-            });
-        };
-        if (auto ok = read_options(L, 1, {"version", "vendor", "category"}, read); !ok)
-            return failure("about: " + ok.error().message);
+        if (auto ok = read_options(L, 1, options_of("about"), about); !ok) return ok;
         return script.declare_about(std::move(about));
     });
     return 0;

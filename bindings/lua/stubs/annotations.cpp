@@ -7,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/lua/script/declaration_fields.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
+#include "bindings/lua/stubs/record_annotations.hpp"
+#include "engine/world/robot_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -81,7 +84,7 @@ void add_word(std::string& text, std::string_view word, std::string_view suffix,
 
 }  // namespace
 
-std::string annotations() {
+std::string annotations(const std::vector<RecordShape>& more) {
     const std::vector<MessageShape> messages = message_shapes();
     std::string text =
         "---@meta\n"
@@ -103,19 +106,29 @@ std::string annotations() {
         "---@class OutPort\n\n";
     for (const MessageShape& message : messages) {
         add_ports(text, message);
-        text += fmt::format(
-            "---@class (exact) {0}.InOptions\n"
-            "---@field queue? integer keep so many unread messages; without it the latest only\n\n"
-            "---@class (exact) {0}.OutOptions\n"
-            "---@field safe? {1} written when the component stops\n\n",
-            message.name, type_of(message.shape, Use::write));
+        RecordShape options = shape_of_record<PortDeclaration>();
+        for (FieldRow& row : options.rows) {
+            if (row.name == "safe") row.type = type_of(message.shape, Use::write);
+        }
+        for (const std::string_view kind : Describe<PortDeclaration>::kinds) {
+            text +=
+                annotation(options, fmt::format("{}.{}Options", message.name, kind == "input" ? "In" : "Out"), kind);
+        }
     }
     add_word(text, "input", "In",
              "Declares an in-port: `local range = input(\"range\", \"TimedShortSeq\", \"what it is\")`.", messages);
     add_word(text, "output", "Out",
              "Declares an out-port: `local target = output(\"target\", \"TimedVelocity2D\", \"what it is\")`.",
              messages);
-    return text + detail::behavior_annotations + detail::system_annotations + detail::scenario_annotations;
+    text += "---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]\n\n";
+    for (const auto* records : {&file_records(), &more}) {
+        for (const RecordShape& record : *records) text += annotation(record);
+    }
+    text += detail::behavior_annotations;
+    text += "---@class Thing\n\n" + system_word_annotations(false);
+    text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",
+                        Describe<RobotSpec>::doc, class_of(Describe<RobotSpec>::name), Describe<RobotSpec>::name);
+    return text + detail::scenario_annotations + "\n" + system_word_annotations(true);
 }
 
 }  // namespace nezumi

@@ -2,17 +2,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "bindings/lua/files/record_shape.hpp"
 
 namespace nezumi {
 
 /// A definition file (`---@meta`): the message types from their descriptions, one class per type and direction, and the
-/// words of behaviours, system files, robot files and scenarios.
-std::string annotations();
+/// words of behaviours, system files, robot files and scenarios. `more` are structures that these words take and other
+/// rooms describe: the options of scenarios.
+std::string annotations(const std::vector<RecordShape>& more);
 
 namespace detail {
 /// The parts that are not made from the message types.
 extern const char* const behavior_annotations;
-extern const char* const system_annotations;
 extern const char* const scenario_annotations;
 }  // namespace detail
 

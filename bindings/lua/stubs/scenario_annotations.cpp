@@ -51,19 +51,14 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field deactivate fun(self: Component): string
 ---@field reset fun(self: Component): string
 ---@field use fun(self: Component, set: string): string
----@field teleport fun(self: Component, pose: { x?: number, y?: number, heading?: number })
+---@field teleport fun(self: Component, pose: PoseFields)
 ---@field press fun(self: Component, button: string, pressed?: boolean)
----@field disturb fun(self: Component, push: { vx?: number, va?: number })
+---@field disturb fun(self: Component, push?: PushFields) without: the hand lets go
 ---@field [string] any its ports and commands
 
 ---@alias World table<string, Component>
 ---@alias PortName Port|string a port or "name.port"
 ---@alias Condition fun(): any
-
----@class (exact) ScenarioOptions
----@field timeout? number [s] simulated
----@field sweep? table<string, any[]|Range> a run for each combination
----@field samples? integer draw so many combinations at random
 
 ---@class Range
 
@@ -89,61 +84,6 @@ local s = {}
 ---@return World
 function s:load(file) end
 
----@param name string
----@param fields RobotFields
----@overload fun(self: Scenario, name: string): fun(fields: RobotFields)
-function s:robot(name, fields) end
-
----@param name string
----@param fields BehaviorFields
----@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields)
-function s:behavior(name, fields) end
-
----@param name string
----@param fields ComponentFields
----@overload fun(self: Scenario, name: string): fun(fields: ComponentFields)
-function s:component(name, fields) end
-
----@param from string "name.port"
----@param to string "name.port"
-function s:connect(from, to) end
-
----@param fields ArenaFields
-function s:arena(fields) end
-
----@param fields { at: number[], size: number[], yaw?: number, pitch?: number, color?: string, mass?: number }
----@return Thing
-function s:box(fields) end
-
----@param fields { from: number[], to: number[], height?: number, thickness?: number, color?: string }
----@return Thing
-function s:wall(fields) end
-
----@param fields { at: number[], radius: number, height: number, mass?: number, color?: string }
----@return Thing
-function s:cylinder(fields) end
-
----@param fields { id: integer, name?: string, size?: number, at: number[], facing?: number }
----@return Thing
-function s:marker(fields) end
-
----@param fields { image: string, size: number[] }
----@return Thing
-function s:floor(fields) end
-
----@param file string
----@return Thing
-function s:csv(file) end
-
----@param n integer
-function s:seed(n) end
-
----@param hz number
-function s:rate(hz) end
-
----@param fields { step?: number } [s]
-function s:physics(fields) end
-
 ---[s] Simulated time since the scenario began.
 ---@return number
 function s:now() end
@@ -151,13 +91,13 @@ function s:now() end
 ---Holds from here to the end, after every tick.
 ---@param name string
 ---@param condition Condition
----@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
 function s:always(name, condition) end
 
 ---Never holds, from here to the end.
 ---@param name string
 ---@param condition Condition
----@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
 function s:never(name, condition) end
 
 ---Lets time pass.
@@ -165,17 +105,17 @@ function s:never(name, condition) end
 function s:run(seconds) end
 
 ---@param name string
----@param options { within?: number } [s]
+---@param options ExpectationOptions
 ---@param condition Condition
 function s:wait_until(name, options, condition) end
 
 ---@param name string
----@param options { within?: number } [s]
+---@param options ExpectationOptions
 ---@param condition Condition
 function s:eventually(name, options, condition) end
 
 ---@param name string
----@param options { hold: number, within?: number } [s] the hold begins within `within`
+---@param options ExpectationOptions
 ---@param condition Condition
 function s:maintain(name, options, condition) end
 
@@ -188,6 +128,13 @@ function s:check(value, message) end
 ---@param tolerance number
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
+
+---Records these ports from here on, after every tick, and compares with the committed file beside the scenario's.
+---@param file string
+---@param options GoldenOptions
+---@param ... PortName
+---@overload fun(self: Scenario, file: string, ...: PortName)
+function s:golden(file, options, ...) end
 
 ---One message as from a connection.
 ---@param port PortName
@@ -220,7 +167,7 @@ function s:freeze(port, seconds) end
 
 ---A hand that moves the robot.
 ---@param robot Component|string
----@param push { vx?: number, va?: number, seconds?: number }
+---@param push PushFields
 function s:disturb(robot, push) end
 
 ---@param robot Component|string
@@ -230,7 +177,7 @@ function s:press(robot, button, seconds) end
 
 ---A robot, at rest; or a marker of the arena by its name, where what is left out stays as it is.
 ---@param thing Component|string
----@param pose { x?: number, y?: number, z?: number, heading?: number } `z` is for markers
+---@param pose PoseFields|MarkerPoseFields
 function s:teleport(thing, pose) end
 
 ---Ends what `drop`, `freeze`, `disturb` and `press` began.

@@ -11,6 +11,7 @@
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/type_table.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -76,12 +77,12 @@ TEST_CASE("the table of types has every message type", "[cli][types]") {
 
 TEST_CASE("the annotations are the committed ones", "[cli][types]") {
     // After a change that is meant: nezumi types --lua > tests/golden/nezumi.lua
-    const bool same = annotations() == read(source_root() + "/tests/golden/nezumi.lua");
+    const bool same = annotations(scenario_records()) == read(source_root() + "/tests/golden/nezumi.lua");
     CHECK(same);
 }
 
 TEST_CASE("the annotations are Lua, and have every word and a class for every type and direction", "[cli][types]") {
-    const std::string text = annotations();
+    const std::string text = annotations(scenario_records());
     CHECK(text.find("---@meta\n") == 0);
     const std::unique_ptr<lua_State, CloseLua> lua(luaL_newstate());
     CHECK(luaL_loadstring(lua.get(), text.c_str()) == LUA_OK);
@@ -109,7 +110,7 @@ TEST_CASE("the annotations are Lua, and have every word and a class for every ty
 }
 
 TEST_CASE("a port's class says what it reads and what it takes", "[cli][types]") {
-    const std::string text = annotations();
+    const std::string text = annotations(scenario_records());
     const auto has = [&](const std::string& line) { return text.find("\n" + line + "\n") != std::string::npos; };
     CHECK(has("---@field read fun(self: TimedShortSeq.In): integer[]"));
     CHECK(has("---@field write fun(self: TimedVelocity2D.Out, value: Velocity2D.Written)"));

@@ -135,6 +135,49 @@ TEST_CASE("a declaration that can't be is refused with its place", "[engine][par
     CHECK(all.declare(spec("stop_d", 1.0)).error().message == "parameter 'stop_d' is declared twice");
 }
 
+TEST_CASE("a widget is one of the six, and fits its parameter", "[engine][parameter]") {
+    const auto refused = [](ParameterSpec declared, const std::string& widget) {
+        declared.widget = widget;
+        Parameters all;
+        const auto ok = all.declare(std::move(declared));
+        return ok ? "" : ok.error().message;
+    };
+    const ParameterSpec number = spec("x", 0.0), bounded = spec("x", 0.0, -1, 1), flag = spec("x", false);
+    ParameterSpec word = spec("x", "a"s), list = spec("x", std::vector<std::string>{"a", "b"});
+    CHECK(refused(number, "slidr") ==
+          "parameter 'x' (number): there is no widget 'slidr' (did you mean 'slider'?): expected one of slider, spin, "
+          "radio, checkbox, ordered_list, text");
+    CHECK(refused(bounded, "slider").empty());
+    CHECK(refused(number, "slider") == "parameter 'x' (number): the widget 'slider' is for numbers with min and max");
+    CHECK(refused(number, "spin").empty());
+    CHECK(refused(word, "spin") == "parameter 'x' (string): the widget 'spin' is for numbers");
+    CHECK(refused(word, "radio") == "parameter 'x' (string): the widget 'radio' is for one value with choices");
+    CHECK(refused(flag, "checkbox").empty());
+    CHECK(refused(list, "ordered_list") ==
+          "parameter 'x' (array of strings): the widget 'ordered_list' is for an array with choices of its elements");
+    word.choices = list.choices = {"a"s, "b"s, "c"s};
+    CHECK(refused(word, "radio").empty());
+    CHECK(refused(list, "checkbox").empty());
+    CHECK(refused(list, "ordered_list").empty());
+    CHECK(refused(list, "text").empty());
+}
+
+TEST_CASE("choices of an array may be those of its elements", "[engine][parameter]") {
+    ParameterSpec order = spec("order", std::vector<std::string>{"a", "b"});
+    order.choices = {"a"s, "b"s, "c"s};
+    CHECK(refusal(order, std::vector<std::string>{"c", "a"}).empty());
+    CHECK(refusal(order, std::vector<std::string>{}).empty());
+    CHECK(refusal(order, std::vector<std::string>{"a", "d"}) ==
+          "parameter 'order' (array of strings): \"d\" is none of its choices \"a\", \"b\", \"c\"");
+    ParameterSpec gains = spec("gains", std::vector<double>{1.0});
+    gains.choices = {std::int64_t{1}, 2.5};
+    Parameters all;
+    REQUIRE(all.declare(gains));
+    CHECK(all.set("gains", std::vector<double>{2.5, 1.0}));
+    CHECK(all.set("gains", std::vector<double>{2.0}).error().message ==
+          "parameter 'gains' (array of numbers): 2.0 is none of its choices 1.0, 2.5");
+}
+
 TEST_CASE("step binds widgets only", "[engine][parameter]") {
     ParameterSpec speed = spec("x", 0.0, -1.5, 1.5);
     speed.step = 0.01;

@@ -34,7 +34,7 @@ TEST_CASE("a robot's unknown field is told with the nearest one, at its place", 
     CHECK(error(with("ports = { p = { type = 'TimedPose2D', form = 'odometry' } }")) ==
           "r.lua:2:39: robot_model: unknown field 'ports.p.form' (did you mean 'from'?)");
     CHECK(error(with("ports = { p = { type = 'TimedPose2D', from = 'odometry', queue = 3 } }")) ==
-          "r.lua:2:58: robot_model: unknown field 'ports.p.queue': expected type, from, to, doc, rate, quantity");
+          "r.lua:2:58: robot_model: unknown field 'ports.p.queue': expected type, from, doc, rate, quantity");
 }
 
 TEST_CASE("a robot's value of the wrong kind is told with its field", "[lua][robot_file]") {
@@ -96,17 +96,20 @@ TEST_CASE("a robot's port can't be called what every component or robot has", "[
 }
 
 TEST_CASE("a robot's missing field is told with what belongs there", "[lua][robot_file]") {
-    CHECK(error("return robot_model {}") == "r.lua:1: robot_model: field 'mass' is missing: expected kilograms");
+    CHECK(error("return robot_model {}") ==
+          "r.lua:1: robot_model: field 'mass' is missing: expected a positive number in kg: of the "
+          "whole robot");
     CHECK(error("return robot_model { mass = 1 }") ==
-          "r.lua:1: robot_model: field 'drive' is missing: expected { radius =, track =, limits = }");
+          "r.lua:1: robot_model: field 'drive' is missing: expected { radius =, track =, pulses_per_turn =, skid =, "
+          "coasts_until_commanded =, limits =, hardware_limits = }: wheels, skids and limits");
     CHECK(
         error("return robot_model { mass = 1, body = { size = { 1, 1, 1 } }, drive = { radius = 1 } }") ==
-        "r.lua:1:63: robot_model: field 'drive.track' is missing: expected the distance between the wheels in metres");
+        "r.lua:1:63: robot_model: field 'drive.track' is missing: expected a positive number in m: between the wheels");
     CHECK(error(with("sensors = { a = {} }")) ==
           "r.lua:2:13: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, "
-          "color, reflect");
+          "color, reflect: what it measures");
     CHECK(error(with("ports = { a = { to = 'drive' } }")) ==
-          "r.lua:2:11: robot_model: field 'ports.a.type' is missing: expected a message type");
+          "r.lua:2:11: robot_model: field 'ports.a.type' is missing: expected a text: a message type");
 }
 
 TEST_CASE("a port carries something that is there and that its type fits", "[lua][robot_file]") {
@@ -136,6 +139,11 @@ TEST_CASE("a port carries something that is there and that its type fits", "[lua
     CHECK_THAT(error(with("ports = { a = { type = 'TimedVelocity2D', to = 'drive' }, b = { type = 'TimedVelocity2D', "
                           "to = 'drive' } }")),
                Catch::Contains("a robot has one in-port for its drive"));
+}
+
+TEST_CASE("bounds of values that a sensor does not have are refused", "[lua][robot_file]") {
+    CHECK(error(with("sensors = { a = { kind = 'range', nothing = 3 } }")) ==
+          "r.lua:2:35: robot_model: field 'sensors.a.nothing' is for a sensor with a 'table' or a 'response'");
 }
 
 TEST_CASE("a response that is no function of the distance is refused", "[lua][robot_file]") {

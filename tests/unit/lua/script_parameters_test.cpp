@@ -137,6 +137,14 @@ TEST_CASE("a declaration that is wrong is refused", "[lua][parameters]") {
           at + "parameter 'x': option 'max' is for numbers, and the parameter is of type string");
     CHECK(refusal("param('x', 1, { min_size = 1 })") ==
           at + "parameter 'x': option 'min_size' is for arrays, and the parameter is of type integer");
+    CHECK(refusal("param('x', 5, { max = 1e12 })").empty());
+    CHECK(refusal("param('x', 5, { step = 0 })") ==
+          at + "parameter 'x': option 'step' expected a positive number, got 0");
+    CHECK(refusal("param('x', 5, { widget = 'slidr' })") ==
+          at + "parameter 'x': option 'widget' expected one of slider, spin, radio, checkbox, ordered_list, text, got "
+               "'slidr' (did you mean 'slider'?)");
+    CHECK(refusal("param('x', 5, { widget = 'slider' })") ==
+          at + "parameter 'x' (integer): the widget 'slider' is for numbers with min and max");
     CHECK(refusal("param('x', 5, 'a text')") == at + "parameter 'x': options expected a table, got string");
     CHECK(refusal("param('x', 'a', { choices = { 'left', 'right' } })") ==
           at + "parameter 'x' (string): \"a\" is none of its choices \"left\", \"right\", in its default");

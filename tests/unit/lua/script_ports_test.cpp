@@ -255,11 +255,11 @@ TEST_CASE("options of ports are checked strictly", "[lua][ports]") {
     CHECK(refusal("input('a', 'TimedLong', '', { quue = 3 })") ==
           "robot_controller.lua:1: input 'a': unknown option 'quue' (did you mean 'queue'?)");
     CHECK(refusal("input('a', 'TimedLong', '', { safe = 3 })") ==
-          "robot_controller.lua:1: input 'a': unknown option 'safe' (the options are queue)");
+          "robot_controller.lua:1: input 'a': unknown option 'safe': expected queue");
     CHECK(refusal("input('a', 'TimedLong', '', { queue = 0 })") ==
-          "robot_controller.lua:1: input 'a': option 'queue' expected an integer from 1 to 100000, got 0");
+          "robot_controller.lua:1: input 'a': option 'queue' expected a whole number from 1 to 100000, got 0");
     CHECK(refusal("input('a', 'TimedLong', '', { queue = 1.5 })") ==
-          "robot_controller.lua:1: input 'a': option 'queue' expected an integer, got 1.5");
+          "robot_controller.lua:1: input 'a': option 'queue' expected a whole number from 1 to 100000, got 1.5");
     CHECK(refusal("input('a', 'TimedLong', '', 3)") ==
           "robot_controller.lua:1: input 'a': options expected a table, got number");
     CHECK(refusal("input('a', 'TimedLong', 3)") ==

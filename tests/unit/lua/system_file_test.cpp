@@ -161,6 +161,10 @@ TEST_CASE("a map's boxes are in the arena", "[lua][system_file]") {
     REQUIRE(spec->arena.boxes.size() == 1);
     CHECK(spec->arena.boxes[0].size == Point3D{4, 5, 6});
     CHECK(spec->files.size() == 2);
+    std::string said;
+    REQUIRE(read_system_text("arena { csv 'map.csv' }", scratch.path("s.lua").string(), project,
+                             {.print = [&](std::string_view line) { said += line; }}));
+    CHECK(said == scratch.path("behaviors/map.csv").string() + ": 1 box");
     scratch.write("behaviors/map.csv", "x,y,z,lx,ly,lz,yaw\n\n1,2,3,abc,5,6,7\n");
     const auto bad = read_system_text("arena { csv 'map.csv' }", "s.lua", project);
     REQUIRE_FALSE(bad.has_value());

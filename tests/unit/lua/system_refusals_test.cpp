@@ -27,7 +27,9 @@ TEST_CASE("seed, rate and the physics step are set once", "[lua][system_file]") 
     CHECK(error("rate()") == "s.lua:1: rate: expected an argument, got none");
     CHECK(error("physics { step = -1 }") == "s.lua:1:11: physics: field 'step' expected a positive number, got -1");
     CHECK(error("physics { stepp = 1 }") == "s.lua:1:11: physics: unknown field 'stepp' (did you mean 'step'?)");
-    CHECK(error("physics {}") == "s.lua:1: physics: field 'step' is missing: expected seconds, for example 0.005");
+    CHECK(error("physics {}") ==
+          "s.lua:1: physics: field 'step' is missing: expected a positive number in s: of time that the physics "
+          "advances at once; a tick is a whole number of them");
 }
 
 TEST_CASE("a tick is a whole number of physics steps", "[lua][system_file]") {
@@ -102,17 +104,18 @@ TEST_CASE("a value of the wrong kind is told with its field", "[lua][system_file
 
 TEST_CASE("a missing field is told with what belongs there", "[lua][system_file]") {
     CHECK(error("robot 'm' {}") ==
-          "s.lua:1: robot 'm': field 'model' is missing: expected a robot's model, for example \"raspimouse\"");
+          "s.lua:1: robot 'm': field 'model' is missing: expected a text: a robot's file, for example \"raspimouse\"");
     CHECK(error("behavior 'c' {}") ==
-          "s.lua:1: behavior 'c': field 'script' is missing: expected a behaviour's file, for example "
+          "s.lua:1: behavior 'c': field 'script' is missing: expected a text: a behaviour's file, for example "
           "\"robot_controller\"");
-    CHECK(
-        error("component 'c' {}") ==
-        "s.lua:1: component 'c': field 'type' is missing: expected a native component's type, for example \"Camera\"");
+    CHECK(error("component 'c' {}") ==
+          "s.lua:1: component 'c': field 'type' is missing: expected a text: a native component's type, for example "
+          "\"Camera\"");
     CHECK(error("arena { box { size = { 1, 1, 1 } } }") ==
-          "s.lua:1: box: field 'at' is missing: expected { x, y, z } of the centre in metres");
+          "s.lua:1: box: field 'at' is missing: expected { x, y, z } in m: centre; without z it stands on the "
+          "floor");
     CHECK(error("arena { marker { at = { 1, 1, 1 } } }") ==
-          "s.lua:1: marker: field 'id' is missing: expected a tag's number from 0 to 586");
+          "s.lua:1: marker: field 'id' is missing: expected a whole number from 0 to 586: the tag's number");
 }
 
 TEST_CASE("things of an arena have a size", "[lua][system_file]") {

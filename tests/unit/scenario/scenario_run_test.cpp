@@ -120,12 +120,16 @@ TEST_CASE("errors of a scenario name its line", "[lua][scenario][run]") {
 
 TEST_CASE("options of an expectation are checked", "[lua][scenario][run]") {
     const auto with = [](const std::string& line) { return outcome_of("s:load 'systems/stop_at_wall.lua'\n" + line); };
-    CHECK(with("s:maintain('m', { within = 1 }, function() return true end)") ==
-          "could not run: it_test.lua:3: maintain: 'm': expected an option 'hold', in seconds");
+    CHECK(
+        with("s:maintain('m', { within = 1 }, function() return true end)") ==
+        "could not run: it_test.lua:3: maintain: 'm': option 'hold' is missing: expected a number from 0 on in s: the "
+        "condition must stay true so long");
     CHECK(with("s:eventually('e', { witin = 1 }, function() return true end)") ==
           "could not run: it_test.lua:3: eventually: 'e': unknown option 'witin' (did you mean 'within'?)");
     CHECK(with("s:eventually('e', { within = 'x' }, function() return true end)") ==
-          "could not run: it_test.lua:3: eventually: 'e': option 'within' expected seconds from 0 on, got string");
+          "could not run: it_test.lua:3: eventually: 'e': option 'within' expected a number from 0 on, got string");
+    CHECK(with("s:always('a', { within = 1 }, function() return true end)") ==
+          "could not run: it_test.lua:3: always: 'a': unknown option 'within': there are no options here");
     CHECK(with("s:always('a', true)") ==
           "could not run: it_test.lua:3: always: 'a': expected options (a table) or a function, got boolean");
     CHECK(with("s:always(function() return true end)") ==

@@ -138,7 +138,7 @@ TEST_CASE("declarations are checked", "[lua][scenario][session]") {
     CHECK(refused("scenario('a', { timout = 3 }, function() end)") ==
           "1: scenario 'a': unknown option 'timout' (did you mean 'timeout'?)");
     CHECK(refused("scenario('a',\n{ timeout = 0 }, function() end)") ==
-          "2: scenario 'a': option 'timeout' expected seconds above 0, got 0");
+          "2: scenario 'a': option 'timeout' expected a positive number, got 0");
     CHECK(refused("scenario('a', {})") == "1: scenario 'a': expected a function after the options, got nothing");
     CHECK(refused("scenario(function() end)") == "1: scenario: expected a name, got function");
     CHECK(refused("scenario('a', { sweep = { x = {} } }, function() end)") ==
@@ -150,6 +150,6 @@ TEST_CASE("declarations are checked", "[lua][scenario][session]") {
     CHECK(refused("scenario('a', { sweep = { x = { 1, 'b', 1 } } }, function() end)") ==
           "1: scenario 'a': option 'sweep': 'x' has the value 1 twice");
     CHECK(refused("scenario('a', { samples = 3 }, function() end)") ==
-          "1: scenario 'a': option 'samples' needs a sweep to draw from");
+          "1: scenario 'a': option 'samples': there is no sweep to draw from");
     CHECK(refused("scenaro('a', function() end)") == "1: unknown global 'scenaro' (did you mean 'scenario'?)");
 }

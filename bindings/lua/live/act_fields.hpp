@@ -1,0 +1,60 @@
+// The tables that acts on robots and markers take: every field, its unit and its meaning.
+#pragma once
+
+#include <optional>
+
+#include "engine/ports/setting.hpp"
+#include "engine/world/world.hpp"
+
+namespace nezumi {
+
+/// Where a robot is put.
+struct RobotPlace {
+    double x = 0;        ///< [m]
+    double y = 0;        ///< [m]
+    double heading = 0;  ///< [rad]
+};
+
+template <>
+struct Describe<RobotPlace> {
+    static constexpr std::string_view name = "pose";
+    static constexpr std::string_view doc = "Where a robot is put.";
+    static constexpr std::tuple fields{
+        Setting{"x", &RobotPlace::x, "m", ""},
+        Setting{"y", &RobotPlace::y, "m", ""},
+        Setting{"heading", &RobotPlace::heading, "rad", "counter-clockwise, 0 looks along x"},
+    };
+};
+
+/// Where a marker is carried; what is left out stays.
+struct MarkerPlace {
+    std::optional<double> x, y, z, heading;
+};
+
+template <>
+struct Describe<MarkerPlace> {
+    static constexpr std::string_view name = "marker_pose";
+    static constexpr std::string_view doc = "Where a marker is carried.";
+    static constexpr std::tuple fields{
+        Setting{"x", &MarkerPlace::x, "m", "", {.fallback = "as it is"}},
+        Setting{"y", &MarkerPlace::y, "m", "", {.fallback = "as it is"}},
+        Setting{"z", &MarkerPlace::z, "m", "of its centre", {.fallback = "as it is"}},
+        Setting{"heading", &MarkerPlace::heading, "rad", "into which it looks", {.fallback = "as it is"}},
+    };
+};
+
+template <>
+struct Describe<Push> {
+    static constexpr std::string_view name = "push";
+    static constexpr std::string_view doc = "Speeds that a hand forces on a robot.";
+    static constexpr std::array<std::string_view, 2> kinds{"a component's disturb", "s:disturb"};
+    static constexpr unsigned at_once = 1U << 0U, in_scenarios = 1U << 1U;
+    static constexpr std::tuple fields{
+        Setting{"vx", &Push::vx, "m/s", "along the robot's x axis", {.fallback = "free"}},
+        Setting{"vy", &Push::vy, "m/s", "along the robot's y axis", {.fallback = "free"}},
+        Setting{"va", &Push::va, "rad/s", "yaw rate, counter-clockwise", {.fallback = "free"}},
+        Extra{"seconds", "number", "s", "how long", {.of = in_scenarios, .fallback = "until `s:restore`"}},
+    };
+};
+
+}  // namespace nezumi

@@ -1,0 +1,47 @@
+// The options of a behaviour's declarations: every one, its meaning and what may stand in it.
+#pragma once
+
+#include "bindings/lua/script/script.hpp"
+#include "engine/ports/setting.hpp"
+
+namespace nezumi {
+
+template <>
+struct Describe<PortDeclaration> {
+    static constexpr std::string_view name = "port_options";
+    static constexpr std::string_view doc = "Options of a port.";
+    static constexpr std::array<std::string_view, 2> kinds{"input", "output"};
+    static constexpr unsigned input = 1U << 0U, output = 1U << 1U;
+    static constexpr std::tuple fields{
+        Setting{"queue",
+                &PortDeclaration::queue,
+                "",
+                "so many unread messages are kept, the oldest is dropped",
+                {.min = 1, .max = 100'000, .of = input, .fallback = "the latest only"}},
+        Extra{"safe",
+              "a value of the port's type",
+              "",
+              "written when the component stops",
+              {.of = output, .fallback = "0 for TimedVelocity2D, else nothing"}},
+        Internal{&PortDeclaration::direction},
+        Internal{&PortDeclaration::name},
+        Internal{&PortDeclaration::type},
+        Internal{&PortDeclaration::doc},
+        Internal{&PortDeclaration::safe},
+        Internal{&PortDeclaration::place},
+    };
+};
+
+template <>
+struct Describe<ScriptAbout> {
+    static constexpr std::string_view name = "about";
+    static constexpr std::string_view doc = "Says who made this component, and what it is.";
+    static constexpr std::tuple fields{
+        Setting{"version", &ScriptAbout::version, "", ""},
+        Setting{"vendor", &ScriptAbout::vendor, "", ""},
+        Setting{"category", &ScriptAbout::category, "", ""},
+        Internal{&ScriptAbout::given},
+    };
+};
+
+}  // namespace nezumi

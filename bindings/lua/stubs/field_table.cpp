@@ -1,0 +1,61 @@
+// Writes the tables, and puts them where a page asks for them.
+#include "bindings/lua/stubs/field_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace nezumi {
+namespace {
+
+constexpr std::string_view opening = "<!-- fields: ", closing = "<!-- end -->";
+
+// A cell can't have a bar.
+std::string cell(std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 4) text.replace(at, 1, " or ");
+    return text;
+}
+
+std::string default_of(const FieldRow& row) {
+    if (row.required) return "required";
+    const bool is_value = row.fallback.find_first_of("`0123456789") != std::string::npos ||
+                          row.fallback.starts_with('"') || row.fallback == "true" || row.fallback == "false";
+    const bool is_quoted = row.fallback.find_first_of("` ") != std::string::npos && !row.fallback.starts_with('{');
+    return is_value && !is_quoted ? "`" + row.fallback + "`" : row.fallback;
+}
+
+}  // namespace
+
+std::string field_table(const RecordShape& record) {
+    const bool has_kinds =
+        std::any_of(record.rows.begin(), record.rows.end(), [](const FieldRow& row) { return !row.kinds.empty(); });
+    std::string text = has_kinds ? "| of | field | value | default | meaning |\n|---|---|---|---|---|\n"
+                                 : "| field | value | default | meaning |\n|---|---|---|---|\n";
+    for (const FieldRow& row : record.rows) {
+        if (has_kinds) text += fmt::format("| {} ", row.kinds.empty() ? "all" : row.kinds);
+        const std::string value = cell(row.values.empty() ? row.type : row.values);
+        const std::string unit = row.unit.empty() ? "" : fmt::format(" [{}]", row.unit);
+        text += fmt::format("| `{}` | {}{} | {} | {} |\n", row.name, value, unit, default_of(row), row.doc);
+    }
+    return text;
+}
+
+Expected<std::string> with_field_tables(std::string_view page, const std::vector<RecordShape>& records) {
+    std::string text;
+    for (;;) {
+        const std::size_t begin = page.find(opening);
+        if (begin == std::string_view::npos) return text + std::string(page);
+        const std::size_t end_of_line = page.find('\n', begin), end = page.find(closing, begin);
+        if (end == std::string_view::npos) return failure("a marker for fields has no end");
+        const std::string_view name =
+            page.substr(begin + opening.size(), page.find(' ', begin + opening.size()) - begin - opening.size());
+        const auto record = std::find_if(records.begin(), records.end(), [&](const auto& r) { return r.name == name; });
+        if (record == records.end()) return failure(fmt::format("there are no fields of '{}'", name));
+        text += page.substr(0, end_of_line + 1);
+        text += field_table(*record);
+        text += closing;
+        page.remove_prefix(end + closing.size());
+    }
+}
+
+}  // namespace nezumi

@@ -1,0 +1,87 @@
+// The options of a scenario's words: every one, its unit, its meaning and what may stand in it.
+#pragma once
+
+#include <vector>
+
+#include "bindings/lua/files/record_shape.hpp"
+#include "bindings/scenario/expectation.hpp"
+#include "bindings/scenario/scenario_file.hpp"
+#include "engine/ports/setting.hpp"
+
+namespace nezumi {
+
+template <>
+struct Describe<Scenario> {
+    static constexpr std::string_view name = "scenario_options";
+    static constexpr std::string_view doc = "Options of a scenario.";
+    static constexpr std::tuple fields{
+        Setting{"timeout",
+                &Scenario::timeout,
+                "s",
+                "simulated time after which the scenario fails",
+                {.range = NumberRange::positive, .most = 1e9}},
+        Extra{
+            "sweep", "table<string, any[]|Range>", "",
+            "one run for each combination, `{ speed = { 0.1, 0.2 }, ... }`, the keys in sorted order. `range(lo, hi)` "
+            "instead of a list draws numbers at random, `range(lo, hi, step)` those of a step: all values when they "
+            "are no more than `samples`, else without repetition"},
+        Extra{"samples",
+              "integer",
+              "",
+              "how many random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, to "
+              "values that stand earlier in their list",
+              {.fallback = "20 when a sweep has a range"}},
+        Internal{&Scenario::name},
+        Internal{&Scenario::place},
+        Internal{&Scenario::sweep},
+    };
+};
+
+template <>
+struct Describe<Expectation::Terms> {
+    static constexpr std::string_view name = "expectation_options";
+    static constexpr std::string_view doc = "Options of what is expected over time.";
+    static constexpr std::array<std::string_view, 5> kinds{"always", "never", "wait_until", "eventually", "maintain"};
+    static constexpr unsigned wait_until = 1U << 2U, eventually = 1U << 3U, maintain = 1U << 4U;
+    static constexpr std::tuple fields{
+        Setting{"within",
+                &Expectation::Terms::within,
+                "s",
+                "the event must come, or the hold begin, so soon",
+                {.range = NumberRange::not_negative,
+                 .most = 1e9,
+                 .of = wait_until | eventually | maintain,
+                 .fallback = "the scenario's timeout"}},
+        Setting{"hold",
+                &Expectation::Terms::hold,
+                "s",
+                "the condition must stay true so long",
+                {.required = true, .range = NumberRange::not_negative, .most = 1e9, .of = maintain}},
+        Internal{&Expectation::Terms::kind},
+        Internal{&Expectation::Terms::name},
+        Internal{&Expectation::Terms::place},
+    };
+};
+
+/// What `s:golden` takes beside its ports.
+struct GoldenOptions {
+    double tolerance = 1e-9;
+};
+
+template <>
+struct Describe<GoldenOptions> {
+    static constexpr std::string_view name = "golden_options";
+    static constexpr std::string_view doc = "Options of a comparison with a committed trace.";
+    static constexpr std::tuple fields{
+        Setting{"tolerance",
+                &GoldenOptions::tolerance,
+                "",
+                "by which a number may differ",
+                {.range = NumberRange::not_negative, .most = 1e300}},
+    };
+};
+
+/// These structures as data.
+const std::vector<RecordShape>& scenario_records();
+
+}  // namespace nezumi

@@ -1,0 +1,51 @@
+// The options of a parameter's declaration: every one, its meaning and what may stand in it.
+#pragma once
+
+#include <limits>
+
+#include "engine/components/parameter.hpp"
+#include "engine/ports/setting.hpp"
+
+namespace nezumi {
+
+/// The ways in which a person is shown a parameter, named as in OpenRTM. A slider needs both bounds; radio needs
+/// choices; a checkbox shows a truth value, or an array as a part of its choices; an ordered list shows an array of its
+/// choices.
+inline constexpr std::array<std::string_view, 6> widgets{"slider", "spin", "radio", "checkbox", "ordered_list", "text"};
+
+template <>
+struct Describe<ParameterSpec> {
+    static constexpr std::string_view name = "parameter_options";
+    static constexpr std::string_view doc =
+        "Options of a parameter. Bounds are inclusive and hold whoever sets the value.";
+    static constexpr std::array<std::string_view, 4> kinds{"numbers", "arrays of numbers", "other arrays",
+                                                           "all others"};
+    static constexpr double any = std::numeric_limits<double>::max();
+    static constexpr unsigned numbers = 1U << 0U | 1U << 1U, arrays = 1U << 1U | 1U << 2U;
+    static constexpr std::tuple fields{
+        Setting{"min",
+                &ParameterSpec::min,
+                "",
+                "smallest value; of each element of an array",
+                {.most = any, .of = numbers}},
+        Setting{
+            "max", &ParameterSpec::max, "", "largest value; of each element of an array", {.most = any, .of = numbers}},
+        Setting{"step",
+                &ParameterSpec::step,
+                "",
+                "of the widget only",
+                {.range = NumberRange::positive, .most = any, .of = numbers, .fallback = "none"}},
+        Setting{"widget", &ParameterSpec::widget, "", "how it is shown for a person to change", {.choices = widgets}},
+        Setting{"unit", &ParameterSpec::unit, "", "for example \"m/s\""},
+        Setting{"doc", &ParameterSpec::doc, "", "what it means"},
+        Extra{"choices", "ParameterValue[]", "", "the values that may be chosen; without: all within the bounds"},
+        Setting{"min_size", &ParameterSpec::min_size, "", "fewest elements", {.max = 1'000'000, .of = arrays}},
+        Setting{"max_size", &ParameterSpec::max_size, "", "most elements", {.max = 1'000'000, .of = arrays}},
+        Internal{&ParameterSpec::name},
+        Internal{&ParameterSpec::initial},
+        Internal{&ParameterSpec::choices},
+        Internal{&ParameterSpec::place},
+    };
+};
+
+}  // namespace nezumi

@@ -1,0 +1,107 @@
+// The words of a system file: every field, its unit, its meaning and what may stand in it.
+#pragma once
+
+#include "engine/ports/setting.hpp"
+#include "engine/system/system_spec.hpp"
+#include "engine/world/arena_fields.hpp"
+#include "engine/world/robot_fields.hpp"
+
+namespace nezumi {
+
+/// What a system file sets of a robot's limits; the rest is the model's. Units as in `Limits`.
+struct LimitChanges {
+    std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
+};
+
+template <>
+struct Describe<LimitChanges> {
+    static constexpr std::string_view name = "limits";
+    static constexpr std::string_view doc = Describe<Limits>::doc;
+    static constexpr auto& fields = limit_fields<LimitChanges>;
+};
+
+template <>
+struct Describe<RobotEntry> {
+    static constexpr std::string_view name = "robot";
+    static constexpr std::string_view doc = "A robot of the system.";
+    static constexpr std::tuple fields{
+        Setting{"model", &RobotEntry::model, "", "a robot's file, for example \"raspimouse\"", {.required = true}},
+        Setting{"pose", &RobotEntry::pose, "", "where it starts"},
+        Extra{"limits", "LimitsFields", "", "in the place of the model's"},
+        Setting{"backend", &RobotEntry::backend, "", "\"sim\", or the name of a driver"},
+        Setting{"active", &RobotEntry::active, "", "whether it is activated at the start"},
+        Internal{&RobotEntry::name},
+        Internal{&RobotEntry::speed},
+        Internal{&RobotEntry::yaw_rate},
+        Internal{&RobotEntry::acceleration},
+        Internal{&RobotEntry::yaw_acceleration},
+        Internal{&RobotEntry::place},
+    };
+};
+
+template <>
+struct Describe<BehaviorEntry> {
+    static constexpr std::string_view name = "behavior";
+    static constexpr std::string_view doc = "A component written in Lua.";
+    static constexpr std::tuple fields{
+        Setting{"script",
+                &BehaviorEntry::script,
+                "",
+                "a behaviour's file, for example \"robot_controller\"",
+                {.required = true}},
+        Setting{"config", &BehaviorEntry::config, "", "values of its parameters"},
+        Setting{"sets", &BehaviorEntry::sets, "", "values of parameters that are chosen together, by the set's name"},
+        Setting{"set", &BehaviorEntry::set, "", "the set in use; what it leaves out keeps the value of `config`"},
+        Setting{"rate",
+                &BehaviorEntry::rate,
+                "Hz",
+                "executions a second, at most the tick's",
+                {.range = NumberRange::positive, .fallback = "the tick's"}},
+        Setting{"active", &BehaviorEntry::active, "", "whether it is activated at the start"},
+        Internal{&BehaviorEntry::name},
+        Internal{&BehaviorEntry::path},
+        Internal{&BehaviorEntry::place},
+    };
+};
+
+template <>
+struct Describe<ComponentEntry> {
+    static constexpr std::string_view name = "component";
+    static constexpr std::string_view doc = "A native component.";
+    static constexpr std::tuple fields{
+        Setting{
+            "type", &ComponentEntry::type, "", "a native component's type, for example \"Camera\"", {.required = true}},
+        Setting{"config", &ComponentEntry::config, "", "values of its parameters"},
+        Setting{"rate",
+                &ComponentEntry::rate,
+                "Hz",
+                "executions a second, at most the tick's",
+                {.range = NumberRange::positive, .fallback = "the type's own"}},
+        Setting{"on", &ComponentEntry::on, "", "the robot that carries it"},
+        Setting{"at", &ComponentEntry::at, "m", "on that robot, from the middle of the wheels' axis on the floor"},
+        Setting{"yaw", &ComponentEntry::yaw, "rad", "on that robot, counter-clockwise"},
+        Setting{"active", &ComponentEntry::active, "", "whether it is activated at the start"},
+        Internal{&ComponentEntry::name},
+        Internal{&ComponentEntry::place},
+    };
+};
+
+/// What the word `physics` sets.
+struct PhysicsFields {
+    double step = SystemSpec{}.physics_step;
+};
+
+template <>
+struct Describe<PhysicsFields> {
+    static constexpr std::string_view name = "physics";
+    static constexpr std::string_view doc = "How the simulation runs.";
+    static constexpr std::tuple fields{
+        Setting{"step",
+                &PhysicsFields::step,
+                "s",
+                "of time that the physics advances at once; a tick is a whole number of them",
+                {.required = true, .range = NumberRange::positive}},
+    };
+};
+
+}  // namespace nezumi

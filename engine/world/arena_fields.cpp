@@ -1,0 +1,44 @@
+// What the words of an arena mean.
+#include "engine/world/arena_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "engine/base/names.hpp"
+
+namespace nezumi {
+
+BoxSpec box_of(const WallSpec& wall) {
+    const double x = wall.to.x - wall.from.x, y = wall.to.y - wall.from.y;
+    BoxSpec box;
+    box.at = {(wall.from.x + wall.to.x) / 2, (wall.from.y + wall.to.y) / 2, wall.height / 2};
+    box.size = {std::hypot(x, y), wall.thickness, wall.height};
+    box.yaw = std::atan2(y, x);
+    box.color = wall.color;
+    box.place = wall.place;
+    return box;
+}
+
+std::string adopt_color(std::string& text) {
+    const bool hex = text.size() == 7 && text[0] == '#' &&
+                     std::all_of(text.begin() + 1, text.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
+    if (hex) return "";
+    std::vector<std::string_view> names;
+    for (const NamedColor& color : named_colors) {
+        if (color.name == text) {
+            text = color.hex;
+            return "";
+        }
+        names.push_back(color.name);
+    }
+    return fmt::format("expected \"#rrggbb\" or the name of a colour, got '{}'{}", text, did_you_mean(text, names));
+}
+
+std::string adopt_identifier(std::string& text) {
+    return is_identifier(text) ? "" : fmt::format("expected letters, digits and _, got '{}'", text);
+}
+
+}  // namespace nezumi

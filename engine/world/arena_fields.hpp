@@ -1,0 +1,189 @@
+// The things of an arena as a system file writes them: every field, its unit, its meaning and what may stand in it.
+#pragma once
+
+#include "engine/ports/setting.hpp"
+#include "engine/world/arena_spec.hpp"
+
+namespace nezumi {
+
+inline constexpr double least_length = 1e-4;  ///< [m] thinner things have no physics
+inline constexpr double least_mass = 1e-3;    ///< [kg] what is lighter is thrown about by rounding
+inline constexpr int last_tag = 586;          ///< AprilTag family 36h11 has 587 tags
+
+/// The names of colours that a file may use for "#rrggbb".
+struct NamedColor {
+    std::string_view name;
+    std::string_view hex;
+};
+inline constexpr NamedColor named_colors[] = {
+    {"black", "#1c1c1c"},  {"white", "#f5f5f5"}, {"gray", "#8a8f98"},   {"grey", "#8a8f98"},   {"red", "#d6453d"},
+    {"green", "#3f9b4f"},  {"blue", "#3568c4"},  {"yellow", "#e8c33c"}, {"orange", "#e08a2e"}, {"brown", "#7a5230"},
+    {"purple", "#8550a8"}, {"pink", "#e58fb1"},  {"cyan", "#3fb0c0"}};
+
+/// A wall between two places; it becomes a box.
+struct WallSpec {
+    Point2D from{};           ///< [m]
+    Point2D to{};             ///< [m]
+    double height = 0.1;      ///< [m]
+    double thickness = 0.02;  ///< [m]
+    std::string color = BoxSpec{}.color;
+    Place place{};
+};
+
+BoxSpec box_of(const WallSpec& wall);
+
+/// The walls around an arena.
+struct BorderSpec {
+    double thickness = ArenaSpec{}.border_thickness;  ///< [m]
+    double height = ArenaSpec{}.border_height;        ///< [m]
+};
+
+/// "#rrggbb" stays, a colour's name becomes its "#rrggbb"; of any other text, what was expected.
+std::string adopt_color(std::string& text);
+/// Letters, digits and underscores; of any other text, what was expected.
+std::string adopt_identifier(std::string& text);
+
+template <>
+struct Describe<BoxSpec> {
+    static constexpr std::string_view name = "box";
+    static constexpr std::string_view doc = "A box, fixed or movable.";
+    static constexpr std::tuple fields{
+        Setting{"at", &BoxSpec::at, "m", "centre; without z it stands on the floor", {.required = true, .level = true}},
+        Setting{"size",
+                &BoxSpec::size,
+                "m",
+                "length, width, height",
+                {.required = true, .range = NumberRange::positive, .least = least_length}},
+        Setting{"yaw", &BoxSpec::yaw, "rad", "turn about the vertical, counter-clockwise"},
+        Setting{"pitch", &BoxSpec::pitch, "rad", "makes a ramp: a positive one lowers the front; only without a mass"},
+        Setting{"color",
+                &BoxSpec::color,
+                "",
+                "\"#rrggbb\" or the name of a colour",
+                {.fallback = "\"gray\"", .adopt = adopt_color}},
+        Setting{"mass",
+                &BoxSpec::mass,
+                "kg",
+                "a mass makes it movable",
+                {.range = NumberRange::not_negative, .least = least_mass}},
+        Internal{&BoxSpec::place},
+    };
+};
+
+template <>
+struct Describe<WallSpec> {
+    static constexpr std::string_view name = "wall";
+    static constexpr std::string_view doc = "A wall on the floor from one place to another.";
+    static constexpr std::tuple fields{
+        Setting{"from", &WallSpec::from, "m", "middle of one end", {.required = true}},
+        Setting{"to", &WallSpec::to, "m", "middle of the other end", {.required = true}},
+        Setting{"height", &WallSpec::height, "m", "", {.range = NumberRange::positive, .least = least_length}},
+        Setting{"thickness", &WallSpec::thickness, "m", "", {.range = NumberRange::positive, .least = least_length}},
+        Setting{"color", &WallSpec::color, "", "as of a box", {.fallback = "\"gray\"", .adopt = adopt_color}},
+        Internal{&WallSpec::place},
+    };
+};
+
+template <>
+struct Describe<CylinderSpec> {
+    static constexpr std::string_view name = "cylinder";
+    static constexpr std::string_view doc = "An upright cylinder, fixed or movable.";
+    static constexpr std::tuple fields{
+        Setting{"at",
+                &CylinderSpec::at,
+                "m",
+                "centre; without z it stands on the floor",
+                {.required = true, .level = true}},
+        Setting{"radius",
+                &CylinderSpec::radius,
+                "m",
+                "",
+                {.required = true, .range = NumberRange::positive, .least = least_length}},
+        Setting{"height",
+                &CylinderSpec::height,
+                "m",
+                "",
+                {.required = true, .range = NumberRange::positive, .least = least_length}},
+        Setting{"color", &CylinderSpec::color, "", "as of a box", {.fallback = "\"gray\"", .adopt = adopt_color}},
+        Setting{"mass",
+                &CylinderSpec::mass,
+                "kg",
+                "a mass makes it movable",
+                {.range = NumberRange::not_negative, .least = least_mass}},
+        Internal{&CylinderSpec::place},
+    };
+};
+
+template <>
+struct Describe<MarkerSpec> {
+    static constexpr std::string_view name = "marker";
+    static constexpr std::string_view doc = "An AprilTag of the family 36h11, without thickness.";
+    static constexpr std::tuple fields{
+        Setting{"id", &MarkerSpec::id, "", "the tag's number", {.required = true, .max = last_tag}},
+        Setting{"name",
+                &MarkerSpec::name,
+                "",
+                "for teleport; letters, digits and _",
+                {.fallback = "\"marker_ID\"", .adopt = adopt_identifier}},
+        Setting{"size",
+                &MarkerSpec::size,
+                "m",
+                "edge of the black border",
+                {.range = NumberRange::positive, .least = least_length}},
+        Setting{"at", &MarkerSpec::at, "m", "centre", {.required = true}},
+        Setting{"facing", &MarkerSpec::facing, "rad", "the yaw into which it looks"},
+        Internal{&MarkerSpec::place},
+    };
+};
+
+template <>
+struct Describe<FloorSpec> {
+    static constexpr std::string_view name = "floor";
+    static constexpr std::string_view doc = "A picture on the floor, its middle at the origin.";
+    static constexpr std::tuple fields{
+        Setting{"image",
+                &FloorSpec::image,
+                "",
+                "a PNG file; its upper edge lies towards positive y, its right one towards positive x",
+                {.required = true}},
+        Setting{"size",
+                &FloorSpec::size,
+                "m",
+                "of the whole picture along x and y",
+                {.required = true, .range = NumberRange::positive}},
+        Internal{&FloorSpec::place},
+    };
+};
+
+template <>
+struct Describe<BorderSpec> {
+    static constexpr std::string_view name = "border";
+    static constexpr std::string_view doc = "The walls around an arena.";
+    static constexpr std::tuple fields{
+        Setting{"thickness", &BorderSpec::thickness, "m", "", {.range = NumberRange::positive, .least = least_length}},
+        Setting{"height", &BorderSpec::height, "m", "", {.range = NumberRange::positive, .least = least_length}},
+    };
+};
+
+template <>
+struct Describe<ArenaSpec> {
+    static constexpr std::string_view name = "arena";
+    static constexpr std::string_view doc = "The floor and what stands on it. Several arenas add up.";
+    static constexpr std::tuple fields{
+        Setting{"size",
+                &ArenaSpec::size,
+                "m",
+                "inner length and width, the middle at the origin; without: unbounded",
+                {.range = NumberRange::positive}},
+        Extra{"border", "boolean|BorderFields", "", "walls around `size`", {.fallback = "true"}},
+        Internal{&ArenaSpec::border},
+        Internal{&ArenaSpec::border_thickness},
+        Internal{&ArenaSpec::border_height},
+        Internal{&ArenaSpec::boxes},
+        Internal{&ArenaSpec::cylinders},
+        Internal{&ArenaSpec::markers},
+        Internal{&ArenaSpec::floor},
+    };
+};
+
+}  // namespace nezumi

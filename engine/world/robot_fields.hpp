@@ -1,0 +1,269 @@
+// A robot file's tables: every field, its unit, its meaning and what may stand in it.
+#pragma once
+
+#include "engine/ports/setting.hpp"
+#include "engine/world/robot_spec.hpp"
+
+namespace nezumi {
+
+inline constexpr double least_robot_length = 1e-3;  ///< [m] of a hull or between wheels: smaller can't be simulated
+inline constexpr double least_robot_mass = 1e-3;    ///< [kg]
+inline constexpr double hull_clearance = 0.01;      ///< [m] below a hull whose height nobody gave
+
+/// The four limits of `S`, a structure that has them under these names.
+template <class S>
+inline constexpr std::tuple limit_fields{
+    Setting{"speed", &S::speed, "m/s", "along x, both ways", {.range = NumberRange::positive}},
+    Setting{"yaw_rate", &S::yaw_rate, "rad/s", "", {.range = NumberRange::positive}},
+    Setting{"acceleration", &S::acceleration, "m/s^2", "", {.range = NumberRange::positive}},
+    Setting{"yaw_acceleration", &S::yaw_acceleration, "rad/s^2", "", {.range = NumberRange::positive}},
+};
+
+template <>
+struct Describe<Limits> {
+    static constexpr std::string_view name = "limits";
+    static constexpr std::string_view doc = "What a velocity command may ask of a robot.";
+    static constexpr auto& fields = limit_fields<Limits>;
+};
+
+template <>
+struct Choices<BodySpec::Shape> {
+    static constexpr std::array<std::string_view, 2> names{"box", "cylinder"};
+};
+
+template <>
+struct Describe<BodySpec> {
+    static constexpr std::string_view name = "body";
+    static constexpr std::string_view doc = "The robot's hull. Without it: a box about as large as the track.";
+    static constexpr auto& kinds = Choices<BodySpec::Shape>::names;
+    static constexpr std::tuple fields{
+        Setting{"shape", &BodySpec::shape, "", "", {.selects = true}},
+        Setting{"size",
+                &BodySpec::size,
+                "m",
+                "length, width, height; of a cylinder: diameter, diameter, height",
+                {.range = NumberRange::positive, .least = least_robot_length, .by_hand = true, .fallback = "required"}},
+        Extra{"radius", "number", "m", "instead of `size`", {.of = 1U << 1U}},
+        Extra{"height", "number", "m", "instead of `size`", {.of = 1U << 1U}},
+        Setting{"at",
+                &BodySpec::at,
+                "m",
+                "centre of the hull; x, y from the middle of the wheels' axis, z from the floor",
+                {.level = true, .fallback = "1 cm over the floor"}},
+    };
+};
+
+template <>
+struct Describe<DriveSpec> {
+    static constexpr std::string_view name = "drive";
+    static constexpr std::string_view doc = "Two driven wheels on one axis, and skids before and behind.";
+    static constexpr std::tuple fields{
+        Setting{"radius",
+                &DriveSpec::radius,
+                "m",
+                "of the wheels",
+                {.required = true, .range = NumberRange::positive, .least = least_robot_length}},
+        Setting{"track",
+                &DriveSpec::track,
+                "m",
+                "between the wheels",
+                {.required = true, .range = NumberRange::positive, .least = least_robot_length}},
+        Setting{"pulses_per_turn",
+                &DriveSpec::pulses_per_turn,
+                "",
+                "of the encoders, a wheel turn; 0: continuous",
+                {.range = NumberRange::not_negative}},
+        Setting{"skid",
+                &DriveSpec::skid,
+                "m",
+                "how far the skids stand before and behind the axis",
+                {.range = NumberRange::positive, .fallback = "0.4 of the hull's length"}},
+        Setting{"coasts_until_commanded", &DriveSpec::coasts_until_commanded, "",
+                "the wheels roll freely until the first command after activation"},
+        Setting{"limits", &DriveSpec::limits, "", "each can be set again per robot in the system file"},
+        Setting{"hardware_limits",
+                &DriveSpec::hardware_limits,
+                "",
+                "on the real robot, until it is calibrated",
+                {.fallback = "`limits`"}},
+    };
+};
+
+template <>
+struct Choices<SensorSpec::Kind> {
+    static constexpr std::array<std::string_view, 6> names{"range", "button", "touch", "gyro", "color", "reflect"};
+};
+
+template <>
+struct Describe<SensorSpec> {
+    static constexpr std::string_view name = "sensor";
+    static constexpr std::string_view doc =
+        "A sensor: a distance, a button, a bumper, a yaw angle, the floor's colour, light from the floor.";
+    static constexpr auto& kinds = Choices<SensorSpec::Kind>::names;
+    static constexpr unsigned range_only = 1U << 0U, touch_only = 1U << 2U, gyro_only = 1U << 3U,
+                              reflect_only = 1U << 5U;
+    static constexpr std::tuple fields{
+        Setting{"kind", &SensorSpec::kind, "", "what it measures", {.required = true, .selects = true}},
+        Setting{"at", &SensorSpec::at, "m", "from the hull's centre", {.level = true}},
+        Setting{"yaw", &SensorSpec::yaw, "rad", "where it looks, counter-clockwise"},
+        Setting{"on", &SensorSpec::on, "", "the servo that carries it, in the place of the hull"},
+        Setting{
+            "range", &SensorSpec::range, "m", "it sees no farther", {.range = NumberRange::positive, .of = range_only}},
+        Setting{"minimum",
+                &SensorSpec::minimum,
+                "m",
+                "it sees no nearer",
+                {.range = NumberRange::not_negative, .of = range_only}},
+        Setting{"cone",
+                &SensorSpec::cone,
+                "rad",
+                "full opening angle; 0: a single ray",
+                {.range = NumberRange::not_negative, .of = range_only}},
+        Setting{"rays",
+                &SensorSpec::rays,
+                "",
+                "that share the cone: the nearest counts",
+                {.min = 1, .max = 1000, .of = range_only, .fallback = "5 with a `cone`, else 1"}},
+        Setting{"noise",
+                &SensorSpec::noise,
+                "",
+                "standard deviation, in the value's unit",
+                {.range = NumberRange::not_negative, .of = range_only | gyro_only | reflect_only}},
+        Extra{
+            "table",
+            "string|number[][]",
+            "",
+            "a CSV file with the columns `distance_m` and `value` beside the robot file, or points `{ { 0.01, 1394 }, "
+            "... }`. Exact at its points; nearer than the first the value goes on as a power law, farther than the "
+            "last it fades to `nothing` at `range`",
+            {.of = range_only}},
+        Extra{
+            "response",
+            "fun(distance: number): number",
+            "",
+            "instead of `table`: it is sampled when the file is read; `response(math.huge)` is the value with nothing "
+            "in sight",
+            {.of = range_only}},
+        Extra{"nothing", "number", "", "the value with nothing in sight", {.of = range_only, .fallback = "0"}},
+        Extra{"min_value", "number", "", "bound of the value", {.of = range_only, .fallback = "0 with a `table`"}},
+        Extra{"max_value", "number", "", "bound of the value", {.of = range_only, .fallback = "4095 with a `table`"}},
+        Setting{"drift", &SensorSpec::drift, "rad/s", "", {.of = gyro_only}},
+        Setting{"max_rate",
+                &SensorSpec::max_rate,
+                "rad/s",
+                "it can follow; 0: any",
+                {.range = NumberRange::not_negative, .of = gyro_only}},
+        Setting{"travel",
+                &SensorSpec::travel,
+                "m",
+                "until it closes",
+                {.range = NumberRange::not_negative, .of = touch_only}},
+        Internal{&SensorSpec::name},
+        Internal{&SensorSpec::response},
+        Internal{&SensorSpec::has_response},
+    };
+};
+
+template <>
+struct Choices<ActuatorSpec::Kind> {
+    static constexpr std::array<std::string_view, 5> names{"leds", "buzzer", "servo", "screen", "speaker"};
+};
+
+template <>
+struct Describe<ActuatorSpec> {
+    static constexpr std::string_view name = "actuator";
+    static constexpr std::string_view doc =
+        "An actuator beside the wheels. A screen takes a CameraImage; a speaker a TimedString: `beep`, `tone,HZ,MS` or "
+        "a text to speak.";
+    static constexpr auto& kinds = Choices<ActuatorSpec::Kind>::names;
+    static constexpr unsigned leds_only = 1U << 0U, servo_only = 1U << 2U;
+    static constexpr std::tuple fields{
+        Setting{"kind", &ActuatorSpec::kind, "", "", {.required = true, .selects = true}},
+        Setting{"count", &ActuatorSpec::count, "", "how many", {.min = 1, .max = 1000, .of = leds_only}},
+        Setting{"max_rate",
+                &ActuatorSpec::max_rate,
+                "rad/s",
+                "0: any",
+                {.range = NumberRange::not_negative, .of = servo_only}},
+        Setting{"minimum", &ActuatorSpec::minimum, "rad", "", {.of = servo_only}},
+        Setting{"maximum", &ActuatorSpec::maximum, "rad", "equal to `minimum`: unlimited", {.of = servo_only}},
+        Setting{"at", &ActuatorSpec::at, "m", "its axis, from the hull's centre", {.level = true, .of = servo_only}},
+        Internal{&ActuatorSpec::name},
+    };
+};
+
+template <>
+struct Choices<PortSpec::Quantity> {
+    static constexpr std::array<std::string_view, 2> names{"value", "distance"};
+};
+
+template <>
+struct Describe<PortSpec> {
+    static constexpr std::string_view name = "port";
+    static constexpr std::string_view doc = "A port of the robot, and what it stands for.";
+    static constexpr std::array<std::string_view, 2> kinds{"out-port", "in-port"};
+    static constexpr unsigned out_only = 1U << 0U, in_only = 1U << 1U;
+    static constexpr std::tuple fields{
+        Setting{"type", &PortSpec::type, "", "a message type", {.required = true}},
+        Setting{"from",
+                &PortSpec::items,
+                "",
+                "a sensor, a list of them, `\"velocity\"` (measured at the wheels) or `\"odometry\"`",
+                {.of = out_only, .fallback = "required"}},
+        Setting{"to",
+                &PortSpec::items,
+                "",
+                "`\"drive\"`, `\"odometry\"` (sets it) or an actuator",
+                {.of = in_only, .fallback = "required"}},
+        Setting{"doc", &PortSpec::doc, "", "what editors and the console say about it"},
+        Setting{"rate",
+                &PortSpec::rate,
+                "Hz",
+                "messages a second; 0: one each tick",
+                {.range = NumberRange::not_negative, .of = out_only}},
+        Setting{"quantity",
+                &PortSpec::quantity,
+                "",
+                "`\"distance\"`: metres instead of the sensors' values",
+                {.of = out_only}},
+        Setting{"queue",
+                &PortSpec::queue,
+                "",
+                "so many unread messages are kept; 0: the latest",
+                {.max = 1000, .of = in_only}},
+        Setting{"silence",
+                &PortSpec::off_when_silent,
+                "",
+                "when nothing came for 0.5 s: the actuator holds or goes off",
+                {.words = {"hold", "off"}, .of = in_only}},
+        Internal{&PortSpec::name},
+        Internal{&PortSpec::is_input},
+    };
+};
+
+template <>
+struct Describe<RobotSpec> {
+    static constexpr std::string_view name = "robot_model";
+    static constexpr std::string_view doc = "A model of robot: `return robot_model { ... }` is a robot file.";
+    static constexpr std::tuple fields{
+        Setting{"doc", &RobotSpec::doc, "", "what it is"},
+        Setting{"mass",
+                &RobotSpec::mass,
+                "kg",
+                "of the whole robot",
+                {.required = true, .range = NumberRange::positive, .least = least_robot_mass}},
+        Setting{"drive", &RobotSpec::drive, "", "wheels, skids and limits", {.required = true, .by_hand = true}},
+        Setting{"body",
+                &RobotSpec::body,
+                "",
+                "the hull",
+                {.by_hand = true, .fallback = "a box about as large as the track"}},
+        Setting{"sensors", &RobotSpec::sensors, "", "by name", {.by_hand = true}},
+        Setting{"actuators", &RobotSpec::actuators, "", "by name", {.by_hand = true}},
+        Setting{"ports", &RobotSpec::ports, "", "by name", {.by_hand = true}},
+        Internal{&RobotSpec::model},
+        Internal{&RobotSpec::place},
+    };
+};
+
+}  // namespace nezumi

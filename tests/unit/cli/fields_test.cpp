@@ -1,0 +1,156 @@
+// Every field is described once: what the readers take, editors are told and the documentation's tables say is the
+// same.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "bindings/lua/files/robot_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/stubs/annotations.hpp"
+#include "bindings/lua/stubs/field_table.hpp"
+#include "bindings/lua/stubs/record_annotations.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
+#include "tests/unit/source_root.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = source_root();
+
+// Every described structure.
+std::vector<RecordShape> all_records() {
+    std::vector<RecordShape> records = file_records();
+    records.insert(records.end(), scenario_records().begin(), scenario_records().end());
+    return records;
+}
+
+// Where a structure's fields are written: "%" stands for them. What selects the kind stands before them.
+const std::map<std::string, std::string> systems{
+    {"box", "arena { box { % } }"},
+    {"wall", "arena { wall { % } }"},
+    {"cylinder", "arena { cylinder { % } }"},
+    {"marker", "arena { marker { % } }"},
+    {"floor", "arena { floor { % } }"},
+    {"border", "arena { border = { % } }"},
+    {"arena", "arena { % }"},
+    {"limits", "robot 'm' { model = 'raspimouse', limits = { % } }"},
+    {"robot", "robot 'm' { % }"},
+    {"behavior", "behavior 'b' { % }"},
+    {"component", "component 'c' { % }"},
+    {"physics", "physics { % }"},
+};
+const std::string wheels = "return robot_model { mass = 1, drive = { radius = 0.02, track = 0.1 }, ";
+const std::map<std::string, std::string> robots{
+    {"robot_model", "return robot_model { % }"},
+    {"body", wheels + "body = { % } }"},
+    {"drive", "return robot_model { mass = 1, drive = { % } }"},
+    {"sensor", wheels + "sensors = { s = { % } } }"},
+    {"actuator", wheels + "actuators = { a = { % } } }"},
+    {"port", wheels + "ports = { p = { % } } }"},
+};
+
+// What a reader says of a structure with these fields; nothing when it is not written in a system or robot file.
+std::string said_of(const RecordShape& record, const std::string& fields) {
+    const auto fill = [&](std::string text) { return text.replace(text.find('%'), 1, fields); };
+    const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
+    if (const auto system = systems.find(record.name); system != systems.end()) {
+        const auto read = read_system_text(fill(system->second), "behaviors/systems/s.lua", project);
+        return read ? "no error" : read.error().message;
+    }
+    if (const auto robot = robots.find(record.name); robot != robots.end()) {
+        const auto read = read_robot_text(fill(robot->second), "engine/robots/r.lua", project);
+        return read ? "no error" : read.error().message;
+    }
+    return "";
+}
+
+// What must stand before a field so that it counts: the kind, or what it is about.
+std::string before(const RecordShape& record, const FieldRow& row) {
+    const std::string kind = row.kinds.substr(0, row.kinds.find(','));
+    if (record.name == "port")
+        return row.name == "from" || row.name == "to" ? ""
+               : kind == "in-port"                    ? "to = 'drive', "
+                                                      : "from = 'velocity', ";
+    if (kind.empty()) return "";
+    const bool about_values = row.name == "nothing" || row.name == "min_value" || row.name == "max_value";
+    return (record.name == "body" ? "shape = '" : "kind = '") + kind + "', " +
+           (about_values ? "table = { { 0.1, 2 }, { 0.2, 1 } }, " : "");
+}
+
+}  // namespace
+
+TEST_CASE("the readers take every field that is described, and no other", "[cli][fields]") {
+    std::size_t tried = 0;
+    for (const RecordShape& record : file_records()) {
+        if (said_of(record, "").empty()) continue;
+        for (const FieldRow& row : record.rows) {
+            CAPTURE(record.name, row.name);
+            // A thread is no value of any field: the field is known, and that is what is wrong.
+            const std::string said =
+                said_of(record, before(record, row) + row.name + " = coroutine.create(function() end)");
+            CAPTURE(said);
+            CHECK(said.find("unknown field") == std::string::npos);
+            CHECK(said.find(row.name) != std::string::npos);
+            CHECK(said.find("got thread") != std::string::npos);
+            ++tried;
+        }
+        CHECK(said_of(record, "zzzzzzzzz = 1").find("zzzzzzzzz'") != std::string::npos);
+    }
+    CHECK(tried > 80);
+}
+
+TEST_CASE("editors are told of every field that is described", "[cli][fields]") {
+    const std::string text = annotations(scenario_records());
+    for (const RecordShape& record : all_records()) {
+        if (record.name == "port_options") continue;  // a class for each type, tried with the types
+        const std::size_t begin = text.find("---@class (exact) " + class_of(record.name) + "\n");
+        REQUIRE(begin != std::string::npos);
+        const std::string own = text.substr(begin, text.find("\n\n", begin) - begin);
+        for (const FieldRow& row : record.rows) {
+            CAPTURE(record.name, row.name);
+            CHECK(own.find("---@field " + row.name + (row.required ? " " : "? ")) != std::string::npos);
+        }
+    }
+    CHECK(text.find("---@field backend? string") != std::string::npos);
+    CHECK(text.find("---@field widget? \"slider\"|\"spin\"|\"radio\"|\"checkbox\"|\"ordered_list\"|\"text\"") !=
+          std::string::npos);
+}
+
+TEST_CASE("the documentation's tables are those of the descriptions", "[cli][fields]") {
+    std::string all;
+    for (const auto& entry : fs::directory_iterator(root / "docs")) {
+        if (entry.path().extension() != ".md") continue;
+        const auto page = read_text_file(entry.path(), entry.path().string());
+        REQUIRE(page.has_value());
+        const auto fresh = with_field_tables(*page, all_records());
+        INFO((fresh ? "run this test with NEZUMI_RENEW=1 in the environment to bring the page up to date"
+                    : fresh.error().message));
+        REQUIRE(fresh.has_value());
+        if (std::getenv("NEZUMI_RENEW") != nullptr) std::ofstream(entry.path(), std::ios::binary) << *fresh;
+        CHECK(*fresh == *page);
+        all += *page;
+    }
+    for (const RecordShape& record : all_records()) {
+        CAPTURE(record.name);
+        if (record.name == "about" || record.name == "parameter_options" || record.name == "port_options") continue;
+        CHECK(all.find("<!-- fields: " + record.name + " -->") != std::string::npos);
+    }
+}
+
+TEST_CASE("a page that asks for fields that nobody described is refused", "[cli][fields]") {
+    CHECK(with_field_tables("a\n<!-- fields: bxo -->\n<!-- end -->\n", file_records()).error().message ==
+          "there are no fields of 'bxo'");
+    CHECK(with_field_tables("<!-- fields: box -->\n", file_records()).error().message ==
+          "a marker for fields has no end");
+    CHECK(with_field_tables("no table", file_records()) == "no table");
+    CHECK(with_field_tables("x\n<!-- fields: border -->\nold\n<!-- end -->\ny\n", file_records()) ==
+          "x\n<!-- fields: border -->\n| field | value | default | meaning |\n|---|---|---|---|\n"
+          "| `thickness` | a positive number [m] | `0.02` |  |\n| `height` | a positive number [m] | `0.1` |  |\n"
+          "<!-- end -->\ny\n");
+}
