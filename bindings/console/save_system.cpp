@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -76,6 +77,59 @@ Expected<void> write_file(const std::filesystem::path& path, const std::string& 
     return {};
 }
 
+// Where the system lies, in and below which it may be saved: its project, else the folder of its file.
+std::filesystem::path home_of(const LiveSystem& live) {
+    if (!live.project().root().empty()) return live.project().root();
+    return std::filesystem::absolute(live.spec().file).parent_path();
+}
+
+// The file that a person means, or why nothing may be written there.
+Expected<std::filesystem::path> file_to_write(const LiveSystem& live, const std::string& name) {
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    if (std::any_of(name.begin(), name.end(), is_control))
+        return failure(fmt::format("'{}' names no file: there is a control character in it", shown(name)));
+    std::filesystem::path path = name;
+    if (path.filename().empty()) return failure(fmt::format("'{}' names no file", name));
+    if (!path.has_extension()) path += ".lua";
+    std::error_code problem;
+    if (std::filesystem::is_directory(path, problem)) return failure(fmt::format("'{}' is a folder", path.string()));
+    if (path.extension() != ".lua") {
+        return failure(fmt::format("a system file ends in .lua: write save \"{}\"",
+                                   std::filesystem::path(name).replace_extension(".lua").string()));
+    }
+    // Links may lead out of the project.
+    const auto real = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
+    const auto home = std::filesystem::weakly_canonical(home_of(live), problem);
+    const auto inside = real.lexically_relative(home);
+    if (problem || inside.empty() || *inside.begin() == "..") {
+        return failure(fmt::format("'{}' lies outside of the project: a system is saved in {} or below", path.string(),
+                                   home.string()));
+    }
+    return path;
+}
+
+// How a person would name this file within `named_in`: the shortest name that finds it again, else its path from there
+// when both are in the project, else its whole path.
+std::string name_of(const Project& project, const std::filesystem::path& file, const std::filesystem::path& named_in) {
+    const auto whole = std::filesystem::absolute(file).lexically_normal();
+    const auto naming = std::filesystem::absolute(named_in).lexically_normal().parent_path();
+    std::vector<std::filesystem::path> folders{naming};
+    if (!project.root().empty()) folders.push_back(project.root() / "behaviors");
+    for (const auto& installed : project.installed()) {
+        folders.push_back(installed / "engine/robots");
+        folders.push_back(installed / "behaviors");
+    }
+    for (const auto& folder : folders) {
+        const std::string name = whole.lexically_relative(folder).generic_string();
+        if (name.empty() || name.starts_with("..")) continue;
+        if (const auto found = project.find(FileKind::data, name, named_in); found && *found == whole) return name;
+    }
+    const auto is_inside = [&](const std::filesystem::path& path) {
+        return !project.root().empty() && *path.lexically_relative(project.root()).begin() != "..";
+    };
+    return (is_inside(whole) && is_inside(naming) ? whole.lexically_relative(naming) : whole).generic_string();
+}
+
 std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -99,20 +153,20 @@ SystemSpec present_spec(const LiveSystem& live) {
 }
 
 Expected<std::string> save_system(const LiveSystem& live, const std::string& file) {
-    std::filesystem::path path = file;
-    if (path.filename().empty()) return failure(fmt::format("'{}' names no file", file));
-    if (!path.has_extension()) path += ".lua";
-    std::error_code problem;
-    if (std::filesystem::is_directory(path, problem)) return failure(fmt::format("'{}' is a folder", path.string()));
-    const SystemSpec spec = present_spec(live);
+    const auto named = file_to_write(live, file);
+    if (!named) return Unexpected(named.error());
+    const std::filesystem::path& path = *named;
+    const Project project = Project::of(path, live.options().installed);
+    SystemSpec spec = present_spec(live);
+    if (spec.arena.floor) spec.arena.floor->image = name_of(project, spec.arena.floor->image, path);
     const std::string title =
         spec.file.empty() ? "A system, saved from the console." : fmt::format("{}, saved from the console.", spec.file);
     const std::string text = write_system_text(spec, title);
-    const Project project = Project::of(path, live.options().installed);
     if (auto back = read_system_text(text, path.string(), project); !back) {
         return failure(
             fmt::format("nothing is saved, since {} could not be read: {}", path.string(), back.error().message));
     }
+    std::error_code problem;
     const bool existed = std::filesystem::exists(path, problem);
     const std::string before = path.string() + "~";
     if (existed) {

@@ -11,7 +11,8 @@ namespace nezumi {
 /// components that are gone left out, connections as they are.
 SystemSpec present_spec(const LiveSystem& live);
 
-/// Writes it as a system file and says in a sentence what was done. What was there is kept beside it, as `FILE~`.
+/// Writes it as a system file and says in a sentence what was done. What was there is kept beside it, as `FILE~`. Only
+/// `.lua` files are written, and only within the project, or where there is none, in and below the system's folder.
 /// Nothing is written when the file could not be read back: the error says why.
 Expected<std::string> save_system(const LiveSystem& live, const std::string& file);
 

@@ -34,17 +34,6 @@ std::string golden_name(const std::filesystem::path& file, const SweepPoint& poi
     return file.parent_path() / (run_file_name(file.filename(), text_of(point), true) + file.extension().string());
 }
 
-// Refuses every field of the table at `index` but this one.
-Expected<void> only_option(lua_State* lua, int index, std::string_view known) {
-    const auto value = read_file_value(lua, index);
-    if (!value) return Unexpected(value.error());
-    for (const FileField& field : value->table()->fields) {
-        if (field.name != known)
-            return failure(fmt::format("unknown option '{}'{}", shown(field.name), did_you_mean(field.name, {known})));
-    }
-    return {};
-}
-
 int copy_without_seconds(lua_State* lua) {
     lua_newtable(lua);
     for (lua_pushnil(lua); lua_next(lua, 1) != 0; lua_pop(lua, 1)) {

@@ -174,7 +174,7 @@
 ---@field write fun(self: TimedBoolean.Out, value: boolean)
 
 ---@class (exact) TimedBoolean.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedBoolean.OutOptions
 ---@field safe? boolean written when the component stops
@@ -188,7 +188,7 @@
 ---@field write fun(self: TimedShort.Out, value: integer)
 
 ---@class (exact) TimedShort.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedShort.OutOptions
 ---@field safe? integer written when the component stops
@@ -202,7 +202,7 @@
 ---@field write fun(self: TimedLong.Out, value: integer)
 
 ---@class (exact) TimedLong.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedLong.OutOptions
 ---@field safe? integer written when the component stops
@@ -216,7 +216,7 @@
 ---@field write fun(self: TimedFloat.Out, value: number)
 
 ---@class (exact) TimedFloat.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedFloat.OutOptions
 ---@field safe? number written when the component stops
@@ -230,7 +230,7 @@
 ---@field write fun(self: TimedDouble.Out, value: number)
 
 ---@class (exact) TimedDouble.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedDouble.OutOptions
 ---@field safe? number written when the component stops
@@ -244,7 +244,7 @@
 ---@field write fun(self: TimedString.Out, value: string)
 
 ---@class (exact) TimedString.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedString.OutOptions
 ---@field safe? string written when the component stops
@@ -258,7 +258,7 @@
 ---@field write fun(self: TimedBooleanSeq.Out, value: boolean[])
 
 ---@class (exact) TimedBooleanSeq.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedBooleanSeq.OutOptions
 ---@field safe? boolean[] written when the component stops
@@ -272,7 +272,7 @@
 ---@field write fun(self: TimedShortSeq.Out, value: integer[])
 
 ---@class (exact) TimedShortSeq.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedShortSeq.OutOptions
 ---@field safe? integer[] written when the component stops
@@ -286,7 +286,7 @@
 ---@field write fun(self: TimedLongSeq.Out, value: integer[])
 
 ---@class (exact) TimedLongSeq.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedLongSeq.OutOptions
 ---@field safe? integer[] written when the component stops
@@ -300,7 +300,7 @@
 ---@field write fun(self: TimedFloatSeq.Out, value: number[])
 
 ---@class (exact) TimedFloatSeq.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedFloatSeq.OutOptions
 ---@field safe? number[] written when the component stops
@@ -314,7 +314,7 @@
 ---@field write fun(self: TimedDoubleSeq.Out, value: number[])
 
 ---@class (exact) TimedDoubleSeq.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedDoubleSeq.OutOptions
 ---@field safe? number[] written when the component stops
@@ -328,7 +328,7 @@
 ---@field write fun(self: TimedStringSeq.Out, value: string[])
 
 ---@class (exact) TimedStringSeq.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedStringSeq.OutOptions
 ---@field safe? string[] written when the component stops
@@ -342,7 +342,7 @@
 ---@field write fun(self: TimedVelocity2D.Out, value: Velocity2D.Written)
 
 ---@class (exact) TimedVelocity2D.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedVelocity2D.OutOptions
 ---@field safe? Velocity2D.Written written when the component stops
@@ -356,7 +356,7 @@
 ---@field write fun(self: TimedPose2D.Out, value: Pose2D.Written)
 
 ---@class (exact) TimedPose2D.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedPose2D.OutOptions
 ---@field safe? Pose2D.Written written when the component stops
@@ -370,7 +370,7 @@
 ---@field write fun(self: TimedPose3D.Out, value: Pose3D.Written)
 
 ---@class (exact) TimedPose3D.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) TimedPose3D.OutOptions
 ---@field safe? Pose3D.Written written when the component stops
@@ -384,7 +384,7 @@
 ---@field write fun(self: RangeData.Out, value: RangeData.Written)
 
 ---@class (exact) RangeData.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) RangeData.OutOptions
 ---@field safe? RangeData.Written written when the component stops
@@ -398,7 +398,7 @@
 ---@field write fun(self: CameraImage.Out, value: CameraImage.Written)
 
 ---@class (exact) CameraImage.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) CameraImage.OutOptions
 ---@field safe? CameraImage.Written written when the component stops
@@ -412,7 +412,7 @@
 ---@field write fun(self: CameraIntrinsics.Out, value: CameraIntrinsics.Written)
 
 ---@class (exact) CameraIntrinsics.InOptions
----@field queue? integer keep so many unread messages; without it the latest only
+---@field queue? integer so many unread messages are kept, the oldest is dropped
 
 ---@class (exact) CameraIntrinsics.OutOptions
 ---@field safe? CameraIntrinsics.Written written when the component stops
@@ -462,15 +462,190 @@ function output(name, type, doc, options) end
 ---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]
 
 ---@class (exact) ParameterOptions
----@field min? number inclusive; of each element of an array
----@field max? number inclusive; of each element of an array
----@field step? number of widgets only
----@field widget? "slider"|"spin"|"text"|"checkbox"|"radio"|string
----@field unit? string
----@field doc? string
----@field choices? ParameterValue[]
----@field min_size? integer of an array
----@field max_size? integer of an array
+---@field min? number smallest value; of each element of an array (of numbers, arrays of numbers)
+---@field max? number largest value; of each element of an array (of numbers, arrays of numbers)
+---@field step? number of the widget only (of numbers, arrays of numbers)
+---@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change
+---@field unit? string for example "m/s"
+---@field doc? string what it means
+---@field choices? ParameterValue[] the values that may be chosen; without: all within the bounds
+---@field min_size? integer fewest elements (of arrays of numbers, other arrays)
+---@field max_size? integer most elements (of arrays of numbers, other arrays)
+
+---@class (exact) PortOptions
+---@field queue? integer so many unread messages are kept, the oldest is dropped (of input)
+---@field safe? a value of the port's type written when the component stops (of output)
+
+---@class (exact) AboutFields
+---@field version? string
+---@field vendor? string
+---@field category? string
+
+---@class (exact) BoxFields
+---@field at number[] [m] centre; without z it stands on the floor
+---@field size number[] [m] length, width, height
+---@field yaw? number [rad] turn about the vertical, counter-clockwise
+---@field pitch? number [rad] makes a ramp: a positive one lowers the front; only without a mass
+---@field color? string "#rrggbb" or the name of a colour
+---@field mass? number [kg] a mass makes it movable
+
+---@class (exact) WallFields
+---@field from number[] [m] middle of one end
+---@field to number[] [m] middle of the other end
+---@field height? number [m]
+---@field thickness? number [m]
+---@field color? string as of a box
+
+---@class (exact) CylinderFields
+---@field at number[] [m] centre; without z it stands on the floor
+---@field radius number [m]
+---@field height number [m]
+---@field color? string as of a box
+---@field mass? number [kg] a mass makes it movable
+
+---@class (exact) MarkerFields
+---@field id integer the tag's number
+---@field name? string for teleport; letters, digits and _
+---@field size? number [m] edge of the black border
+---@field at number[] [m] centre
+---@field facing? number [rad] the yaw into which it looks
+
+---@class (exact) FloorFields
+---@field image string a PNG file; its upper edge lies towards positive y, its right one towards positive x
+---@field size number[] [m] of the whole picture along x and y
+
+---@class (exact) BorderFields
+---@field thickness? number [m]
+---@field height? number [m]
+
+---@class (exact) ArenaFields
+---@field size? number[] [m] inner length and width, the middle at the origin; without: unbounded
+---@field border? boolean|BorderFields walls around `size`
+---@field [integer] Thing|Thing[]
+
+---@class (exact) LimitsFields
+---@field speed? number [m/s] along x, both ways
+---@field yaw_rate? number [rad/s]
+---@field acceleration? number [m/s^2]
+---@field yaw_acceleration? number [rad/s^2]
+
+---@class (exact) RobotFields
+---@field model string a robot's file, for example "raspimouse"
+---@field pose? { x?: number, y?: number, heading?: number } where it starts
+---@field limits? LimitsFields in the place of the model's
+---@field backend? string "sim", or the name of a driver
+---@field active? boolean whether it is activated at the start
+
+---@class (exact) BehaviorFields
+---@field script string a behaviour's file, for example "robot_controller"
+---@field config? table<string, ParameterValue> values of its parameters
+---@field sets? table<string, table<string, ParameterValue>> values of parameters that are chosen together, by the set's name
+---@field set? string the set in use; what it leaves out keeps the value of `config`
+---@field rate? number [Hz] executions a second, at most the tick's
+---@field active? boolean whether it is activated at the start
+
+---@class (exact) ComponentFields
+---@field type string a native component's type, for example "Camera"
+---@field config? table<string, ParameterValue> values of its parameters
+---@field rate? number [Hz] executions a second, at most the tick's
+---@field on? string the robot that carries it
+---@field at? number[] [m] on that robot, from the middle of the wheels' axis on the floor
+---@field yaw? number [rad] on that robot, counter-clockwise
+---@field active? boolean whether it is activated at the start
+
+---@class (exact) PhysicsFields
+---@field step number [s] of time that the physics advances at once; a tick is a whole number of them
+
+---@class (exact) BodyFields
+---@field shape? "box"|"cylinder"
+---@field size? number[] [m] length, width, height; of a cylinder: diameter, diameter, height
+---@field radius? number [m] instead of `size` (of cylinder)
+---@field height? number [m] instead of `size` (of cylinder)
+---@field at? number[] [m] centre of the hull; x, y from the middle of the wheels' axis, z from the floor
+
+---@class (exact) DriveFields
+---@field radius number [m] of the wheels
+---@field track number [m] between the wheels
+---@field pulses_per_turn? number of the encoders, a wheel turn; 0: continuous
+---@field skid? number [m] how far the skids stand before and behind the axis
+---@field coasts_until_commanded? boolean the wheels roll freely until the first command after activation
+---@field limits? LimitsFields each can be set again per robot in the system file
+---@field hardware_limits? LimitsFields on the real robot, until it is calibrated
+
+---@class (exact) SensorFields
+---@field kind "range"|"button"|"touch"|"gyro"|"color"|"reflect" what it measures
+---@field at? number[] [m] from the hull's centre
+---@field yaw? number [rad] where it looks, counter-clockwise
+---@field on? string the servo that carries it, in the place of the hull
+---@field range? number [m] it sees no farther (of range)
+---@field minimum? number [m] it sees no nearer (of range)
+---@field cone? number [rad] full opening angle; 0: a single ray (of range)
+---@field rays? integer that share the cone: the nearest counts (of range)
+---@field noise? number standard deviation, in the value's unit (of range, gyro, reflect)
+---@field table? string|number[][] a CSV file with the columns `distance_m` and `value` beside the robot file, or points `{ { 0.01, 1394 }, ... }`. Exact at its points; nearer than the first the value goes on as a power law, farther than the last it fades to `nothing` at `range` (of range)
+---@field response? fun(distance: number): number instead of `table`: it is sampled when the file is read; `response(math.huge)` is the value with nothing in sight (of range)
+---@field nothing? number the value with nothing in sight (of range)
+---@field min_value? number bound of the value (of range)
+---@field max_value? number bound of the value (of range)
+---@field drift? number [rad/s] (of gyro)
+---@field max_rate? number [rad/s] it can follow; 0: any (of gyro)
+---@field travel? number [m] until it closes (of touch)
+
+---@class (exact) ActuatorFields
+---@field kind "leds"|"buzzer"|"servo"|"screen"|"speaker"
+---@field count? integer how many (of leds)
+---@field max_rate? number [rad/s] 0: any (of servo)
+---@field minimum? number [rad] (of servo)
+---@field maximum? number [rad] equal to `minimum`: unlimited (of servo)
+---@field at? number[] [m] its axis, from the hull's centre (of servo)
+
+---@class (exact) PortFields
+---@field type string a message type
+---@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels) or `"odometry"` (of out-port)
+---@field to? string|string[] `"drive"`, `"odometry"` (sets it) or an actuator (of in-port)
+---@field doc? string what editors and the console say about it
+---@field rate? number [Hz] messages a second; 0: one each tick (of out-port)
+---@field quantity? "value"|"distance" `"distance"`: metres instead of the sensors' values (of out-port)
+---@field queue? integer so many unread messages are kept; 0: the latest (of in-port)
+---@field silence? "hold"|"off" when nothing came for 0.5 s: the actuator holds or goes off (of in-port)
+
+---@class (exact) RobotModelFields
+---@field doc? string what it is
+---@field mass number [kg] of the whole robot
+---@field drive DriveFields wheels, skids and limits
+---@field body? BodyFields the hull
+---@field sensors? table<string, SensorFields> by name
+---@field actuators? table<string, ActuatorFields> by name
+---@field ports? table<string, PortFields> by name
+
+---@class (exact) PoseFields
+---@field x? number [m]
+---@field y? number [m]
+---@field heading? number [rad] counter-clockwise, 0 looks along x
+
+---@class (exact) MarkerPoseFields
+---@field x? number [m]
+---@field y? number [m]
+---@field z? number [m] of its centre
+---@field heading? number [rad] into which it looks
+
+---@class (exact) PushFields
+---@field vx? number [m/s] along the robot's x axis
+---@field vy? number [m/s] along the robot's y axis
+---@field va? number [rad/s] yaw rate, counter-clockwise
+---@field seconds? number [s] how long (of s:disturb)
+
+---@class (exact) ScenarioOptions
+---@field timeout? number [s] simulated time after which the scenario fails
+---@field sweep? table<string, any[]|Range> one run for each combination, `{ speed = { 0.1, 0.2 }, ... }`, the keys in sorted order. `range(lo, hi)` instead of a list draws numbers at random, `range(lo, hi, step)` those of a step: all values when they are no more than `samples`, else without repetition
+---@field samples? integer how many random draws. A failing draw is simplified: to numbers nearer to 0 and with fewer digits, to values that stand earlier in their list
+
+---@class (exact) ExpectationOptions
+---@field within? number [s] the event must come, or the hold begin, so soon (of wait_until, eventually, maintain)
+---@field hold number [s] the condition must stay true so long (of maintain)
+
+---@class (exact) GoldenOptions
+---@field tolerance? number by which a number may differ
 
 ---Declares a parameter, read as `config.name`. Its type follows the default: `30` integer, `0.0` number.
 ---@param name string
@@ -504,13 +679,8 @@ dt = 0
 ---@field error fun(...: any)
 log = {}
 
----@class (exact) About
----@field version? string
----@field vendor? string
----@field category? string
-
 ---Says who made this component, and what it is.
----@param fields About
+---@param fields AboutFields
 function about(fields) end
 
 ---Declares a command, callable from console and scenario as `component:name(...)`.
@@ -519,95 +689,79 @@ function about(fields) end
 ---@param doc? string
 function command(name, fn, doc) end
 
----@class (exact) RobotFields
----@field model string "raspimouse", or a file that returns robot_model { ... }
----@field pose? { x?: number, y?: number, heading?: number } [m] [rad]
----@field limits? { speed?: number, yaw_rate?: number, acceleration?: number, yaw_acceleration?: number } [m/s] [rad/s]
----@field backend? string
----@field active? boolean
-
----@class (exact) BehaviorFields
----@field script string the file `behaviors/SCRIPT.lua`
----@field config? table<string, ParameterValue>
----@field sets? table<string, table<string, ParameterValue>>
----@field set? string the set in use
----@field rate? number [Hz], at most the tick's
----@field active? boolean
-
----@class (exact) ComponentFields
----@field type string of a native component
----@field config? table<string, ParameterValue>
----@field rate? number [Hz]
----@field on? string the robot that carries it
----@field at? number[] [m] { x, y, z } on that robot
----@field yaw? number [rad]
----@field active? boolean
-
 ---@class Thing
 
----@param fields { at: number[], size: number[], yaw?: number, pitch?: number, color?: string, mass?: number }
+---A box, fixed or movable.
+---@param fields BoxFields
 ---@return Thing
 function box(fields) end
 
----@param fields { from: number[], to: number[], height?: number, thickness?: number, color?: string }
+---A wall on the floor from one place to another.
+---@param fields WallFields
 ---@return Thing
 function wall(fields) end
 
----@param fields { at: number[], radius: number, height: number, mass?: number, color?: string }
+---An upright cylinder, fixed or movable.
+---@param fields CylinderFields
 ---@return Thing
 function cylinder(fields) end
 
----@param fields { id: integer, name?: string, size?: number, at: number[], facing?: number }
+---An AprilTag of the family 36h11, without thickness.
+---@param fields MarkerFields
 ---@return Thing
 function marker(fields) end
 
----@param fields { image: string, size: number[] }
+---A picture on the floor, its middle at the origin.
+---@param fields FloorFields
 ---@return Thing
 function floor(fields) end
 
----Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.
----@param file string
----@return Thing
-function csv(file) end
-
----@class (exact) ArenaFields
----@field size? number[] [m] { x, y }
----@field border? boolean|{ height?: number, thickness?: number }
----@field [integer] Thing|Thing[]
-
+---The floor and what stands on it. Several arenas add up.
 ---@param fields ArenaFields
 function arena(fields) end
 
+---A robot of the system.
 ---@param name string
 ---@param fields RobotFields
 ---@overload fun(name: string): fun(fields: RobotFields)
 function robot(name, fields) end
 
+---A component written in Lua.
 ---@param name string
 ---@param fields BehaviorFields
 ---@overload fun(name: string): fun(fields: BehaviorFields)
 function behavior(name, fields) end
 
+---A native component.
 ---@param name string
 ---@param fields ComponentFields
 ---@overload fun(name: string): fun(fields: ComponentFields)
 function component(name, fields) end
+
+---How the simulation runs.
+---@param fields PhysicsFields
+function physics(fields) end
 
 ---Connects an out-port to an in-port of the same type.
 ---@param from string "name.port"
 ---@param to string "name.port"
 function connect(from, to) end
 
----@param n integer of everything random in the run
-function seed(n) end
+---Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.
+---@param file string
+---@return Thing
+function csv(file) end
 
----@param hz number ticks a second, 100 unless it says otherwise
+---Ticks a second, 100 unless it says otherwise.
+---@param hz number
 function rate(hz) end
 
----@param fields { step?: number } [s]
-function physics(fields) end
+---Of everything random in the run.
+---@param n integer
+function seed(n) end
 
----@param fields table
+---A model of robot: `return robot_model { ... }` is a robot file.
+---@param fields RobotModelFields
 ---@return table
 function robot_model(fields) end
 
@@ -659,19 +813,14 @@ function robot_model(fields) end
 ---@field deactivate fun(self: Component): string
 ---@field reset fun(self: Component): string
 ---@field use fun(self: Component, set: string): string
----@field teleport fun(self: Component, pose: { x?: number, y?: number, heading?: number })
+---@field teleport fun(self: Component, pose: PoseFields)
 ---@field press fun(self: Component, button: string, pressed?: boolean)
----@field disturb fun(self: Component, push: { vx?: number, va?: number })
+---@field disturb fun(self: Component, push?: PushFields) without: the hand lets go
 ---@field [string] any its ports and commands
 
 ---@alias World table<string, Component>
 ---@alias PortName Port|string a port or "name.port"
 ---@alias Condition fun(): any
-
----@class (exact) ScenarioOptions
----@field timeout? number [s] simulated
----@field sweep? table<string, any[]|Range> a run for each combination
----@field samples? integer draw so many combinations at random
 
 ---@class Range
 
@@ -697,61 +846,6 @@ local s = {}
 ---@return World
 function s:load(file) end
 
----@param name string
----@param fields RobotFields
----@overload fun(self: Scenario, name: string): fun(fields: RobotFields)
-function s:robot(name, fields) end
-
----@param name string
----@param fields BehaviorFields
----@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields)
-function s:behavior(name, fields) end
-
----@param name string
----@param fields ComponentFields
----@overload fun(self: Scenario, name: string): fun(fields: ComponentFields)
-function s:component(name, fields) end
-
----@param from string "name.port"
----@param to string "name.port"
-function s:connect(from, to) end
-
----@param fields ArenaFields
-function s:arena(fields) end
-
----@param fields { at: number[], size: number[], yaw?: number, pitch?: number, color?: string, mass?: number }
----@return Thing
-function s:box(fields) end
-
----@param fields { from: number[], to: number[], height?: number, thickness?: number, color?: string }
----@return Thing
-function s:wall(fields) end
-
----@param fields { at: number[], radius: number, height: number, mass?: number, color?: string }
----@return Thing
-function s:cylinder(fields) end
-
----@param fields { id: integer, name?: string, size?: number, at: number[], facing?: number }
----@return Thing
-function s:marker(fields) end
-
----@param fields { image: string, size: number[] }
----@return Thing
-function s:floor(fields) end
-
----@param file string
----@return Thing
-function s:csv(file) end
-
----@param n integer
-function s:seed(n) end
-
----@param hz number
-function s:rate(hz) end
-
----@param fields { step?: number } [s]
-function s:physics(fields) end
-
 ---[s] Simulated time since the scenario began.
 ---@return number
 function s:now() end
@@ -759,13 +853,13 @@ function s:now() end
 ---Holds from here to the end, after every tick.
 ---@param name string
 ---@param condition Condition
----@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
 function s:always(name, condition) end
 
 ---Never holds, from here to the end.
 ---@param name string
 ---@param condition Condition
----@overload fun(self: Scenario, name: string, options: table, condition: Condition)
+---@overload fun(self: Scenario, name: string, options: ExpectationOptions, condition: Condition)
 function s:never(name, condition) end
 
 ---Lets time pass.
@@ -773,17 +867,17 @@ function s:never(name, condition) end
 function s:run(seconds) end
 
 ---@param name string
----@param options { within?: number } [s]
+---@param options ExpectationOptions
 ---@param condition Condition
 function s:wait_until(name, options, condition) end
 
 ---@param name string
----@param options { within?: number } [s]
+---@param options ExpectationOptions
 ---@param condition Condition
 function s:eventually(name, options, condition) end
 
 ---@param name string
----@param options { hold: number, within?: number } [s] the hold begins within `within`
+---@param options ExpectationOptions
 ---@param condition Condition
 function s:maintain(name, options, condition) end
 
@@ -796,6 +890,13 @@ function s:check(value, message) end
 ---@param tolerance number
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
+
+---Records these ports from here on, after every tick, and compares with the committed file beside the scenario's.
+---@param file string
+---@param options GoldenOptions
+---@param ... PortName
+---@overload fun(self: Scenario, file: string, ...: PortName)
+function s:golden(file, options, ...) end
 
 ---One message as from a connection.
 ---@param port PortName
@@ -828,7 +929,7 @@ function s:freeze(port, seconds) end
 
 ---A hand that moves the robot.
 ---@param robot Component|string
----@param push { vx?: number, va?: number, seconds?: number }
+---@param push PushFields
 function s:disturb(robot, push) end
 
 ---@param robot Component|string
@@ -838,9 +939,79 @@ function s:press(robot, button, seconds) end
 
 ---A robot, at rest; or a marker of the arena by its name, where what is left out stays as it is.
 ---@param thing Component|string
----@param pose { x?: number, y?: number, z?: number, heading?: number } `z` is for markers
+---@param pose PoseFields|MarkerPoseFields
 function s:teleport(thing, pose) end
 
 ---Ends what `drop`, `freeze`, `disturb` and `press` began.
 ---@param thing PortName|Component
 function s:restore(thing) end
+
+---A box, fixed or movable.
+---@param fields BoxFields
+---@return Thing
+function s:box(fields) end
+
+---A wall on the floor from one place to another.
+---@param fields WallFields
+---@return Thing
+function s:wall(fields) end
+
+---An upright cylinder, fixed or movable.
+---@param fields CylinderFields
+---@return Thing
+function s:cylinder(fields) end
+
+---An AprilTag of the family 36h11, without thickness.
+---@param fields MarkerFields
+---@return Thing
+function s:marker(fields) end
+
+---A picture on the floor, its middle at the origin.
+---@param fields FloorFields
+---@return Thing
+function s:floor(fields) end
+
+---The floor and what stands on it. Several arenas add up.
+---@param fields ArenaFields
+function s:arena(fields) end
+
+---A robot of the system.
+---@param name string
+---@param fields RobotFields
+---@overload fun(self: Scenario, name: string): fun(fields: RobotFields)
+function s:robot(name, fields) end
+
+---A component written in Lua.
+---@param name string
+---@param fields BehaviorFields
+---@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields)
+function s:behavior(name, fields) end
+
+---A native component.
+---@param name string
+---@param fields ComponentFields
+---@overload fun(self: Scenario, name: string): fun(fields: ComponentFields)
+function s:component(name, fields) end
+
+---How the simulation runs.
+---@param fields PhysicsFields
+function s:physics(fields) end
+
+---Connects an out-port to an in-port of the same type.
+---@param from string "name.port"
+---@param to string "name.port"
+function s:connect(from, to) end
+
+---Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.
+---@param file string
+---@return Thing
+function s:csv(file) end
+
+---Ticks a second, 100 unless it says otherwise.
+---@param hz number
+function s:rate(hz) end
+
+---Of everything random in the run.
+---@param n integer
+function s:seed(n) end
+

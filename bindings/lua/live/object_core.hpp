@@ -49,7 +49,8 @@ struct MethodName {
 /// A table that can be read and not changed; `name` is what messages call it.
 struct LockedValue {
     std::string name;
-    std::variant<ParameterValue, PlainData, std::map<std::string, double>> value;
+    std::variant<ParameterValue, PlainData, std::map<std::string, double>, AnyPayload> value;
+    std::string why{};  ///< of a payload: why setting a part of it has no effect, and what has
 };
 
 /// All that a member of an object can be.

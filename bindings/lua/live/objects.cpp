@@ -107,6 +107,23 @@ void lock_deeply(lua_State* L, const char* name) {
     lua_settop(L, root);
 }
 
+// The same for a payload's table, which is shallow and no part of itself: each table is called by its own path.
+void lock_payload(lua_State* L, const char* name, const char* why) {
+    luaL_checkstack(L, 10, nullptr);
+    const int table = lua_gettop(L);
+    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -1) != LUA_TTABLE || lua_type(L, -2) != LUA_TSTRING) continue;
+        const char* inner = lua_pushfstring(L, "%s.%s", name, lua_tostring(L, -2));
+        lua_insert(L, -2);
+        lock_payload(L, inner, why);
+        lua_remove(L, -2);
+        lua_pushvalue(L, -2);
+        lua_pushvalue(L, -2);
+        lua_rawset(L, table);
+    }
+    lock_table(L, name, why);
+}
+
 void push_names(lua_State* L, const std::vector<std::string>& names) {
     lua_createtable(L, static_cast<int>(names.size()), 0);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -116,6 +133,11 @@ void push_names(lua_State* L, const std::vector<std::string>& names) {
 }
 
 int push_locked(lua_State* L, const LockedValue& locked) {
+    if (const auto* payload = std::get_if<AnyPayload>(&locked.value)) {
+        push_payload(L, *payload);
+        lock_payload(L, locked.name.c_str(), locked.why.c_str());
+        return 1;
+    }
     if (const auto* parameter = std::get_if<ParameterValue>(&locked.value)) {
         push_parameter(L, *parameter);
     } else if (const auto* data = std::get_if<PlainData>(&locked.value)) {

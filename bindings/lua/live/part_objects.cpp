@@ -33,6 +33,12 @@ int text_answer(lua_State* L, Body&& body) {
     });
 }
 
+int refuse_truth(lua_State* L) {
+    return answer(L, objects_of(L), []() -> Expected<Answer> {
+        return failure("what is true can't be set: use teleport for the pose, disturb for the velocity");
+    });
+}
+
 int refuse_set(lua_State* L) {
     return answer(L, objects_of(L), [&]() -> Expected<Answer> {
         const std::string key = lua_type(L, 2) == LUA_TSTRING ? shown(text_at(L, 2)) : "what you name";
@@ -132,8 +138,16 @@ int truth_index(lua_State* L) {
         const auto name = key_of(L, "truth");
         if (!name) return Unexpected(name.error());
         const Truth truth = at->live->system().world()->truth((*robot)->id());
-        if (*name == "pose") return Answer{AnyPayload{truth.pose}};
-        if (*name == "velocity") return Answer{AnyPayload{truth.velocity}};
+        const std::string& robot_name = at->component->name();
+        if (*name == "pose") {
+            return Answer{
+                LockedValue{robot_name + ".truth.pose", AnyPayload{truth.pose},
+                            fmt::format("is a copy: write {}:teleport {{ x =, y =, heading = }}", robot_name)}};
+        }
+        if (*name == "velocity") {
+            return Answer{LockedValue{robot_name + ".truth.velocity", AnyPayload{truth.velocity},
+                                      fmt::format("is a copy: write {}:disturb {{ vx =, vy =, va = }}", robot_name)}};
+        }
         if (*name == "height") return Answer{truth.height};
         if (*name == "tilt") return Answer{truth.tilt};
         return failure(unknown(at->component->name() + ".truth has no", *name, Objects::truth_members()));
@@ -233,7 +247,7 @@ const ObjectFunctions& config_functions() {
 }
 
 const ObjectFunctions& truth_functions() {
-    static constexpr ObjectFunctions functions{truth_index, refuse_set, truth_pairs, truth_tostring, "truth"};
+    static constexpr ObjectFunctions functions{truth_index, refuse_truth, truth_pairs, truth_tostring, "truth"};
     return functions;
 }
 

@@ -9,13 +9,13 @@ namespace {
 // Its address is the key of the table behind in the metatable: no script can have such a key.
 constexpr char kBehind = 0;
 
-// Upvalue: what the table is called.
+// Upvalues: what the table is called, and why it can't be changed.
 int refuse_write(lua_State* lua) {
     const char* name = lua_tostring(lua, lua_upvalueindex(1));
+    const char* why = lua_tostring(lua, lua_upvalueindex(2));
     const char* key = push_text(lua, 2);
-    if (lua_type(lua, 2) == LUA_TNUMBER)
-        return luaL_error(lua, "can't set '%s[%s]': '%s' is read-only", name, key, name);
-    return luaL_error(lua, "can't set '%s.%s': '%s' is read-only", name, key, name);
+    if (lua_type(lua, 2) == LUA_TNUMBER) return luaL_error(lua, "can't set '%s[%s]': '%s' %s", name, key, name, why);
+    return luaL_error(lua, "can't set '%s.%s': '%s' %s", name, key, name, why);
 }
 
 int length_behind(lua_State* lua) {
@@ -26,7 +26,7 @@ int length_behind(lua_State* lua) {
 
 }  // namespace
 
-void lock_table(lua_State* lua, const char* name) {
+void lock_table(lua_State* lua, const char* name, const char* why) {
     luaL_checkstack(lua, 6, nullptr);
     lua_newtable(lua);
     lua_createtable(lua, 0, 5);
@@ -35,7 +35,8 @@ void lock_table(lua_State* lua, const char* name) {
     lua_rawsetp(lua, -3, &kBehind);
     lua_setfield(lua, -2, "__index");
     lua_pushstring(lua, name);
-    lua_pushcclosure(lua, refuse_write, 1);
+    lua_pushstring(lua, why);
+    lua_pushcclosure(lua, refuse_write, 2);
     lua_setfield(lua, -2, "__newindex");
     lua_pushcfunction(lua, length_behind);
     lua_setfield(lua, -2, "__len");

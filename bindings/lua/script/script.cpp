@@ -166,6 +166,13 @@ Expected<void> Script::declare_parameter(ParameterSpec spec) {
 Expected<void> Script::declare_command(CommandDeclaration declaration) {
     if (auto ok = check_loading("command"); !ok) return ok;
     if (auto ok = check_name("command", declaration.name, false); !ok) return ok;
+    // Unlike a port, a command never takes the place of a member, of whatever kind of component.
+    for (const MemberName& member : member_names()) {
+        if (member.name == declaration.name) {
+            return failure(fmt::format("command '{0}': components have a member '{0}' already: choose another name",
+                                       declaration.name));
+        }
+    }
     for (const CommandDeclaration& other : commands_) {
         if (other.name == declaration.name) {
             return failure(fmt::format("command '{}' is declared twice{}", declaration.name, first_in(other.place)));

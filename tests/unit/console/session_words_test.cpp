@@ -232,7 +232,8 @@ TEST_CASE("a marker is carried by hand, a robot as well", "[console][session]") 
     CHECK(it.type("teleport('mouse', { x = 0.4 }) return mouse.truth.pose.position.x") == "0.4");
     CHECK(it.type("teleport('targt', { x = 1 })") == "! teleport: there is no marker 'targt' (did you mean 'target'?)");
     CHECK(it.type("teleport('mose', {})") == "! teleport: there is no component 'mose' (did you mean 'mouse'?)");
-    CHECK(it.type("teleport('target', { hight = 1 })") == "! teleport: pose: unknown field 'hight'");
+    CHECK(it.type("teleport('target', { hight = 1 })") ==
+          "! teleport: pose: unknown field 'hight': expected x, y, z, heading");
     CHECK(it.type("teleport('target')") ==
           "! teleport: pose: expected a table { x =, y =, z =, heading = }, got nothing");
     CHECK(it.type("ls(mouse.ir_sensor_out)") == "! ls: expected a component or its name, got a port");
@@ -281,5 +282,42 @@ TEST_CASE("the present wiring and configuration is saved as a system file", "[co
     CHECK_THAT(content(file), Contains("set = \"fast\""));
     CHECK_THAT(content(file + "~"), Contains("stop_d = 99"));
     CHECK(it.type("save(3)") == "! save: expected the name of a file, as in save \"system.lua\", got number");
-    CHECK_THAT(it.type("save '/nowhere/at/all.lua'"), StartsWith("! save: "));
+}
+
+TEST_CASE("a system is saved as a Lua file within its project, and nowhere else", "[console][session]") {
+    SessionRig it;
+    const Scratch outside;
+    const std::string home = it.folder.path("").parent_path().string();
+    for (const std::string name :
+         {outside.path("x.lua").string(), home + "/../x.lua", std::string("/nowhere/at/all.lua")}) {
+        CAPTURE(name);
+        CHECK(it.type("save '" + name + "'") ==
+              "! save: '" + name + "' lies outside of the project: a system is saved in " + home + " or below");
+        CHECK_FALSE(std::filesystem::exists(name));
+    }
+    std::filesystem::create_directory_symlink(outside.path(""), it.folder.path("link"));
+    CHECK_THAT(it.type("save '" + home + "/link/x.lua'"), Contains("lies outside of the project"));
+    CHECK(it.type("save '" + home + "/notes.txt'") ==
+          "! save: a system file ends in .lua: write save \"" + home + "/notes.lua\"");
+    CHECK_THAT(it.type("save '" + home + "/a\\0b.lua'"), Contains("there is a control character in it"));
+    CHECK_THAT(it.type("save '" + home + "/a\\nb.lua'"), Contains("there is a control character in it"));
+    CHECK(it.type("save '" + home + "/behaviors/deep'") ==
+          "saved " + home + "/behaviors/deep.lua: 2 components, 2 connections");
+}
+
+TEST_CASE("a saved system names a floor's picture as a person would", "[console][session]") {
+    // A picture of one white pixel.
+    const std::string png(
+        "\211PNG\015\012\032\012\000\000\000\015IHDR\000\000\000\001\000\000\000\001\010\000\000\000\000\072\176\233U"
+        "\000\000\000\012IDATx\234c\370\017\000\001\001\001\000\261\070\366\024\000\000\000\000IEND\256B\140\202",
+        67);
+    SessionRig it;
+    it.folder.write("behaviors/maps/room.png", png);
+    it.folder.write("system.lua", counter_system + "arena { floor { image = 'maps/room.png', size = { 1, 1 } } }");
+    REQUIRE(it.live->restart());
+    const std::string saved = it.folder.path("deep/er/saved.lua").string();
+    it.folder.write("deep/er/.keep", "");
+    CHECK_THAT(it.type("save '" + saved + "'"), StartsWith("saved "));
+    CHECK_THAT(content(saved), Contains("image = \"maps/room.png\""));
+    CHECK(read_system_file(saved, Project::of(saved, {source_root()})).has_value());
 }

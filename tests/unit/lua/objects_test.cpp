@@ -185,6 +185,19 @@ TEST_CASE("a wrong value gets the message that a script gets", "[lua][objects]")
           "box.lua:1: inject: 'controller' names no port: expected \"name.port\"");
 }
 
+TEST_CASE("setting a part of the truth is an error that says what to use", "[lua][objects]") {
+    Objective it;
+    CHECK_THAT(it.run("mouse.truth.pose.position.x = 3"),
+               Catch::Contains("can't set 'mouse.truth.pose.position.x': 'mouse.truth.pose.position' is a copy: write "
+                               "mouse:teleport { x =, y =, heading = }"));
+    CHECK_THAT(it.run("mouse.truth.pose.heading = 1"),
+               Catch::Contains("can't set 'mouse.truth.pose.heading': 'mouse.truth.pose' is a copy"));
+    CHECK_THAT(it.run("mouse.truth.velocity.vx = 1"), Catch::Contains("mouse:disturb { vx =, vy =, va = }"));
+    CHECK_THAT(it.run("mouse.truth.pose = { x = 1 }"),
+               Catch::Contains("what is true can't be set: use teleport for the pose, disturb for the velocity"));
+    CHECK(it.run("mouse:teleport(mouse.truth.pose) return mouse.truth.pose.position.x") == "0.0");
+}
+
 TEST_CASE("a robot shows the truth, its lights and its limits, and can be carried", "[lua][objects]") {
     Objective it;
     it.tick(50);

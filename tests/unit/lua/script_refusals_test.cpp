@@ -214,3 +214,12 @@ TEST_CASE("an endless loop in any callback ends by its budget", "[lua][refusals]
         CHECK((said || rig.error().find("ran for more than 0.02 s") != std::string::npos));
     }
 }
+
+TEST_CASE("a command can't be called like a member of components", "[lua][refusals]") {
+    for (const std::string name : {"set", "truth", "error", "rate", "teleport", "commands", "leds"}) {
+        CHECK(refusal("command('" + name + "', function() end)") == "robot_controller.lua:1: command '" + name +
+                                                                        "': components have a member '" + name +
+                                                                        "' already: choose another name");
+    }
+    CHECK_THAT(refusal("command('status', function() end)"), Catch::Contains("is one of a component's own words"));
+}
