@@ -10,8 +10,14 @@ namespace {
 
 constexpr std::string_view opening = "<!-- fields: ", closing = "<!-- end -->";
 
-// A cell can't have a bar.
+// A cell can't have a bar. A class that editors know is a table with its own fields.
 std::string cell(std::string text) {
+    constexpr std::string_view suffix = "Fields";
+    if (const std::size_t end = text.find(suffix); end != std::string::npos) {
+        const std::size_t bar = text.rfind('|', end);
+        const std::size_t begin = bar == std::string::npos ? 0 : bar + 1;
+        text.replace(begin, end + suffix.size() - begin, "{ ... }");
+    }
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 4) text.replace(at, 1, " or ");
     return text;
 }

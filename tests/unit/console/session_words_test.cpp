@@ -288,7 +288,7 @@ TEST_CASE("a system is saved as a Lua file within its project, and nowhere else"
     SessionRig it;
     const Scratch outside;
     const std::string home = it.folder.path("").parent_path().string();
-    for (const std::string name :
+    for (const std::string& name :
          {outside.path("x.lua").string(), home + "/../x.lua", std::string("/nowhere/at/all.lua")}) {
         CAPTURE(name);
         CHECK(it.type("save '" + name + "'") ==

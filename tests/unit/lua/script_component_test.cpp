@@ -145,7 +145,8 @@ TEST_CASE("about tells of the file", "[lua][component]") {
     CHECK(rig.component->script().about().category == "test");
     CHECK(refusal("about { vresion = '1' }") ==
           "robot_controller.lua:1: about: unknown option 'vresion' (did you mean 'version'?)");
-    CHECK(refusal("about { version = 1 }") == "robot_controller.lua:1: about: 'version' expected a string, got number");
+    CHECK(refusal("about { version = 1 }") ==
+          "robot_controller.lua:1: about: option 'version' expected a text, got number");
     CHECK(refusal("about 'me'") == "robot_controller.lua:1: about expected a table, got string");
     CHECK(refusal("about {} about {}") == "robot_controller.lua:1: about is given twice");
 }

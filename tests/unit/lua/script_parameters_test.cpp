@@ -130,7 +130,8 @@ TEST_CASE("a declaration that is wrong is refused", "[lua][parameters]") {
     CHECK(refusal("param('x', 1, { min = 2, max = 1 })") == at + "parameter 'x' (integer): min 2.0 is above max 1.0");
     CHECK(refusal("param('x', 5, { max = 1 })") ==
           at + "parameter 'x' (integer): 5 is above its maximum 1, in its default");
-    CHECK(refusal("param('x', 5, { min = math.huge })") == at + "parameter 'x' (integer): min and max must be finite");
+    CHECK(refusal("param('x', 5, { min = math.huge })") ==
+          at + "parameter 'x': option 'min' expected a finite number, got inf");
     CHECK(refusal("param('x', 5, { maxx = 1 })") == at + "parameter 'x': unknown option 'maxx' (did you mean 'max'?)");
     CHECK(refusal("param('x', 5, { max = '1' })") == at + "parameter 'x': option 'max' expected a number, got string");
     CHECK(refusal("param('x', 'a', { max = 1 })") ==

@@ -216,7 +216,7 @@ TEST_CASE("an endless loop in any callback ends by its budget", "[lua][refusals]
 }
 
 TEST_CASE("a command can't be called like a member of components", "[lua][refusals]") {
-    for (const std::string name : {"set", "truth", "error", "rate", "teleport", "commands", "leds"}) {
+    for (const std::string name : {"set", "truth", "rate", "teleport", "commands", "leds"}) {
         CHECK(refusal("command('" + name + "', function() end)") == "robot_controller.lua:1: command '" + name +
                                                                         "': components have a member '" + name +
                                                                         "' already: choose another name");
