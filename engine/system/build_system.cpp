@@ -65,12 +65,25 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
     return added;
 }
 
-Expected<void> configure(Component& component, const ParameterValues& config, const Place& place) {
-    component.configured = config;
-    if (auto ok = component.parameters().set_all(config); !ok) {
-        return failure(fmt::format("{}: config: {}", component.name(), ok.error().message), place);
+// Sets these values, all or none. `path` is the table that they come from: an error has the place of its field.
+template <class AnEntry>
+Expected<void> set_values(Parameters& parameters, const ParameterValues& values, const AnEntry& entry,
+                          const std::string& path, const std::string& what) {
+    if (parameters.set_all(values)) return {};
+    for (const auto& [name, value] : values) {
+        const auto ok = parameters.set(name, value);
+        if (ok) continue;
+        const auto place = entry.places.find(path + "." + name);
+        return failure(fmt::format("{}: {}: {}", entry.name, what, ok.error().message),
+                       place != entry.places.end() ? place->second : entry.place);
     }
     return {};
+}
+
+template <class AnEntry>
+Expected<void> configure(Component& component, const AnEntry& entry) {
+    component.configured = entry.config;
+    return set_values(component.parameters(), entry.config, entry, "config", "config");
 }
 
 Expected<Component*> add_behavior(System& system, const BehaviorEntry& entry, const Makers& makers) {
@@ -79,13 +92,12 @@ Expected<Component*> add_behavior(System& system, const BehaviorEntry& entry, co
     Component& component = **made;
     component.rate = entry.rate;
     component.place = entry.place;
-    if (auto ok = configure(component, entry.config, entry.place); !ok) return Unexpected(ok.error());
+    if (auto ok = configure(component, entry); !ok) return Unexpected(ok.error());
     component.sets = entry.sets;
     for (const auto& [name, values] : entry.sets) {
         Parameters trial = component.parameters();
-        if (auto ok = trial.set_all(values); !ok) {
-            return failure(fmt::format("{}: set '{}': {}", entry.name, name, ok.error().message), entry.place);
-        }
+        if (auto ok = set_values(trial, values, entry, "sets." + name, fmt::format("set '{}'", name)); !ok)
+            return Unexpected(ok.error());
     }
     if (!entry.set.empty()) {
         if (auto ok = component.use(entry.set); !ok) return at(entry.place, ok.error());
@@ -107,7 +119,7 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
     if (!made) return at(entry.place, made.error());
     (*made)->rate = entry.rate;
     (*made)->place = entry.place;
-    if (auto ok = configure(**made, entry.config, entry.place); !ok) return Unexpected(ok.error());
+    if (auto ok = configure(**made, entry); !ok) return Unexpected(ok.error());
     return system.add(std::move(*made));
 }
 

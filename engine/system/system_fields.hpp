@@ -61,6 +61,7 @@ struct Describe<BehaviorEntry> {
         Internal{&BehaviorEntry::name},
         Internal{&BehaviorEntry::path},
         Internal{&BehaviorEntry::place},
+        Internal{&BehaviorEntry::places},
     };
 };
 
@@ -83,6 +84,7 @@ struct Describe<ComponentEntry> {
         Setting{"active", &ComponentEntry::active, "", "whether it is activated at the start"},
         Internal{&ComponentEntry::name},
         Internal{&ComponentEntry::place},
+        Internal{&ComponentEntry::places},
     };
 };
 

@@ -26,6 +26,9 @@ struct RobotEntry {
     Place place;
 };
 
+/// The places of the fields within a table, by path: "config.speed_x".
+using FieldPlaces = std::map<std::string, Place, std::less<>>;
+
 /// `behavior NAME { script, config, sets, set, rate, active }`.
 struct BehaviorEntry {
     std::string name;
@@ -37,6 +40,7 @@ struct BehaviorEntry {
     double rate = 0;  ///< [Hz]; 0: the tick's
     bool active = true;
     Place place;
+    FieldPlaces places{};  ///< of the values in `config` and `sets`
 };
 
 /// `component NAME { type, config, rate, ... }` for native components.
@@ -50,6 +54,7 @@ struct ComponentEntry {
     double yaw = 0;   ///< [rad]
     bool active = true;
     Place place;
+    FieldPlaces places{};  ///< of the values in `config`
 };
 
 using Entry = std::variant<RobotEntry, BehaviorEntry, ComponentEntry>;

@@ -21,6 +21,15 @@ std::string_view kind_of(const Entry& entry) {
     return kinds[entry.index()];
 }
 
+// Where the values of `config` and of the sets stand, by path.
+void note_places(FieldPlaces& places, const FieldCheck& check, const FieldPath& table, const ParameterValues& values) {
+    for (const auto& [name, value] : values) {
+        FieldPath path = table;
+        path.push_back(name);
+        places.emplace(to_text(path), check.place_of(path));
+    }
+}
+
 template <class Sets>
 std::vector<std::string_view> names_of(const Sets& sets) {
     std::vector<std::string_view> names;
@@ -173,6 +182,8 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
     }
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
     if (fields.has("rate")) rate_places_[name] = check.place_of({"rate"});
+    note_places(entry.places, check, {"config"}, entry.config);
+    for (const auto& [set, values] : entry.sets) note_places(entry.places, check, {"sets", set}, values);
     return entry;
 }
 
@@ -187,6 +198,7 @@ Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const
     fields.done();
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
     if (fields.has("rate")) rate_places_[name] = check.place_of({"rate"});
+    note_places(entry.places, check, {"config"}, entry.config);
     return entry;
 }
 

@@ -81,6 +81,16 @@ TEST_CASE("a behaviour takes values of every type, sets and a rate", "[lua][syst
     CHECK(c.set == "careful");
 }
 
+TEST_CASE("the places of a behaviour's values are remembered", "[lua][system_file]") {
+    const auto spec = system_of(
+        "behavior 'c' {\n  script = 'robot_controller',\n  config = {\n    a = 1,\n  },\n"
+        "  sets = { fast = {\n b = 2 } },\n}");
+    const FieldPlaces& places = entry<BehaviorEntry>(spec, 0).places;
+    CHECK(places.size() == 2);
+    CHECK(places.at("config.a") == Place{"behaviors/systems/s.lua", 4, 5});
+    CHECK(places.at("sets.fast.b") == Place{"behaviors/systems/s.lua", 7, 2});
+}
+
 TEST_CASE("a native component takes its type, place and carrier", "[lua][system_file]") {
     const auto spec = system_of(R"(
         component "eye" { type = "Camera", on = "m", at = { 0.05, 0, 0.08 }, yaw = 0.1, rate = 30, config = { width = 640 } }
