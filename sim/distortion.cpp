@@ -36,13 +36,14 @@ bool is_sound(const CameraIntrinsics& intrinsics, const std::vector<cv::Point2d>
     for (const cv::Point2d& place : places) points.emplace_back(place.x, place.y, 1);
     std::vector<cv::Point2d> seen;
     cv::projectPoints(points, cv::Vec3d(), cv::Vec3d(), matrix_of(intrinsics), coefficients_of(intrinsics), seen);
+    const std::size_t width = intrinsics.width;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        const double column = static_cast<double>(i % intrinsics.width),
-                     row = static_cast<double>(i / intrinsics.width);
+        const std::size_t column = i % width, row = i / width;
         // Also refuses what is no number.
-        if (!(std::hypot(seen[i].x - column, seen[i].y - row) < most_error)) return false;
+        if (!(std::hypot(seen[i].x - static_cast<double>(column), seen[i].y - static_cast<double>(row)) < most_error))
+            return false;
         if (column > 0 && !(places[i].x > places[i - 1].x)) return false;
-        if (row > 0 && !(places[i].y > places[i - intrinsics.width].y)) return false;
+        if (row > 0 && !(places[i].y > places[i - width].y)) return false;
     }
     return true;
 }
