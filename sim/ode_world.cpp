@@ -8,6 +8,8 @@
 
 #include "sim/robot_body.hpp"
 
+#include "engine/ports/payload.hpp"
+
 namespace nezumi::sim {
 namespace {
 
@@ -28,6 +30,8 @@ dMass mass_of(const Shape& shape, double mass) {
 
 OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::function<void(const std::string&)> warn)
     : step_(physics.step),
+      seed_(physics.seed),
+      inside_(arena.border ? arena.size : std::nullopt),
       random_(static_cast<unsigned long>((physics.seed ^ (physics.seed >> 32)) & 0xffffffffu)),
       warn_([this, warn = std::move(warn)](const std::string& text) {
           // ODE says how much something is off, each time another number.
@@ -124,7 +128,7 @@ Expected<std::unique_ptr<RobotBody>> OdeWorld::add_robot(const std::string& name
     islands_.add_mover();
     neighbours_.expire();
     movers_.robots.emplace_back(body, model, scene_.add_mover(hull, model.reach), name);
-    return std::make_unique<SimRobotBody>(*this, movers_.robots.size() - 1);
+    return std::make_unique<SimRobotBody>(*this, movers_.robots.size() - 1, spec, mix(seed_, std::string_view(name)));
 }
 
 void OdeWorld::remove_robot(RobotId id) {
@@ -166,6 +170,12 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
     if (!std::isfinite(pose.position.x) || !std::isfinite(pose.position.y) || !std::isfinite(pose.heading)) {
         return failure(fmt::format("robot '{}': its pose must be of finite numbers, got x = {}, y = {}, heading = {}",
                                    name, pose.position.x, pose.position.y, pose.heading));
+    }
+    if (inside_ && (std::abs(pose.position.x) > inside_->x / 2 || std::abs(pose.position.y) > inside_->y / 2)) {
+        return failure(
+            fmt::format("robot '{}' at x = {:g}, y = {:g} is outside the arena of {:g} x {:g} m: put it "
+                        "inside, or say border = false",
+                        name, pose.position.x, pose.position.y, inside_->x, inside_->y));
     }
     Shape hull = model.hull;
     hull.rotation = yaw_rotation(pose.heading);

@@ -80,6 +80,7 @@ private:
     void add_shape(const Shape& shape, double mass, std::string name, const std::string& color);
     void add_border(const ArenaSpec& arena);
     RobotModel& model_of(const RobotSpec& spec);
+    /// Whether a robot could stand there, and if not, why.
     Expected<void> check_free(const RobotModel& model, const std::string& name, const Pose2D& pose, Scene::Index self);
     Vec3 rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const;
     std::string name_of(const Obstacle& obstacle) const;
@@ -98,7 +99,9 @@ private:
     void restore(const BodyView& body, const Shape& last, double drop, const std::string& name);
 
     double step_;
-    unsigned long random_;  // ODE's generator, as far as this world has drawn from it
+    std::uint64_t seed_;             // of the sensors' noise
+    std::optional<Point2D> inside_;  // [m] size of an arena that robots can't be outside of
+    unsigned long random_;           // ODE's generator, as far as this world has drawn from it
     OdeMessages::Sink warn_;
     std::set<std::string> warned_;
     std::optional<Error> breakdown_;

@@ -1,20 +1,22 @@
 // What the engine holds of a simulated robot.
 #pragma once
 
-#include "engine/world/world.hpp"
+#include "sim/simulated_body.hpp"
 
 namespace nezumi::sim {
 
 class OdeWorld;
 
-class SimRobotBody final : public RobotBody {
+class SimRobotBody final : public SimulatedBody {
 public:
-    /// `world` must outlive it; destroying it takes the robot out of the world.
-    SimRobotBody(OdeWorld& world, RobotId id) : world_(world), id_(id) {}
+    /// `world` and `spec` must outlive it; destroying it takes the robot out of the world. `seed` is of its noise.
+    SimRobotBody(OdeWorld& world, RobotId id, const RobotSpec& spec, std::uint64_t seed)
+        : SimulatedBody(spec, seed), world_(world), id_(id) {}
     ~SimRobotBody() override;
     SimRobotBody(const SimRobotBody&) = delete;
     SimRobotBody& operator=(const SimRobotBody&) = delete;
 
+    RobotId id() const override { return id_; }
     Wheels wheel_angles() const override;
     void read_ranges(std::span<double> distances) const override;
     bool is_pressed(std::size_t index) const override;

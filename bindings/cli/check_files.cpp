@@ -72,6 +72,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     if (!spec) return {spec.error()};
     Makers makers;
     makers.world = options.world;
+    makers.bodies = options.bodies;
     makers.components = options.components;
     makers.behavior = [&](const BehaviorEntry& entry,
                           const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {

@@ -371,6 +371,7 @@ PictureOf look_at(const LiveSystem& live, const Paths& paths, std::string title)
     if (world == nullptr) return picture;
     picture.things = world->things();
     for (const Robot* robot : system.robots()) {
+        if (robot->is_real()) continue;  // it is elsewhere
         picture.robots.push_back({robot->name(), robot->spec().body, robot->spec().drive,
                                   world->truth(robot->id()).pose, world->rays(robot->id()), paths.of(robot->id())});
     }

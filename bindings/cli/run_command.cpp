@@ -95,7 +95,7 @@ public:
         if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
 
         live_->activate();
-        loop_.emplace(*live_, RunLoop::Options{.speed = options_.speed, .hardware = false, .problems = &problems_});
+        loop_.emplace(*live_, RunLoop::Options{.speed = options_.speed, .problems = &problems_});
         RunLoop& loop = *loop_;
         loop.end_when(stop_signals.received());
         loop.end_at(options_.duration);

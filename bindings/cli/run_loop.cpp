@@ -45,7 +45,13 @@ RunLoop::Lateness RunLoop::lateness() const {
     return all;
 }
 
+void RunLoop::pause() {
+    ticks_left_ = 0;
+    live_.system().set_at_rest(is_hardware());
+}
+
 void RunLoop::resume() {
+    live_.system().set_at_rest(false);
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
     ticks_left_ = kForever;
 }
@@ -87,7 +93,7 @@ void RunLoop::run() {
     while (!ended()) {
         serve_until_due();
         if (ended()) return;
-        if (!is_paused()) tick();
+        if (!stands_still()) tick();
     }
 }
 
@@ -95,7 +101,7 @@ void RunLoop::tick() {
     if (pacer_ != nullptr) pacer_->wait();
     live_.tick();
     advanced_ += 1 / live_.system().settings().rate;
-    if (ticks_left_ != kForever) --ticks_left_;
+    if (is_advancing()) --ticks_left_;
     for (const auto& action : after_tick_) action();
 }
 
@@ -108,7 +114,7 @@ void RunLoop::serve_until_due() {
         if (spare < 2 * margin && !starving) return;
 
         serve(now + duration_of(std::clamp(spare - margin, margin, kSlice)));
-        if (is_paused()) live_.between_ticks();
+        if (stands_still()) live_.between_ticks();
         follow_restart();
         if (ended()) return;
         const double left = spare_seconds() - margin;
@@ -119,7 +125,7 @@ void RunLoop::serve_until_due() {
 }
 
 double RunLoop::spare_seconds() const {
-    if (is_paused()) return kLongestWait;
+    if (stands_still()) return kLongestWait;
     return pacer_ != nullptr ? std::chrono::duration<double>(pacer_->until_due()).count() : 0;
 }
 

@@ -48,7 +48,6 @@ public:
 
     struct Options {
         double speed = 1;                    ///< a factor of real time, or `as_fast_as_possible`
-        bool hardware = false;               ///< real robots move
         const Problems* problems = nullptr;  ///< what has been logged; must outlive the loop
     };
 
@@ -70,8 +69,9 @@ public:
     void tick();
 
     // What attendants may do in their turn, and anybody before `run`.
-    bool is_hardware() const override { return options_.hardware; }
-    void pause() override { ticks_left_ = 0; }
+    bool is_hardware() const override { return live_.system().settings().real_time; }
+    /// Real robots stand from now on, and time goes on: their system ticks at rest.
+    void pause() override;
     void resume() override;
     bool is_paused() const override { return ticks_left_ == 0; }
     void advance(std::int64_t ticks) override;
@@ -95,6 +95,8 @@ private:
     static constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
 
     bool ended() const;
+    /// Whether no tick comes: time has stopped.
+    bool stands_still() const { return is_paused() && !is_hardware(); }
     void follow_restart();
     void pace_anew();
     void serve_until_due();

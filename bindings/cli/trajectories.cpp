@@ -9,6 +9,7 @@ void Paths::look(const System& system) {
     if (system.world() == nullptr) return;
     paths_.resize(system.robots().size());
     for (const Robot* robot : system.robots()) {
+        if (robot->is_real()) continue;
         auto& [points, apart] = paths_[robot->id() < paths_.size() ? robot->id() : paths_.size() - 1];
         const Point2D here = system.world()->truth(robot->id()).pose.position;
         if (!points.empty() && std::hypot(here.x - points.back().x, here.y - points.back().y) < apart) continue;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/devices/joystick.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -21,6 +23,7 @@ std::optional<AnyPayload> payload(std::size_t type, double x, double y) {
 
 // The port of a component that a stick stands for.
 std::string port_to_drive(const Component& component) {
+    if (dynamic_cast<const Joystick*>(&component) != nullptr) return component.name() + ".stick";
     if (const Port* pos = component.find_out_port("pos")) return component.name() + "." + pos->name();
     const auto fits = [](const auto& port) { return port->type() == type_index<Velocity2D>(); };
     if (dynamic_cast<const Robot*>(&component) != nullptr) {

@@ -18,8 +18,8 @@ public:
     static constexpr double speed_of_px = 0.002;  ///< [m/s / px] into a velocity port
     static constexpr double turn_of_px = -0.02;   ///< [rad/s / px]
 
-    /// From now on holds "name.port", or of a component its out-port `pos`, or of a robot its velocity in-port. The
-    /// port carries a sequence of numbers or a velocity.
+    /// From now on holds "name.port", or of a joystick its in-port `stick`, of another component its out-port `pos`, of
+    /// a robot its velocity in-port. The port carries a sequence of numbers or a velocity.
     Expected<void> begin(LiveSystem& live, const std::string& what);
     bool is_on() const { return !path_.empty() && !ending_; }
     /// "name.port" that it holds.

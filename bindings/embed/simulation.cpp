@@ -12,11 +12,11 @@
 namespace nezumi {
 
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
-    return {
-        .installed = std::move(installed),
-        .world = sim::make_world,
-        .components = {
-            {"Camera", make_simulated_camera}, {"Joystick", make_joystick}, {"MarkerDetector", make_marker_detector}}};
+    return {.installed = std::move(installed),
+            .world = sim::make_world,
+            .components = {{"Camera", {{"sim", make_simulated_camera}}},
+                           {"Joystick", {{"sim", make_joystick}}},
+                           {"MarkerDetector", {{"sim", make_marker_detector}}}}};
 }
 
 Expected<Simulation> Simulation::load(const std::filesystem::path& file, Options options) {

@@ -113,6 +113,7 @@ Expected<void> Camera::open() {
     source_ = std::move(*source);
     parameters_version_ = parameters_.version();
     frame_rate_ = wanted.frame_rate;
+    out_.set_rate(frame_rate_);
     latency_ = value<double>(parameters_, "latency");
     return {};
 }
@@ -172,7 +173,7 @@ Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry&
         [world = system.world()](const CameraMount& mount, const CameraSettings& settings) {
             return world->open_camera(mount, settings);
         },
-        true);
+        !system.settings().real_time);
 }
 
 }  // namespace nezumi

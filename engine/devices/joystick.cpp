@@ -1,7 +1,9 @@
 // The stick's place, and the wheels' speeds that it stands for.
 #include "engine/devices/joystick.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -11,6 +13,8 @@ namespace nezumi {
 
 Joystick::Joystick(std::string name)
     : Device(std::move(name), "Joystick"),
+      stick_(
+          add_in_port<std::vector<float>>("stick", "where the stick is held {x, y} [px]; in the middle while silent")),
       pos_(add_out_port<std::vector<float>>("pos", "the stick's place {x, y} [px] from the middle, y up")),
       vel_(add_out_port<std::vector<float>>("vel", "left and right wheel: the stick turned by 45 degrees [px]")) {
     const auto ok = parameters_.declare(
@@ -24,9 +28,12 @@ void Joystick::sense(const Time& now) {
     set_now(now);
     parameters_.take_staged();
     if (rate > 0 && !is_due(now.tick, rate, tick_rate())) return;
-    const std::vector<float>* held = pos_.held();
-    const bool is_place = held != nullptr && held->size() >= 2;
-    const float x = is_place ? (*held)[0] : 0, y = is_place ? (*held)[1] : 0;
+    // Nobody holds it: it has sprung back.
+    static const std::vector<float> middle{0, 0};
+    const std::vector<float>& held = stick_.is_new() ? stick_.read() : middle;
+    const bool is_place = held.size() >= 2 && std::isfinite(held[0]) && std::isfinite(held[1]);
+    const auto on_pad = [](float px) { return std::clamp(px, -edge, edge); };
+    const float x = is_place ? on_pad(held[0]) : 0, y = is_place ? on_pad(held[1]) : 0;
     constexpr float diagonal = std::numbers::sqrt2_v<float> / 2;
     pos_.write({x, y});
     vel_.write({(y + x) * diagonal, (y - x) * diagonal});

@@ -13,20 +13,21 @@ namespace nezumi {
 
 class System;
 
-/// The stick springs back to the middle; who holds its port `pos` holds the stick, and `vel` follows. The pad is 300 x
-/// 300 px.
+/// Who sends to its in-port `stick` holds the stick: a prompt's arrow keys, a browser's pad, another component. When
+/// nothing has come since it was read last, it is back in the middle. The pad is 300 x 300 px.
 class Joystick final : public Device {
 public:
     explicit Joystick(std::string name);
 
-    static constexpr double edge = 150;  ///< [px] from the middle of the pad
+    static constexpr float edge = 150;  ///< [px] from the middle of the pad
 
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
 private:
-    OutPort<std::vector<float>>& pos_;  // {x, y} [px] from the middle, y up
-    OutPort<std::vector<float>>& vel_;  // {left, right} wheel, the stick turned by 45 degrees
+    InPort<std::vector<float>>& stick_;  // {x, y} [px] from the middle, y up
+    OutPort<std::vector<float>>& pos_;   // {x, y} [px] from the middle, y up
+    OutPort<std::vector<float>>& vel_;   // {left, right} wheel, the stick turned by 45 degrees
 };
 
 /// The maker of components of type Joystick.

@@ -1,9 +1,11 @@
 // Typed in- and out-ports: a write is invisible until the out-port is latched, a value arrives when the in-port is
-// latched.
+// latched. It is not copied on its way: who writes fills a slot of the out-port, who reads looks at that slot.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,6 +26,9 @@ struct Message {
 };
 
 template <Payload T>
+class InPort;
+
+template <Payload T>
 class OutPort final : public OutPortBase {
 public:
     explicit OutPort(std::string name, std::string doc = "", std::optional<T> safe = default_safe())
@@ -35,13 +40,18 @@ public:
     /// A slot to fill in place instead of `write`; it holds some old payload.
     T& next_pending() {
         if (pending_ == pending_slots_.size()) pending_slots_.emplace_back();
-        return pending_slots_[pending_++].data;
+        Message<T>& slot = pending_slots_[pending_++];
+        slot.tm = unstamped;
+        return slot.data;
+    }
+    void stamp(double tm) override {
+        assert(pending_ > 0);
+        pending_slots_[pending_ - 1].tm = tm;
     }
     /// What `next_pending` gives first in a tick begins as a copy of this. Before anything is published.
     void prepare(const T& value) {
         assert(sequence_ == 0 && pending_ == 0);
-        pending_slots_.assign(1, {value});
-        latched_slots_.assign(1, {value});
+        for (auto* slots : {&pending_slots_, &latched_slots_, &earlier_slots_}) slots->assign(1, {value});
     }
     /// The value published last; T{} before.
     const T& read() const { return latched_ > 0 ? latched_slots_[latched_ - 1].data : zero(); }
@@ -51,15 +61,25 @@ public:
     bool latch(const Time& now) override {
         if (override_ != Override::none) apply_override();
         if (pending_ == 0) return false;
-        std::swap(pending_slots_, latched_slots_);
+        // Who took the publication before this one still looks at it: behaviours latch their outputs after their
+        // inputs.
+        for (InPort<T>* reader : readers_) reader->before_reuse(*this, sequence_ - 1);
+        std::swap(latched_slots_, earlier_slots_);
+        std::swap(latched_slots_, pending_slots_);
         latched_ = std::exchange(pending_, 0);
-        for (std::size_t i = 0; i < latched_; ++i) latched_slots_[i].tm = now.seconds;
-        tm_ = now.seconds;
+        for (std::size_t i = 0; i < latched_; ++i) {
+            double& tm = latched_slots_[i].tm;
+            if (tm == unstamped) tm = now.seconds;
+        }
+        tm_ = latched_slots_[latched_ - 1].tm;
         latched_tick_ = now.tick;
+        latched_at_ = now.seconds;
         count_ += latched_;
         ++sequence_;
         return true;
     }
+    void add_reader(InPort<T>& reader) { readers_.push_back(&reader); }
+    void remove_reader(const InPort<T>& reader) { std::erase(readers_, &reader); }
     void discard() override { pending_ = 0; }
     void write_any(const AnyPayload& value) override { write(std::get<T>(value)); }
     bool has_safe() const override { return safe_.has_value(); }
@@ -107,8 +127,12 @@ private:
         if (override_ != Override::dropped) write(*held_);
     }
 
+    static constexpr double unstamped = std::numeric_limits<double>::infinity();
+
     std::vector<Message<T>> pending_slots_;
     std::vector<Message<T>> latched_slots_;
+    std::vector<Message<T>> earlier_slots_;  // the publication before
+    std::vector<InPort<T>*> readers_;        // connected to it
     std::size_t latched_ = 0;
     std::optional<T> safe_;
     std::unique_ptr<T> held_;
@@ -136,16 +160,16 @@ public:
     /// The payload of `take()`.
     const T& read() { return take().data; }
     /// The message that `take` gave last; without a queue the latest.
-    const Message<T>& current() const { return capacity_ > 0 ? taken_ : latest_; }
+    const Message<T>& current() const { return capacity_ > 0 ? taken_ : *latest_; }
     /// The latest message that arrived. Consumes nothing.
-    const Message<T>& latest() const { return latest_; }
+    const Message<T>& latest() const { return *latest_; }
     /// All that came in the tick `arrival_tick()`, oldest first; empty when nobody follows the port.
     std::span<const Message<T>> messages() const { return arrived_; }
 
     void latch(const Time& now) override {
         if (override_ != Override::none) {
             skip();
-            if (override_ != Override::dropped) deliver({*held_, now.seconds}, now.tick);
+            if (override_ != Override::dropped) deliver_own({*held_, now.seconds}, now);
             return;
         }
         take_published(now);
@@ -156,20 +180,21 @@ public:
         unread_ = 0;
         queued_bytes_ = 0;
         skip();
-        latest_ = {};
+        own_ = {};
         taken_ = {};
         tm_ = 0;
         arrived_.clear();
         arrival_tick_ = -1;
+        arrived_at_ = 0;
     }
     void inject(const AnyPayload& value) override { injected_.push_back({std::get<T>(value), 0.0}); }
     void set_queue(std::size_t queue) override {
         if (queue == capacity_) return;
         std::vector<Message<T>> unread;
         for (std::size_t i = 0; i < unread_; ++i) {
-            unread.push_back(capacity_ > 0 ? std::move(queue_[(head_ + i) % capacity_]) : latest_);
+            unread.push_back(capacity_ > 0 ? std::move(queue_[(head_ + i) % capacity_]) : *latest_);
         }
-        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{} : latest_;
+        if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{} : *latest_;
         const std::size_t kept = queue > 0 ? queue : 1;
         if (unread.size() > kept) unread.erase(unread.begin(), unread.end() - static_cast<std::ptrdiff_t>(kept));
         capacity_ = queue;
@@ -181,13 +206,13 @@ public:
         queue_.resize(queue);
     }
 
-    AnyPayload value() const override { return latest_.data; }
+    AnyPayload value() const override { return latest_->data; }
     void hold(AnyPayload value) override {
         held_ = std::make_unique<T>(std::get<T>(std::move(value)));
         override_ = Override::held;
     }
     void freeze() override {
-        held_ = std::make_unique<T>(latest_.data);
+        held_ = std::make_unique<T>(latest_->data);
         override_ = Override::frozen;
     }
     AnyPayload override_value() const override { return *held_; }
@@ -197,18 +222,34 @@ public:
         for (const Source& source : sources_) all.push_back(source.port);
         return all;
     }
+    double stale_after() const override {
+        double longest = sources_.empty() ? silence : 0;
+        for (const Source& source : sources_) longest = std::max(longest, source.port->stale_after());
+        return longest;
+    }
+    /// `source` is about to use the slots of this publication again.
+    void before_reuse(const OutPortBase& source, std::uint64_t sequence) {
+        if (looks_at_ == &source && looked_sequence_ == sequence) keep_latest();
+    }
 
 private:
     void attach(OutPortBase& source) override {
         assert(source.type() == type());
-        sources_.push_back({static_cast<OutPort<T>*>(&source), source.sequence()});
+        auto& port = static_cast<OutPort<T>&>(source);
+        sources_.push_back({&port, port.sequence()});
+        port.add_reader(*this);
         connections_ = sources_.size();
     }
     void detach(const OutPortBase& source) override {
-        disconnections_ += std::erase_if(sources_, [&](const Source& s) { return s.port == &source; });
+        const auto found =
+            std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.port == &source; });
+        if (found == sources_.end()) return;
+        if (looks_at_ == &source) keep_latest();
+        found->port->remove_reader(*this);
+        sources_.erase(found);
+        ++disconnections_;
         connections_ = sources_.size();
     }
-
     struct Source {
         OutPort<T>* port;
         std::uint64_t seen;  // the sequence number of the publication taken last
@@ -232,27 +273,43 @@ private:
     }
     void take_from(Source& source, const Time& now) {
         source.seen = source.port->sequence();
-        for (const Message<T>& message : source.port->messages()) deliver(message, now.tick);
+        looks_at_ = source.port;
+        looked_sequence_ = source.seen;
+        for (const Message<T>& message : source.port->messages()) deliver(message, now);
     }
     void take_injected(const Time& now) {
         for (Message<T>& message : injected_) {
             message.tm = now.seconds;
-            deliver(message, now.tick);
+            deliver_own(std::move(message), now);
         }
         injected_.clear();
     }
     void skip() {
+        keep_latest();
         for (Source& source : sources_) source.seen = source.port->sequence();
         injected_.clear();
     }
-    void deliver(const Message<T>& message, std::int64_t tick) {
+    /// From now on the latest message is its own.
+    void keep_latest() {
+        if (latest_ != &own_) own_ = *latest_;
+        latest_ = &own_;
+        looks_at_ = nullptr;
+    }
+    void deliver_own(Message<T> message, const Time& now) {
+        own_ = std::move(message);
+        looks_at_ = nullptr;
+        deliver(own_, now);
+    }
+    /// `message` stays where it is until the next `latch`, or until `keep_latest`.
+    void deliver(const Message<T>& message, const Time& now) {
         if (followed_) {
-            if (arrival_tick_ != tick) arrived_.clear();
+            if (arrival_tick_ != now.tick) arrived_.clear();
             arrived_.push_back(message);
         }
-        latest_ = message;
+        latest_ = &message;
         tm_ = message.tm;
-        arrival_tick_ = tick;
+        arrival_tick_ = now.tick;
+        arrived_at_ = now.seconds;
         ++count_;
         if (capacity_ == 0) {
             unread_ = 1;
@@ -284,9 +341,12 @@ private:
     static constexpr bool holds_heap = !std::is_trivially_copyable_v<T>;
 
     std::vector<Source> sources_;
-    Message<T> latest_;
-    Message<T> taken_;               // with a queue: what was read last
-    std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
+    Message<T> own_;                         // when it is no source's
+    const Message<T>* latest_ = &own_;       // a slot of `looks_at_`, or own_
+    const OutPortBase* looks_at_ = nullptr;  // whose slot that is
+    std::uint64_t looked_sequence_ = 0;      // of which publication
+    Message<T> taken_;                       // with a queue: what was read last
+    std::vector<Message<T>> queue_;          // a ring of `capacity_`, empty until something arrives
     std::size_t head_ = 0;
     std::size_t queued_bytes_ = 0;  // of texts and sequences in the queue
     std::vector<Message<T>> injected_;

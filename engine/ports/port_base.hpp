@@ -1,6 +1,7 @@
 // What all ports share, whatever they carry.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,11 +16,15 @@
 
 namespace nezumi {
 
-/// Time as components see it: a count of ticks, and the same in seconds since the start.
+/// Time as components see it: a count of ticks, which orders what happens, and seconds since the start, which in
+/// simulation are that count's and with real robots a clock's.
 struct Time {
     std::int64_t tick = 0;
     double seconds = 0;
 };
+
+/// How long [s] a robot waits for a velocity, and anybody for a sender that declares no rate.
+inline constexpr double silence = 0.5;
 
 enum class Direction { in, out };
 
@@ -75,6 +80,9 @@ protected:
     Port(std::string name, std::size_t type, Direction direction, std::string doc)
         : name_(std::move(name)), doc_(std::move(doc)), type_(type), direction_(direction) {}
 
+    static constexpr double shortest_stale = 0.1;  // [s]
+    static constexpr double rounding = 1e-9;       // [s] sums of periods are no exact numbers
+
     std::string name_;
     std::string doc_;
     std::string note_;
@@ -88,8 +96,11 @@ protected:
 /// An out-port of any type. One component writes it, any number of in-ports listen.
 class OutPortBase : public Port {
 public:
-    /// Publishes what was written since the last time, stamped with `now`. Returns whether there was anything.
+    /// Publishes what was written since the last time; what has no stamp of its own gets that of `now`. Returns whether
+    /// there was anything.
     virtual bool latch(const Time& now) = 0;
+    /// Gives the message that was written last a stamp of its own [s]: when a device measured it.
+    virtual void stamp(double tm) = 0;
     /// Forgets what was written and not yet published.
     virtual void discard() = 0;
     /// Writes the value that is safe when its component stops, if it has one.
@@ -108,6 +119,13 @@ public:
     virtual void set_safe_any(const AnyPayload* safe) = 0;
     /// The tick in which it published last, -1 before.
     std::int64_t latched_tick() const { return latched_tick_; }
+    /// How often [Hz] its owner declares to publish; 0: it does not say.
+    double rate() const { return rate_; }
+    void set_rate(double hertz) { rate_ = hertz; }
+    /// How long [s] without a message until it is stale: three periods where a rate is declared.
+    double stale_after() const { return rate_ > 0 ? std::max(shortest_stale, 3 / rate_) : silence; }
+    /// Whether it was silent for so long.
+    bool is_stale(double now) const { return latched_tick_ < 0 || now - latched_at_ > stale_after() + rounding; }
     /// How often it has published.
     std::uint64_t sequence() const { return sequence_; }
     /// Mixes the last publication into a hash.
@@ -123,7 +141,9 @@ protected:
     OutPortBase* companion_ = nullptr;
     std::size_t pending_ = 0;  // how many of the pending slots are filled
     std::int64_t latched_tick_ = -1;
+    double latched_at_ = 0;  // [s]
     std::uint64_t sequence_ = 0;
+    double rate_ = 0;
 };
 
 /// An in-port of any type, fed by any number of out-ports of that type.
@@ -147,7 +167,13 @@ public:
     std::size_t queue() const { return capacity_; }
     /// The tick in which something arrived last; -1 before.
     std::int64_t arrival_tick() const { return arrival_tick_; }
+    /// The same in seconds, 0 before.
+    double arrived_at() const { return arrived_at_; }
     bool connected() const { return connections_ > 0; }
+    /// Whether nothing came for longer than its senders' rates let expect, or nothing can come.
+    bool is_stale(double now) const {
+        return !connected() || arrival_tick_ < 0 || now - arrived_at_ > stale_after() + rounding;
+    }
     /// How often it was disconnected from a source.
     std::uint64_t disconnections() const { return disconnections_; }
 
@@ -167,8 +193,8 @@ public:
     /// From now on it keeps all messages of its latest arrival, for those who record it.
     void follow() { followed_ = true; }
 
-    /// How long [s] without a message until `stale`: as long as a robot waits for a velocity.
-    static constexpr double stale_after = 0.5;
+    /// How long [s] without a message until it is stale: as long as the slowest of its senders may take.
+    virtual double stale_after() const = 0;
     /// Texts, sequences and pictures that wait in a queue are no more than these bytes: beyond them the oldest is
     /// dropped as when the queue is full.
     static constexpr std::size_t most_queued_bytes = std::size_t{64} << 20;
@@ -186,6 +212,7 @@ protected:
     std::uint64_t overflow_ = 0;
     std::uint64_t disconnections_ = 0;
     std::int64_t arrival_tick_ = -1;
+    double arrived_at_ = 0;
     bool followed_ = false;
 
 private:

@@ -52,16 +52,23 @@ Expected<void> Actuators::add(std::size_t index, InPortBase& port, bool off_when
                                                                  : std::pair("speaker", "it is silent after each text");
         return failure(fmt::format("silence = \"off\" means nothing to the {} '{}': {}", kind, actuator.name, why));
     }
-    channels_.push_back({.actuator = index, .port = &port, .off_when_silent = off_when_silent});
+    channels_.push_back(
+        {.actuator = index, .port = &port, .off_when_silent = off_when_silent, .speed = actuator.speed});
     return {};
 }
 
-void Actuators::act(RobotBody& body, const Time& now, double tick_rate, const std::function<void(std::string)>& warn) {
+void Actuators::set_servo_speed(std::size_t index, double speed) {
+    for (Channel& channel : channels_) {
+        if (channel.actuator == index) channel.speed = speed;
+    }
+}
+
+void Actuators::act(RobotBody& body, const Time& now, const std::function<void(std::string)>& warn) {
+    is_still_ = false;
     for (Channel& channel : channels_) {
         InPortBase& port = *channel.port;
-        const auto arrived_at = static_cast<double>(port.arrival_tick()) / tick_rate;
         constexpr double rounding = 1e-9;
-        const bool off = channel.off_when_silent && now.seconds - arrived_at >= silence - rounding;
+        const bool off = channel.off_when_silent && now.seconds - port.arrived_at() >= silence - rounding;
         switch (spec_.actuators[channel.actuator].kind) {
             case Kind::leds:
                 if (port.is_new()) set_leds(body, take<std::vector<bool>>(port));
@@ -72,8 +79,7 @@ void Actuators::act(RobotBody& body, const Time& now, double tick_rate, const st
                 if (off) set_buzzer(body, 0);
                 break;
             case Kind::servo:
-                if (port.is_new()) aim_servo(channel, take<double>(port));
-                turn_servo(body, channel, 1 / tick_rate);
+                if (port.is_new()) aim_servo(body, channel, take<double>(port));
                 break;
             case Kind::screen:
                 while (port.is_new()) show(body, channel, warn);
@@ -85,13 +91,14 @@ void Actuators::act(RobotBody& body, const Time& now, double tick_rate, const st
     }
 }
 
-double Actuators::servo_angle(std::size_t index) const {
-    const auto drives = [index](const Channel& channel) { return channel.actuator == index; };
-    const auto found = std::find_if(channels_.begin(), channels_.end(), drives);
-    return found != channels_.end() ? found->angle : 0;
+void Actuators::be_still(RobotBody& body) {
+    set_buzzer(body, 0);
+    if (std::exchange(is_still_, true)) return;
+    for (Channel& channel : channels_) {
+        if (spec_.actuators[channel.actuator].kind == Kind::servo)
+            aim_servo(body, channel, body.servo_angle(channel.actuator));
+    }
 }
-
-void Actuators::be_still(RobotBody& body) { set_buzzer(body, 0); }
 
 void Actuators::set_leds(RobotBody& body, const std::vector<bool>& wanted) {
     const std::vector<bool> before = leds_;
@@ -105,19 +112,11 @@ void Actuators::set_buzzer(RobotBody& body, int hertz) {
 }
 
 // An angle that is not finite is none.
-void Actuators::aim_servo(Channel& channel, double angle) const {
+void Actuators::aim_servo(RobotBody& body, Channel& channel, double angle) const {
     const ActuatorSpec& servo = spec_.actuators[channel.actuator];
     if (!std::isfinite(angle)) return;
-    channel.wanted = servo.minimum < servo.maximum ? std::clamp(angle, servo.minimum, servo.maximum) : angle;
-}
-
-void Actuators::turn_servo(RobotBody& body, Channel& channel, double period) {
-    if (channel.angle == channel.wanted) return;
-    const double rate = spec_.actuators[channel.actuator].max_rate;
-    const double way = channel.wanted - channel.angle;
-    const bool arrives = rate <= 0 || std::abs(way) <= rate * period;
-    channel.angle = arrives ? channel.wanted : channel.angle + std::copysign(rate * period, way);
-    body.set_servo(channel.actuator, channel.angle);
+    if (servo.minimum < servo.maximum) angle = std::clamp(angle, servo.minimum, servo.maximum);
+    if (angle != std::exchange(channel.angle, angle)) body.aim_servo(channel.actuator, angle, channel.speed);
 }
 
 void Actuators::show(RobotBody& body, Channel& channel, const std::function<void(std::string)>& warn) {

@@ -16,9 +16,6 @@ namespace nezumi {
 
 class Actuators {
 public:
-    /// How long [s] without a message is silence: as long as the drive waits for a velocity.
-    static constexpr double silence = InPortBase::stale_after;
-
     /// `spec` must outlive this.
     explicit Actuators(const RobotSpec& spec);
 
@@ -28,16 +25,17 @@ public:
     /// description wants.
     Expected<void> add(std::size_t index, InPortBase& port, bool off_when_silent);
 
-    /// Does what has arrived. One that its description wants off when nothing came for `silence` seconds goes off; a
-    /// servo goes on towards its angle. `warn` is told of what can't be done, once for each port.
-    void act(RobotBody& body, const Time& now, double tick_rate, const std::function<void(std::string)>& warn);
+    /// At what speed [rad/s] servo `index` of the spec turns from now on; 0: as fast as it can.
+    void set_servo_speed(std::size_t index, double speed);
+
+    /// Does what has arrived. One that its description wants off when nothing came for `silence` seconds goes off.
+    /// `warn` is told of what can't be done, once for each port.
+    void act(RobotBody& body, const Time& now, const std::function<void(std::string)>& warn);
     /// Its robot is not ACTIVE: what makes noise stops, lights and angles hold.
     void be_still(RobotBody& body);
 
     const std::vector<bool>& leds() const { return leds_; }
     int buzzer_hertz() const { return buzzer_hertz_; }
-    /// The angle [rad] that servo `index` of the spec was sent to last; 0 before, and without a port.
-    double servo_angle(std::size_t index) const;
     /// What the speaker was given, oldest first: the last `most_said` texts.
     const std::deque<std::string>& said() const { return said_; }
     static constexpr std::size_t most_said = 100;
@@ -47,14 +45,13 @@ private:
         std::size_t actuator;
         InPortBase* port;
         bool off_when_silent;
-        double wanted = 0;  // servo: the angle [rad] to go to
-        double angle = 0;   // servo: the angle [rad] it was sent to last
+        double angle = 0;  // servo: [rad] to go to
+        double speed = 0;  // servo: [rad/s] to turn at
         bool has_warned = false;
     };
     void set_leds(RobotBody& body, const std::vector<bool>& wanted);
     void set_buzzer(RobotBody& body, int hertz);
-    void aim_servo(Channel& channel, double angle) const;
-    void turn_servo(RobotBody& body, Channel& channel, double period);
+    void aim_servo(RobotBody& body, Channel& channel, double angle) const;
     void show(RobotBody& body, Channel& channel, const std::function<void(std::string)>& warn);
     void play(RobotBody& body, const std::string& text);
 
@@ -62,6 +59,7 @@ private:
     std::vector<Channel> channels_;
     std::vector<bool> leds_;
     int buzzer_hertz_ = 0;
+    bool is_still_ = false;
     std::deque<std::string> said_;
 };
 

@@ -6,22 +6,21 @@
 
 namespace nezumi {
 
-double Odometry::counted(double angle) const {
-    if (pulses_per_turn_ <= 0) return angle;
-    const double pulse = 2 * std::numbers::pi / pulses_per_turn_;
-    return std::floor(angle / pulse + 0.5) * pulse;
-}
+Odometry::Odometry(double left_radius, double right_radius, double track, double pulses_per_turn)
+    : metres_per_pulse_{2 * std::numbers::pi * left_radius / pulses_per_turn,
+                        2 * std::numbers::pi * right_radius / pulses_per_turn},
+      track_(track) {}
 
-void Odometry::update(const Wheels& angles) {
-    const Wheels now{counted(angles.left), counted(angles.right)};
+void Odometry::update(const WheelPulses& pulses) {
     if (!started_) {
         started_ = true;
-        counted_ = now;
+        counted_ = pulses;
         return;
     }
-    const double left = (now.left - counted_.left) * radius_.left;
-    const double right = (now.right - counted_.right) * radius_.right;
-    counted_ = now;
+    // Whole numbers are subtracted, so that a pulse is as long after a thousand kilometres as it was at the start.
+    const double left = static_cast<double>(pulses.left - counted_.left) * metres_per_pulse_.left;
+    const double right = static_cast<double>(pulses.right - counted_.right) * metres_per_pulse_.right;
+    counted_ = pulses;
     const double ds = (right + left) / 2;
     const double dth = (right - left) / track_;
     const double th = pose_.heading;

@@ -11,28 +11,42 @@
 
 namespace nezumi {
 
-Robot::Robot(std::string name, const RobotSpec& spec, const Limits& limits, RobotId id, std::uint64_t seed)
+Robot::Robot(std::string name, const RobotSpec& spec, const Limits& limits)
     : Device(std::move(name), spec.model),
       spec_(spec),
-      id_(id),
       guard_(limits),
-      odometry_(spec.drive.radius, spec.drive.radius, spec.drive.track, spec.drive.pulses_per_turn),
-      sensors_(spec, mix(seed, std::string_view(this->name()))),
+      odometry_(spec.drive.radius, spec.drive.radius, spec.drive.track, spec.drive.encoder_pulses()),
       actuators_(spec) {}
 
 Robot::~Robot() {
     if (body_ != nullptr) body_->set_wheel_speeds({});
 }
 
-Expected<std::unique_ptr<Robot>> Robot::make(std::string name, const RobotSpec& spec, const Limits& limits, RobotId id,
-                                             std::uint64_t seed) {
-    std::unique_ptr<Robot> robot(new Robot(std::move(name), spec, limits, id, seed));
+Expected<std::unique_ptr<Robot>> Robot::make(std::string name, const RobotSpec& spec, const Limits& limits) {
+    std::unique_ptr<Robot> robot(new Robot(std::move(name), spec, limits));
     for (const PortSpec& port : spec.ports) {
         if (auto ok = robot->add_port(port); !ok) {
             return failure(fmt::format("port '{}': {}", port.name, ok.error().message), spec.place);
         }
     }
+    if (auto ok = robot->add_servo_speeds(); !ok) return failure(ok.error().message, spec.place);
     return robot;
+}
+
+Expected<void> Robot::add_servo_speeds() {
+    for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
+        const ActuatorSpec& actuator = spec_.actuators[i];
+        if (actuator.kind != ActuatorSpec::Kind::servo || actuator.speed <= 0) continue;
+        ParameterSpec speed{.name = actuator.name + "_speed",
+                            .initial = actuator.speed,
+                            .min = 0.001,
+                            .unit = "rad/s",
+                            .doc = "at which it turns to its angle"};
+        if (actuator.max_rate > 0) speed.max = actuator.max_rate;
+        if (auto ok = parameters_.declare(std::move(speed)); !ok) return ok;
+        servos_.push_back(i);
+    }
+    return {};
 }
 
 Expected<void> Robot::on_activated() {
@@ -45,46 +59,75 @@ bool Robot::is_due_at(double port_rate, const Time& now) const {
     return port_rate <= 0 || port_rate >= tick_rate() || nezumi::is_due(now.tick, port_rate, tick_rate());
 }
 
-// Where a sensor is in the body frame now that its servo has turned it.
-Pose3D Robot::pose_on_servo(std::size_t sensor, std::size_t servo) const {
-    const Point3D &at = spec_.sensors[sensor].at, &axis = spec_.actuators[servo].at;
-    const double angle = actuators_.servo_angle(servo), c = std::cos(angle), s = std::sin(angle);
+// Simulated robots know simulated time only: their world takes the same steps in every tick, however long that lasts.
+double Robot::period_until(const Time& now, std::optional<double> last) const {
+    return is_real() && last ? now.seconds - *last : 1.0 / tick_rate();
+}
+
+void Robot::take_parameters() {
+    parameters_.take_staged();
+    if (std::exchange(parameters_version_, parameters_.version()) == parameters_.version()) return;
+    for (std::size_t i = 0; i < servos_.size(); ++i)
+        actuators_.set_servo_speed(servos_[i], std::get<double>(parameters_.all()[i].value));
+}
+
+void Robot::tell_faults() {
+    for (std::string& fault : body_->take_faults()) {
+        if (told_faults_.insert(fault).second) log(LogLevel::warn, std::move(fault));
+    }
+}
+
+// A pose in the body frame, now that a servo has turned it.
+Pose3D Robot::turned(const Pose3D& pose, std::size_t servo) const {
+    const Point3D &at = pose.position, &axis = spec_.actuators[servo].at;
+    const double angle = body_->servo_angle(servo), c = std::cos(angle), s = std::sin(angle);
     const double x = at.x - axis.x, y = at.y - axis.y;
     return {.position = {axis.x + c * x - s * y, axis.y + s * x + c * y, at.z},
-            .orientation = {.r = 0, .p = 0, .y = spec_.sensors[sensor].yaw + angle}};
+            .orientation = {.r = 0, .p = 0, .y = pose.orientation.y + angle}};
+}
+
+void Robot::publish_wheels(const WheelReading& wheels, const Time& now) {
+    const double left = wheels.speeds.left, right = wheels.speeds.right;
+    const Velocity2D measured{.vx = (left + right) / 2, .vy = 0, .va = (right - left) / spec_.drive.track};
+    for (const auto& port : velocity_ports_) {
+        if (!is_due_at(port.rate, now)) continue;
+        port.port->write(measured);
+        if (wheels.tm != now.seconds) port.port->stamp(wheels.tm);
+    }
+    for (const auto& port : pose_ports_) {
+        if (!is_due_at(port.rate, now)) continue;
+        port.port->write(odometry_.pose());
+        if (wheels.tm != now.seconds) port.port->stamp(wheels.tm);
+    }
+}
+
+void Robot::publish(const SensorPort& port, std::span<const SensorReading> readings, const Time& now) const {
+    double oldest = now.seconds;
+    for (const std::size_t sensor : port.sensors) {
+        if (!readings[sensor].is_there) return;
+        oldest = std::min(oldest, readings[sensor].tm);
+    }
+    const double hertz = port.rate > 0 ? std::min(port.rate, tick_rate()) : tick_rate();
+    if (port.servo) {
+        const Pose3D pose = turned(port.pose, *port.servo);
+        port.write(port, readings, hertz, &pose);
+    } else {
+        port.write(port, readings, hertz, nullptr);
+    }
+    if (oldest != now.seconds) port.port->stamp(oldest);
 }
 
 void Robot::sense(const Time& now) {
-    const Wheels angles = body_->wheel_angles();
-    odometry_.update(angles);
-    const double left = (angles.left - angles_.left) * spec_.drive.radius * tick_rate();
-    const double right = (angles.right - angles_.right) * spec_.drive.radius * tick_rate();
-    const Velocity2D measured =
-        sensed_ ? Velocity2D{.vx = (left + right) / 2, .vy = 0, .va = (right - left) / spec_.drive.track}
-                : Velocity2D{};
-    angles_ = angles;
-    sensed_ = true;
+    const double period = period_until(now, std::exchange(sensed_at_, now.seconds));
+    const WheelReading wheels = body_->read_wheels(now, period);
+    if (wheels.is_there) odometry_.update(wheels.pulses);
+    tell_faults();
     if (state() != LifeState::active) return;
-
-    sensors_.read(*body_, now, 1.0 / tick_rate());
-    for (const auto& port : velocity_ports_) {
-        if (is_due_at(port.rate, now)) port.port->write(measured);
-    }
-    for (const auto& port : pose_ports_) {
-        if (is_due_at(port.rate, now)) port.port->write(odometry_.pose());
-    }
+    take_parameters();
+    const std::span<const SensorReading> readings = body_->read_sensors(now, period);
+    if (wheels.is_there) publish_wheels(wheels, now);
     for (const SensorPort& port : sensor_ports_) {
-        if (!is_due_at(port.rate, now)) continue;
-        outgoing_.clear();
-        for (const std::size_t sensor : port.sensors)
-            outgoing_.push_back(port.distance ? sensors_.distance(sensor) : sensors_.value(sensor));
-        const double hertz = port.rate > 0 ? std::min(port.rate, tick_rate()) : tick_rate();
-        if (port.servo) {
-            const Pose3D turned = pose_on_servo(port.sensors.front(), *port.servo);
-            port.write(*port.port, outgoing_, hertz, &turned);
-        } else {
-            port.write(*port.port, outgoing_, hertz, nullptr);
-        }
+        if (is_due_at(port.rate, now)) publish(port, readings, now);
     }
 }
 
@@ -124,6 +167,10 @@ void Robot::take_velocities(const Time& now) {
     if (disconnected && !velocity_in_->connected()) guard_.stop();
 }
 
+void Robot::forget_velocities() {
+    while (velocity_in_->is_new()) velocity_in_->read();
+}
+
 void Robot::take_pose() {
     while (pose_in_->is_new()) {
         const Pose2D& pose = pose_in_->read();
@@ -137,17 +184,26 @@ void Robot::take_pose() {
 }
 
 void Robot::drive(const Time& now) {
-    if (state() == LifeState::active) {
+    const double period = period_until(now, std::exchange(drove_at_, now.seconds));
+    const bool stalled = is_real() && period >= std::max(shortest_stall, 3 / tick_rate());
+    if (stalled || at_rest_) {
+        // What came meanwhile was meant for where the robot was before.
+        guard_.stop();
+        if (velocity_in_ != nullptr) forget_velocities();
+    } else if (state() == LifeState::active) {
         if (velocity_in_ != nullptr) take_velocities(now);
     } else {
         guard_.stop();
         coasting_ = false;
     }
+    if (stalled) {
+        log(LogLevel::warn, fmt::format("stops: nothing was computed for {:.2f} s", period));
+    }
     if (coasting_) {
         body_->coast();
         return;
     }
-    const Velocity2D velocity = guard_.advance(now.seconds, 1.0 / tick_rate());
+    const Velocity2D velocity = guard_.advance(now.seconds, 1.0 / tick_rate(), period);
     const double turn = velocity.va * spec_.drive.track / 2;
     body_->set_wheel_speeds({.left = velocity.vx - turn, .right = velocity.vx + turn});
 }
@@ -156,7 +212,7 @@ void Robot::actuate(const Time& now) {
     drive(now);
     if (state() == LifeState::active) {
         if (pose_in_ != nullptr) take_pose();
-        actuators_.act(*body_, now, tick_rate(), [this](std::string why) { log(LogLevel::warn, std::move(why)); });
+        actuators_.act(*body_, now, [this](std::string why) { log(LogLevel::warn, std::move(why)); });
     } else {
         actuators_.be_still(*body_);
     }

@@ -1,8 +1,10 @@
-// A robot: ports, safety, odometry and sensors' values around a body, be it simulated or real.
+// A robot: ports, safety and odometry around a body, be it simulated or real.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,7 +12,6 @@
 #include "engine/components/component.hpp"
 #include "engine/robot/actuators.hpp"
 #include "engine/robot/odometry.hpp"
-#include "engine/robot/sensor_values.hpp"
 #include "engine/robot/velocity_guard.hpp"
 #include "engine/world/world.hpp"
 
@@ -19,15 +20,17 @@ namespace nezumi {
 class Robot final : public Device {
 public:
     /// Makes the ports that the spec lists; an error names the port that cannot be. `spec` must outlive the robot.
-    static Expected<std::unique_ptr<Robot>> make(std::string name, const RobotSpec& spec, const Limits& limits,
-                                                 RobotId id, std::uint64_t seed);
+    static Expected<std::unique_ptr<Robot>> make(std::string name, const RobotSpec& spec, const Limits& limits);
     /// Its body stops: nobody is left to drive it.
     ~Robot() override;
     /// The body it moves; given once, before the first tick.
     void take_body(std::unique_ptr<RobotBody> body) { body_ = std::move(body); }
 
     bool has_body() const { return body_ != nullptr; }
-    RobotId id() const { return id_; }
+    /// What the world calls it; `not_simulated` for a real robot.
+    RobotId id() const { return body_->id(); }
+    /// Whether its body is a real one.
+    bool is_real() const { return id() == not_simulated; }
     const RobotSpec& spec() const { return spec_; }
     const VelocityGuard& guard() const { return guard_; }
     const Odometry& odometry() const { return odometry_; }
@@ -39,15 +42,25 @@ public:
     void sense(const Time& now) override;
     void actuate(const Time& now) override;
 
+    /// At rest it brakes, stands and forgets its commands, whatever else goes on: while a real robot's system is
+    /// paused.
+    void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
+
+    /// A loop that stood still for as long [s], or for three ticks where these are longer, has stalled.
+    static constexpr double shortest_stall = 0.2;
+
 private:
     // An out-port that carries sensors' values: how to write them, and which.
     struct SensorPort {
         OutPortBase* port;
-        void (*write)(OutPortBase& port, const std::vector<double>& values, double rate, const Pose3D* turned);
+        void (*write)(const SensorPort& port, std::span<const SensorReading> readings, double rate,
+                      const Pose3D* turned);
         std::vector<std::size_t> sensors;
-        bool distance;
+        bool physical;  // what lies behind the value instead of the value
         double rate;
-        std::optional<std::size_t> servo;  // the actuator that turns its first sensor, where the message tells the pose
+        // Where the message tells the pose: that of its sensors in the body frame, and the servo that turns them.
+        Pose3D pose;
+        std::optional<std::size_t> servo;
     };
     // An out-port of the wheels.
     template <class T>
@@ -56,38 +69,45 @@ private:
         double rate;
     };
 
-    Robot(std::string name, const RobotSpec& spec, const Limits& limits, RobotId id, std::uint64_t seed);
+    Robot(std::string name, const RobotSpec& spec, const Limits& limits);
     Expected<void> add_port(const PortSpec& port);
     Expected<void> add_output(const PortSpec& port);
     Expected<void> add_input(const PortSpec& port);
+    Expected<void> add_servo_speeds();
     Expected<void> on_activated() override;
 
     bool is_due_at(double port_rate, const Time& now) const;
-    Pose3D pose_on_servo(std::size_t sensor, std::size_t servo) const;
+    double period_until(const Time& now, std::optional<double> last) const;
+    void take_parameters();
+    void publish_wheels(const WheelReading& wheels, const Time& now);
+    void publish(const SensorPort& port, std::span<const SensorReading> readings, const Time& now) const;
+    void tell_faults();
+    Pose3D turned(const Pose3D& pose, std::size_t servo) const;
     void take_velocities(const Time& now);
+    void forget_velocities();
     void command(const Velocity2D& velocity, const Time& now);
     void take_pose();
     void drive(const Time& now);
 
     const RobotSpec& spec_;
-    RobotId id_;
     std::unique_ptr<RobotBody> body_;
     VelocityGuard guard_;
     Odometry odometry_;
-    SensorValues sensors_;
     Actuators actuators_;
-    Wheels angles_{};
-    bool sensed_ = false;
+    std::optional<double> sensed_at_, drove_at_;  // [s]
+    std::set<std::string> told_faults_;
 
     std::vector<SensorPort> sensor_ports_;
     std::vector<WheelPort<Velocity2D>> velocity_ports_;
     std::vector<WheelPort<Pose2D>> pose_ports_;
     InPort<Velocity2D>* velocity_in_ = nullptr;
     InPort<Pose2D>* pose_in_ = nullptr;
-    std::vector<double> outgoing_;
+    std::vector<std::size_t> servos_;  // with a parameter for their speed, in its order
+    std::uint64_t parameters_version_ = 0;
 
     std::uint64_t seen_disconnections_ = 0;
     bool coasting_ = false;
+    bool at_rest_ = false;
     bool said_clamped_ = false;
     bool said_not_finite_ = false;
     bool said_sideways_ = false;

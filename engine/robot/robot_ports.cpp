@@ -1,9 +1,12 @@
 // A robot's ports as its description lists them, or the one message that says which can't be.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -31,36 +34,82 @@ T element(double value) {
 template <class T>
 constexpr bool can_carry = std::is_arithmetic_v<T> || std::is_same_v<T, std::string>;
 
-// How sensors' values go into a message of type T; nullptr where they don't.
-using WriteValues = void (*)(OutPortBase&, const std::vector<double>&, double rate, const Pose3D* turned);
-
+// How sensors' readings go into a message of type T, straight into the slot that is published.
 template <class T>
-constexpr WriteValues write_values() {
-    if constexpr (can_carry<T>) {
-        return [](OutPortBase& port, const std::vector<double>& values, double, const Pose3D*) {
-            static_cast<OutPort<T>&>(port).write(element<T>(values.front()));
+struct Writer {
+    template <class Port>
+    static void write(const Port& port, std::span<const SensorReading> readings, double rate, const Pose3D* turned) {
+        const auto value = [&](std::size_t i) {
+            const SensorReading& reading = readings[port.sensors[i]];
+            return port.physical ? reading.physical : reading.value;
         };
-    } else if constexpr (Sequence<T>) {
-        using Element = typename T::value_type;
-        if constexpr (can_carry<Element>) {
-            return [](OutPortBase& port, const std::vector<double>& values, double, const Pose3D*) {
-                T& slot = static_cast<OutPort<T>&>(port).next_pending();
-                slot.resize(values.size());
-                for (std::size_t i = 0; i < values.size(); ++i) slot[i] = element<Element>(values[i]);
-            };
-        } else {
-            return nullptr;
-        }
-    } else if constexpr (std::is_same_v<T, RangeData>) {
-        return [](OutPortBase& port, const std::vector<double>& values, double rate, const Pose3D* turned) {
-            RangeData& slot = static_cast<OutPort<RangeData>&>(port).next_pending();
-            slot.ranges = values;
+        T& slot = static_cast<OutPort<T>&>(*port.port).next_pending();
+        if constexpr (can_carry<T>) {
+            slot = element<T>(value(0));
+        } else if constexpr (std::is_same_v<T, RangeData>) {
+            slot.ranges.resize(port.sensors.size());
+            for (std::size_t i = 0; i < port.sensors.size(); ++i) slot.ranges[i] = value(i);
             slot.config.frequency = rate;
             if (turned != nullptr) slot.geometry.pose = *turned;
-        };
-    } else {
-        return nullptr;
+        } else {
+            slot.resize(port.sensors.size());
+            for (std::size_t i = 0; i < port.sensors.size(); ++i) slot[i] = element<typename T::value_type>(value(i));
+        }
     }
+};
+
+template <class T>
+constexpr bool carries_values() {
+    if constexpr (Sequence<T>) {
+        return can_carry<typename T::value_type>;
+    } else {
+        return can_carry<T> || std::is_same_v<T, RangeData>;
+    }
+}
+
+// The angle [rad] from one yaw to another, the short way.
+double turn(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }
+
+// What a RangeData of these sensors tells of them but for their distances. Several are one scanner in their middle that
+// looks where they look: their yaws rise in even steps.
+Expected<RangeData> describe_ranges(const RobotSpec& spec, const std::vector<std::size_t>& sensors) {
+    const SensorSpec& first = spec.sensors[sensors.front()];
+    RangeData range;
+    range.config = {.minAngle = 0,
+                    .maxAngle = 0,
+                    .angularRes = first.cone,
+                    .minRange = first.minimum,
+                    .maxRange = first.range,
+                    .rangeRes = 0,
+                    .frequency = 0};
+    if (sensors.size() == 1) {
+        range.geometry.pose = {.position = first.at, .orientation = {.r = 0, .p = 0, .y = first.yaw}};
+        return range;
+    }
+    const double step = turn(first.yaw, spec.sensors[sensors[1]].yaw);
+    Point3D& middle = range.geometry.pose.position;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        const SensorSpec& sensor = spec.sensors[sensors[i]];
+        const auto count = static_cast<double>(sensors.size());
+        middle.x += sensor.at.x / count;
+        middle.y += sensor.at.y / count;
+        middle.z += sensor.at.z / count;
+        range.config.minRange = std::min(range.config.minRange, sensor.minimum);
+        range.config.maxRange = std::max(range.config.maxRange, sensor.range);
+        constexpr double even = 1e-6;  // [rad]
+        if (i > 0 && (step <= 0 || std::abs(turn(spec.sensors[sensors[i - 1]].yaw, sensor.yaw) - step) > even)) {
+            return failure(
+                fmt::format("a RangeData tells the angles of its sensors as the first, the last and an even step from "
+                            "right to left: the yaw of '{}' does not fit",
+                            sensor.name));
+        }
+        if (sensor.on != first.on)
+            return failure(fmt::format("'{}' and '{}' are not on the same part of the robot", first.name, sensor.name));
+    }
+    range.config.minAngle = std::remainder(first.yaw, 2 * std::numbers::pi);
+    range.config.maxAngle = range.config.minAngle + step * static_cast<double>(sensors.size() - 1);
+    range.config.angularRes = step;
+    return range;
 }
 
 // Whether a message of type T carries colours' names, and no numbers.
@@ -85,9 +134,12 @@ Expected<void> Robot::add_output(const PortSpec& port) {
         if (item == "velocity") {
             auto& made = add_out_port<Velocity2D>(port.name, port.doc);
             made.set_safe(std::nullopt);  // a measurement, no command
+            made.set_rate(port.rate);
             velocity_ports_.push_back({&made, port.rate});
         } else {
-            pose_ports_.push_back({&add_out_port<Pose2D>(port.name, port.doc), port.rate});
+            auto& made = add_out_port<Pose2D>(port.name, port.doc);
+            made.set_rate(port.rate);
+            pose_ports_.push_back({&made, port.rate});
         }
         return {};
     }
@@ -104,39 +156,49 @@ Expected<void> Robot::add_output(const PortSpec& port) {
         sensors.push_back(found);
     }
     return with_payload_type(*type, [&]<class T>() -> Expected<void> {
-        constexpr WriteValues write = write_values<T>();
-        if (write == nullptr) return failure(fmt::format("a {} can't carry sensors' values", port.type));
-        if (can_carry<T> && sensors.size() > 1)
-            return failure(fmt::format("a {} carries one sensor, not {}", port.type, sensors.size()));
-        for (const std::size_t i : sensors) {
-            const SensorSpec& sensor = spec_.sensors[i];
-            if (is_text<T> && sensor.kind != SensorSpec::Kind::color)
-                return failure(
-                    fmt::format("a {} carries colours, and '{}' is no color sensor", port.type, sensor.name));
-        }
-        OutPort<T>& made = add_out_port<T>(port.name, port.doc);
-        bool distance = port.quantity == PortSpec::Quantity::distance;
-        std::optional<std::size_t> servo;
-        if constexpr (std::is_same_v<T, RangeData>) {
-            distance = true;
-            const SensorSpec& first = spec_.sensors[sensors.front()];
-            RangeData range;
-            range.geometry.pose = {.position = first.at, .orientation = {.r = 0, .p = 0, .y = first.yaw}};
-            range.config = {.minAngle = 0,
-                            .maxAngle = 0,
-                            .angularRes = first.cone,
-                            .minRange = first.minimum,
-                            .maxRange = first.range,
-                            .rangeRes = 0,
-                            .frequency = 0};
-            made.prepare(range);
-            for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
-                const ActuatorSpec& actuator = spec_.actuators[i];
-                if (actuator.kind == ActuatorSpec::Kind::servo && actuator.name == first.on) servo = i;
+        if constexpr (!carries_values<T>()) {
+            return failure(fmt::format("a {} can't carry sensors' values", port.type));
+        } else {
+            if (can_carry<T> && sensors.size() > 1)
+                return failure(fmt::format("a {} carries one sensor, not {}", port.type, sensors.size()));
+            for (const std::size_t i : sensors) {
+                const SensorSpec& sensor = spec_.sensors[i];
+                if (is_text<T> && sensor.kind != SensorSpec::Kind::color)
+                    return failure(
+                        fmt::format("a {} carries colours, and '{}' is no color sensor", port.type, sensor.name));
+                if (port.quantity == PortSpec::Quantity::rate && sensor.kind != SensorSpec::Kind::gyro)
+                    return failure(fmt::format("'{}' is no gyro: it has no rate", sensor.name));
+                if ((port.quantity == PortSpec::Quantity::distance || std::is_same_v<T, RangeData>)&&sensor.kind !=
+                    SensorSpec::Kind::range)
+                    return failure(fmt::format("'{}' is no range sensor: it has no distance", sensor.name));
             }
+            SensorPort made{.port = nullptr,
+                            .write = Writer<T>::template write<SensorPort>,
+                            .sensors = sensors,
+                            .physical = port.quantity != PortSpec::Quantity::value || std::is_same_v<T, RangeData>,
+                            .rate = port.rate,
+                            .pose = {},
+                            .servo = std::nullopt};
+            if constexpr (std::is_same_v<T, RangeData>) {
+                const auto range = describe_ranges(spec_, sensors);
+                if (!range) return Unexpected(range.error());
+                auto& out = add_out_port<T>(port.name, port.doc);
+                out.prepare(*range);
+                made.port = &out;
+                made.pose = range->geometry.pose;
+                for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
+                    const ActuatorSpec& actuator = spec_.actuators[i];
+                    if (actuator.kind == ActuatorSpec::Kind::servo &&
+                        actuator.name == spec_.sensors[sensors.front()].on)
+                        made.servo = i;
+                }
+            } else {
+                made.port = &add_out_port<T>(port.name, port.doc);
+            }
+            made.port->set_rate(port.rate);
+            sensor_ports_.push_back(std::move(made));
+            return {};
         }
-        sensor_ports_.push_back({&made, write, sensors, distance, port.rate, servo});
-        return {};
     });
 }
 

@@ -1,12 +1,4 @@
 // The safety rules for a velocity, the same in simulation and on hardware.
-//
-// A robot that slows down because it must, or gets up to speed, stays on the arc that it was told: its path is what was
-// planned around obstacles, its speed is not. So a command beyond a limit is scaled as a whole, and axes that speed up
-// do it together, at the pace of the slower one. Braking is each axis at its own full deceleration: who brakes wants to
-// stand, or at least to be slower, as soon as can be, and an arc kept would make one axis wait for the other. An axis
-// brakes when its target is nearer to zero or on the other side of it (then to zero first, and speeds up from there);
-// it speeds up when its target is farther from zero on its own side. While one axis brakes the other does not wait for
-// it.
 #include "engine/robot/velocity_guard.hpp"
 
 #include <algorithm>
@@ -42,7 +34,7 @@ VelocityGuard::Verdict VelocityGuard::command(const Velocity2D& velocity, double
     return part == 1 ? Verdict::taken : Verdict::clamped;
 }
 
-Velocity2D VelocityGuard::advance(double now, double dt) {
+Velocity2D VelocityGuard::advance(double now, double dt, double passed) {
     constexpr double rounding = 1e-9;  // a command at 0.1 s has timed out at 0.6 s, however these were added up
     if (now - commanded_at_ >= timeout - rounding) stop();
 
@@ -61,7 +53,7 @@ Velocity2D VelocityGuard::advance(double now, double dt) {
     }
     for (const Axis& axis : axes) {
         if (axis.braking) {
-            axis.current = brake(axis.current, axis.target, axis.acceleration * dt);
+            axis.current = brake(axis.current, axis.target, axis.acceleration * passed);
         } else {
             axis.current = part < 1 ? axis.current + part * (axis.target - axis.current) : axis.target;
         }

@@ -2,14 +2,22 @@
 #pragma once
 
 #include "engine/ports/messages.hpp"
+#include "engine/ports/port_base.hpp"
 #include "engine/world/robot_spec.hpp"
 
 namespace nezumi {
 
+/// The rule. A robot that slows down because it must, or gets up to speed, stays on the arc that it was told: its path
+/// is what was planned around obstacles, its speed is not. So a command beyond a limit is scaled as a whole, and axes
+/// that speed up do it together, at the pace of the slower one. Braking is each axis at its own full deceleration: who
+/// brakes wants to stand, or at least to be slower, as soon as can be, and an arc kept would make one axis wait for the
+/// other. An axis brakes when its target is nearer to zero or on the other side of it (then to zero first, and speeds
+/// up from there); it speeds up when its target is farther from zero on its own side. While one axis brakes the other
+/// does not wait for it.
 class VelocityGuard {
 public:
     /// How long [s] a command holds when nothing follows it.
-    static constexpr double timeout = 0.5;
+    static constexpr double timeout = silence;
 
     explicit VelocityGuard(Limits limits) : limits_(limits) {}
 
@@ -21,8 +29,10 @@ public:
     /// From now on: stand still.
     void stop() { target_ = {}; }
 
-    /// The velocity to drive at `now` [s], `dt` [s] after the last call.
-    Velocity2D advance(double now, double dt);
+    /// The velocity to drive at `now` [s], when calls are `dt` [s] apart and the last one was `passed` [s] ago: that is
+    /// what it has braked for since, while it never speeds up by more than a `dt` gives.
+    Velocity2D advance(double now, double dt, double passed);
+    Velocity2D advance(double now, double dt) { return advance(now, dt, dt); }
 
     const Limits& limits() const { return limits_; }
     const Velocity2D& target() const { return target_; }

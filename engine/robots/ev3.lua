@@ -41,11 +41,18 @@ return robot_model {
     },
     color         = { kind = "color", at = { 0.06, 0.0, -0.045 } },
     light_reflect = { kind = "reflect", at = { 0.06, 0.0, -0.045 }, noise = 0.3 },
+    light_ambient = { kind = "ambient", at = { 0.06, 0.0, -0.045 }, level = 10, noise = 0.3 },  -- a lit room, under the robot
   },
 
   actuators = {
     -- Port A; the ultrasonic sensor's cable allows no full turn.
-    medium_motor = { kind = "servo", at = { 0.07, 0.0, -0.01 }, minimum = -math.pi, maximum = math.pi, max_rate = math.rad(1560) },
+    medium_motor = {
+      kind = "servo",
+      at = { 0.07, 0.0, -0.01 },
+      minimum = -math.pi, maximum = math.pi,
+      max_rate = math.rad(1560),           -- a second
+      speed = 1.6,                         -- rad/s, until `medium_motor_speed` says otherwise
+    },
     speaker = { kind = "speaker" },
     screen  = { kind = "screen" },
   },
@@ -61,8 +68,10 @@ return robot_model {
     odometry      = { type = "TimedPose2D", from = "odometry", doc = "odometry pose" },
     ultrasonic    = { type = "RangeData", from = "ultrasonic", doc = "distance ahead of the ultrasonic sensor; 2.5 m with nothing in sight" },
     gyro          = { type = "TimedDouble", from = "gyro", doc = "angle turned since the start [rad], counter-clockwise positive" },
+    gyro_rate     = { type = "TimedDouble", from = "gyro", quantity = "rate", doc = "rate of turning [rad/s], counter-clockwise positive" },
     color         = { type = "TimedString", from = "color", doc = "colour of the floor: none, black, blue, green, yellow, red, white, brown" },
     light_reflect = { type = "TimedDouble", from = "light_reflect", doc = "light that the floor reflects: 0 (black, or nothing) to 100 (white)" },
+    light_ambient = { type = "TimedDouble", from = "light_ambient", doc = "light of the room: 0 (dark) to 100" },
     touch         = { type = "TimedBooleanSeq", from = { "right", "left" }, doc = "touch sensors: right, left" },
   },
 }

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "engine/base/schedule.hpp"
 
@@ -14,54 +14,74 @@ Unexpected at(const Place& place, const Error& error) {
     return failure(error.message, error.place.file.empty() ? place : error.place);
 }
 
-bool is_outside(const ArenaSpec& arena, const Point2D& place) {
-    return arena.size && (std::abs(place.x) > arena.size->x / 2 || std::abs(place.y) > arena.size->y / 2);
+std::string_view backend_of(const std::string& backend) { return backend.empty() ? simulated : backend; }
+
+// Why there is no such name among those that there are.
+std::string no_such(std::string_view kind, std::string_view name, const std::vector<std::string_view>& names) {
+    std::string hint = did_you_mean(name, names);
+    if (hint.empty() && !names.empty())
+        hint = fmt::format("; there {} {}", names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
+    return fmt::format("there is no {} '{}'{}", kind, name, hint);
+}
+
+template <class Map>
+std::vector<std::string_view> keys_of(const Map& map) {
+    std::vector<std::string_view> keys;
+    for (const auto& [key, value] : map) keys.push_back(key);
+    return keys;
 }
 
 using Body = Expected<std::unique_ptr<RobotBody>>;
 
-Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec) {
+Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, const Makers& makers) {
+    const auto refuse = [&](std::string_view why) {
+        return failure(fmt::format("robot '{}': {}", entry.name, why), entry.place);
+    };
     const auto model = spec.models.find(entry.model);
-    if (model == spec.models.end() || system.world() == nullptr) return nullptr;  // `add_robot` says so
-    return system.world()->add_robot(entry.name, model->second, entry.pose);
+    if (model == spec.models.end()) return refuse(no_such("model", entry.model, keys_of(spec.models)));
+    const std::string_view backend = backend_of(entry.backend);
+    if (backend == simulated) {
+        if (system.world() == nullptr) return refuse("there is no world to put it in");
+        return system.world()->add_robot(entry.name, model->second, entry.pose);
+    }
+    const auto maker = makers.bodies.find(backend);
+    if (maker != makers.bodies.end()) return maker->second(entry, model->second);
+    std::vector<std::string_view> names{simulated};
+    for (const std::string_view name : keys_of(makers.bodies)) names.push_back(name);
+    return refuse(no_such("backend", backend, names));
 }
 
-// `early` is the robot's body when it is in the world already.
-Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, Body* early) {
-    const auto model = spec.models.find(entry.model);
-    if (model == spec.models.end()) {
-        std::vector<std::string_view> names;
-        for (const auto& [name, known] : spec.models) names.push_back(name);
-        return failure(fmt::format("robot '{}': there is no model '{}'{}", entry.name, entry.model,
-                                   did_you_mean(entry.model, names)),
-                       entry.place);
-    }
-    if (system.world() == nullptr)
-        return failure(fmt::format("robot '{}': there is no world to put it in", entry.name), entry.place);
-    Limits limits = model->second.drive.limits;
+// What a robot may do: of a real one no more than its description allows the hardware.
+Limits limits_of(const RobotEntry& entry, const DriveSpec& drive) {
+    Limits limits = drive.limits;
     limits.speed = entry.speed.value_or(limits.speed);
     limits.yaw_rate = entry.yaw_rate.value_or(limits.yaw_rate);
     limits.acceleration = entry.acceleration.value_or(limits.acceleration);
     limits.yaw_acceleration = entry.yaw_acceleration.value_or(limits.yaw_acceleration);
+    if (backend_of(entry.backend) == simulated) return limits;
+    const Limits& hardware = drive.hardware_limits;
+    return {.speed = std::min({limits.speed, drive.limits.speed, hardware.speed}),
+            .yaw_rate = std::min({limits.yaw_rate, drive.limits.yaw_rate, hardware.yaw_rate}),
+            .acceleration = std::min({limits.acceleration, drive.limits.acceleration, hardware.acceleration}),
+            .yaw_acceleration =
+                std::min({limits.yaw_acceleration, drive.limits.yaw_acceleration, hardware.yaw_acceleration})};
+}
 
-    auto robot = Robot::make(entry.name, model->second, limits, system.next_robot_id(), system.settings().seed);
+Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, Body body) {
+    const auto model = spec.models.find(entry.model);
+    if (model == spec.models.end()) return Unexpected(body.error());
+    auto robot = Robot::make(entry.name, model->second, limits_of(entry, model->second.drive));
     if (!robot) return at(entry.place, robot.error());
     Robot* made = robot->get();
     made->place = entry.place;
     auto added = system.add(std::move(*robot));
     if (!added) return added;
-    auto body = early != nullptr ? std::move(*early) : add_body(system, entry, spec);
     if (!body) {
         // Nothing half done: it may be added elsewhere under the same name.
         static_cast<void>(system.remove(entry.name));
         return at(entry.place, body.error());
     }
     made->take_body(std::move(*body));
-    if (spec.arena.border && is_outside(spec.arena, entry.pose.position)) {
-        system.log(LogLevel::warn,
-                   fmt::format("robot '{}' at x = {:g}, y = {:g} is outside the arena of {:g} x {:g} m", entry.name,
-                               entry.pose.position.x, entry.pose.position.y, spec.arena.size->x, spec.arena.size->y));
-    }
     return added;
 }
 
@@ -106,15 +126,14 @@ Expected<Component*> add_behavior(System& system, const BehaviorEntry& entry, co
 }
 
 Expected<Component*> add_native(System& system, const ComponentEntry& entry, const Makers& makers) {
-    const auto maker = makers.components.find(entry.type);
-    if (maker == makers.components.end()) {
-        std::vector<std::string_view> names;
-        for (const auto& [name, make] : makers.components) names.push_back(name);
-        std::string hint = did_you_mean(entry.type, names);
-        if (hint.empty() && !names.empty()) hint = fmt::format("; there are {}", fmt::join(names, ", "));
-        return failure(fmt::format("component '{}': there is no type '{}'{}", entry.name, entry.type, hint),
-                       entry.place);
-    }
+    const auto refuse = [&](std::string_view why) {
+        return failure(fmt::format("component '{}': {}", entry.name, why), entry.place);
+    };
+    const auto type = makers.components.find(entry.type);
+    if (type == makers.components.end()) return refuse(no_such("type", entry.type, keys_of(makers.components)));
+    const std::string_view backend = backend_of(entry.backend);
+    const auto maker = type->second.find(backend);
+    if (maker == type->second.end()) return refuse(no_such("backend", backend, keys_of(type->second)));
     auto made = maker->second(entry, system);
     if (!made) return at(entry.place, made.error());
     (*made)->rate = entry.rate;
@@ -126,7 +145,8 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
 }  // namespace
 
 Expected<Component*> add_entry(System& system, const Entry& entry, const SystemSpec& spec, const Makers& makers) {
-    if (const auto* robot = std::get_if<RobotEntry>(&entry)) return add_robot(system, *robot, spec, nullptr);
+    if (const auto* robot = std::get_if<RobotEntry>(&entry))
+        return add_robot(system, *robot, spec, add_body(system, *robot, spec, makers));
     if (const auto* behavior = std::get_if<BehaviorEntry>(&entry)) return add_behavior(system, *behavior, makers);
     return add_native(system, std::get<ComponentEntry>(entry), makers);
 }
@@ -139,7 +159,8 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
                                                             .physics_step = spec.physics_step,
                                                             .seed = seed,
                                                             .threads = options.threads,
-                                                            .out_of_time_is_fatal = options.out_of_time_is_fatal},
+                                                            .out_of_time_is_fatal = options.out_of_time_is_fatal,
+                                                            .real_time = options.real_time},
                                            options.log);
     if (makers.world) {
         auto world = makers.world(spec.arena, {.step = spec.physics_step, .seed = seed},
@@ -153,13 +174,14 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
     // with their scripts' states in between cost a third more. What is wrong with one is told in the order of the file.
     std::vector<Body> bodies;
     for (const Entry& entry : spec.entries) {
-        if (const auto* robot = std::get_if<RobotEntry>(&entry)) bodies.push_back(add_body(*system, *robot, spec));
+        if (const auto* robot = std::get_if<RobotEntry>(&entry))
+            bodies.push_back(add_body(*system, *robot, spec, makers));
     }
     auto body = bodies.begin();
     for (const Entry& entry : spec.entries) {
         const auto* robot = std::get_if<RobotEntry>(&entry);
-        auto added =
-            robot != nullptr ? add_robot(*system, *robot, spec, &*body++) : add_entry(*system, entry, spec, makers);
+        auto added = robot != nullptr ? add_robot(*system, *robot, spec, std::move(*body++))
+                                      : add_entry(*system, entry, spec, makers);
         if (!added) return Unexpected(added.error());
     }
     for (const ConnectionSpec& connection : spec.connections) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "engine/base/error.hpp"
 #include "engine/system/system.hpp"
@@ -18,17 +19,28 @@ struct MakerContext {
     double tick_rate = 100;  ///< [Hz]
 };
 
+/// The backend of what is simulated, and of what no file gives another one.
+inline constexpr std::string_view simulated = "sim";
+
+/// Makes the body of a real robot.
+using BodyMaker = std::function<Expected<std::unique_ptr<RobotBody>>(const RobotEntry& entry, const RobotSpec& spec)>;
+/// Makes a native component.
+using ComponentMaker = std::function<Expected<std::unique_ptr<Component>>(const ComponentEntry& entry, System& system)>;
+
+/// Makers of the same thing by backend: what simulates it, or the driver of a real one.
+template <class Maker>
+using ByBackend = std::map<std::string, Maker, std::less<>>;
+
 /// How components come into being: given by the composition root, so that the engine knows neither Lua nor ODE.
 struct Makers {
-    /// May be empty: a system without robots needs no world.
+    /// Makes the bodies of backend "sim". May be empty: a system without simulated robots needs no world.
     WorldFactory world;
+    /// Bodies of all other backends. They are in no world: neither kind of robot sees the other.
+    ByBackend<BodyMaker> bodies;
     std::function<Expected<std::unique_ptr<Component>>(const BehaviorEntry& entry, const MakerContext& context)>
         behavior;
-    /// Native components by type.
-    std::map<std::string,
-             std::function<Expected<std::unique_ptr<Component>>(const ComponentEntry& entry, System& system)>,
-             std::less<>>
-        components;
+    /// Native components by type, then by backend.
+    std::map<std::string, ByBackend<ComponentMaker>, std::less<>> components;
 };
 
 struct BuildOptions {
@@ -36,6 +48,7 @@ struct BuildOptions {
     bool seed_wins = false;  ///< the seed counts even when the file gives one
     int threads = 1;
     bool out_of_time_is_fatal = false;
+    bool real_time = false;  ///< as in `System::Settings`: for systems with a real robot
     LogSink log;
 };
 

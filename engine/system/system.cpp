@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "engine/base/names.hpp"
@@ -22,10 +23,15 @@ thread_local std::size_t current_worker = 0;
 
 }  // namespace
 
+double monotonic_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 System::System(const Settings& settings, LogSink log)
     : settings_(settings),
       steps_per_tick_(steps_per_tick(settings.rate, settings.physics_step).value()),
       log_(std::move(log)),
+      started_at_(settings.real_time ? settings.clock() : 0),
       worker_logs_(static_cast<std::size_t>(std::max(1, settings.threads))) {
     if (settings.threads > 1) workers_ = std::make_unique<WorkerPool>(settings.threads);
 }
@@ -68,7 +74,13 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
     });
     component->set_tick_rate(settings_.rate);
     Component* added = component.get();
-    if (auto* robot = dynamic_cast<Robot*>(added)) robots_.push_back(robot);
+    if (auto* robot = dynamic_cast<Robot*>(added)) {
+        robot->set_at_rest(at_rest_);
+        robots_.push_back(robot);
+    }
+    for (const auto& port : added->out_ports()) {
+        if (port->rate() == 0) port->set_rate(added->rate);
+    }
     grouped_ = false;
     change_layout();
     by_name_.emplace(added->name(), added);
@@ -88,10 +100,7 @@ Expected<void> System::remove(std::string_view name) {
     by_name_.erase(gone->name());
     grouped_ = false;
     change_layout();
-    std::erase_if(robots_, [&](const Robot* robot) {
-        if (robot == gone && robot->has_body()) ++removed_robots_;
-        return robot == gone;
-    });
+    std::erase_if(robots_, [&](const Robot* robot) { return robot == gone; });
     std::erase_if(components_, [&](const auto& component) { return component.get() == gone; });
     return {};
 }
@@ -210,7 +219,7 @@ void System::run_phases(const Group& group, const ForEach& for_each) {
     // at once.
     for_each(group.behaviors, [this](Component& behavior) {
         behavior.latch_inputs(now_);
-        if (is_due(behavior)) behavior.execute(now_);
+        if (is_due(behavior) && !at_rest_) behavior.execute(now_);
         if (behavior.out_of_time()) out_of_time_ = true;
     });
     for_each(group.behaviors, [this](Component& behavior) { behavior.latch_outputs(now_); });
@@ -238,7 +247,17 @@ void System::run_groups() {
     share_out(groups_.size() - large, [&](std::size_t i) { run_phases(groups_[large + i], one_by_one); });
 }
 
+double System::seconds_at(std::int64_t tick) const {
+    return settings_.real_time ? settings_.clock() - started_at_ : static_cast<double>(tick) / settings_.rate;
+}
+
+void System::set_at_rest(bool at_rest) {
+    at_rest_ = at_rest;
+    for (Robot* robot : robots_) robot->set_at_rest(at_rest);
+}
+
 void System::tick() {
+    now_.seconds = seconds_at(now_.tick);
     if (!grouped_) {
         groups_ = group_components(components_, wiring_.connections(), worth_threads);
         grouped_ = true;
@@ -252,7 +271,7 @@ void System::tick() {
         if (const Error* why = world_->breakdown(); why != nullptr && !fatal_error_) fatal_error_ = *why;
     }
     ++now_.tick;
-    now_.seconds = static_cast<double>(now_.tick) / settings_.rate;
+    now_.seconds = seconds_at(now_.tick);
 }
 
 void System::stop(int brake_ticks) {

@@ -22,6 +22,9 @@ namespace nezumi {
 
 class WorkerPool;
 
+/// [s] of the monotonic clock.
+double monotonic_seconds();
+
 class System;
 
 /// Looks at what ports carry.
@@ -40,6 +43,9 @@ public:
         std::uint64_t seed = 0;
         int threads = 1;                    ///< that sense and execute; the result is the same with any number
         bool out_of_time_is_fatal = false;  ///< a script that ran out of time ends the run instead of going to ERROR
+        /// Real robots are driven: time is that of `clock`, and a stall is seen by all. Else a tick lasts 1 / rate.
+        bool real_time = false;
+        std::function<double()> clock = monotonic_seconds;  ///< [s] since anything, never backwards
     };
 
     /// `settings` must have passed `steps_per_tick`.
@@ -61,8 +67,6 @@ public:
     const std::vector<std::unique_ptr<Component>>& components() const { return components_; }
     const std::vector<Robot*>& robots() const { return robots_; }
     const std::vector<Connection>& connections() const { return wiring_.connections(); }
-    /// What the world will call the robot that is added next.
-    RobotId next_robot_id() const { return robots_.size() + removed_robots_; }
     /// nullptr when there is none of this name.
     Component* find(std::string_view name) const;
     Robot* find_robot(std::string_view name) const;
@@ -81,6 +85,9 @@ public:
 
     /// One tick.
     void tick();
+    /// At rest only devices have their turns in a tick, and robots brake and stand: what a pause of real robots is.
+    void set_at_rest(bool at_rest);
+    bool is_at_rest() const { return at_rest_; }
     /// The tick that comes next: what conditions and the console call now.
     const Time& now() const { return now_; }
     const Settings& settings() const { return settings_; }
@@ -102,6 +109,7 @@ public:
     void log(LogLevel level, std::string text) const;
 
 private:
+    double seconds_at(std::int64_t tick) const;
     bool is_due(const Component& component) const;
     template <class ForEach>
     void run_phases(const Group& group, const ForEach& for_each);
@@ -115,12 +123,13 @@ private:
     Settings settings_;
     int steps_per_tick_;
     LogSink log_;
+    double started_at_;  // [s] by the clock
+    bool at_rest_ = false;
     Time now_;
     std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
     std::vector<std::unique_ptr<Component>> components_;
     std::unordered_map<std::string_view, Component*> by_name_;
-    std::vector<Robot*> robots_;      // in the order of components_
-    std::size_t removed_robots_ = 0;  // whose bodies the world still counts
+    std::vector<Robot*> robots_;  // in the order of components_
     Wiring wiring_;
     std::vector<Group> groups_;
     std::uint64_t layout_ = 0;

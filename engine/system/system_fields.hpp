@@ -81,6 +81,7 @@ struct Describe<ComponentEntry> {
         Setting{"on", &ComponentEntry::on, "", "the robot that carries it"},
         Setting{"at", &ComponentEntry::at, "m", "on that robot, from the middle of the wheels' axis on the floor"},
         Setting{"yaw", &ComponentEntry::yaw, "rad", "on that robot, counter-clockwise"},
+        Setting{"backend", &ComponentEntry::backend, "", "\"sim\", or the name of a driver"},
         Setting{"active", &ComponentEntry::active, "", "whether it is activated at the start"},
         Internal{&ComponentEntry::name},
         Internal{&ComponentEntry::place},

@@ -21,7 +21,7 @@ struct RobotEntry {
     Pose2D pose;
     /// What the file sets of the limits; the rest is the model's.
     std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
-    std::string backend;  ///< "" or "sim" or a driver's name
+    std::string backend;  ///< key of `Makers::bodies`; "": "sim"
     bool active = true;
     Place place;
 };
@@ -48,10 +48,11 @@ struct ComponentEntry {
     std::string name;
     std::string type;
     ParameterValues config;
-    double rate = 0;  ///< [Hz]; 0: the type's own
-    std::string on;   ///< the robot that carries it; "" for none
-    Point3D at{};     ///< [m] in that robot's body frame
-    double yaw = 0;   ///< [rad]
+    double rate = 0;      ///< [Hz]; 0: the type's own
+    std::string on;       ///< the robot that carries it; "" for none
+    Point3D at{};         ///< [m] in that robot's body frame
+    double yaw = 0;       ///< [rad]
+    std::string backend;  ///< key of its type's makers; "": "sim"
     bool active = true;
     Place place;
     FieldPlaces places{};  ///< of the values in `config`

@@ -163,7 +163,8 @@ void Channel::resolve(const System& system) {
         if (kind_ == Kind::in_port) static_cast<InPortBase*>(port_)->follow();
     } else if (member_ == "truth") {
         const auto* robot = dynamic_cast<const Robot*>(component_);
-        if (robot != nullptr && robot->has_body() && system.world() != nullptr) kind_ = Kind::truth;
+        if (robot != nullptr && robot->has_body() && !robot->is_real() && system.world() != nullptr)
+            kind_ = Kind::truth;
     } else if (member_ == "config") {
         kind_ = Kind::config;
     } else if (component_->visit_member(member_, [](const LeafPath&, const Leaf&) {})) {

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/system/system.hpp"
 #include "engine/world/camera_source.hpp"
 
 namespace nezumi {
@@ -179,13 +180,13 @@ Expected<void> MarkerDetector::on_execute() {
     return take_sight();
 }
 
-Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& /*system*/) {
+Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& system) {
     if (!entry.on.empty()) {
         return failure(fmt::format("component '{}': a MarkerDetector is not mounted on a robot: 'on' is for its Camera",
                                    entry.name),
                        entry.place);
     }
-    return std::make_unique<MarkerDetector>(entry.name, true);
+    return std::make_unique<MarkerDetector>(entry.name, !system.settings().real_time);
 }
 
 }  // namespace nezumi

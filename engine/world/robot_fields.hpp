@@ -91,17 +91,19 @@ struct Describe<DriveSpec> {
 
 template <>
 struct Choices<SensorSpec::Kind> {
-    static constexpr std::array<std::string_view, 6> names{"range", "button", "touch", "gyro", "color", "reflect"};
+    static constexpr std::array<std::string_view, 7> names{"range", "button",  "touch",  "gyro",
+                                                           "color", "reflect", "ambient"};
 };
 
 template <>
 struct Describe<SensorSpec> {
     static constexpr std::string_view name = "sensor";
     static constexpr std::string_view doc =
-        "A sensor: a distance, a button, a bumper, a yaw angle, the floor's colour, light from the floor.";
+        "A sensor: a distance, a button, a bumper, a yaw angle, the floor's colour, light from the floor or of the "
+        "room.";
     static constexpr auto& kinds = Choices<SensorSpec::Kind>::names;
     static constexpr unsigned range_only = 1U << 0U, touch_only = 1U << 2U, gyro_only = 1U << 3U,
-                              reflect_only = 1U << 5U;
+                              reflect_only = 1U << 5U, ambient_only = 1U << 6U;
     static constexpr std::tuple fields{
         Setting{"kind", &SensorSpec::kind, "", "what it measures", {.required = true, .selects = true}},
         Setting{"at", &SensorSpec::at, "m", "from the hull's centre", {.level = true}},
@@ -128,7 +130,7 @@ struct Describe<SensorSpec> {
                 &SensorSpec::noise,
                 "",
                 "standard deviation, in the value's unit",
-                {.range = NumberRange::not_negative, .of = range_only | gyro_only | reflect_only}},
+                {.range = NumberRange::not_negative, .of = range_only | gyro_only | reflect_only | ambient_only}},
         Extra{
             "table",
             "string|number[][]",
@@ -158,6 +160,11 @@ struct Describe<SensorSpec> {
                 "m",
                 "until it closes",
                 {.range = NumberRange::not_negative, .of = touch_only}},
+        Setting{"level",
+                &SensorSpec::level,
+                "",
+                "light of the simulated room, from 0 (dark) to 100",
+                {.range = NumberRange::not_negative, .of = ambient_only}},
         Internal{&SensorSpec::name},
         Internal{&SensorSpec::response},
         Internal{&SensorSpec::has_response},
@@ -185,6 +192,11 @@ struct Describe<ActuatorSpec> {
                 "rad/s",
                 "0: any",
                 {.range = NumberRange::not_negative, .of = servo_only}},
+        Setting{"speed",
+                &ActuatorSpec::speed,
+                "rad/s",
+                "at which it begins; the robot's parameter `NAME_speed`. 0: as fast as it can, and no parameter",
+                {.range = NumberRange::not_negative, .of = servo_only}},
         Setting{"minimum", &ActuatorSpec::minimum, "rad", "", {.of = servo_only}},
         Setting{"maximum", &ActuatorSpec::maximum, "rad", "equal to `minimum`: unlimited", {.of = servo_only}},
         Setting{"at", &ActuatorSpec::at, "m", "its axis, from the hull's centre", {.level = true, .of = servo_only}},
@@ -194,7 +206,7 @@ struct Describe<ActuatorSpec> {
 
 template <>
 struct Choices<PortSpec::Quantity> {
-    static constexpr std::array<std::string_view, 2> names{"value", "distance"};
+    static constexpr std::array<std::string_view, 3> names{"value", "distance", "rate"};
 };
 
 template <>
@@ -224,7 +236,7 @@ struct Describe<PortSpec> {
         Setting{"quantity",
                 &PortSpec::quantity,
                 "",
-                "`\"distance\"`: metres instead of the sensors' values",
+                "`\"distance\"`: metres instead of a range sensor's value; `\"rate\"`: of a gyro instead of its angle",
                 {.of = out_only}},
         Setting{"queue",
                 &PortSpec::queue,

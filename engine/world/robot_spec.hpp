@@ -40,6 +40,9 @@ struct DriveSpec {
     bool coasts_until_commanded = false;  ///< the wheels roll freely until the first command after activation
     Limits limits{};                      ///< in simulation
     Limits hardware_limits{};             ///< on hardware, until it is calibrated
+
+    /// Pulses a wheel turn that a body counts in: a continuous encoder in steps of less than 0.4 urad.
+    double encoder_pulses() const { return pulses_per_turn > 0 ? pulses_per_turn : 1 << 24; }
 };
 
 /// From a distance to a sensor's value: samples joined by straight lines.
@@ -94,6 +97,7 @@ struct SensorSpec {
         gyro,     ///< yaw angle [rad]
         color,    ///< the colour of the floor, a `FloorColor`
         reflect,  ///< light reflected by the floor, 0 to 100
+        ambient,  ///< light of the room, 0 to 100
     };
 
     std::string name;
@@ -108,6 +112,7 @@ struct SensorSpec {
     double drift = 0;           ///< gyro: [rad/s]
     double max_rate = 0;        ///< gyro: [rad/s] it can follow; 0: any
     double travel = 0;          ///< touch: [m] until it closes
+    double level = 0;           ///< ambient: of the simulated room, 0 to 100
     std::string on;             ///< the actuator that carries it, or "" for the hull
     ResponseTable response;     ///< range: from distance to value
     bool has_response = false;  ///< without a response the value is the distance itself
@@ -119,7 +124,8 @@ struct ActuatorSpec {
     std::string name;
     Kind kind = Kind::leds;
     int count = 1;                    ///< leds: how many
-    double max_rate = 0;              ///< servo: [rad/s]
+    double max_rate = 0;              ///< servo: [rad/s] that it can do; 0: any
+    double speed = 0;                 ///< servo: [rad/s] that it turns at unless told otherwise; 0: as fast as it can
     double minimum = 0, maximum = 0;  ///< servo: [rad]; equal: unlimited
     Point3D at{};                     ///< servo: [m] its axis in the body frame
 };
@@ -131,7 +137,7 @@ struct PortSpec {
     std::string type;  ///< a message type's name
     std::vector<std::string>
         items;  ///< what it carries: sensors' or an actuator's names, or one of "velocity", "odometry", "drive"
-    enum class Quantity { value, distance } quantity = Quantity::value;
+    enum class Quantity { value, distance, rate } quantity = Quantity::value;
     double rate = 0;               ///< [Hz] of an out-port; 0: every tick
     std::size_t queue = 0;         ///< length of an in-port's queue; 0: the latest value
     bool off_when_silent = false;  ///< in-port of an actuator: it goes off when nothing came for `silence` seconds

@@ -18,7 +18,7 @@ inline constexpr int highest_tone = 20'000;  ///< [Hz] higher ones are this
 inline constexpr int longest_tone = 60'000;  ///< [ms] longer ones last so long
 
 /// "beep" is a tone of 440 Hz and 0.2 s; "tone,HZ,MS", two whole numbers, is a tone; any other text is spoken, also
-/// "tone,high,100". A text without a sign that could be spoken is nothing.
+/// "tone,high,100". Blanks around the text and around its numbers count for nothing; a text of nothing else is nothing.
 Sound read_sound(std::string_view text);
 
 }  // namespace nezumi

@@ -13,6 +13,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/ports/port_base.hpp"
 #include "engine/world/arena_spec.hpp"
 #include "engine/world/floor_color.hpp"
 #include "engine/world/robot_spec.hpp"
@@ -24,6 +25,12 @@ class CameraSource;
 struct CameraMount;
 struct CameraSettings;
 
+/// A robot of the world, in the order of adding, from 0.
+using RobotId = std::size_t;
+
+/// The id of a robot that no world simulates: a real one.
+inline constexpr RobotId not_simulated = static_cast<RobotId>(-1);
+
 /// One value for the left wheel and one for the right.
 struct Wheels {
     double left = 0;
@@ -31,32 +38,57 @@ struct Wheels {
     bool operator==(const Wheels&) const = default;
 };
 
+/// Whole pulses of the encoders, forward positive.
+struct WheelPulses {
+    std::int64_t left = 0;
+    std::int64_t right = 0;
+    bool operator==(const WheelPulses&) const = default;
+};
+
+/// What the wheels' encoders say.
+struct WheelReading {
+    bool is_there = false;  ///< whether they say anything
+    double tm = 0;          ///< [s] when they were read
+    WheelPulses pulses;     ///< since the start, `DriveSpec::encoder_pulses` a turn; not wrapped
+    Wheels speeds;          ///< [m/s] of the rims
+};
+
+/// What a sensor says, as its device has it.
+struct SensorReading {
+    bool is_there = false;  ///< whether it says anything; a port whose sensor does not is silent
+    double tm = 0;          ///< [s] when it was measured
+    double value = 0;       ///< what its response makes of it, 0 or 1, an angle [rad], a `FloorColor`, 0 to 100
+    double physical = 0;    ///< behind that value: of a range sensor the distance [m], of a gyro the rate [rad/s]
+};
+
 /// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,
-/// safety and odometry. Called once or more a tick; several robots at once on as many threads, some sensing while
-/// others act: what is set takes effect in the world's next step, and nobody else sees it before.
+/// safety and odometry. Nothing here waits for a device: what is read is what came last, what is set goes out by
+/// itself. Called once or more a tick; several robots at once on as many threads, some sensing while others act: what
+/// is set takes effect in the world's next step, and nobody else sees it before.
 class RobotBody {
 public:
     virtual ~RobotBody() = default;
 
-    /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
-    virtual Wheels wheel_angles() const = 0;
-    /// Distances [m] seen by the range sensors of the spec, in its order, one for each; infinity: nothing in sight.
-    virtual void read_ranges(std::span<double> distances) const = 0;
-    /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
-    virtual bool is_pressed(std::size_t index) const = 0;
-    /// Yaw rate [rad/s] of the hull, as a gyro feels it.
-    virtual double yaw_rate() const = 0;
-    /// The colour that sensor `index` of the spec sees on the floor.
-    virtual FloorColor floor_color(std::size_t /*index*/) const { return FloorColor::none; }
-    /// How much light the floor gives back to sensor `index` of the spec: 0 (none) to 100 (as white paper).
-    virtual double reflected_light(std::size_t /*index*/) const { return 0; }
+    /// What the world calls this robot, or `not_simulated`.
+    virtual RobotId id() const = 0;
+
+    /// The encoders at `now`, `period` [s] after the last call.
+    virtual WheelReading read_wheels(const Time& now, double period) = 0;
+    /// All sensors of the spec at `now`, in its order, one reading for each; good until the next call. Comes after
+    /// `read_wheels`, and not while the robot is not ACTIVE.
+    virtual std::span<const SensorReading> read_sensors(const Time& now, double period) = 0;
+    /// Angle [rad] of servo `index` of the spec's actuators.
+    virtual double servo_angle(std::size_t /*index*/) const { return 0; }
+    /// What has failed since the last call: one line for each with what to do about it, told once. The rest goes on.
+    virtual std::vector<std::string> take_faults() { return {}; }
 
     /// Surface speed [m/s] of each wheel to hold from now on, already limited.
     virtual void set_wheel_speeds(Wheels speeds) = 0;
     /// Lets the wheels roll freely until the next `set_wheel_speeds`.
     virtual void coast() = 0;
-    /// Angle [rad] of servo `index` of the spec's actuators, already limited.
-    virtual void set_servo(std::size_t index, double angle) = 0;
+    /// Sends servo `index` of the spec's actuators to an angle [rad], already limited, at `speed` [rad/s] (0: as fast
+    /// as it can). Called when one of them changes.
+    virtual void aim_servo(std::size_t index, double angle, double speed) = 0;
     /// Lights, in order; called when one changes.
     virtual void set_leds(const std::vector<bool>& /*on*/) {}
     /// Tone of the buzzer [Hz], 0 for silence; called when it changes.
@@ -66,9 +98,6 @@ public:
     /// Plays a sound after those that came before. Must not wait until it has been played.
     virtual void play(const Sound& /*sound*/) {}
 };
-
-/// A robot of the world, in the order of adding, from 0.
-using RobotId = std::size_t;
 
 /// What a world knows of a robot and no sensor tells.
 struct Truth {
@@ -116,7 +145,7 @@ public:
 
     /// Puts a robot on the floor. The spec must outlive the world. The body must not outlive the world; destroying it
     /// takes the robot out of the world. An error when it overlaps a robot or a thing that is already there, naming
-    /// both.
+    /// both, or when it is outside of an arena with a border.
     virtual Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                            Pose2D pose) = 0;
 
@@ -132,7 +161,8 @@ public:
     /// What the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty when nothing.
     virtual std::string collided_with(RobotId robot) const = 0;
 
-    /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken.
+    /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken, or outside of an
+    /// arena with a border.
     virtual Expected<void> teleport(RobotId robot, Pose2D pose) = 0;
     /// Forces these velocities on the robot until the next call; an empty push lets go.
     virtual void disturb(RobotId robot, const Push& push) = 0;

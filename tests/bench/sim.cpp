@@ -98,7 +98,7 @@ Result run_world(std::size_t count, int ticks, bool rays) {
     distances.fill(std::numeric_limits<double>::infinity());
     for (int tick = 0; tick < ticks; ++tick) {
         for (auto& body : bodies) {
-            if (rays) body->read_ranges(distances);
+            if (rays) static_cast<sim::SimulatedBody&>(*body).read_ranges(distances);
             // Without eyes they turn on the spot, or all would end up at the walls.
             body->set_wheel_speeds(rays ? control(distances, directions) : Wheels{-0.05, 0.05});
         }

@@ -39,7 +39,7 @@ void check(const RobotSpec& robot) {
             require(std::isfinite(sensor.response(distance)));
         }
     }
-    require(Robot::make("any", robot, robot.drive.limits, 0, 0).has_value());
+    require(Robot::make("any", robot, robot.drive.limits).has_value());
 }
 
 }  // namespace

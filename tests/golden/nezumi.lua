@@ -161,7 +161,7 @@
 ---@field tm number [s] stamp of the value, 0 before anything came
 ---@field age number [s] now() - tm, math.huge before anything came
 ---@field connected boolean
----@field stale boolean nothing came for 0.5 s, or nothing can come
+---@field stale boolean nothing came for three periods of its sender, or nothing can come
 
 ---@class OutPort
 
@@ -551,6 +551,7 @@ function output(name, type, doc, options) end
 ---@field on? string the robot that carries it
 ---@field at? number[] [m] on that robot, from the middle of the wheels' axis on the floor
 ---@field yaw? number [rad] on that robot, counter-clockwise
+---@field backend? string "sim", or the name of a driver
 ---@field active? boolean whether it is activated at the start
 
 ---@class (exact) PhysicsFields
@@ -573,7 +574,7 @@ function output(name, type, doc, options) end
 ---@field hardware_limits? LimitsFields on the real robot, until it is calibrated
 
 ---@class (exact) SensorFields
----@field kind "range"|"button"|"touch"|"gyro"|"color"|"reflect" what it measures
+---@field kind "range"|"button"|"touch"|"gyro"|"color"|"reflect"|"ambient" what it measures
 ---@field at? number[] [m] from the hull's centre
 ---@field yaw? number [rad] where it looks, counter-clockwise
 ---@field on? string the servo that carries it, in the place of the hull
@@ -581,7 +582,7 @@ function output(name, type, doc, options) end
 ---@field minimum? number [m] it sees no nearer (of range)
 ---@field cone? number [rad] full opening angle; 0: a single ray (of range)
 ---@field rays? integer that share the cone: the nearest counts (of range)
----@field noise? number standard deviation, in the value's unit (of range, gyro, reflect)
+---@field noise? number standard deviation, in the value's unit (of range, gyro, reflect, ambient)
 ---@field table? string|number[][] a CSV file with the columns `distance_m` and `value` beside the robot file, or points `{ { 0.01, 1394 }, ... }`. Exact at its points; nearer than the first the value goes on as a power law, farther than the last it fades to `nothing` at `range` (of range)
 ---@field response? fun(distance: number): number instead of `table`: it is sampled when the file is read; `response(math.huge)` is the value with nothing in sight (of range)
 ---@field nothing? number the value with nothing in sight (of range)
@@ -590,11 +591,13 @@ function output(name, type, doc, options) end
 ---@field drift? number [rad/s] (of gyro)
 ---@field max_rate? number [rad/s] it can follow; 0: any (of gyro)
 ---@field travel? number [m] until it closes (of touch)
+---@field level? number light of the simulated room, from 0 (dark) to 100 (of ambient)
 
 ---@class (exact) ActuatorFields
 ---@field kind "leds"|"buzzer"|"servo"|"screen"|"speaker"
 ---@field count? integer how many (of leds)
 ---@field max_rate? number [rad/s] 0: any (of servo)
+---@field speed? number [rad/s] at which it begins; the robot's parameter `NAME_speed`. 0: as fast as it can, and no parameter (of servo)
 ---@field minimum? number [rad] (of servo)
 ---@field maximum? number [rad] equal to `minimum`: unlimited (of servo)
 ---@field at? number[] [m] its axis, from the hull's centre (of servo)
@@ -605,7 +608,7 @@ function output(name, type, doc, options) end
 ---@field to? string|string[] `"drive"`, `"odometry"` (sets it) or an actuator (of in-port)
 ---@field doc? string what editors and the console say about it
 ---@field rate? number [Hz] messages a second; 0: one each tick (of out-port)
----@field quantity? "value"|"distance" `"distance"`: metres instead of the sensors' values (of out-port)
+---@field quantity? "value"|"distance"|"rate" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle (of out-port)
 ---@field queue? integer so many unread messages are kept; 0: the latest (of in-port)
 ---@field silence? "hold"|"off" when nothing came for 0.5 s: the actuator holds or goes off (of in-port)
 

@@ -62,12 +62,12 @@ scenario("the joystick sends at its rate, whether or not it moved", { sweep = { 
   s:run(1)
   s:near(#s.stick.pos.value, 2, 0)
   s:near(s.stick.pos.value[2], 0, 0)
-  s:hold("stick.pos", { 60, 80 })
+  s:hold("stick.stick", { 60, 80 })
   s:run(0.2)
   s:near(s.stick.pos.value[1], 60, 0)
   s:near(s.stick.vel.value[1], 140 / math.sqrt(2), 1e-4, "left wheel")
   s:near(s.stick.vel.value[2], 20 / math.sqrt(2), 1e-4, "right wheel")
-  s:release("stick.pos")
+  s:release("stick.stick")
   s:run(0.2)
   s:near(s.stick.pos.value[2], 0, 0, "springs back")
   s:near(s.stick.vel.value[1], 0, 0)
@@ -76,15 +76,15 @@ end)
 scenario("one joystick drives both robots at once", { timeout = 30 }, function(s)
   local world = s:load "systems/joystick.lua"
   local mouse, ev3 = world.mouse, world.ev3
-  s:hold("stick.pos", { 0, 100 })
+  s:hold("stick.stick", { 0, 100 })
   s:run(1)
   s:near(mouse.truth.velocity.vx, 0.2, 0.005)
   s:near(ev3.truth.velocity.vx, 0.2, 0.005)
-  s:hold("stick.pos", { -100, 0 })
+  s:hold("stick.stick", { -100, 0 })
   s:run(1)
   s:near(mouse.truth.velocity.va, 2, 0.05)
   s:near(ev3.truth.velocity.va, 2, 0.05)
-  s:release("stick.pos")
+  s:release("stick.stick")
   s:eventually("both stop", { within = 1 }, function()
     return math.abs(mouse.truth.velocity.va) < 0.001 and math.abs(ev3.truth.velocity.va) < 0.001
   end)
@@ -92,7 +92,7 @@ end)
 
 scenario("a joystick that falls silent stops both robots", { timeout = 30 }, function(s)
   local world = s:load "systems/joystick.lua"
-  s:hold("stick.pos", { 0, 100 })
+  s:hold("stick.stick", { 0, 100 })
   s:run(1)
   s:release "stick.pos"
   s:drop "stick.pos"

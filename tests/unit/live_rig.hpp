@@ -52,7 +52,7 @@ struct LiveRig {
         LiveOptions options;
         options.installed = {source_root()};
         options.world = sim::make_world;
-        options.components = {{"Joystick", make_joystick}};
+        options.components = {{"Joystick", {{"sim", make_joystick}}}};
         options.build.log = [this](const LogLine& line) { log.push_back(line); };
         auto loaded = LiveSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));

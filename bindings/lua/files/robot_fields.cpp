@@ -144,11 +144,11 @@ void check_ports(FieldCheck& check, const RobotSpec& spec) {
     for (SensorSpec& sensor : one.sensors) sensor.response = {};
     for (const PortSpec& port : spec.ports) {
         one.ports = {port};
-        if (auto robot = Robot::make("check", one, {}, 0, 0); !robot)
+        if (auto robot = Robot::make("check", one, {}); !robot)
             check.wrong_at({"ports", port.name}, robot.error().message);
     }
     one.ports = spec.ports;
-    if (auto robot = Robot::make("check", one, {}, 0, 0); !robot) check.wrong_at({"ports"}, robot.error().message);
+    if (auto robot = Robot::make("check", one, {}); !robot) check.wrong_at({"ports"}, robot.error().message);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     auto next = std::make_unique<Running>();
     next->spec = std::move(spec);
     next->makers.world = options_.world;
+    next->makers.bodies = options_.bodies;
     next->makers.components = options_.components;
     next->makers.behavior =
         [settings = BehaviorSettings{.project = project_, .budget = options_.budget, .chunks = &next->chunks}](

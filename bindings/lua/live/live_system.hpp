@@ -21,6 +21,7 @@ namespace nezumi {
 struct LiveOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
     WorldFactory world;                            ///< may be empty: then there can be no robots
+    decltype(Makers::bodies) bodies;               ///< makers of real robots by backend
     decltype(Makers::components) components;       ///< native components by type
     BuildOptions build;
     Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock

@@ -100,12 +100,9 @@ double port_age(const System& system, const Port& port) {
 }
 
 bool is_stale(const System& system, const Port& port) {
-    const auto age = port.direction() == Direction::in
-                         ? system.now().tick - static_cast<const InPortBase&>(port).arrival_tick()
-                         : system.now().tick - static_cast<const OutPortBase&>(port).latched_tick();
-    const bool ever = age <= system.now().tick;
-    const bool connected = port.direction() == Direction::out || static_cast<const InPortBase&>(port).connected();
-    return !connected || !ever || static_cast<double>(age) / system.settings().rate > InPortBase::stale_after;
+    const double now = system.now().seconds;
+    return port.direction() == Direction::in ? static_cast<const InPortBase&>(port).is_stale(now)
+                                             : static_cast<const OutPortBase&>(port).is_stale(now);
 }
 
 std::string_view to_text(Override override) {

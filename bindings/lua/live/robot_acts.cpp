@@ -48,6 +48,7 @@ Expected<Robot*> simulated_robot(const System& system, Component& component) {
     auto* robot = dynamic_cast<Robot*>(&component);
     if (robot == nullptr) return failure(fmt::format("{} is no robot", component.name()));
     if (system.world() == nullptr) return failure("there is no simulated world");
+    if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works in simulation", robot->name()));
     return robot;
 }
 

@@ -222,6 +222,7 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
             if (port == nullptr) port = take_fitting(next.out_ports, declaration);
             port->set_doc(declaration.doc);
             port->set_safe_any(declaration.safe.empty() ? nullptr : &declaration.safe.front());
+            port->set_rate(rate);
             out_ports_.push_back(std::move(port));
         }
     }

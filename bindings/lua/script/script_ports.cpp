@@ -139,10 +139,7 @@ void push_property(lua_State* L, const PortSlot& slot, Property property) {
         case Property::age:
             return lua_pushnumber(L, arrived ? owner.now().seconds - tm : std::numeric_limits<double>::infinity());
         case Property::connected: return lua_pushboolean(L, port.connected() ? 1 : 0);
-        case Property::stale: {
-            const double silent = static_cast<double>(owner.now().tick - port.arrival_tick()) / owner.tick_rate();
-            return lua_pushboolean(L, !port.connected() || !arrived || silent > InPortBase::stale_after ? 1 : 0);
-        }
+        case Property::stale: return lua_pushboolean(L, port.is_stale(owner.now().seconds) ? 1 : 0);
     }
 }
 

@@ -102,7 +102,7 @@ std::string annotations(const std::vector<RecordShape>& more) {
         "---@field tm number [s] stamp of the value, 0 before anything came\n"
         "---@field age number [s] now() - tm, math.huge before anything came\n"
         "---@field connected boolean\n"
-        "---@field stale boolean nothing came for 0.5 s, or nothing can come\n\n"
+        "---@field stale boolean nothing came for three periods of its sender, or nothing can come\n\n"
         "---@class OutPort\n\n";
     for (const MessageShape& message : messages) {
         add_ports(text, message);

@@ -36,8 +36,14 @@ struct Plan {
             if (entry.script == "broken") return failure("unexpected symbol", {"broken.lua", 3});
             return std::make_unique<WithSpeed>(entry.name);
         };
-        makers.components["Camera"] = [](const ComponentEntry& entry, System&) -> Expected<std::unique_ptr<Component>> {
+        makers.components["Camera"]["sim"] = [](const ComponentEntry& entry,
+                                                System&) -> Expected<std::unique_ptr<Component>> {
             return std::make_unique<TryComponent>(entry.name);
+        };
+        makers.bodies["mouse_driver"] = [this](const RobotEntry&,
+                                               const RobotSpec& model) -> Expected<std::unique_ptr<RobotBody>> {
+            if (!has_hardware) return failure("/dev/rtmotor_raw_l0 is not there: is the driver loaded?");
+            return std::make_unique<FakeBody>(real, model, not_simulated);
         };
     }
     RobotEntry& robot(std::string name, double x = 0) {
@@ -56,8 +62,9 @@ struct Plan {
         spec.entries.emplace_back(entry);
         return std::get<BehaviorEntry>(spec.entries.back());
     }
-    void component(std::string name, std::string type) {
+    void component(std::string name, std::string type, std::string backend = "") {
         ComponentEntry entry;
+        entry.backend = std::move(backend);
         entry.name = std::move(name);
         entry.type = std::move(type);
         entry.place = {"s.lua", next_line++};
@@ -77,6 +84,8 @@ struct Plan {
         return std::move(*built);
     }
 
+    FakeHull real;  ///< of the robot with the driver
+    bool has_hardware = true;
     SystemSpec spec;
     Makers makers;
     std::uint64_t seed = 0;
@@ -174,6 +183,16 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
           "s.lua:2: robot 'other': there is no model 'mose' (did you mean 'mouse'?)");
     CHECK(refused([](Plan& p) { p.makers.world = nullptr; }) ==
           "s.lua:1: robot 'mouse': there is no world to put it in");
+    CHECK(refused([](Plan& p) { p.robot("other").backend = "x"; }) ==
+          "s.lua:2: robot 'other': there is no backend 'x'; there are sim, mouse_driver");
+    CHECK(refused([](Plan& p) { p.robot("other").backend = "mouse_drvier"; }) ==
+          "s.lua:2: robot 'other': there is no backend 'mouse_drvier' (did you mean 'mouse_driver'?)");
+    CHECK(refused([](Plan& p) {
+              p.robot("other").backend = "mouse_driver";
+              p.has_hardware = false;
+          }) == "s.lua:2: /dev/rtmotor_raw_l0 is not there: is the driver loaded?");
+    CHECK(refused([](Plan& p) { p.component("eye", "Camera", "v4l2"); }) ==
+          "s.lua:2: component 'eye': there is no backend 'v4l2'; there is sim");
     CHECK(refused([](Plan& p) { p.robot("other", 200); }) == "s.lua:2: robot 'other' overlaps box 1: move one of them");
     CHECK(refused([](Plan& p) { p.robot("mouse"); }) == "s.lua:2: the name 'mouse' is given twice, first in line 1");
     CHECK(refused([](Plan& p) { p.behavior("it").script = "broken"; }) == "broken.lua:3: unexpected symbol");
@@ -212,22 +231,49 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
           }).starts_with("s.lua:9: rate: a tick of 60 Hz"));
 }
 
-TEST_CASE("a robot beside the walls of its arena is warned about", "[engine][build]") {
-    const auto warnings = [](double x, bool border) {
-        Plan plan;
-        plan.robot("mouse").pose.position.x = x;
-        plan.spec.arena.size = Point2D{2, 2};
-        plan.spec.arena.border = border;
-        std::vector<std::string> log;
-        BuildOptions options;
-        options.log = [&log](const LogLine& line) { log.push_back(line.text); };
-        const auto system = plan.build(options);
-        return log;
-    };
-    CHECK(warnings(0.5, true).empty());
-    CHECK(warnings(5, false).empty());
-    CHECK(warnings(5, true) ==
-          std::vector<std::string>{"robot 'mouse' at x = 5, y = 0 is outside the arena of 2 x 2 m"});
+TEST_CASE("one robot of a system may be real and the others simulated", "[engine][build][hardware]") {
+    Plan plan;
+    plan.robot("first");
+    plan.robot("mouse").backend = "mouse_driver";
+    plan.robot("last").backend = "sim";
+    const auto system = plan.build();
+    activate_all(*system, plan.spec);
+    CHECK(system->find_robot("mouse")->is_real());
+    CHECK_FALSE(system->find_robot("first")->is_real());
+    CHECK(system->find_robot("first")->id() == 0);
+    CHECK(system->find_robot("last")->id() == 1);  // the world knows of two
+    for (const char* name : {"mouse", "last"})
+        system->find(name)->find_in_port("velocity_in")->inject(Velocity2D{.vx = 0.1});
+    system->tick();
+    const auto& world = dynamic_cast<const FakeWorld&>(*system->world());
+    CHECK(plan.real.speeds.left > 0);
+    CHECK(world.hulls[0]->speeds == Wheels{});
+    CHECK(world.hulls[1]->speeds.left > 0);
+    REQUIRE(system->remove("mouse"));
+    CHECK(plan.real.speeds == Wheels{});
+    CHECK(system->find_robot("last")->id() == 1);
+}
+
+TEST_CASE("a system whose robots are all real needs no world", "[engine][build][hardware]") {
+    Plan plan;
+    plan.makers.world = nullptr;
+    plan.robot("mouse").backend = "mouse_driver";
+    const auto system = plan.build();
+    CHECK(system->world() == nullptr);
+    system->tick();
+}
+
+TEST_CASE("a real robot does no more than its description allows the hardware", "[engine][build][hardware][safety]") {
+    Plan plan;
+    plan.spec.models["mouse"].drive.hardware_limits = {
+        .speed = 0.2, .yaw_rate = 9, .acceleration = 0.5, .yaw_acceleration = 4};
+    RobotEntry& mouse = plan.robot("mouse");
+    mouse.backend = "mouse_driver";
+    mouse.speed = 2.0;         // only in simulation may a system raise a limit
+    mouse.acceleration = 0.1;  // to lower one is always allowed
+    const auto system = plan.build();
+    CHECK(system->find_robot("mouse")->guard().limits() ==
+          Limits{.speed = 0.2, .yaw_rate = 6, .acceleration = 0.1, .yaw_acceleration = 4});
 }
 
 TEST_CASE("a robot that is refused while a system runs leaves nothing behind", "[engine][build]") {

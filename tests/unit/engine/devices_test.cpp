@@ -46,7 +46,7 @@ std::string refusal(const PortSpec& wrong) {
     RobotSpec spec = brick();
     std::erase_if(spec.ports, [](const PortSpec& p) { return p.name == "sound" || p.name == "lcd"; });
     spec.ports.push_back(wrong);
-    const auto robot = Robot::make("m", spec, {}, 0, 0);
+    const auto robot = Robot::make("m", spec, {});
     return robot ? "none" : robot.error().message;
 }
 
@@ -55,6 +55,16 @@ CameraImage picture(std::uint16_t width, std::uint16_t height, std::size_t bytes
 }
 
 }  // namespace
+
+TEST_CASE("what only some sensors have is no port of the others", "[engine][sensor]") {
+    PortSpec wrong = port("p", "TimedDouble", {"light_below"}, false);
+    wrong.quantity = PortSpec::Quantity::rate;
+    CHECK(refusal(wrong) == "port 'p': 'light_below' is no gyro: it has no rate");
+    wrong.quantity = PortSpec::Quantity::distance;
+    CHECK(refusal(wrong) == "port 'p': 'light_below' is no range sensor: it has no distance");
+    CHECK(refusal(port("p", "RangeData", {"light_below"}, false)) ==
+          "port 'p': 'light_below' is no range sensor: it has no distance");
+}
 
 TEST_CASE("a colour sensor's ports give the colour's name or its code", "[engine][sensor]") {
     FakeRun run(brick());
@@ -67,45 +77,25 @@ TEST_CASE("a colour sensor's ports give the colour's name or its code", "[engine
     CHECK(run.value<std::int16_t>("code") == 7);
 }
 
-TEST_CASE("reflected light stays between 0 and 100 whatever its noise", "[engine][sensor]") {
+TEST_CASE("a servo is sent to its angle once, at the speed of its parameter", "[engine][robot]") {
     RobotSpec spec = brick();
-    spec.sensors.back().noise = 5;
+    spec.actuators[2].speed = 1.6;
     FakeRun run(spec);
-    bool differs = false;
-    for (const double light : {0.0, 100.0}) {
-        run.hull().light = light;
-        for (int i = 0; i < 200; ++i) {
-            run.system.tick();
-            const double value = run.value<double>("reflect");
-            REQUIRE(value >= 0);
-            REQUIRE(value <= 100);
-            differs = differs || value != light;
-        }
-    }
-    CHECK(differs);
-}
-
-TEST_CASE("a distance beyond the range is told exactly, however noisy the sensor", "[engine][sensor]") {
-    RobotSpec spec = fake_mouse();
-    spec.sensors[0].noise = 0.05;
-    FakeRun run(spec);
-    for (int i = 0; i < 100; ++i) {
-        run.system.tick();
-        REQUIRE(run.value<RangeData>("ranger").ranges == std::vector<double>{0.6});
-    }
-}
-
-TEST_CASE("a servo goes to its angle no faster than it can", "[engine][robot]") {
-    FakeRun run(brick());
+    CHECK(run.robot->parameters().find("neck_speed")->value == ParameterValue(1.6));
     run.send("neck_in", 0.05);
-    CHECK(run.hull().servos[2] == Approx(0.02));
-    run.system.tick();
-    CHECK(run.hull().servos[2] == Approx(0.04));
-    run.system.tick();
     CHECK(run.hull().servos[2] == 0.05);
+    CHECK(run.hull().servo_speeds[2] == 1.6);
+    REQUIRE(run.robot->parameters().stage("neck_speed", ParameterValue(0.5)));
     run.send("neck_in", -5.0);  // beyond its limit
-    run.ticks(200);
     CHECK(run.hull().servos[2] == -1.0);
+    CHECK(run.hull().servo_speeds[2] == 0.5);
+    CHECK(run.robot->parameters().stage("neck_speed", ParameterValue(2.5)).error().message ==
+          "parameter 'neck_speed' (number): 2.5 is above its maximum 2.0");
+    run.hull().servos[2] = 0.3;  // on its way
+    REQUIRE(run.robot->deactivate(run.system.now()));
+    run.ticks(2);
+    CHECK(run.hull().servos[2] == 0.3);  // where it is, it stays
+    CHECK(FakeRun(brick()).robot->parameters().all().empty());
 }
 
 TEST_CASE("a range sensor on a servo tells where it looks", "[engine][sensor]") {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,11 +19,16 @@ namespace nezumi {
 struct FakeHull {
     std::string name;
     Wheels angles;
-    std::vector<double> distances;  ///< what the range sensors see; nothing in sight where it is too short
+    std::vector<double> distances;                  ///< of the range sensors [m]; 0.6 where it is too short
+    std::map<std::size_t, SensorReading> readings;  ///< what a sensor says in place of all that is below
+    bool has_encoders = true;
+    double measured_late = 0;         ///< [s] by which all stamps are before now
+    std::vector<std::string> faults;  ///< told at the next opportunity
     std::map<std::size_t, bool> pressed;
     double yaw_rate = 0;
     FloorColor color = FloorColor::none;
     double light = 0;
+    double ambient = 0;
 
     Wheels speeds;
     std::vector<Wheels> all_speeds;
@@ -29,53 +36,89 @@ struct FakeHull {
     std::vector<bool> leds;
     int led_calls = 0;
     int hertz = 0;
-    std::map<std::size_t, double> servos;
+    std::map<std::size_t, double> servos;        ///< angles [rad] that they were sent to, and are at
+    std::map<std::size_t, double> servo_speeds;  ///< [rad/s]
     std::vector<CameraImage> pictures;
     std::vector<Sound> sounds;
 };
 
+/// Tells what its hull says, without noise: a device's reading.
 class FakeBody final : public RobotBody {
 public:
-    explicit FakeBody(FakeHull& hull) : hull_(hull) {}
-    Wheels wheel_angles() const override { return hull_.angles; }
-    void read_ranges(std::span<double> distances) const override {
-        for (std::size_t i = 0; i < distances.size(); ++i) {
-            distances[i] = i < hull_.distances.size() ? hull_.distances[i] : std::numeric_limits<double>::infinity();
+    FakeBody(FakeHull& hull, const RobotSpec& spec, RobotId id) : hull_(hull), spec_(spec), id_(id) {}
+    RobotId id() const override { return id_; }
+    WheelReading read_wheels(const Time& now, double period) override {
+        const auto pulses = [&](double angle) {
+            return static_cast<std::int64_t>(std::llround(angle / (2 * M_PI) * spec_.drive.encoder_pulses()));
+        };
+        const auto speed = [&](double angle, double before) { return (angle - before) * spec_.drive.radius / period; };
+        WheelReading reading{.is_there = hull_.has_encoders,
+                             .tm = now.seconds - hull_.measured_late,
+                             .pulses = {pulses(hull_.angles.left), pulses(hull_.angles.right)},
+                             .speeds = {}};
+        if (before_)
+            reading.speeds = {speed(hull_.angles.left, before_->left), speed(hull_.angles.right, before_->right)};
+        before_ = hull_.angles;
+        return reading;
+    }
+    std::span<const SensorReading> read_sensors(const Time& now, double /*period*/) override {
+        readings_.clear();
+        std::size_t ranges = 0;
+        for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
+            SensorReading reading{.is_there = true, .tm = now.seconds - hull_.measured_late, .value = 0, .physical = 0};
+            switch (spec_.sensors[i].kind) {
+                case SensorSpec::Kind::range:
+                    reading.physical = ranges < hull_.distances.size() ? hull_.distances[ranges] : 0.6;
+                    reading.value = std::round(1000 * reading.physical);
+                    ++ranges;
+                    break;
+                case SensorSpec::Kind::gyro: reading.physical = hull_.yaw_rate; break;
+                case SensorSpec::Kind::color: reading.value = static_cast<double>(hull_.color); break;
+                case SensorSpec::Kind::reflect: reading.value = hull_.light; break;
+                case SensorSpec::Kind::ambient: reading.value = hull_.ambient; break;
+                default: reading.value = hull_.pressed[i] ? 1 : 0;
+            }
+            if (const auto said = hull_.readings.find(i); said != hull_.readings.end()) reading = said->second;
+            readings_.push_back(reading);
         }
+        return readings_;
     }
-    bool is_pressed(std::size_t index) const override {
-        const auto found = hull_.pressed.find(index);
-        return found != hull_.pressed.end() && found->second;
-    }
-    double yaw_rate() const override { return hull_.yaw_rate; }
+    std::vector<std::string> take_faults() override { return std::exchange(hull_.faults, {}); }
+    double servo_angle(std::size_t index) const override { return hull_.servos[index]; }
     void set_wheel_speeds(Wheels speeds) override {
         hull_.speeds = speeds;
         hull_.all_speeds.push_back(speeds);
         hull_.coasting = false;
     }
     void coast() override { hull_.coasting = true; }
-    void set_servo(std::size_t index, double angle) override { hull_.servos[index] = angle; }
+    void aim_servo(std::size_t index, double angle, double speed) override {
+        hull_.servos[index] = angle;
+        hull_.servo_speeds[index] = speed;
+    }
     void set_leds(const std::vector<bool>& on) override {
         hull_.leds = on;
         ++hull_.led_calls;
     }
     void set_buzzer(int hertz) override { hull_.hertz = hertz; }
-    FloorColor floor_color(std::size_t) const override { return hull_.color; }
-    double reflected_light(std::size_t) const override { return hull_.light; }
     void show(std::size_t, const CameraImage& picture) override { hull_.pictures.push_back(picture); }
     void play(const Sound& sound) override { hull_.sounds.push_back(sound); }
 
 private:
     FakeHull& hull_;
+    const RobotSpec& spec_;
+    RobotId id_;
+    std::optional<Wheels> before_;
+    std::vector<SensorReading> readings_;
 };
 
 class FakeWorld final : public World {
 public:
-    Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec&, Pose2D pose) override {
+    Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
+                                                   Pose2D pose) override {
         if (pose.position.x > 100) return failure("robot '" + name + "' overlaps box 1: move one of them");
         hulls.push_back(std::make_unique<FakeHull>());
         hulls.back()->name = name;
-        return std::make_unique<FakeBody>(*hulls.back());
+        return std::make_unique<FakeBody>(*hulls.back(), spec, hulls.size() - 1);
     }
     void step(int count) override { steps += count; }
     Truth truth(RobotId) const override { return {}; }
@@ -146,6 +189,7 @@ inline RobotSpec fake_mouse() {
     out("ir", "TimedShortSeq", {"light", "light"});
     out("ir_metre", "TimedDoubleSeq", {"metre", "light"}, PortSpec::Quantity::distance);
     out("yaw", "TimedDouble", {"gyro"});
+    out("yaw_rate", "TimedDouble", {"gyro"}, PortSpec::Quantity::rate);
     out("buttons", "TimedBooleanSeq", {"button"});
     out("ranger", "RangeData", {"metre"});
     return spec;
@@ -153,18 +197,17 @@ inline RobotSpec fake_mouse() {
 
 /// A system with one fake mouse in it, ACTIVE.
 struct FakeRun {
-    explicit FakeRun(RobotSpec made = fake_mouse(), double rate = 100, std::uint64_t seed = 1)
-        : spec(std::move(made)), system({.rate = rate, .seed = seed}, [this](const LogLine& line) {
-              log.push_back(line.component + ": " + line.text);
-          }) {
+    explicit FakeRun(RobotSpec made = fake_mouse(), double rate = 100)
+        : spec(std::move(made)),
+          system({.rate = rate}, [this](const LogLine& line) { log.push_back(line.component + ": " + line.text); }) {
         auto world_made = std::make_unique<FakeWorld>();
         world = world_made.get();
         system.take_world(std::move(world_made));
-        auto robot_made = Robot::make("mouse", spec, spec.drive.limits, 0, seed);
+        auto robot_made = Robot::make("mouse", spec, spec.drive.limits);
         if (!robot_made) throw std::runtime_error(robot_made.error().message);
         robot = robot_made->get();
-        static_cast<void>(system.add(std::move(*robot_made)));
         robot->take_body(std::move(*world->add_robot("mouse", spec, {})));
+        static_cast<void>(system.add(std::move(*robot_made)));
         static_cast<void>(robot->activate(system.now()));
     }
 

@@ -21,8 +21,10 @@ struct Stick {
         REQUIRE(stick->activate(system.now()));
     }
     OutPort<Floats>& port(const char* name) { return static_cast<OutPort<Floats>&>(*stick->find_out_port(name)); }
+    // Two ticks: what arrives in one is published in the next.
     void hold(Floats place) {
-        port("pos").hold(std::move(place));
+        stick->find_in_port("stick")->hold(std::move(place));
+        system.tick();
         system.tick();
     }
 
@@ -56,18 +58,36 @@ TEST_CASE("the wheels' speeds are the stick's place turned by 45 degrees", "[eng
     it.hold({-100, 100});
     CHECK(it.port("vel").read()[0] == Approx(0).margin(1e-4));
     CHECK(it.port("vel").read()[1] == Approx(std::hypot(100, 100)));
-    it.port("pos").release();
+    it.stick->find_in_port("stick")->release();
+    it.system.tick();
     it.system.tick();
     CHECK(it.port("pos").read() == Floats{0, 0});
     CHECK(it.port("vel").read() == Floats{0, 0});
 }
 
-TEST_CASE("a stick held at no place stands in the middle for the wheels", "[engine][joystick]") {
+TEST_CASE("a stick held at no place stands in the middle, and one beyond the pad at its edge", "[engine][joystick]") {
     Stick it;
-    for (const Floats& odd : {Floats{}, Floats{100}}) {
+    for (const Floats& odd : {Floats{}, Floats{100}, Floats{std::nanf(""), 1}}) {
         it.hold(odd);
-        CHECK(it.port("pos").read() == odd);
+        CHECK(it.port("pos").read() == Floats{0, 0});
         CHECK(it.port("vel").read() == Floats{0, 0});
+    }
+    it.hold({-1000, 151, 7});
+    CHECK(it.port("pos").read() == Floats{-150, 150});
+}
+
+TEST_CASE("a stick that is sent somewhere once is there once, however slow the joystick", "[engine][joystick]") {
+    for (const double rate : {0.0, 10.0}) {
+        Stick it(rate);
+        it.system.tick();
+        it.stick->find_in_port("stick")->inject(Floats{0, 100});
+        int there = 0;
+        for (int i = 0; i < 100; ++i) {
+            const auto before = it.port("pos").count();
+            it.system.tick();
+            if (it.port("pos").count() > before && it.port("pos").read() == Floats{0, 100}) ++there;
+        }
+        CHECK(there == 1);
     }
 }
 

@@ -141,6 +141,162 @@ TEST_CASE("several connections arrive in tick order, then in the order of connec
     CHECK(read_all() == Values{30, 10});
 }
 
+TEST_CASE("a message is not copied on its way", "[engine][port]") {
+    for (const std::size_t queue : {0u, 2u}) {
+        OutPort<std::string> out{"out"};
+        InPort<std::string> one{"one"}, other{"other", "", queue};
+        one.connect(out);
+        other.connect(out);
+        for (std::int64_t tick = 1; tick < 5; ++tick) {
+            out.write("a text that is too long to be kept in the string itself");
+            out.latch(at(tick));
+            one.latch(at(tick));
+            other.latch(at(tick));
+            CHECK(one.latest().data.data() == out.read().data());
+            CHECK(other.latest().data.data() == out.read().data());
+            CHECK(&one.read() == &out.read());
+        }
+    }
+}
+
+TEST_CASE("what an in-port shows stays until it is latched, whatever its sources do meanwhile", "[engine][port]") {
+    const std::string first(100, '1');
+    const auto shows = [&](const auto& meanwhile) {
+        auto out = std::make_unique<OutPort<std::string>>("out");
+        OutPort<std::string> other{"other"};
+        InPort<std::string> in{"in"};
+        in.connect(*out);
+        in.connect(other);
+        out->write(first);
+        out->latch(at(1));
+        in.latch(at(1));
+        meanwhile(out, other, in);
+        CHECK(in.value() == AnyPayload(first));
+        CHECK(in.tm() == 0.01);
+        CHECK(in.is_new());
+        CHECK(in.read() == first);
+    };
+    const auto publish = [](OutPort<std::string>& port, std::int64_t tick) {
+        port.write(std::string(100, 'x'));
+        port.latch(at(tick));
+    };
+    for (int times = 0; times < 5; ++times) {
+        INFO(times << " publications");
+        shows([&](auto& out, auto& other, auto&) {
+            for (int i = 0; i < times; ++i) {
+                publish(*out, 2 + i);
+                publish(other, 2 + i);
+            }
+        });
+        shows([&](auto& out, auto&, auto& in) {
+            for (int i = 0; i < times; ++i) publish(*out, 2 + i);
+            in.disconnect(*out);
+            out.reset();
+        });
+        shows([&](auto& out, auto&, auto& in) {
+            in.drop();
+            for (int i = 0; i < times; ++i) {
+                publish(*out, 2 + i);
+                in.latch(at(2 + i));
+            }
+        });
+        shows([&](auto& out, auto&, auto& in) {
+            in.set_queue(3);
+            for (int i = 0; i < times; ++i) publish(*out, 2 + i);
+            in.set_queue(0);
+        });
+    }
+}
+
+TEST_CASE("a source that publishes now and then is looked at for as long", "[engine][port]") {
+    OutPort<std::int32_t> often{"often"}, seldom{"seldom"};
+    InPort<std::int32_t> in{"in"};
+    in.connect(often);
+    in.connect(seldom);
+    for (std::int32_t tick = 1; tick < 50; ++tick) {
+        if (tick % 10 == 0) {
+            seldom.write(-tick);
+            seldom.latch(at(tick));
+        } else if (tick % 10 < 5) {
+            often.write(tick);
+            often.latch(at(tick));
+        }
+        in.latch(at(tick));
+        const std::int32_t decade = tick - tick % 10;
+        CHECK(in.read() == (tick % 10 == 0 ? -tick : tick % 10 < 5 ? tick : decade + 4));
+    }
+}
+
+TEST_CASE("an injected or held value takes the place of what a source published", "[engine][port]") {
+    OutPort<std::string> out{"out"};
+    InPort<std::string> in{"in"};
+    in.connect(out);
+    out.write("from out");
+    out.latch(at(1));
+    in.inject(std::string("injected"));
+    in.latch(at(1));
+    CHECK(in.read() == "injected");
+    CHECK(out.read() == "from out");
+    in.hold(std::string("held"));
+    in.latch(at(2));
+    CHECK(in.read() == "held");
+    in.release();
+    out.write("again");
+    out.latch(at(3));
+    in.latch(at(3));
+    CHECK(in.read() == "again");
+    in.clear();
+    CHECK(in.latest().data.empty());
+    CHECK(out.read() == "again");
+}
+
+TEST_CASE("a message may carry a stamp of its own", "[engine][port]") {
+    Pair p(3);
+    p.out.write(1);
+    p.out.stamp(-0.5);  // measured before the start
+    p.out.write(2);
+    p.out.latch(at(7));
+    p.in.latch(at(7));
+    CHECK(p.in.take().tm == -0.5);
+    CHECK(p.in.take().tm == 0.07);
+    p.out.write(3);
+    p.out.stamp(0.075);
+    p.out.latch(at(8));
+    CHECK(p.out.tm() == 0.075);
+    CHECK(p.out.latched_tick() == 8);
+    for (std::int64_t tick = 9; tick < 13; ++tick) {  // in whatever slot it is written
+        p.out.write(4);
+        p.out.latch(at(tick));
+        CHECK(p.out.tm() == Approx(0.01 * static_cast<double>(tick)));
+    }
+}
+
+TEST_CASE("a port is stale after three periods of its sender, at least 0.1 s, and else after 0.5 s", "[engine][port]") {
+    for (const auto& [rate, limit] : {std::pair{0.0, 0.5}, {10.0, 0.3}, {100.0, 0.1}, {1.0, 3.0}}) {
+        INFO(rate << " Hz");
+        Pair p;
+        p.out.set_rate(rate);
+        CHECK(p.in.is_stale(0));  // nothing has come
+        CHECK(p.out.is_stale(0));
+        p.pass(100, {1});
+        for (const bool in : {false, true}) {
+            const auto stale = [&](double now) { return in ? p.in.is_stale(now) : p.out.is_stale(now); };
+            CHECK_FALSE(stale(1.0 + limit));
+            CHECK(stale(1.0 + limit + 0.001));
+        }
+        p.in.disconnect(p.out);
+        CHECK(p.in.is_stale(1));
+    }
+    // Of several senders the slowest counts.
+    OutPort<std::int32_t> fast{"fast"}, slow{"slow"};
+    fast.set_rate(100);
+    slow.set_rate(5);
+    InPort<std::int32_t> in{"in"};
+    in.connect(fast);
+    in.connect(slow);
+    CHECK(in.stale_after() == Approx(0.6));
+}
+
 TEST_CASE("an in-port hears a new source from then on", "[engine][port]") {
     OutPort<std::int32_t> out{"out"};
     out.write(1);

@@ -158,6 +158,85 @@ TEST_CASE("the body of a robot that is removed stops", "[engine][robot][safety]"
     CHECK(run.hull().speeds == Wheels{});
 }
 
+namespace {
+
+// A real mouse at 100 ticks a second of a clock that goes as the test says.
+struct RealRun {
+    explicit RealRun(double rate = 100)
+        : spec(fake_mouse()),
+          system({.rate = rate, .real_time = true, .clock = [this] { return clock; }},
+                 [this](const LogLine& line) { log.push_back(line.component + ": " + line.text); }) {
+        auto made = Robot::make("mouse", spec, spec.drive.limits);
+        REQUIRE(made);
+        robot = made->get();
+        robot->take_body(std::make_unique<FakeBody>(hull, spec, not_simulated));
+        REQUIRE(system.add(std::move(*made)));
+        REQUIRE(robot->activate(system.now()));
+    }
+    // Some time later: a tick, with a command.
+    void drive(double passed, double speed = 0.1) {
+        clock += passed;
+        robot->find_in_port("velocity_in")->inject(Velocity2D{.vx = speed});
+        system.tick();
+    }
+
+    RobotSpec spec;
+    FakeHull hull;
+    double clock = 50;
+    Names log;
+    System system;
+    Robot* robot = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("a stalled loop is a stop, from which the next command starts", "[engine][robot][safety][hardware]") {
+    RealRun run;
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds.left == Approx(0.1));
+    run.drive(0.19);  // late, but no stall
+    CHECK(run.hull.speeds.left == Approx(0.1));
+    run.drive(0.21);
+    CHECK(run.hull.speeds == Wheels{});
+    CHECK(run.log == Names{"mouse: stops: nothing was computed for 0.21 s"});
+    run.drive(0.01);  // no faster than ever
+    CHECK(run.hull.speeds.left == Approx(0.02));
+    run.drive(2);
+    CHECK(run.hull.speeds == Wheels{});
+    // With slow ticks three of them.
+    RealRun slow(10);
+    for (int i = 0; i < 20; ++i) slow.drive(0.1);
+    slow.drive(0.29);
+    CHECK(slow.hull.speeds.left == Approx(0.1));
+    slow.drive(0.31);
+    CHECK(slow.hull.speeds == Wheels{});
+}
+
+TEST_CASE("a robot speeds up by no more than a period gives, and brakes for all that has passed",
+          "[engine][robot][safety][hardware]") {
+    RealRun run;
+    run.drive(0.01);
+    CHECK(run.hull.speeds.left == Approx(0.02));
+    run.drive(0.1);
+    CHECK(run.hull.speeds.left == Approx(0.04));
+    for (int i = 0; i < 20; ++i) run.drive(0.01, 0.3);
+    run.drive(0.03, 0);
+    CHECK(run.hull.speeds.left == Approx(0.3 - 3 * 0.02));
+}
+
+TEST_CASE("a real robot's commands time out by the clock", "[engine][robot][safety][hardware]") {
+    RealRun run;
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    for (int i = 0; i < 4; ++i) {
+        run.clock += 0.12;  // four ticks in 0.48 s
+        run.system.tick();
+        CHECK(run.hull.speeds.left == Approx(0.1));
+    }
+    run.clock += 0.02;
+    run.system.tick();
+    CHECK(run.hull.speeds.left < 0.1);
+}
+
 TEST_CASE("wheels that coast roll freely until the first command after activation", "[engine][robot]") {
     RobotSpec spec = fake_mouse();
     spec.drive.coasts_until_commanded = true;
@@ -227,7 +306,7 @@ TEST_CASE("a description whose ports can't be is refused with the port's name", 
         spoil(port);
         spec.ports.push_back(port);
         spec.place = {"robot.lua"};
-        const auto made = Robot::make("mouse", spec, spec.drive.limits, 0, 1);
+        const auto made = Robot::make("mouse", spec, spec.drive.limits);
         return made ? "" : describe(made.error());
     };
     CHECK(refusal([](PortSpec& p) { p.items = {}; }) == "robot.lua: port 'extra': says nothing of what it carries");
@@ -255,6 +334,6 @@ TEST_CASE("a description whose ports can't be is refused with the port's name", 
           "robot.lua: port 'yaw': is declared twice");
     RobotSpec still = fake_mouse();
     for (PortSpec& port : still.ports) port.off_when_silent = port.name == "neck_in";
-    CHECK(Robot::make("mouse", still, {}, 0, 1).error().message ==
+    CHECK(Robot::make("mouse", still, {}).error().message ==
           "port 'neck_in': silence = \"off\" means nothing to the servo 'neck': it holds its angle");
 }

@@ -7,96 +7,122 @@
 
 using namespace nezumi;
 
-TEST_CASE("with nothing in sight a value is what its table says and a distance its maximum",
-          "[engine][sensor][fault]") {
-    FakeRun run;
-    run.system.tick();
-    CHECK(run.value<std::vector<std::int16_t>>("ir") == std::vector<std::int16_t>{0, 0});  // and not -1978
-    CHECK(run.value<std::vector<double>>("ir_metre") == std::vector<double>{0.6, 0.6});
+namespace {
+
+constexpr double per_turn = 1e9;
+
+// Of wheels that have turned by these angles [rad].
+WheelPulses pulses(double left, double right) {
+    return {std::llround(left / (2 * M_PI) * per_turn), std::llround(right / (2 * M_PI) * per_turn)};
 }
 
-TEST_CASE("distances stay within what the sensor can measure", "[engine][sensor]") {
+}  // namespace
+
+TEST_CASE("a port carries what its sensors say, or what lies behind it", "[engine][sensor]") {
     FakeRun run;
     run.hull().distances = {0.2, 0.3};
+    run.hull().yaw_rate = 0.7;
+    run.hull().readings[2] = {.is_there = true, .tm = 0, .value = 1.5, .physical = 0.7};
     run.system.tick();
     CHECK(run.value<std::vector<double>>("ir_metre") == std::vector<double>{0.2, 0.3});
-    CHECK(run.value<std::vector<std::int16_t>>("ir") == std::vector<std::int16_t>{100, 100});
+    CHECK(run.value<std::vector<std::int16_t>>("ir") == std::vector<std::int16_t>{300, 300});
     CHECK(run.value<RangeData>("ranger").ranges == std::vector<double>{0.2});
-    run.hull().distances = {0.001, 0.7};
+    CHECK(run.value<double>("yaw") == 1.5);
+    CHECK(run.value<double>("yaw_rate") == 0.7);
+    run.hull().readings[1] = {.is_there = true, .tm = 0, .value = 1e9, .physical = 0.3};
     run.system.tick();
-    CHECK(run.value<std::vector<double>>("ir_metre") == std::vector<double>{0.03, 0.6});
-    CHECK(run.value<std::vector<std::int16_t>>("ir") == std::vector<std::int16_t>{0, 0});
-    run.hull().distances = {0.6, 0.001};
-    run.system.tick();
-    CHECK(run.value<std::vector<double>>("ir_metre") == std::vector<double>{0.6, 0.03});
-    CHECK(run.value<std::vector<std::int16_t>>("ir") == std::vector<std::int16_t>{4095, 4095});
+    CHECK(run.value<std::vector<std::int16_t>>("ir") == std::vector<std::int16_t>{32767, 32767});
 }
 
-TEST_CASE("noise never leaves a sensor's range, averages to nothing and follows the seed", "[engine][sensor]") {
-    RobotSpec spec = fake_mouse();
-    for (SensorSpec& sensor : spec.sensors) {
-        if (sensor.kind == SensorSpec::Kind::range) sensor.noise = sensor.has_response ? 50 : 0.05;
-    }
-    const auto values = [&](std::uint64_t seed, std::vector<double> distances) {
-        FakeRun run(spec, 100, seed);
-        run.hull().distances = std::move(distances);
-        std::vector<double> all;
-        for (int i = 0; i < 2000; ++i) {
-            run.system.tick();
-            all.push_back(run.value<std::vector<double>>("ir_metre")[0]);
-            const std::int16_t light = run.value<std::vector<std::int16_t>>("ir")[0];
-            REQUIRE(light >= 0);
-            REQUIRE(light <= 4095);
-            REQUIRE(all.back() >= 0.03);
-            REQUIRE(all.back() <= 0.6);
-            all.push_back(light);
+TEST_CASE("a port one of whose sensors is missing is silent, and speaks again when it is back", "[engine][sensor]") {
+    FakeRun run;
+    run.ticks(3);
+    run.hull().readings[1] = {.is_there = false, .tm = 0, .value = 5, .physical = 5};
+    run.ticks(3);
+    CHECK(run.robot->find_out_port("ir")->count() == 3);
+    CHECK(run.robot->find_out_port("ir_metre")->count() == 3);  // one of its two is there
+    CHECK(run.robot->find_out_port("ranger")->count() == 6);
+    CHECK(run.robot->find_out_port("velocity")->count() == 6);
+    run.hull().readings.clear();
+    run.hull().has_encoders = false;
+    run.hull().angles = {10, 10};
+    run.ticks(3);
+    CHECK(run.robot->find_out_port("ir")->count() == 6);
+    CHECK(run.robot->find_out_port("velocity")->count() == 6);
+    CHECK(run.robot->find_out_port("pose")->count() == 6);
+    run.hull().has_encoders = true;
+    run.system.tick();
+    CHECK(run.value<Pose2D>("pose").position.x == Approx(0.2));  // what was turned meanwhile counts
+}
+
+TEST_CASE("a message carries the time at which its oldest sensor was read", "[engine][sensor]") {
+    FakeRun run;
+    run.ticks(10);
+    CHECK(run.robot->find_out_port("ir")->tm() == Approx(0.09));
+    run.hull().measured_late = 0.004;
+    run.hull().readings[1] = {.is_there = true, .tm = 0.02, .value = 5, .physical = 5};
+    run.system.tick();
+    CHECK(run.robot->find_out_port("yaw")->tm() == Approx(0.096));
+    CHECK(run.robot->find_out_port("pose")->tm() == Approx(0.096));
+    CHECK(run.robot->find_out_port("ir_metre")->tm() == 0.02);
+}
+
+TEST_CASE("what fails in a body is told once, and the rest goes on", "[engine][sensor]") {
+    FakeRun run;
+    run.hull().faults = {"no light sensors: is the overlay loaded?", "the battery is low"};
+    run.system.tick();
+    run.hull().faults = {"the battery is low"};
+    run.ticks(2);
+    CHECK(run.log ==
+          std::vector<std::string>{"mouse: no light sensors: is the overlay loaded?", "mouse: the battery is low"});
+    CHECK(run.robot->state() == LifeState::active);
+    CHECK(run.robot->find_out_port("ir")->count() == 3);
+}
+
+TEST_CASE("the distances of several sensors come with their angles", "[engine][sensor]") {
+    const auto made = [](std::vector<double> degrees) {
+        RobotSpec spec = fake_mouse();
+        PortSpec port;
+        port.name = "scan";
+        port.type = "RangeData";
+        for (const double each : degrees) {
+            SensorSpec ray = spec.sensors[0];
+            ray.name = "ray" + std::to_string(port.items.size());
+            ray.yaw = each * M_PI / 180;
+            ray.at = {0.1 * std::cos(ray.yaw), 0.1 * std::sin(ray.yaw), 0.05};
+            port.items.push_back(ray.name);
+            spec.sensors.push_back(ray);
         }
-        return all;
+        spec.ports.push_back(port);
+        return spec;
     };
-    const std::vector<double> once = values(7, {0.3, 0.2});
-    CHECK(once == values(7, {0.3, 0.2}));
-    CHECK(once != values(8, {0.3, 0.2}));
-    double sum = 0, squares = 0;
-    for (std::size_t i = 0; i < once.size(); i += 2) {
-        sum += once[i] - 0.3;
-        squares += (once[i] - 0.3) * (once[i] - 0.3);
-    }
-    CHECK(std::abs(sum / 2000) < 0.005);
-    CHECK(std::sqrt(squares / 2000) == Approx(0.05).epsilon(0.1));
-    values(7, {0.031, 0.001});  // at the edges of both
-    values(7, {});
-}
-
-TEST_CASE("two robots of one seed have noise of their own", "[engine][sensor]") {
-    RobotSpec spec = fake_mouse();
-    spec.sensors[0].noise = 0.05;
-    FakeHull hull;
-    hull.distances = {0.3};
-    const FakeBody body(hull);
-    const auto value = [&](std::string_view name) {
-        SensorValues values(spec, mix(1, name));
-        values.read(body, {5, 0.05}, 0.01);
-        return values.value(0);
+    FakeRun run(made({-45, 0, 45}));
+    run.hull().distances = {0.6, 0.6, 0.1, 0.2, 0.3};
+    run.system.tick();
+    const auto scan = run.value<RangeData>("scan");
+    CHECK(scan.ranges == std::vector<double>{0.1, 0.2, 0.3});
+    CHECK(scan.config.minAngle == Approx(-M_PI / 4));
+    CHECK(scan.config.maxAngle == Approx(M_PI / 4));
+    CHECK(scan.config.angularRes == Approx(M_PI / 4));
+    CHECK(scan.geometry.pose.position.x == Approx(0.1 * (1 + std::sqrt(2)) / 3));
+    CHECK(scan.geometry.pose.position.y == Approx(0).margin(1e-12));
+    CHECK(scan.geometry.pose.orientation.y == 0);
+    // All around, beginning behind.
+    FakeRun ring(made({-90, 0, 90, 180}));
+    ring.system.tick();
+    CHECK(ring.value<RangeData>("scan").config.maxAngle == Approx(M_PI));
+    const auto refusal = [&](std::vector<double> degrees) {
+        const RobotSpec spec = made(std::move(degrees));
+        const auto robot = Robot::make("m", spec, {});
+        return robot ? "none" : robot.error().message;
     };
-    CHECK(value("left") == value("left"));
-    CHECK(value("left") != value("right"));
-}
-
-TEST_CASE("a gyro adds up the yaw rate as far as it can follow", "[engine][sensor]") {
-    for (const double rate : {100.0, 50.0}) {
-        FakeRun run(fake_mouse(), rate);
-        run.hull().yaw_rate = 0.5;
-        run.ticks(static_cast<int>(rate));
-        CHECK(run.value<double>("yaw") == Approx(0.5));
-        run.hull().yaw_rate = -9;
-        run.ticks(static_cast<int>(rate));
-        CHECK(run.value<double>("yaw") == Approx(0.5 - 2));
-    }
-    RobotSpec drifting = fake_mouse();
-    drifting.sensors[2].drift = 0.01;
-    FakeRun run(drifting);
-    run.ticks(100);
-    CHECK(run.value<double>("yaw") == Approx(0.01));
+    const std::string start =
+        "port 'scan': a RangeData tells the angles of its sensors as the first, the last and an even step from right "
+        "to "
+        "left: the yaw of ";
+    CHECK(refusal({-45, 0, 30}) == start + "'ray2' does not fit");
+    CHECK(refusal({45, 0, -45}) == start + "'ray1' does not fit");
+    CHECK(refusal({10, 10}) == start + "'ray1' does not fit");
 }
 
 TEST_CASE("buttons are told as they are pressed", "[engine][sensor]") {
@@ -160,46 +186,46 @@ TEST_CASE("a pose update sets the odometry, which goes on from there", "[engine]
 }
 
 TEST_CASE("odometry adds up arcs as robots.md says", "[engine][odometry]") {
-    Odometry odometry(0.024, 0.024, 0.0925, 0);
-    odometry.update({7, 9});
+    Odometry odometry(0.024, 0.024, 0.0925, per_turn);
+    odometry.update(pulses(7, 9));
     CHECK(odometry.pose() == Pose2D{});
     // A quarter turn to the left about a point 0.5 m to the left.
     const double left = (0.5 - 0.0925 / 2) * std::numbers::pi / 2, right = (0.5 + 0.0925 / 2) * std::numbers::pi / 2;
-    odometry.update({7 + left / 0.024, 9 + right / 0.024});
+    odometry.update(pulses(7 + left / 0.024, 9 + right / 0.024));
     CHECK(odometry.pose().position.x == Approx(0.5));
     CHECK(odometry.pose().position.y == Approx(0.5));
     CHECK(odometry.pose().heading == Approx(std::numbers::pi / 2));
     // Straight on, now along y.
-    odometry.update({7 + left / 0.024 + 10, 9 + right / 0.024 + 10});
+    odometry.update(pulses(7 + left / 0.024 + 10, 9 + right / 0.024 + 10));
     CHECK(odometry.pose().position.x == Approx(0.5));
     CHECK(odometry.pose().position.y == Approx(0.74));
     // A turn so small that the arc's formula would divide by next to nothing.
-    Odometry straight(1, 1, 1, 0);
+    Odometry straight(1, 1, 1, 2 * M_PI * 1e9);  // a pulse is a nanometre
     straight.update({0, 0});
-    straight.update({1, 1 + 1e-9});
+    straight.update({1'000'000'000, 1'000'000'001});
     CHECK(straight.pose().position.x == Approx(1));
     CHECK(straight.pose().heading == Approx(1e-9));
 }
 
 TEST_CASE("odometry has a diameter for each wheel", "[engine][odometry]") {
-    Odometry odometry(0.02, 0.03, 0.1, 0);
+    Odometry odometry(0.02, 0.03, 0.1, per_turn);
     odometry.update({0, 0});
-    odometry.update({3, 2});
+    odometry.update(pulses(3, 2));
     CHECK(odometry.pose().position.x == Approx(0.06));
-    CHECK(odometry.pose().heading == Approx(0).margin(1e-12));
+    CHECK(odometry.pose().heading == Approx(0).margin(1e-6));
 }
 
-TEST_CASE("odometry counts whole pulses, and loses none", "[engine][odometry]") {
-    Odometry odometry(0.024, 0.024, 0.0925, 400);
-    const double pulse = 2 * std::numbers::pi / 400;
-    odometry.update({0, 0});
-    odometry.update({0.4 * pulse, 0.4 * pulse});
-    CHECK(odometry.pose().position.x == 0);
-    odometry.update({0.8 * pulse, 0.8 * pulse});
-    CHECK(odometry.pose().position.x == Approx(pulse * 0.024));
-    for (int i = 0; i <= 4000; ++i) odometry.update({0.1 * i * pulse, 0.1 * i * pulse});
-    CHECK(odometry.pose().position.x == Approx(400 * pulse * 0.024));  // one turn, pi times the diameter
-    CHECK(odometry.pose().position.x == Approx(std::numbers::pi * 0.048));
+TEST_CASE("a pulse is as long after a thousand kilometres as it was at the start", "[engine][odometry]") {
+    const double pulse = M_PI * 0.048 / 400;
+    for (const std::int64_t before : {std::int64_t{0}, std::int64_t{1} << 33, std::int64_t{1} << 55}) {
+        Odometry odometry(0.024, 0.024, 0.0925, 400);
+        odometry.update({before, -before});
+        odometry.update({before + 1, -before + 1});
+        CHECK(odometry.pose().position.x == Approx(pulse).epsilon(1e-12));
+        CHECK(odometry.pose().heading == 0);
+        for (int i = 2; i <= 400; ++i) odometry.update({before + i, -before + i});
+        CHECK(odometry.pose().position.x == Approx(M_PI * 0.048));  // one turn, pi times the diameter
+    }
 }
 
 TEST_CASE("a guard gives what was commanded, within its limits, until silence", "[engine][guard]") {

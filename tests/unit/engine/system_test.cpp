@@ -109,6 +109,59 @@ TEST_CASE("time is a tick's number, and a world advances by whole steps", "[engi
     CHECK(world.steps == 300);
 }
 
+TEST_CASE("in real time a tick is as old as the clock says", "[engine][system][hardware]") {
+    double clock = 1000;
+    std::vector<std::pair<double, double>> executed;  // now, dt
+    System system({.rate = 100, .real_time = true, .clock = [&clock] { return clock; }}, nullptr);
+    auto made = std::make_unique<TryComponent>("it");
+    made->executed = [&](TryComponent& self) -> Expected<void> {
+        executed.emplace_back(self.now().seconds, self.dt());
+        return {};
+    };
+    REQUIRE((*system.add(std::move(made)))->activate(system.now()));
+    for (const double passed : {0.0, 0.01, 0.013, 2.0, 0.01}) {
+        clock += passed;
+        system.tick();
+    }
+    REQUIRE(executed.size() == 5);
+    const std::vector<std::pair<double, double>> expected{
+        {0, 0.01}, {0.01, 0.01}, {0.023, 0.013}, {2.023, 2}, {2.033, 0.01}};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        CHECK(executed[i].first == Approx(expected[i].first).margin(1e-9));
+        CHECK(executed[i].second == Approx(expected[i].second));
+    }
+    CHECK(system.now().tick == 5);  // which still orders what happens
+    CHECK(system.find("it")->find_out_port("out")->tm() == 0);
+}
+
+TEST_CASE("at rest behaviours wait, devices go on and robots stand", "[engine][system][hardware]") {
+    FakeRun run;
+    auto made = std::make_unique<TryComponent>("driver");
+    TryComponent& driver = *made;
+    driver.executed = [](TryComponent& self) -> Expected<void> {
+        self.speed.write({.vx = 0.1});
+        return {};
+    };
+    REQUIRE((*run.system.add(std::move(made)))->activate(run.system.now()));
+    REQUIRE(run.system.connect("driver.speed", "mouse.velocity_in"));
+    run.ticks(10);
+    CHECK(run.hull().speeds.left == Approx(0.1));
+    run.system.set_at_rest(true);
+    const auto executions = driver.executions();
+    run.robot->find_in_port("velocity_in")->inject(Velocity2D{.vx = 0.3});
+    run.system.tick();
+    CHECK(run.hull().speeds.left == Approx(0.08));  // braking as ever
+    run.robot->find_in_port("velocity_in")->hold(Velocity2D{.vx = 0.3});
+    run.ticks(10);
+    CHECK(run.hull().speeds == Wheels{});
+    CHECK(driver.executions() == executions);
+    CHECK(run.robot->find_out_port("ir")->count() == 21);
+    run.robot->find_in_port("velocity_in")->release();
+    run.system.set_at_rest(false);
+    run.ticks(10);
+    CHECK(run.hull().speeds.left == Approx(0.1));
+}
+
 TEST_CASE("a connection is refused with both types and the nearest name", "[engine][system][connect]") {
     FakeRun run;
     System& system = run.system;

@@ -93,6 +93,10 @@ TEST_CASE("braking is each axis at its own full deceleration", "[engine][guard][
         it.guard.advance(it.now + 0.51, dt);
         CHECK(it.guard.current().vx == Approx(0.48));
         CHECK(it.guard.current().va == Approx(0.88));
+        // What has passed without a call counts.
+        it.guard.advance(it.now + 0.56, dt, 0.05);
+        CHECK(it.guard.current().vx == Approx(0.38));
+        CHECK(it.guard.current().va == Approx(0.28));
     }
 }
 

@@ -79,7 +79,7 @@ TEST_CASE("the mouse has the nine ports of its facts, each with its meaning", "[
     CHECK(port_of(mouse, "ir_sensor_metre_out").quantity == PortSpec::Quantity::distance);
     CHECK(port_of(mouse, "buzzer_hz_in").off_when_silent);
     CHECK_FALSE(port_of(mouse, "led4bit_in").off_when_silent);
-    CHECK(Robot::make("mouse", mouse, mouse.drive.limits, 0, 0).has_value());
+    CHECK(Robot::make("mouse", mouse, mouse.drive.limits).has_value());
 }
 
 TEST_CASE("the swarm's robot answers nearness as its formula says", "[lua][robot_file]") {

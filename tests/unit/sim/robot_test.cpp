@@ -361,3 +361,25 @@ TEST_CASE("a robot may be put elsewhere, at rest, and its wheels are not told", 
     CHECK(w.truth().pose.position.x == Approx(-1).margin(1e-6));
     CHECK_FALSE(w.world->teleport(0, {{NAN, 0}, 0}));
 }
+
+TEST_CASE("nobody starts or is put outside of an arena with a border", "[sim][robot]") {
+    for (const bool border : {true, false}) {
+        ArenaSpec arena;
+        arena.size = Point2D{2, 2};
+        arena.border = border;
+        TryWorld w(arena);
+        w.add(mouse_spec(), 0, 0);
+        const RobotSpec other = mouse_spec();
+        auto outside = w.world->add_robot("other", other, {{5, 0}, 0});
+        const auto moved = w.world->teleport(0, {{0, -1.5}, 0});
+        CHECK(outside.has_value() != border);
+        CHECK(moved.has_value() != border);
+        if (!border) continue;
+        CHECK(outside.error().message ==
+              "robot 'other' at x = 5, y = 0 is outside the arena of 2 x 2 m: put it inside, or say border = false");
+        CHECK(
+            moved.error().message ==
+            "robot 'robot0' at x = 0, y = -1.5 is outside the arena of 2 x 2 m: put it inside, or say border = false");
+        CHECK(w.truth().pose.position.y == Approx(0).margin(1e-9));
+    }
+}

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/simulated_body.hpp"
 #include "sim/world.hpp"
 
 namespace nezumi::sim {
@@ -79,7 +80,7 @@ struct TryWorld {
         auto body = world->add_robot(name, spec, {{x, y}, heading});
         INFO((body ? "" : body.error().message));
         REQUIRE(body);
-        bodies.push_back(std::move(*body));
+        bodies.emplace_back(static_cast<SimulatedBody*>(body->release()));
         return bodies.size() - 1;
     }
 
@@ -122,7 +123,7 @@ struct TryWorld {
     std::unique_ptr<std::vector<std::string>> warnings = std::make_unique<std::vector<std::string>>();
     std::vector<std::unique_ptr<RobotSpec>> specs;
     std::unique_ptr<World> world;
-    std::vector<std::unique_ptr<RobotBody>> bodies;  // die before their world
+    std::vector<std::unique_ptr<SimulatedBody>> bodies;  // die before their world
 };
 
 }  // namespace nezumi::sim

@@ -1,0 +1,127 @@
+// Responses, limits and noise of a robot's sensors, the pulses of its encoders, the speed of its servos.
+#include "sim/simulated_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/ports/payload.hpp"
+
+namespace nezumi::sim {
+namespace {
+
+// A number in (0, 1] from a hash.
+double uniform(std::uint64_t hash) { return (static_cast<double>(hash >> 11) + 1.0) * 0x1p-53; }
+
+}  // namespace
+
+SimulatedBody::SimulatedBody(const RobotSpec& spec, std::uint64_t seed)
+    : spec_(spec), seed_(seed), readings_(spec.sensors.size()), servos_(spec.actuators.size()) {
+    for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
+        if (spec.sensors[i].kind == SensorSpec::Kind::range) range_sensors_.push_back(i);
+    }
+    seen_.assign(range_sensors_.size(), std::numeric_limits<double>::infinity());
+    for (SensorReading& reading : readings_) reading.is_there = true;
+}
+
+double SimulatedBody::with_noise(std::size_t sensor, double value, std::int64_t tick) const {
+    const double deviation = spec_.sensors[sensor].noise;
+    if (deviation <= 0) return value;
+    // Box and Muller (1958), from hashes of (seed, sensor, tick): no state, so any tick can be drawn again.
+    const std::uint64_t hash = mix(mix(seed_, sensor), static_cast<std::uint64_t>(tick));
+    const double radius = std::sqrt(-2 * std::log(uniform(hash)));
+    return value + deviation * radius * std::cos(2 * std::numbers::pi * uniform(mix(hash, 1)));
+}
+
+WheelReading SimulatedBody::read_wheels(const Time& now, double period) {
+    turn_servos(period);
+    const Wheels angles = wheel_angles();
+    const double pulse = 2 * std::numbers::pi / spec_.drive.encoder_pulses();
+    const auto counted = [&](double angle) { return static_cast<std::int64_t>(std::floor(angle / pulse + 0.5)); };
+    WheelReading reading{.is_there = true,
+                         .tm = now.seconds,
+                         .pulses = {.left = counted(angles.left), .right = counted(angles.right)},
+                         .speeds = {}};
+    if (has_read_wheels_) {
+        const double rate = 1 / period;
+        reading.speeds = {.left = (angles.left - angles_.left) * spec_.drive.radius * rate,
+                          .right = (angles.right - angles_.right) * spec_.drive.radius * rate};
+    }
+    angles_ = angles;
+    has_read_wheels_ = true;
+    return reading;
+}
+
+void SimulatedBody::measure_ranges(std::int64_t tick) {
+    read_ranges(seen_);
+    for (std::size_t i = 0; i < range_sensors_.size(); ++i) {
+        const std::size_t index = range_sensors_[i];
+        const SensorSpec& sensor = spec_.sensors[index];
+        SensorReading& reading = readings_[index];
+        const double seen = seen_[i];
+        reading.physical = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
+        reading.value = sensor.has_response ? sensor.response(seen) : reading.physical;
+        // An echo that does not come back has no length that could be measured wrongly.
+        if (sensor.noise > 0 && (sensor.has_response || seen < sensor.range)) {
+            const double noisy = with_noise(index, reading.value, tick);
+            reading.value =
+                sensor.has_response ? sensor.response.clamp(noisy) : std::clamp(noisy, sensor.minimum, sensor.range);
+            if (!sensor.has_response) reading.physical = reading.value;
+        }
+    }
+}
+
+std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, double period) {
+    measure_ranges(now.tick);
+    for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
+        const SensorSpec& sensor = spec_.sensors[i];
+        SensorReading& reading = readings_[i];
+        reading.tm = now.seconds;
+        const auto percent = [&](double light) { return std::clamp(with_noise(i, light, now.tick), 0.0, 100.0); };
+        switch (sensor.kind) {
+            case SensorSpec::Kind::button:
+            case SensorSpec::Kind::touch: reading.value = is_pressed(i) ? 1 : 0; break;
+            case SensorSpec::Kind::gyro: {
+                const double turned = yaw_rate();
+                const double felt =
+                    sensor.max_rate > 0 ? std::clamp(turned, -sensor.max_rate, sensor.max_rate) : turned;
+                reading.physical = felt + sensor.drift;
+                gyro_angle_ += reading.physical * period;
+                reading.value = with_noise(i, gyro_angle_, now.tick);
+                break;
+            }
+            case SensorSpec::Kind::color: reading.value = static_cast<double>(floor_color(i)); break;
+            case SensorSpec::Kind::reflect: reading.value = percent(reflected_light(i)); break;
+            case SensorSpec::Kind::ambient: reading.value = percent(sensor.level); break;
+            case SensorSpec::Kind::range: break;
+        }
+    }
+    return readings_;
+}
+
+double SimulatedBody::servo_angle(std::size_t index) const { return servos_[index].angle; }
+
+void SimulatedBody::aim_servo(std::size_t index, double angle, double speed) {
+    Servo& servo = servos_[index];
+    const double most = spec_.actuators[index].max_rate;
+    servo.wanted = angle;
+    servo.speed = most > 0 && (speed <= 0 || speed > most) ? most : speed;
+    servos_turn_ = true;
+}
+
+void SimulatedBody::turn_servos(double period) {
+    if (!servos_turn_) return;
+    servos_turn_ = false;
+    for (std::size_t i = 0; i < servos_.size(); ++i) {
+        Servo& servo = servos_[i];
+        const double way = servo.wanted - servo.angle;
+        if (way == 0) continue;
+        const bool arrives = servo.speed <= 0 || std::abs(way) <= servo.speed * period;
+        servo.angle = arrives ? servo.wanted : servo.angle + std::copysign(servo.speed * period, way);
+        set_servo(i, servo.angle);
+        servos_turn_ = servos_turn_ || !arrives;
+    }
+}
+
+}  // namespace nezumi::sim

@@ -1,0 +1,62 @@
+// A robot's body as if it were a device: perfect senses behind responses, noise, drift and encoders.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/world/world.hpp"
+
+namespace nezumi::sim {
+
+/// Who derives from it says what is the case; this makes of it what the robot's devices would tell.
+class SimulatedBody : public RobotBody {
+public:
+    /// `spec` must outlive this. The same `seed` draws the same noise.
+    SimulatedBody(const RobotSpec& spec, std::uint64_t seed);
+
+    /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
+    virtual Wheels wheel_angles() const = 0;
+    /// Distances [m] seen by the range sensors of the spec, in its order, one for each; infinity: nothing in sight.
+    virtual void read_ranges(std::span<double> distances) const = 0;
+    /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
+    virtual bool is_pressed(std::size_t index) const = 0;
+    /// Yaw rate [rad/s] of the hull, as a gyro feels it.
+    virtual double yaw_rate() const = 0;
+    /// The colour that sensor `index` of the spec sees on the floor.
+    virtual FloorColor floor_color(std::size_t index) const = 0;
+    /// How much light the floor gives back to sensor `index` of the spec: 0 (none) to 100 (as white paper).
+    virtual double reflected_light(std::size_t index) const = 0;
+    /// Puts servo `index` of the spec's actuators to an angle [rad] at once.
+    virtual void set_servo(std::size_t index, double angle) = 0;
+
+    WheelReading read_wheels(const Time& now, double period) final;
+    std::span<const SensorReading> read_sensors(const Time& now, double period) final;
+    double servo_angle(std::size_t index) const final;
+    void aim_servo(std::size_t index, double angle, double speed) final;
+
+private:
+    struct Servo {
+        double angle = 0;   // [rad]
+        double wanted = 0;  // [rad]
+        double speed = 0;   // [rad/s]; 0: any
+    };
+
+    double with_noise(std::size_t sensor, double value, std::int64_t tick) const;
+    void measure_ranges(std::int64_t tick);
+    void turn_servos(double period);
+
+    const RobotSpec& spec_;
+    std::uint64_t seed_;
+    std::vector<std::size_t> range_sensors_;  // indices into spec_.sensors, in order
+    std::vector<double> seen_;                // of the range sensors
+    std::vector<SensorReading> readings_;     // of all sensors
+    std::vector<Servo> servos_;               // by actuator of the spec
+    Wheels angles_;                           // [rad] at the last call of read_wheels
+    bool has_read_wheels_ = false;
+    bool servos_turn_ = false;
+    double gyro_angle_ = 0;
+};
+
+}  // namespace nezumi::sim

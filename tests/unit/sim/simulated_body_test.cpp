@@ -1,0 +1,199 @@
+// What a simulated robot's devices make of what is the case: responses, limits, noise, drift, pulses.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "engine/ports/payload.hpp"
+#include "sim/simulated_body.hpp"
+#include "tests/unit/engine/fake_world.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// Feels what it is told. Its spec is that of the fake mouse: a distance, a response, a gyro, a button.
+struct Felt final : sim::SimulatedBody {
+    explicit Felt(RobotSpec made = fake_mouse(), std::uint64_t seed = 1, double rate = 100)
+        : Felt(std::make_unique<RobotSpec>(std::move(made)), seed, 1 / rate) {}
+    Felt(std::unique_ptr<RobotSpec> made, std::uint64_t seed, double its_period)
+        : SimulatedBody(*made, seed), period(its_period), spec(std::move(made)) {}
+
+    RobotId id() const override { return 0; }
+    Wheels wheel_angles() const override { return angles; }
+    void read_ranges(std::span<double> distances) const override {
+        for (std::size_t i = 0; i < distances.size(); ++i)
+            distances[i] = i < ranges.size() ? ranges[i] : std::numeric_limits<double>::infinity();
+    }
+    bool is_pressed(std::size_t) const override { return pressed; }
+    double yaw_rate() const override { return turns; }
+    FloorColor floor_color(std::size_t) const override { return FloorColor::red; }
+    double reflected_light(std::size_t) const override { return light; }
+    void set_servo(std::size_t, double angle) override { servo_angles.push_back(angle); }
+    void set_wheel_speeds(Wheels) override {}
+    void coast() override {}
+
+    std::vector<SensorReading> tick() {
+        const Time now{ticks, static_cast<double>(ticks) * period};
+        ++ticks;
+        wheels = read_wheels(now, period);
+        const auto all = read_sensors(now, period);
+        return {all.begin(), all.end()};
+    }
+
+    double period;
+    std::unique_ptr<RobotSpec> spec;
+    std::int64_t ticks = 0;
+    WheelReading wheels;
+    Wheels angles;
+    std::vector<double> ranges;
+    bool pressed = false;
+    double turns = 0, light = 0;
+    std::vector<double> servo_angles;
+};
+
+constexpr std::size_t metre = 0, response = 1, gyro = 2, button = 3;
+
+}  // namespace
+
+TEST_CASE("with nothing in sight a value is what its table says and a distance its maximum", "[sim][sensor][fault]") {
+    Felt body;
+    const auto all = body.tick();
+    CHECK(all[response].value == 0);  // and not -1978
+    CHECK(all[response].physical == 0.6);
+    CHECK(all[metre].value == 0.6);
+    CHECK(all[metre].physical == 0.6);
+    for (const SensorReading& each : all) CHECK(each.is_there);
+}
+
+TEST_CASE("distances stay within what the sensor can measure", "[sim][sensor]") {
+    Felt body;
+    const auto seen = [&](double first, double second) {
+        body.ranges = {first, second};
+        const auto all = body.tick();
+        return std::vector<double>{all[metre].value, all[response].physical, all[response].value};
+    };
+    CHECK(seen(0.2, 0.3) == std::vector<double>{0.2, 0.3, 100});
+    CHECK(seen(0.001, 0.7) == std::vector<double>{0.03, 0.6, 0});
+    CHECK(seen(0.6, 0.001) == std::vector<double>{0.6, 0.03, 4095});
+}
+
+TEST_CASE("noise never leaves a sensor's range, averages to nothing and follows the seed", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    for (SensorSpec& sensor : spec.sensors) {
+        if (sensor.kind == SensorSpec::Kind::range) sensor.noise = sensor.has_response ? 50 : 0.05;
+    }
+    const auto values = [&](std::uint64_t seed, std::vector<double> distances) {
+        Felt body(spec, seed);
+        body.ranges = std::move(distances);
+        std::vector<double> all;
+        for (int i = 0; i < 2000; ++i) {
+            const auto readings = body.tick();
+            all.push_back(readings[metre].physical);
+            all.push_back(readings[response].value);
+            REQUIRE(readings[response].value >= 0);
+            REQUIRE(readings[response].value <= 4095);
+            REQUIRE(readings[metre].physical >= 0.03);
+            REQUIRE(readings[metre].physical <= 0.6);
+        }
+        return all;
+    };
+    const std::vector<double> once = values(7, {0.3, 0.2});
+    CHECK(once == values(7, {0.3, 0.2}));
+    CHECK(once != values(8, {0.3, 0.2}));
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < once.size(); i += 2) {
+        sum += once[i] - 0.3;
+        squares += (once[i] - 0.3) * (once[i] - 0.3);
+    }
+    CHECK(std::abs(sum / 2000) < 0.005);
+    CHECK(std::sqrt(squares / 2000) == Approx(0.05).epsilon(0.1));
+    values(7, {0.031, 0.001});  // at the edges of both
+    values(7, {});
+}
+
+TEST_CASE("a distance beyond the range is told exactly, however noisy the sensor", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    spec.sensors[metre].noise = 0.05;
+    Felt body(spec);
+    for (int i = 0; i < 100; ++i) REQUIRE(body.tick()[metre].physical == 0.6);
+}
+
+TEST_CASE("a gyro adds up the yaw rate as far as it can follow", "[sim][sensor]") {
+    for (const double rate : {100.0, 50.0}) {
+        Felt body(fake_mouse(), 1, rate);
+        const auto after_a_second = [&](double turns) {
+            body.turns = turns;
+            for (int i = 1; i < static_cast<int>(rate); ++i) body.tick();
+            return body.tick()[gyro];
+        };
+        CHECK(after_a_second(0.5).value == Approx(0.5));
+        const SensorReading fast = after_a_second(-9);
+        CHECK(fast.value == Approx(0.5 - 2));
+        CHECK(fast.physical == -2);
+    }
+    RobotSpec drifting = fake_mouse();
+    drifting.sensors[gyro].drift = 0.01;
+    Felt body(drifting);
+    for (int i = 0; i < 99; ++i) body.tick();
+    const SensorReading drifted = body.tick()[gyro];
+    CHECK(drifted.value == Approx(0.01));
+    CHECK(drifted.physical == 0.01);
+}
+
+TEST_CASE("light stays between 0 and 100 whatever its noise", "[sim][sensor]") {
+    for (const auto kind : {SensorSpec::Kind::reflect, SensorSpec::Kind::ambient}) {
+        RobotSpec spec = fake_mouse();
+        for (const double light : {0.0, 100.0}) {
+            spec.sensors[button].kind = kind;
+            spec.sensors[button].noise = 5;
+            spec.sensors[button].level = light;
+            Felt body(spec);
+            body.light = light;
+            bool differs = false;
+            for (int i = 0; i < 200; ++i) {
+                const double value = body.tick()[button].value;
+                REQUIRE(value >= 0);
+                REQUIRE(value <= 100);
+                differs = differs || value != light;
+            }
+            CHECK(differs);
+        }
+    }
+}
+
+TEST_CASE("encoders count whole pulses, and lose none", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    spec.drive.pulses_per_turn = 400;
+    Felt body(spec);
+    const double pulse = 2 * M_PI / 400;
+    const auto counted = [&](double left, double right) {
+        body.angles = {left * pulse, right * pulse};
+        body.tick();
+        return body.wheels.pulses;
+    };
+    CHECK(counted(0.4, -0.4) == WheelPulses{0, 0});
+    CHECK(counted(0.8, -0.8) == WheelPulses{1, -1});
+    for (int i = 0; i <= 4000; ++i) counted(0.1 * i, 0.1 * i);
+    CHECK(body.wheels.pulses == WheelPulses{400, 400});
+    // How fast the rims are is known better than that.
+    counted(400.5, 400.25);
+    CHECK(body.wheels.speeds.left == Approx(0.5 * pulse * 0.02 * 100));
+    CHECK(body.wheels.speeds.right == Approx(0.25 * pulse * 0.02 * 100));
+}
+
+TEST_CASE("a servo goes to its angle no faster than it is told and than it can", "[sim][robot]") {
+    RobotSpec spec = fake_mouse();
+    spec.actuators[2].max_rate = 2;
+    for (const auto& [speed, expected] : {std::pair{0.0, 0.02}, {1.0, 0.01}, {50.0, 0.02}}) {
+        Felt body(spec);
+        body.aim_servo(2, 0.05, speed);
+        body.tick();
+        CHECK(body.servo_angle(2) == Approx(expected));
+        for (int i = 0; i < 5; ++i) body.tick();
+        CHECK(body.servo_angle(2) == 0.05);
+        CHECK(body.servo_angles.back() == 0.05);
+        const std::size_t turned = body.servo_angles.size();
+        body.tick();
+        CHECK(body.servo_angles.size() == turned);
+    }
+}
