@@ -45,6 +45,21 @@ ScriptContext context_of(const std::string& component, const Project& project) {
     return context;
 }
 
+// Whether an entry, or one of its values, stands at that place.
+bool stands_at(const Entry& entry, const Place& place) {
+    if (place_of(entry) == place) return true;
+    return std::visit(
+        [&](const auto& its) {
+            if constexpr (requires { its.places; }) {
+                return std::any_of(its.places.begin(), its.places.end(),
+                                   [&](const auto& value) { return value.second == place; });
+            } else {
+                return false;
+            }
+        },
+        entry);
+}
+
 // Takes out of a system what an error is about, and all that needs it, so that a further build finds further errors.
 // False when nothing is at that place.
 bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
@@ -53,7 +68,7 @@ bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     for (const Entry& entry : spec.entries) {
         const auto* behavior = std::get_if<BehaviorEntry>(&entry);
         const auto* component = std::get_if<ComponentEntry>(&entry);
-        if (place_of(entry) == place || (behavior != nullptr && project.shown(behavior->path) == place.file) ||
+        if (stands_at(entry, place) || (behavior != nullptr && project.shown(behavior->path) == place.file) ||
             (component != nullptr && gone.contains(component->on))) {
             gone.insert(name_of(entry));
         }

@@ -115,7 +115,7 @@ connect("mouse.ir_sensor_out", "mouse.target_velocity_in")
 )");
     project.with("behaviors/broken.lua", "function on_execute() oops() end");
     CHECK(project.check("behaviors/systems/a.lua") ==
-          Lines{"behaviors/systems/a.lua:2: c: config: unknown parameter 'speed_y' (did you mean 'speed_x'?)",
+          Lines{"behaviors/systems/a.lua:2:56: c: config: unknown parameter 'speed_y' (did you mean 'speed_x'?)",
                 "behaviors/broken.lua:1:23: unknown global 'oops'",
                 "behaviors/systems/a.lua:5: mouse has no out-port 'ir_sensor_outt' (did you mean 'ir_sensor_out'?)",
                 "behaviors/systems/a.lua:6: connect goes from an out-port to an in-port: mouse.ir_sensor_out "

@@ -199,8 +199,9 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
     CHECK(refused([](Plan& p) { p.behavior("it").rate = 200; }) ==
           "s.lua:2: it: a rate of 200 Hz is above the tick's 100 Hz");
     CHECK(refused([](Plan& p) {
-              p.behavior("it").config = {{"speed_x", 2.0}};
-              p.behavior("it").places = {{"config.speed_x", {"s.lua", 4, 7}}};
+              BehaviorEntry& it = p.behavior("it");
+              it.config = {{"speed_x", 2.0}};
+              it.places = {{"config.speed_x", {"s.lua", 4, 7}}};
           }) == "s.lua:4:7: it: config: parameter 'speed_x' (number): 2.0 is above its maximum 1.5");
     CHECK(refused([](Plan& p) {
               p.behavior("it").config = {{"speed_y", 1.0}};
