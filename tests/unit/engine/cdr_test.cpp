@@ -60,7 +60,7 @@ struct Mixed {
 
 template <>
 struct nezumi::Describe<Mixed> {
-    static constexpr std::string_view name = "Mixed";
+    [[maybe_unused]] static constexpr std::string_view name = "Mixed";
     static constexpr std::tuple fields{
         Field{"flag", &Mixed::flag, "", ""},     Field{"number", &Mixed::number, "", ""},
         Field{"text", &Mixed::text, "", ""},     Field{"value", &Mixed::value, "", ""},
