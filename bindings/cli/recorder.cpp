@@ -34,7 +34,7 @@ Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const S
         if (!channel) return failure("--ports: " + channel.error().message);
         channels.push_back(*channel);
     }
-    Recorder recorder(std::move(channels));
+    Recorder recorder(channels);
     recorder.file_ = file;
     const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (fd < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {.file = file});

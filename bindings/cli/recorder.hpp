@@ -47,7 +47,7 @@ private:
         std::vector<std::size_t> ids;
     };
 
-    explicit Recorder(std::vector<const Channel*> channels) : table_(std::move(channels)) {}
+    explicit Recorder(const std::vector<const Channel*>& channels) : table_(channels) {}
     void begin_layout();
     void flush();
     void fail(int code);

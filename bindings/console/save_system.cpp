@@ -120,7 +120,7 @@ std::string name_of(const Project& project, const std::filesystem::path& file, c
         folders.push_back(installed / "behaviors");
     }
     for (const auto& folder : folders) {
-        const std::string name = whole.lexically_relative(folder).generic_string();
+        std::string name = whole.lexically_relative(folder).generic_string();
         if (name.empty() || name.starts_with("..")) continue;
         if (const auto found = project.find(FileKind::data, name, named_in); found && *found == whole) return name;
     }

@@ -16,12 +16,12 @@ class Golden {
 public:
     /// `name` is the file's as the scenario gives it. The channels must outlive this.
     Golden(std::filesystem::path file, std::string name, double tolerance, Place place,
-           std::vector<const Channel*> channels)
+           const std::vector<const Channel*>& channels)
         : file_(std::move(file)),
           name_(std::move(name)),
           tolerance_(tolerance),
           place_(std::move(place)),
-          table_(std::move(channels)) {}
+          table_(channels) {}
 
     /// Adds what the step brought that led to this time.
     void add(double now);

@@ -81,7 +81,7 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     if (channels.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
     Place place = calling_place(lua);
     auto file = std::filesystem::path(place.file).parent_path() / name;
-    run.goldens_.emplace_back(std::move(file), name, options.tolerance, std::move(place), std::move(channels));
+    run.goldens_.emplace_back(std::move(file), name, options.tolerance, std::move(place), channels);
     return 0;
 }
 

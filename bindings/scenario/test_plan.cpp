@@ -24,6 +24,7 @@ std::vector<PlannedRun> runs_of(const Scenario& scenario, std::size_t file, std:
     std::vector<PlannedRun> runs;
     const bool drawn = scenario.sweep.is_random();
     auto points = drawn ? draws(scenario.sweep, seed_of(seed, scenario.name)) : combinations(scenario.sweep);
+    runs.reserve(points.size());
     for (SweepPoint& point : points) runs.push_back({file, index, std::move(point), "", drawn});
     for (PlannedRun& run : runs) run.name = name_of_run(scenario, run.point);
     return runs;

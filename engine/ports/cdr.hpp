@@ -229,7 +229,7 @@ template <Payload T>
 Expected<void> read_cdr_message(std::span<const std::uint8_t> bytes, T& data, double& tm,
                                 const CdrFormat& format = {}) {
     CdrTime time;
-    const Expected<void> read = read_cdr(bytes, format, time, data);
+    Expected<void> read = read_cdr(bytes, format, time, data);
     if (read) tm = to_seconds(time);
     return read;
 }

@@ -27,6 +27,7 @@ std::string no_such(std::string_view kind, std::string_view name, const std::vec
 template <class Map>
 std::vector<std::string_view> keys_of(const Map& map) {
     std::vector<std::string_view> keys;
+    keys.reserve(map.size());
     for (const auto& [key, value] : map) keys.push_back(key);
     return keys;
 }
@@ -93,7 +94,7 @@ Expected<void> set_values(Parameters& parameters, const ParameterValues& values,
     for (const auto& [name, value] : values) {
         const auto ok = parameters.set(name, value);
         if (ok) continue;
-        const auto place = entry.places.find(path + "." + name);
+        const auto place = entry.places.find(fmt::format("{}.{}", path, name));
         return failure(fmt::format("{}: {}: {}", entry.name, what, ok.error().message),
                        place != entry.places.end() ? place->second : entry.place);
     }

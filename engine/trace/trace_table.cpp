@@ -27,7 +27,7 @@ std::string cell_of(const Leaf& leaf) {
 
 }  // namespace
 
-TraceTable::TraceTable(std::vector<const Channel*> channels) {
+TraceTable::TraceTable(const std::vector<const Channel*>& channels) {
     for (const Channel* channel : channels) {
         Source& source = sources_.emplace_back(Source{channel});
         // Columns are there before anything was carried.

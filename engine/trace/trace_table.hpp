@@ -18,7 +18,7 @@ namespace nezumi {
 class TraceTable {
 public:
     /// The channels must outlive it.
-    explicit TraceTable(std::vector<const Channel*> channels);
+    explicit TraceTable(const std::vector<const Channel*>& channels);
 
     /// To be called after a tick: calls `add` with the cells of its row, by their ids. A tick in which a channel had
     /// several messages has as many rows: in each the channels' next message, or the last where one had fewer.

@@ -140,9 +140,8 @@ template <class T>
 std::string fallback_of(const T& value, const Rule& rule) {
     if (!rule.fallback.empty()) return std::string(rule.fallback);
     if (rule.required) return "";
-    if constexpr (std::is_same_v<T, bool> || std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-        return lua_text(value, rule);
-    } else if constexpr (std::is_same_v<T, Point2D> || std::is_same_v<T, Point3D> || std::is_same_v<T, Pose2D>) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Point2D> ||
+                  std::is_same_v<T, Point3D> || std::is_same_v<T, Pose2D>) {
         return lua_text(value, rule);
     } else if constexpr (std::is_same_v<T, std::string>) {
         return value.empty() ? "" : lua_text(value, rule);
