@@ -67,6 +67,33 @@ TEST_CASE("colours have the names that a colour sensor gives them", "[sim][floor
     }
 }
 
+TEST_CASE("between two colours there is a limit, on either side of which each has its name", "[sim][floor]") {
+    using enum FloorColor;
+    struct Limit {
+        Rgb color;
+        FloorColor expected;
+        Rgb beyond;
+        FloorColor expected_beyond;
+    };
+    for (const Limit& limit : {Limit{0x2c0000, black, 0x2d0000, red},   // how bright a colour is at least
+                               {0x6d6d6d, black, 0x6e6e6e, white},      // how bright white is at least
+                               {0xc8a1a1, white, 0xc8a0a0, red},        // how colourful a colour is at least
+                               {0xff3200, red, 0xff3500, red},          // 12 degrees: bright, no limit
+                               {0xb32300, red, 0xb32500, brown},        // dark, it is one
+                               {0xff6800, red, 0xff6d00, yellow},       // 25
+                               {0xb39300, brown, 0xb39700, yellow},     // 50
+                               {0xd7ff00, yellow, 0xd1ff00, green},     // 70
+                               {0x00ffd2, green, 0x00ffd7, blue},       // 170
+                               {0xa800ff, blue, 0xac00ff, red},         // 280
+                               {0xb34747, brown, 0xb32323, red},        // a dark red that is pure
+                               {0xb32424, brown, 0xb42424, red},        // or not dark
+                               {0xb36000, brown, 0xb46000, yellow}}) {  // a dark orange
+        INFO(std::hex << limit.color << " and " << limit.beyond);
+        CHECK(to_text(nearest_floor_color(limit.color)) == to_text(limit.expected));
+        CHECK(to_text(nearest_floor_color(limit.beyond)) == to_text(limit.expected_beyond));
+    }
+}
+
 TEST_CASE("brightness goes from 0 for black to 100 for white", "[sim][floor]") {
     CHECK(brightness(0x000000) == Approx(0).margin(1e-9));
     CHECK(brightness(0x808080) == Approx(50.2).epsilon(0.01));

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,24 @@ TEST_CASE("discs touch half way between their rims, at the height that both reac
     CHECK(touches[0].depth == Approx(0.05));
     CHECK(touches[0].normal.isApprox(Vec3(-1, 0, 0)));
     CHECK(touches[0].at.isApprox(Vec3(0.225, 0, 0.4)));
+}
+
+TEST_CASE("a disc whose centre is inside a box is pushed out by the nearest face", "[sim][narrow]") {
+    Narrow n;
+    const Shape square = box({0, 0, 0}, {0.3, 0.2, 0.5});
+    for (const auto& [x, y, depth, normal] : {std::tuple{0.25, 0.0, 0.15, Vec3(1, 0, 0)},
+                                              {-0.25, 0.0, 0.15, Vec3(-1, 0, 0)},
+                                              {0.0, 0.15, 0.15, Vec3(0, 1, 0)},
+                                              {0.0, -0.15, 0.15, Vec3(0, -1, 0)},
+                                              {0.22, 0.1, 0.18, Vec3(1, 0, 0)},
+                                              {0.1, 0.12, 0.18, Vec3(0, 1, 0)}}) {
+        INFO(x << ", " << y);
+        const auto touches = n.phase.collide(disc({x, y, 0}, 0.1), square);
+        REQUIRE(touches.size() == 1);
+        CHECK(touches[0].depth == Approx(depth));
+        CHECK(touches[0].normal.isApprox(normal));
+        CHECK(touches[0].at.isApprox(Vec3(x, y, 0)));
+    }
 }
 
 TEST_CASE("a wheel rests on the edge of a kerb, and a wall is none", "[sim][narrow]") {
