@@ -21,6 +21,7 @@ class Console:
         self._pending = None  # the request that has no answer yet
         self._outputs = []
         self._errors = []
+        self._send({"do": "hello", "who": "spreadsheet"})
 
     @property
     def is_waiting(self):

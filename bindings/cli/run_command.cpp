@@ -17,6 +17,7 @@
 #include "bindings/cli/problems.hpp"
 #include "bindings/cli/recorder.hpp"
 #include "bindings/cli/run_console.hpp"
+#include "bindings/cli/run_journal.hpp"
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
 #include "bindings/cli/screen.hpp"
@@ -42,8 +43,8 @@ bool all_stand(const System& system) {
 
 // Deactivates everything and lets the robots brake.
 void stop(RunLoop& loop) {
-    System& system = loop.live().system();
-    system.stop(0);
+    loop.live().end();
+    const System& system = loop.live().system();
     if (!loop.is_hardware()) loop.set_speed(as_fast_as_possible);
     const double end = system.now().seconds + longest_braking;
     do {
@@ -87,7 +88,7 @@ public:
           screen_(!options_.headless && !prompt_ && isatty(STDERR_FILENO) != 0) {}
 
     Expected<int> operator()() {
-        auto live = LiveSystem::load(options_.file, live_options());
+        auto live = journal_.load(options_, live_options());
         if (!live) return Unexpected(why_no_system(live.error()));
         live_ = std::move(*live);
         const StopSignals stop_signals;
@@ -99,25 +100,31 @@ public:
         RunLoop& loop = *loop_;
         loop.end_when(stop_signals.received());
         loop.end_at(options_.duration);
+        journal_.follow(loop);
+        for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
-        if (auto open = open_console(); !open) return Unexpected(open.error());
+        if (auto open = options_.replay.empty() ? open_console() : Expected<void>(); !open)
+            return Unexpected(open.error());
         if (recorder_ || !options_.picture.empty()) loop.after_tick([this, &loop] { keep_trace(loop); });
 
         const auto begin = Pacer::Clock::now();
         loop.run();
         const std::string how = summary(loop, Pacer::Clock::now() - begin);
+        journal_.stop();
+        if (journal_.error()) return give_up(*journal_.error());
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
 
         // A run of a given length shows the world as it is then, whether --duration or commands said how long it is;
         // one that was ended shows it when the robots stand.
-        const bool of_given_length =
-            !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9);
+        const bool of_given_length = journal_.is_of_given_length(
+            !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9));
         if (of_given_length) take_results();
         stop(loop);
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
         if (!of_given_length) take_results();
-        console_->close();
+        if (auto told = journal_.finish(of_given_length, hash_); !told) return give_up(told.error());
+        if (console_) console_->close();
         return finish(how);
     }
 
@@ -183,6 +190,7 @@ private:
     // The run is none: no file is left that could be taken for its result.
     Expected<int> give_up(const Error& error) {
         if (recorder_) recorder_->discard();
+        journal_.give_up(describe(error));
         return Unexpected(error);
     }
 
@@ -196,7 +204,7 @@ private:
         // What --batch says is the same each time, and how long it took is not.
         if (!options_.batch) screen_.say(how);
         const bool cut_off = options_.batch && loop_->interrupted();
-        int status = console_->all_well() && !cut_off ? kDone : kFailed;
+        int status = (!console_ || console_->all_well()) && !cut_off ? kDone : kFailed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;
             screen_.say(
@@ -214,6 +222,7 @@ private:
     bool prompt_;
     Screen screen_;  // before all that speaks through it
     Problems problems_;
+    RunJournal journal_;  // its files outlive the system
     std::unique_ptr<LiveSystem> live_;
     std::optional<Recorder> recorder_;
     Paths paths_;

@@ -47,11 +47,11 @@ RunLoop::Lateness RunLoop::lateness() const {
 
 void RunLoop::pause() {
     ticks_left_ = 0;
-    live_.system().set_at_rest(is_hardware());
+    live_.set_at_rest(is_hardware());
 }
 
 void RunLoop::resume() {
-    live_.system().set_at_rest(false);
+    live_.set_at_rest(false);
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
     ticks_left_ = kForever;
 }
@@ -65,12 +65,6 @@ void RunLoop::set_speed(double factor) {
     assert(factor > 0);
     options_.speed = factor;
     pace_anew();
-}
-
-Expected<void> RunLoop::restart() {
-    auto restarted = live_.restart();
-    follow_restart();
-    return restarted;
 }
 
 std::vector<LogLine> RunLoop::problems() const {
@@ -93,7 +87,11 @@ void RunLoop::run() {
     while (!ended()) {
         serve_until_due();
         if (ended()) return;
-        if (!stands_still()) tick();
+        if (stands_still()) continue;
+        for (const auto& action : before_tick_) action();
+        follow_restart();
+        if (ended()) return;
+        tick();
     }
 }
 

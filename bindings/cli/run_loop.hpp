@@ -56,6 +56,8 @@ public:
 
     /// Attendants have their turns in the order in which they were added, and must outlive the loop.
     void add(Attendant& attendant) { attendants_.push_back(&attendant); }
+    /// Is called before every tick. When it ends the run, the tick does not come.
+    void before_tick(std::function<void()> action) { before_tick_.push_back(std::move(action)); }
     /// Is called after every tick.
     void after_tick(std::function<void()> action) { after_tick_.push_back(std::move(action)); }
     /// The run ends as soon as this is not 0: what a signal's handler sets. It must outlive the loop.
@@ -78,7 +80,6 @@ public:
     bool is_advancing() const override { return ticks_left_ > 0 && ticks_left_ < kForever; }
     void set_speed(double factor) override;
     double speed() const override { return options_.speed; }
-    Expected<void> restart() override;
     void quit() override { quit_ = true; }
     std::vector<LogLine> problems() const override;
 
@@ -109,6 +110,7 @@ private:
     double end_at_ = as_fast_as_possible;
     const volatile std::sig_atomic_t* end_ = nullptr;
     std::vector<Attendant*> attendants_;
+    std::vector<std::function<void()>> before_tick_;
     std::vector<std::function<void()>> after_tick_;
     std::unique_ptr<Pacer> pacer_;  // none: as fast as possible
     Lateness before_;               // of the pacers before this one

@@ -67,16 +67,21 @@ std::vector<Option> run_options(RunWords& words) {
          "with --record: only these, in this order: ports, truth, config, state, or parts of them, as in "
          "mouse.truth.pose (default: all out-ports)",
          "NAME.WHAT,..."},
+        {"--journal", &words.journal, "write every act on the running system, with its tick", "OUT"},
+        {"--replay", &words.replay,
+         "perform a journal again, headless and as fast as possible unless --speed is given; it ends where and as that "
+         "run ended. No other file is read",
+         "OUT"},
         {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
     };
 }
 
 Expected<RunOptions> read_run_options(const RunWords& words) {
     RunOptions options{.file = words.file,
-                       .headless = words.headless || words.batch,
+                       .headless = words.headless || words.batch || !words.replay.empty(),
                        .batch = words.batch,
                        .trace_hash = words.trace_hash};
-    if (words.speed == "max" || (words.speed.empty() && words.batch)) {
+    if (words.speed == "max" || (words.speed.empty() && (words.batch || !words.replay.empty()))) {
         options.speed = as_fast_as_possible;
     } else if (!words.speed.empty()) {
         const auto speed = number<double>(words.speed);
@@ -105,6 +110,15 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     options.picture = words.picture;
     options.record = words.record;
     options.sounds = words.sounds;
+    options.journal = words.journal;
+    options.replay = words.replay;
+    for (const auto& [option, given] : {std::pair{"--batch", words.batch},
+                                        {"--seed", !words.seed.empty()},
+                                        {"--duration", !words.duration.empty()},
+                                        {"--journal", !words.journal.empty()}}) {
+        if (!words.replay.empty() && given)
+            return failure(fmt::format("--replay does what the journal says: leave out {}", option));
+    }
     if (!words.ports.empty()) {
         if (words.record.empty())
             return failure("--ports chooses what --record writes: give --record FILE.csv as well");

@@ -15,7 +15,7 @@ namespace nezumi::cli {
 /// The options as they were typed: "" for what was not given.
 struct RunWords {
     std::string file;
-    std::string speed, duration, seed, threads, picture, record, ports, sounds;
+    std::string speed, duration, seed, threads, picture, record, ports, sounds, journal, replay;
     bool headless = false;
     bool batch = false;
     bool trace_hash = false;
@@ -36,6 +36,8 @@ struct RunOptions {
     std::string picture;             ///< "" for none; ends in .png or .svg
     std::string record;              ///< "" for none
     std::vector<std::string> ports;  ///< "name.port"; empty: every out-port
+    std::string journal;             ///< "" for none
+    std::string replay;              ///< "" for none; then headless
     std::string sounds;              ///< folder for what robots say; "" for none
 };
 

@@ -34,10 +34,6 @@ public:
     virtual void set_speed(double factor) = 0;
     virtual double speed() const = 0;
 
-    /// Reads the system file again and starts anew from time 0 (`LiveSystem::restart`, and the clock with it). An error
-    /// leaves everything as it was.
-    virtual Expected<void> restart() = 0;
-
     /// Ends the run in good order, soon after this returns.
     virtual void quit() = 0;
 

@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 // What a chain of names leads to.
 struct Place {
     enum class Kind { nothing, system, component, ports, port, config, truth, value, table } kind = Kind::nothing;
-    Component* component = nullptr;
+    const Component* component = nullptr;
     Port* port = nullptr;  // also of `value`
 };
 
@@ -107,7 +107,7 @@ private:
     }
 
     Place component(std::string_view name) const {
-        Component* found = parts_.live.system().find(name);
+        const Component* found = parts_.live.system().find(name);
         return found == nullptr ? Place{} : Place{Place::Kind::component, found};
     }
 
@@ -128,7 +128,7 @@ private:
         }
     }
 
-    static Place port(Component* component, std::string_view name) {
+    static Place port(const Component* component, std::string_view name) {
         Port* found = component->find_port(name);
         return found == nullptr ? Place{} : Place{Place::Kind::port, component, found};
     }

@@ -44,7 +44,7 @@ double press(double place, double by) {
 
 }  // namespace
 
-Expected<void> Drive::begin(LiveSystem& live, const std::string& what) {
+Expected<void> Drive::begin(LiveSystem& live, const std::string& what, const Actor& who) {
     std::string path = what;
     if (what.find('.') == std::string::npos) {
         const auto component = live.system().component(what);
@@ -59,19 +59,29 @@ Expected<void> Drive::begin(LiveSystem& live, const std::string& what) {
                                    (*port)->type_name()));
     }
     path_ = path;
+    who_ = who;
     x_ = y_ = 0;
     ending_ = false;
-    send(live);
+    if (auto held = send(live); !held) {
+        path_.clear();
+        return held;
+    }
     return {};
 }
 
-bool Drive::send(LiveSystem& live) const {
+Expected<void> Drive::send(LiveSystem& live) {
     const auto port = live.system().port(path_);
-    if (!port) return false;
+    if (!port) return failure("what was driven is gone");
+    const Actor* holder = live.system().holder(path_);
+    const bool has_it = holder != nullptr && *holder == who_ && (*port)->override() == Override::held;
+    if (has_it && sent_x_ == x_ && sent_y_ == y_) return {};
     auto value = payload((*port)->type(), x_, y_);
-    if (!value) return false;
-    (*port)->hold(std::move(*value));
-    return true;
+    if (!value) return failure("what was driven is gone");
+    if (auto held = live.act(Hold{path_, std::move(*value)}, who_); !held)
+        return failure("driving has ended: " + held.error().message);
+    sent_x_ = x_;
+    sent_y_ = y_;
+    return {};
 }
 
 void Drive::key(Key key, LiveSystem& live) {
@@ -85,28 +95,28 @@ void Drive::key(Key key, LiveSystem& live) {
         case Key::space: x_ = y_ = 0; break;
         case Key::escape: return end(live);
     }
-    send(live);
+    static_cast<void>(send(live));  // a port that is gone is told after the tick
 }
 
 void Drive::end(LiveSystem& live) {
     if (path_.empty()) return;
     x_ = y_ = 0;
     ending_ = true;
-    send(live);
+    static_cast<void>(send(live));
 }
 
-bool Drive::after_tick(LiveSystem& live) {
-    if (path_.empty()) return true;
+Expected<void> Drive::after_tick(LiveSystem& live) {
+    if (path_.empty()) return {};
     if (ending_) {
-        if (const auto port = live.system().port(path_)) (*port)->release();
+        static_cast<void>(live.act(Release{path_}, who_));  // a port that is gone needs none
         path_.clear();
-        return true;
+        return {};
     }
     const double now = live.system().now().seconds;
     if (now - pressed_at_ > springs_back || now < pressed_at_) x_ = y_ = 0;
-    if (send(live)) return true;
-    path_.clear();
-    return false;
+    auto sent = send(live);
+    if (!sent) path_.clear();
+    return sent;
 }
 
 }  // namespace nezumi

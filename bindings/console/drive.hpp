@@ -20,22 +20,25 @@ public:
 
     /// From now on holds "name.port", or of a joystick its in-port `stick`, of another component its out-port `pos`, of
     /// a robot its velocity in-port. The port carries a sequence of numbers or a velocity.
-    Expected<void> begin(LiveSystem& live, const std::string& what);
+    Expected<void> begin(LiveSystem& live, const std::string& what, const Actor& who);
     bool is_on() const { return !path_.empty() && !ending_; }
     /// "name.port" that it holds.
     const std::string& path() const { return path_; }
     void key(Key key, LiveSystem& live);
     /// The stick goes to the middle, and the port is let go after the next tick.
     void end(LiveSystem& live);
-    /// After every tick. Returns false when it has ended because its port is gone.
-    bool after_tick(LiveSystem& live);
+    /// After every tick. The error says why it has ended: its port is gone, or another took it.
+    Expected<void> after_tick(LiveSystem& live);
 
 private:
-    bool send(LiveSystem& live) const;
+    Expected<void> send(LiveSystem& live);
 
+    Actor who_;
     std::string path_;
     double x_ = 0;
     double y_ = 0;
+    double sent_x_ = 0;
+    double sent_y_ = 0;
     double pressed_at_ = 0;
     bool ending_ = false;
 };

@@ -105,6 +105,7 @@ std::string to_line(const Request& request) {
     if (request.kind == Request::Kind::complete) json["cursor"] = request.cursor;
     if (request.log) json["log"] = true;
     if (request.keys) json["keys"] = true;
+    if (!request.who.empty()) json["who"] = request.who;
     return dump(json);
 }
 
@@ -132,6 +133,7 @@ Expected<Request> read_request(std::string_view line) {
         request.cursor = json->contains("cursor") ? fields.count("cursor") : request.text.size();
     request.log = fields.flag("log", false);
     request.keys = fields.flag("keys", false);
+    request.who = fields.text("who");
     if (!fields.problem().empty()) return failure(fields.problem());
     if (request.cursor > request.text.size()) return failure("'cursor' lies behind the end of 'text'");
     return request;

@@ -29,6 +29,7 @@ struct Request {
     std::size_t cursor = 0;  ///< [bytes] in `text`, at most its size; its end when a line does not say
     bool log = false;        ///< hello: log lines and the status are wanted
     bool keys = false;       ///< hello: keys can be sent, there is a keyboard
+    std::string who;         ///< hello: "spreadsheet", or "" for a console
 
     bool operator==(const Request&) const = default;
 };

@@ -111,6 +111,7 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         }
         case Request::Kind::hello: {
             console.keys = request.keys;
+            if (request.who == "spreadsheet") console.who = {Actor::Kind::spreadsheet};
             const std::lock_guard lock(mutex_);
             std::erase(listeners_, id);
             if (request.log) listeners_.push_back(id);
@@ -163,6 +164,7 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     if (console.session) return console.session.get();
     SessionOptions options;
     options.batch = console.batch;
+    options.who = console.who;
     options.output.show = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});
     };

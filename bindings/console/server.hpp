@@ -60,6 +60,7 @@ private:
         std::optional<std::int64_t> running;  // the request whose input the session works at
         bool keys = false;
         bool batch = false;
+        Actor who{Actor::Kind::console};
     };
 
     void tell(const Event& event);

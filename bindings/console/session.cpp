@@ -78,7 +78,8 @@ Expected<void> Session::Parts::open() {
     call.reset();
     auto fresh = create_sandbox({.print = [this](std::string_view line) { show(line); }});
     if (!fresh) return Unexpected(fresh.error());
-    auto opened = Objects::open(**fresh, [this]() -> LiveSystem& { return live; });
+    auto opened = Objects::open(
+        **fresh, [this]() -> LiveSystem& { return live; }, options.who);
     if (!opened) return Unexpected(opened.error());
     state = std::move(*fresh);
     objects = std::move(*opened);
@@ -178,8 +179,8 @@ void Session::after_tick() {
         parts.show(fmt::format("{} is gone: no longer watched", watch.path));
         return true;
     });
-    if (!parts.drive.after_tick(parts.live)) {
-        parts.show("what was driven is gone");
+    if (auto driving = parts.drive.after_tick(parts.live); !driving) {
+        parts.show(driving.error().message);
         if (parts.options.output.take_keys) parts.options.output.take_keys(false);
     }
 }

@@ -33,6 +33,8 @@ struct SessionOutput {
 
 struct SessionOptions {
     SessionOutput output;
+    /// Whose acts these are.
+    Actor who{Actor::Kind::console};
     /// [s] of simulated time between two lines of one `watch`, at normal speed; 0: every change is shown.
     double watch_period = 0.1;
     /// Time moves only by `step` and `run(seconds)`: a `run()` without end is refused.

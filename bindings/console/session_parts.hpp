@@ -35,6 +35,8 @@ struct Session::Parts {
         if (options.output.show_error) options.output.show_error(text);
     }
 
+    Expected<ActResult> act(const Act& act) const { return live.act(act, options.who); }
+
     LiveSystem& live;
     ClockControl& clock;
     SessionOptions options;

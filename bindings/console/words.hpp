@@ -45,12 +45,18 @@ void add_words(lua_State* L, Session::Parts& parts);
 /// The word whose function is at `index`; null for any other value.
 const Word* word_at(lua_State* L, int index);
 
+/// The end of a word that was one act and shows nothing.
+inline Expected<WordEnd> done(const Expected<ActResult>& acted) {
+    if (!acted) return Unexpected(acted.error());
+    return WordEnd::done;
+}
+
 // Each group in its own file.
 using WordFunction = Expected<WordEnd>(Session::Parts&, const WordArguments&);
 WordFunction word_connect, word_disconnect;                                         // wiring
 WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;      // looking
 WordFunction word_watch, word_unwatch, word_plot, word_drive;                       // following
-WordFunction word_teleport;                                                         // acting
+WordFunction word_teleport, word_stop, word_rearm;                                  // acting
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
 WordFunction word_reload, word_rollback, word_save;                                 // versions
 

@@ -76,7 +76,7 @@ Expected<WordEnd> word_drive(Session::Parts& parts, const WordArguments& argumen
                                                                                               : what.error());
         }
     }
-    if (auto ok = parts.drive.begin(parts.live, *what); !ok) return Unexpected(ok.error());
+    if (auto ok = parts.drive.begin(parts.live, *what, parts.options.who); !ok) return Unexpected(ok.error());
     parts.options.output.take_keys(true);
     parts.show(fmt::format("driving {}: arrow keys, space stops, Esc ends", parts.drive.path()));
     return WordEnd::done;
@@ -85,9 +85,13 @@ Expected<WordEnd> word_drive(Session::Parts& parts, const WordArguments& argumen
 Expected<WordEnd> word_teleport(Session::Parts& parts, const WordArguments& arguments) {
     if (parts.clock.is_hardware()) return failure("real robots stay where they are: this works in simulation");
     if (arguments.count < 1) return failure("expected a marker or robot, as in teleport(\"target\", { x = 1 })");
-    if (auto ok = teleport(*parts.objects, parts.live.system(), arguments.lua, 1, 2); !ok)
-        return Unexpected(ok.error());
-    return WordEnd::done;
+    const auto teleport = read_teleport(*parts.objects, parts.live, arguments.lua, 1, 2);
+    if (!teleport) return Unexpected(teleport.error());
+    return done(parts.act(teleport->act));
 }
+
+Expected<WordEnd> word_stop(Session::Parts& parts, const WordArguments&) { return done(parts.act(Stop{})); }
+
+Expected<WordEnd> word_rearm(Session::Parts& parts, const WordArguments&) { return done(parts.act(Rearm{})); }
 
 }  // namespace nezumi

@@ -77,7 +77,7 @@ Expected<WordEnd> word_speed(Session::Parts& parts, const WordArguments& argumen
 
 Expected<WordEnd> word_restart(Session::Parts& parts, const WordArguments&) {
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
-    if (auto ok = parts.clock.restart(); !ok) return Unexpected(ok.error());
+    if (auto ok = parts.act(Restart{}); !ok) return Unexpected(ok.error());
     parts.show("started anew, time is 0");
     return WordEnd::done;
 }

@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-std::string report_text(const System& system, const ReloadReport& report) {
+std::string report_text(const System& system, const ActResult& report) {
     std::string text;
     for (const std::string& name : report.components) {
         const Component* component = system.find(name);
@@ -20,10 +20,10 @@ std::string report_text(const System& system, const ReloadReport& report) {
 }
 
 // The component whose version came last.
-ScriptComponent* changed_last(const System& system) {
-    ScriptComponent* last = nullptr;
+const ScriptComponent* changed_last(const System& system) {
+    const ScriptComponent* last = nullptr;
     for (const auto& component : system.components()) {
-        auto* script = dynamic_cast<ScriptComponent*>(component.get());
+        const auto* script = dynamic_cast<const ScriptComponent*>(component);
         if (script == nullptr || script->version_before() == nullptr) continue;
         if (last == nullptr || script->version_before()->replaced_by > last->version_before()->replaced_by)
             last = script;
@@ -34,28 +34,29 @@ ScriptComponent* changed_last(const System& system) {
 }  // namespace
 
 Expected<WordEnd> word_reload(Session::Parts& parts, const WordArguments&) {
-    const auto report = parts.live.reloader().reload_all();
+    std::vector<std::string> files = parts.live.changed_files();
+    if (files.empty()) {
+        parts.show("no script has changed");
+        return WordEnd::done;
+    }
+    const auto report = parts.act(Reload{.files = std::move(files)});
     if (!report) return Unexpected(report.error());
-    parts.live.watch_again();
-    const std::string text = report_text(parts.live.system(), *report);
-    parts.show(text.empty() ? "no script has changed" : text);
+    parts.show(report_text(parts.live.system(), *report));
     return WordEnd::done;
 }
 
 Expected<WordEnd> word_rollback(Session::Parts& parts, const WordArguments& arguments) {
-    ScriptComponent* script = nullptr;
+    const Component* component = nullptr;
     if (arguments.has(1)) {
         const auto at = parts.objects->to_component(arguments.lua, 1);
         if (!at) return Unexpected(at.error());
-        script = dynamic_cast<ScriptComponent*>(at->component);
-        if (script == nullptr) return failure(fmt::format("{} is no script", at->component->name()));
+        component = at->component;
     } else {
-        script = changed_last(parts.live.system());
-        if (script == nullptr) return failure("there is no version to go back to");
+        component = changed_last(parts.live.system());
+        if (component == nullptr) return failure("there is no version to go back to");
     }
-    const auto report = parts.live.reloader().rollback(*script);
+    const auto report = parts.act(Rollback{component->name()});
     if (!report) return Unexpected(report.error());
-    parts.live.watch_again();
     parts.show(report_text(parts.live.system(), *report));
     return WordEnd::done;
 }

@@ -18,22 +18,16 @@ Expected<WordEnd> word_connect(Session::Parts& parts, const WordArguments& argum
     if (!from) return Unexpected(from.error());
     const auto to = port(parts, arguments, 2);
     if (!to) return Unexpected(to.error());
-    if (auto ok = parts.live.system().connect(from->path(), to->path()); !ok) return Unexpected(ok.error());
-    return WordEnd::done;
+    return done(parts.act(Connect{from->path(), to->path()}));
 }
 
 Expected<WordEnd> word_disconnect(Session::Parts& parts, const WordArguments& arguments) {
-    System& system = parts.live.system();
     const auto first = port(parts, arguments, 1);
     if (!first) return Unexpected(first.error());
-    if (!arguments.has(2)) {
-        if (system.disconnect_all(*first->port).empty()) return failure(first->path() + " is not connected");
-        return WordEnd::done;
-    }
+    if (!arguments.has(2)) return done(parts.act(Disconnect{first->path(), ""}));
     const auto second = port(parts, arguments, 2);
     if (!second) return Unexpected(second.error());
-    if (auto ok = system.disconnect(first->path(), second->path()); !ok) return Unexpected(ok.error());
-    return WordEnd::done;
+    return done(parts.act(Disconnect{first->path(), second->path()}));
 }
 
 }  // namespace nezumi

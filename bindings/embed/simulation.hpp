@@ -35,8 +35,9 @@ public:
     /// [s] of simulated time.
     double now() const { return system().now().seconds; }
 
-    /// Components, robots, ports and the world.
-    System& system() { return live_->system(); }
+    /// Changes it, between two ticks.
+    Expected<ActResult> act(const Act& act) { return live_->act(act, {Actor::Kind::run}); }
+    /// Components, robots, ports and the world, to look at.
     const System& system() const { return live_->system(); }
 
 private:

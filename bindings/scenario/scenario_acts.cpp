@@ -88,7 +88,7 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
 int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_component(lua, 2);
     if (!at) return raise(run, at.error().message);
-    auto* script = dynamic_cast<ScriptComponent*>(at->component);
+    const auto* script = dynamic_cast<const ScriptComponent*>(at->component);
     if (script == nullptr)
         return raise(run, fmt::format("{} has no script: only behaviours reload", at->component->name()));
     const char* expected = "expected { file = \"NAME\" } or { text = \"...\" }";
@@ -105,24 +105,23 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
         ++given;
     }
     if (given != 1 || !wrong.empty()) return raise(run, expected);
-    SourceText source{script->script().file().path, script->script().file().shown, text};
-    Expected<ReloadReport> report = failure("");
+    Reload reload{.component = at->component->name(), .shown = script->script().file().shown, .text = text};
+    Expected<ActResult> report = failure("");
     bool readable = true;
     if (!file.empty()) {
         const auto path = run.file_.project().find(FileKind::script, file, calling_place(lua).file);
         auto read = path ? read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
         readable = read.has_value();
         if (readable) {
-            source.text = std::move(read->text);
-            source.shown = read->shown;
+            reload.text = std::move(read->text);
+            reload.shown = read->shown;
         } else {
             report = Unexpected(read.error());
         }
     }
     if (readable) {
         const CallPause pause;
-        report = at->live->reloader().reload(*script, source);
-        at->live->watch_again();
+        report = at->live->act(reload, scenario_actor);
     }
     const std::string message = report ? fmt::format("version {} runs", report->version) : describe(report.error());
     const bool ok = report.has_value();
@@ -139,16 +138,15 @@ int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override 
     if (!at) return raise(run, at.error().message);
     const auto duration = seconds(lua, 3, "the duration", &for_ever);
     if (!duration) return raise(run, duration.error().message);
-    if (kind == Override::dropped) {
-        at->port->drop();
-    } else {
-        at->port->freeze();
-    }
+    const bool drops = kind == Override::dropped;
+    const auto done = at->live->act(drops ? Act{Drop{at->path()}} : Act{Freeze{at->path()}}, scenario_actor);
+    if (!done) return raise(run, done.error().message);
     run.faults_.begin(key_of(at->live, at->path()), run.worlds_.now(), *duration,
                       [live = at->live, path = at->path(), kind] {
                           const auto port = live->system().port(path);
                           // Something else may have been put in its place meanwhile: s:hold.
-                          if (port && (*port)->override() == kind) (*port)->release();
+                          if (port && (*port)->override() == kind)
+                              static_cast<void>(live->act(Release{path}, scenario_actor));
                       });
     return 0;
 }
@@ -171,12 +169,11 @@ int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
     const int copy = lua_gettop(lua);
     const auto push = read_push(lua, copy);
     if (!push) return raise(run, push.error().message);
-    if (auto ok = nezumi::disturb(at->live->system(), *at->component, *push); !ok)
-        return raise(run, ok.error().message);
     const std::string name = at->component->name();
+    if (auto ok = at->live->act(Disturb{name, push->vx, push->vy, push->va}, scenario_actor); !ok)
+        return raise(run, ok.error().message);
     run.faults_.begin(key_of(at->live, name + " disturb"), run.worlds_.now(), duration, [live = at->live, name] {
-        if (Component* robot = live->system().find(name))
-            static_cast<void>(nezumi::disturb(live->system(), *robot, {}));
+        static_cast<void>(live->act(Disturb{name}, scenario_actor));  // unless the robot is gone
     });
     return 0;
 }
@@ -188,20 +185,25 @@ int ScenarioRun::Methods::press(ScenarioRun& run, lua_State* lua) {
     const std::string sensor(text_or_empty(lua, 3));
     const auto duration = seconds(lua, 4, "the duration", &for_ever);
     if (!duration) return raise(run, duration.error().message);
-    if (auto ok = nezumi::press(at->live->system(), *at->component, sensor, true); !ok)
-        return raise(run, ok.error().message);
     const std::string name = at->component->name();
+    if (auto ok = at->live->act(Press{name, sensor, true}, scenario_actor); !ok) return raise(run, ok.error().message);
     run.faults_.begin(key_of(at->live, name + " press " + sensor), run.worlds_.now(), *duration,
                       [live = at->live, name, sensor] {
-                          if (Component* robot = live->system().find(name))
-                              static_cast<void>(nezumi::press(live->system(), *robot, sensor, false));
+                          static_cast<void>(live->act(Press{name, sensor, false}, scenario_actor));
                       });
     return 0;
 }
 
 int ScenarioRun::Methods::teleport(ScenarioRun& run, lua_State* lua) {
-    auto ok = nezumi::teleport(*run.objects_, run.current().system(), lua, 2, 3);
-    return ok ? 0 : raise(run, ok.error().message);
+    const auto teleport = read_teleport(*run.objects_, run.current(), lua, 2, 3);
+    if (!teleport) return raise(run, teleport.error().message);
+    const auto done = teleport->live->act(teleport->act, scenario_actor);
+    return done ? 0 : raise(run, done.error().message);
+}
+
+int ScenarioRun::Methods::act(ScenarioRun& run, const Act& act) {
+    const auto done = run.current().act(act, scenario_actor);
+    return done ? 0 : raise(run, done.error().message);
 }
 
 int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
@@ -217,8 +219,8 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_port(lua, 2);
     if (!at) return raise(run, at.error().message);
     run.faults_.restore(key_of(at->live, at->path()));
-    at->port->release();
-    return 0;
+    const auto done = at->live->act(Release{at->path()}, scenario_actor);
+    return done ? 0 : raise(run, done.error().message);
 }
 
 const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts() {
@@ -234,6 +236,8 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts()
         {"press", press, 3, "(robot, sensor, seconds)"},
         {"teleport", teleport, 2, "(robot, pose)"},
         {"restore", restore, 1, "(thing)"},
+        {"stop", [](ScenarioRun& run, lua_State*) { return act(run, Stop{}); }, 0, "()"},
+        {"rearm", [](ScenarioRun& run, lua_State*) { return act(run, Rearm{}); }, 0, "()"},
     };
     return methods;
 }

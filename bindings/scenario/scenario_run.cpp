@@ -41,7 +41,8 @@ Expected<void> ScenarioRun::open() {
         setup_error_ = error;
         return error;
     };
-    auto objects = Objects::open(state, [this]() -> LiveSystem& { return current(); });
+    auto objects = Objects::open(
+        state, [this]() -> LiveSystem& { return current(); }, scenario_actor);
     if (!objects) return Unexpected(objects.error());
     objects_ = std::move(*objects);
     objects_->on_look([this](const PortAt& port) {

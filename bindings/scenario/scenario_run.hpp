@@ -52,6 +52,9 @@ struct RunSettings {
 /// The seed of everything a scenario draws by itself.
 std::uint64_t seed_of(std::uint64_t seed, std::string_view scenario);
 
+/// Whose acts a scenario's are.
+inline const Actor scenario_actor{Actor::Kind::scenario};
+
 class ScenarioRun {
 public:
     ScenarioRun(ScenarioFile& file, std::size_t scenario, RunSettings settings);

@@ -99,15 +99,8 @@ Expected<void> ScenarioRun::change_arena(Described& described) {
     const auto world = static_cast<std::size_t>(&described - described_.data());
     if (worlds_.ticks(world) > 0)
         return failure("arena: can't change once time has moved: say it before s:run and all that waits");
-    // The world is built anew; parameters that the scenario has set stay.
-    std::vector<std::pair<std::string, Parameters>> settings;
-    for (const auto& component : described.live->system().components())
-        settings.emplace_back(component->name(), component->parameters());
     const SystemSpec& spec = described.words->spec();
-    if (auto ok = described.live->restart_as(spec); !ok) return ok;
-    for (const auto& [name, parameters] : settings) {
-        if (Component* component = described.live->system().find(name)) component->parameters() = parameters;
-    }
+    if (auto ok = described.live->rebuild(spec); !ok) return ok;
     described.entries = spec.entries.size();
     described.connections = spec.connections.size();
     described.things = count_things(spec.arena);
@@ -116,18 +109,17 @@ Expected<void> ScenarioRun::change_arena(Described& described) {
 
 Expected<void> ScenarioRun::add_new(Described& described) {
     const SystemSpec& spec = described.words->spec();
-    System& system = described.live->system();
+    LiveSystem& live = *described.live;
     while (described.entries < spec.entries.size()) {
         const Entry& entry = spec.entries[described.entries++];
-        const auto added = described.live->add(entry, spec);
-        if (!added) return Unexpected(added.error());
+        if (auto added = live.act(Add{entry}, scenario_actor); !added) return Unexpected(added.error());
         // A component that can't be activated is in ERROR, as at the start of a system.
         if (std::visit([](const auto& e) { return e.active; }, entry))
-            static_cast<void>((*added)->activate(system.now()));
+            static_cast<void>(live.act(Activate{name_of(entry)}, scenario_actor));
     }
     while (described.connections < spec.connections.size()) {
         const ConnectionSpec& connection = spec.connections[described.connections++];
-        if (auto ok = system.connect(connection.from, connection.to); !ok)
+        if (auto ok = live.act(Connect{connection.from, connection.to}, scenario_actor); !ok)
             return failure(ok.error().message, connection.place);
     }
     return {};

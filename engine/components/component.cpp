@@ -60,6 +60,12 @@ Expected<void> Component::use(std::string_view set) {
     return {};
 }
 
+void Component::note_out_of_time(const Error& error) {
+    constexpr std::size_t most = 16;
+    out_of_time_ = error;
+    if (new_out_of_time_.size() < most) new_out_of_time_.push_back({calls_, error});
+}
+
 void Component::log(LogLevel level, std::string text) const {
     if (log_) log_({level, now_.seconds, name_, std::move(text)});
 }
@@ -111,6 +117,11 @@ Expected<void> Component::reset(const Time& now) {
     error_hook_failed_ = false;
     state_ = LifeState::inactive;
     return {};
+}
+
+Expected<PlainData> Component::call_command(std::string_view command, const PlainData& /*arguments*/,
+                                            const Time& /*now*/) {
+    return failure(fmt::format("{} has no command '{}'", name_, command));
 }
 
 void Component::execute(const Time& now) {

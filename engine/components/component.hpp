@@ -1,6 +1,8 @@
 // A component: ports, parameters and OpenRTM's life cycle, the same for C++ and for scripts.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "engine/components/parameter.hpp"
+#include "engine/components/plain_data.hpp"
 #include "engine/ports/port.hpp"
 
 namespace nezumi {
@@ -44,6 +47,17 @@ public:
     /// The hook or command that ran out of its time, once one did: what came after depends on the machine. A reload
     /// that did is refused instead.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
+
+    /// A call of a hook or command, counted from 1, that ran out of its time. Those of `on_reload` do not count.
+    struct OutOfTime {
+        std::int64_t call = 0;
+        Error error;
+    };
+    /// Those since this was last called, at most the first 16.
+    std::vector<OutOfTime> take_out_of_time() { return std::exchange(new_out_of_time_, {}); }
+    bool has_new_out_of_time() const { return !new_out_of_time_.empty(); }
+    /// That call is to end so, whatever it takes: a replay does not ask the clock.
+    void run_out_of_time_at(OutOfTime call) { foreseen_.push_back(std::move(call)); }
     /// Executions since the start.
     std::int64_t executions() const { return executions_; }
 
@@ -68,7 +82,7 @@ public:
 
     /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, as a script's
     /// "state". Returns whether it has such a member.
-    virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) { return false; }
+    virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) const { return false; }
 
     /// Ticks a second in which it is due; 0: every tick.
     double rate = 0;
@@ -81,6 +95,9 @@ public:
     Expected<void> deactivate(const Time& now);
     /// ERROR to INACTIVE.
     Expected<void> reset(const Time& now);
+    /// Runs a command that it offers, between two ticks. An error when it offers none of this name, or when the command
+    /// failed: then nothing that it wrote is published.
+    virtual Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now);
     /// One execution when ACTIVE, `on_error` when in ERROR. An error of it sends the component to ERROR.
     void execute(const Time& now);
     /// Lets the in-ports take what has arrived.
@@ -137,10 +154,12 @@ protected:
     template <class Function>
     auto run(Hook hook, Function&& function) {
         const Hook before = std::exchange(hook_, hook);
+        if (hook != Hook::on_reload) ++calls_;
         auto result = function();
         hook_ = before;
-        if (!result && result.error().kind == Error::Kind::out_of_time && hook != Hook::on_reload)
-            out_of_time_ = result.error();
+        if (hook == Hook::on_reload) return result;
+        if (!foreseen_.empty()) take_foreseen([&](const Error& error) { result = Unexpected(error); });
+        if (!result && result.error().kind == Error::Kind::out_of_time) note_out_of_time(result.error());
         return result;
     }
 
@@ -149,6 +168,15 @@ protected:
     Parameters parameters_;
 
 private:
+    void note_out_of_time(const Error& error);
+    template <class End>
+    void take_foreseen(const End& end) {
+        const auto is_due = [this](const OutOfTime& each) { return each.call == calls_; };
+        const auto found = std::find_if(foreseen_.begin(), foreseen_.end(), is_due);
+        if (found == foreseen_.end()) return;
+        end(found->error);
+        foreseen_.erase(found);
+    }
     /// Forgets the velocities that `hook` wrote; what was written before it stays.
     Expected<void> run_without_velocities(Hook hook);
 
@@ -158,6 +186,9 @@ private:
     LogSink log_;
     Error last_error_;
     std::optional<Error> out_of_time_;
+    std::vector<OutOfTime> new_out_of_time_;
+    std::vector<OutOfTime> foreseen_;
+    std::int64_t calls_ = 0;
     Time now_;
     double dt_ = 0;
     double tick_rate_ = 100;

@@ -191,7 +191,7 @@ public:
     virtual std::vector<const OutPortBase*> sources() const = 0;
 
     /// From now on it keeps all messages of its latest arrival, for those who record it.
-    void follow() { followed_ = true; }
+    void follow() const { followed_ = true; }
 
     /// How long [s] without a message until it is stale: as long as the slowest of its senders may take.
     virtual double stale_after() const = 0;
@@ -213,7 +213,7 @@ protected:
     std::uint64_t disconnections_ = 0;
     std::int64_t arrival_tick_ = -1;
     double arrived_at_ = 0;
-    bool followed_ = false;
+    mutable bool followed_ = false;  // who looks may ask for it: it changes nothing of what the port does
 
 private:
     InPortBase* companion_for(const OutPortBase& source) const {

@@ -79,7 +79,10 @@ void Actuators::act(RobotBody& body, const Time& now, const std::function<void(s
                 if (off) set_buzzer(body, 0);
                 break;
             case Kind::servo:
-                if (port.is_new()) aim_servo(body, channel, take<double>(port));
+                if (port.is_new()) {
+                    const double angle = take<double>(port);
+                    if (!servos_stopped_) aim_servo(body, channel, angle);
+                }
                 break;
             case Kind::screen:
                 while (port.is_new()) show(body, channel, warn);
@@ -93,10 +96,25 @@ void Actuators::act(RobotBody& body, const Time& now, const std::function<void(s
 
 void Actuators::be_still(RobotBody& body) {
     set_buzzer(body, 0);
-    if (std::exchange(is_still_, true)) return;
+    if (!std::exchange(is_still_, true)) hold_servos(body);
+}
+
+void Actuators::hold_servos(RobotBody& body) {
     for (Channel& channel : channels_) {
         if (spec_.actuators[channel.actuator].kind == Kind::servo)
             aim_servo(body, channel, body.servo_angle(channel.actuator));
+    }
+}
+
+void Actuators::stop_servos(RobotBody* body) {
+    servos_stopped_ = true;
+    if (body != nullptr) hold_servos(*body);
+}
+
+void Actuators::rearm_servos() {
+    servos_stopped_ = false;
+    for (const Channel& channel : channels_) {
+        if (spec_.actuators[channel.actuator].kind == Kind::servo) channel.port->clear();
     }
 }
 

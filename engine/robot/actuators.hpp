@@ -31,6 +31,10 @@ public:
     /// Does what has arrived. One that its description wants off when nothing came for `silence` seconds goes off.
     /// `warn` is told of what can't be done, once for each port.
     void act(RobotBody& body, const Time& now, const std::function<void(std::string)>& warn);
+    /// Servos stay where they are (of a body that is there already), and ignore what they are sent.
+    void stop_servos(RobotBody* body);
+    /// Servos obey again what comes from now on.
+    void rearm_servos();
     /// Its robot is not ACTIVE: what makes noise stops, lights and angles hold.
     void be_still(RobotBody& body);
 
@@ -51,6 +55,7 @@ private:
     };
     void set_leds(RobotBody& body, const std::vector<bool>& wanted);
     void set_buzzer(RobotBody& body, int hertz);
+    void hold_servos(RobotBody& body);
     void aim_servo(RobotBody& body, Channel& channel, double angle) const;
     void show(RobotBody& body, Channel& channel, const std::function<void(std::string)>& warn);
     void play(RobotBody& body, const std::string& text);
@@ -59,6 +64,7 @@ private:
     std::vector<Channel> channels_;
     std::vector<bool> leds_;
     int buzzer_hertz_ = 0;
+    bool servos_stopped_ = false;
     bool is_still_ = false;
     std::deque<std::string> said_;
 };

@@ -86,12 +86,17 @@ Pose3D Robot::turned(const Pose3D& pose, std::size_t servo) const {
             .orientation = {.r = 0, .p = 0, .y = pose.orientation.y + angle}};
 }
 
-void Robot::publish_wheels(const WheelReading& wheels, const Time& now) {
+// Of wheels that nobody measures nothing is known: they count as standing.
+Velocity2D Robot::velocity_of(const WheelReading& wheels) const {
+    if (!wheels.is_there) return {};
     const double left = wheels.speeds.left, right = wheels.speeds.right;
-    const Velocity2D measured{.vx = (left + right) / 2, .vy = 0, .va = (right - left) / spec_.drive.track};
+    return {.vx = (left + right) / 2, .vy = 0, .va = (right - left) / spec_.drive.track};
+}
+
+void Robot::publish_wheels(const WheelReading& wheels, const Time& now) {
     for (const auto& port : velocity_ports_) {
         if (!is_due_at(port.rate, now)) continue;
-        port.port->write(measured);
+        port.port->write(measured_);
         if (wheels.tm != now.seconds) port.port->stamp(wheels.tm);
     }
     for (const auto& port : pose_ports_) {
@@ -121,6 +126,7 @@ void Robot::sense(const Time& now) {
     const double period = period_until(now, std::exchange(sensed_at_, now.seconds));
     const WheelReading wheels = body_->read_wheels(now, period);
     if (wheels.is_there) odometry_.update(wheels.pulses);
+    measured_ = velocity_of(wheels);
     tell_faults();
     if (state() != LifeState::active) return;
     take_parameters();
@@ -163,8 +169,50 @@ void Robot::take_velocities(const Time& now) {
     const bool disconnected =
         std::exchange(seen_disconnections_, velocity_in_->disconnections()) != velocity_in_->disconnections();
     if (disconnected) guard_.stop();
-    while (velocity_in_->is_new()) command(velocity_in_->read(), now);
+    while (velocity_in_->is_new()) {
+        const Velocity2D& velocity = velocity_in_->read();
+        if (!stopped_) command(velocity, now);
+    }
     if (disconnected && !velocity_in_->connected()) guard_.stop();
+}
+
+void Robot::emergency_stop() {
+    if (std::exchange(stopped_, true)) return;
+    guard_.stop();
+    actuators_.stop_servos(body_.get());
+    if (velocity_in_ == nullptr) return;
+    note_before_stop_ = velocity_in_->note();
+    velocity_in_->set_note("emergency stop: commands are ignored until rearm()");
+}
+
+void Robot::rearm() {
+    stopped_ = false;
+    braked_at_.reset();
+    actuators_.rearm_servos();
+    set_motor_power(true);
+    if (velocity_in_ == nullptr) return;
+    velocity_in_->clear();  // what was sent before this and has not arrived counts for nothing
+    velocity_in_->set_note(note_before_stop_);
+}
+
+void Robot::set_motor_power(bool on) {
+    if (std::exchange(powered_, on) != on) body_->set_motor_power(on);
+}
+
+bool Robot::stands() const {
+    constexpr double still_speed = 0.001;    // [m/s]
+    constexpr double still_yaw_rate = 0.01;  // [rad/s]
+    return guard_.current() == Velocity2D{} && std::abs(measured_.vx) < still_speed &&
+           std::abs(measured_.va) < still_yaw_rate;
+}
+
+// Motors hold until the robot has stopped rocking on its wheels, and these stand; but those that something else turns
+// may never.
+bool Robot::has_come_to_rest(const Time& now) {
+    constexpr double rocking = 0.3, longest = 0.6;  // [s]
+    if (!braked_at_) braked_at_ = now.seconds;
+    const double since = now.seconds - *braked_at_;
+    return !powered_ || (since >= rocking && stands()) || since >= longest;
 }
 
 void Robot::forget_velocities() {
@@ -200,10 +248,16 @@ void Robot::drive(const Time& now) {
         log(LogLevel::warn, fmt::format("stops: nothing was computed for {:.2f} s", period));
     }
     if (coasting_) {
+        if (stopped_) set_motor_power(false);
         body_->coast();
         return;
     }
     const Velocity2D velocity = guard_.advance(now.seconds, 1.0 / tick_rate(), period);
+    if (stopped_ && velocity == Velocity2D{} && has_come_to_rest(now)) {
+        set_motor_power(false);
+        body_->coast();
+        return;
+    }
     const double turn = velocity.va * spec_.drive.track / 2;
     body_->set_wheel_speeds({.left = velocity.vx - turn, .right = velocity.vx + turn});
 }

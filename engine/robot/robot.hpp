@@ -39,6 +39,15 @@ public:
     /// What its speaker was given, oldest first, as far as it is kept.
     const std::deque<std::string>& said() const { return actuators_.said(); }
 
+    /// Brakes as hard as it can, then its motors have no power; until `rearm` it ignores what would move it.
+    void emergency_stop();
+    /// Obeys again what comes from now on. It must stand.
+    void rearm();
+    /// Neither its wheels turn nor are they meant to.
+    bool stands() const;
+    /// The velocity that its wheels had in the last tick.
+    const Velocity2D& measured() const { return measured_; }
+
     void sense(const Time& now) override;
     void actuate(const Time& now) override;
 
@@ -79,6 +88,7 @@ private:
     bool is_due_at(double port_rate, const Time& now) const;
     double period_until(const Time& now, std::optional<double> last) const;
     void take_parameters();
+    Velocity2D velocity_of(const WheelReading& wheels) const;
     void publish_wheels(const WheelReading& wheels, const Time& now);
     void publish(const SensorPort& port, std::span<const SensorReading> readings, const Time& now) const;
     void tell_faults();
@@ -88,6 +98,8 @@ private:
     void command(const Velocity2D& velocity, const Time& now);
     void take_pose();
     void drive(const Time& now);
+    void set_motor_power(bool on);
+    bool has_come_to_rest(const Time& now);
 
     const RobotSpec& spec_;
     std::unique_ptr<RobotBody> body_;
@@ -105,7 +117,12 @@ private:
     std::vector<std::size_t> servos_;  // with a parameter for their speed, in its order
     std::uint64_t parameters_version_ = 0;
 
+    Velocity2D measured_;
     std::uint64_t seen_disconnections_ = 0;
+    std::string note_before_stop_;  // of velocity_in_
+    bool stopped_ = false;          // by an emergency stop
+    bool powered_ = true;
+    std::optional<double> braked_at_;  // [s], since an emergency stop wants zero
     bool coasting_ = false;
     bool at_rest_ = false;
     bool said_clamped_ = false;

@@ -77,6 +77,7 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
     if (auto* robot = dynamic_cast<Robot*>(added)) {
         robot->set_at_rest(at_rest_);
         robots_.push_back(robot);
+        if (stopped_) robot->emergency_stop();
     }
     for (const auto& port : added->out_ports()) {
         if (port->rate() == 0) port->set_rate(added->rate);
@@ -105,7 +106,7 @@ Expected<void> System::remove(std::string_view name) {
     return {};
 }
 
-Component* System::find(std::string_view name) const {
+Component* System::find_component(std::string_view name) const {
     const auto found = by_name_.find(name);
     return found != by_name_.end() ? found->second : nullptr;
 }
@@ -117,8 +118,8 @@ Robot* System::find_robot(std::string_view name) const {
     return nullptr;
 }
 
-Expected<Component*> System::component(std::string_view name) const {
-    if (Component* found = find(name)) return found;
+Expected<Component*> System::component_named(std::string_view name) const {
+    if (Component* found = find_component(name)) return found;
     std::vector<std::string_view> names;
     for (const auto& component : components_) names.push_back(component->name());
     return failure(fmt::format("there is no component '{}'{}", name, did_you_mean(name, names)));
@@ -129,12 +130,12 @@ Expected<std::pair<Component*, std::string>> System::split(std::string_view port
     if (dot == std::string_view::npos || dot == 0 || dot + 1 == port_path.size()) {
         return failure(fmt::format("'{}' names no port: expected \"name.port\"", port_path));
     }
-    const auto owner = component(port_path.substr(0, dot));
+    const auto owner = component_named(port_path.substr(0, dot));
     if (!owner) return failure(fmt::format("'{}': {}", port_path, owner.error().message));
     return std::pair{*owner, std::string(port_path.substr(dot + 1))};
 }
 
-Expected<Port*> System::port(std::string_view port_path) const {
+Expected<Port*> System::port_named(std::string_view port_path) const {
     const auto parts = split(port_path);
     if (!parts) return Unexpected(parts.error());
     const auto& [owner, name] = *parts;
@@ -176,6 +177,38 @@ std::vector<std::string> System::disconnect_all(const Port& port) {
     wiring_.disconnect_all(port, now_);
     grouped_ = false;
     return all;
+}
+
+const Actor* System::holder(std::string_view port_path) const {
+    const auto found = holders_.find(port_path);
+    if (found == holders_.end()) return nullptr;
+    const auto port = port_named(port_path);
+    return port && (*port)->override() != Override::none ? &found->second : nullptr;
+}
+
+std::vector<std::string> System::held_by(const Actor& who) const {
+    std::vector<std::string> held;
+    for (const auto& [port_path, owner] : holders_) {
+        if (owner == who && holder(port_path) != nullptr) held.push_back(port_path);
+    }
+    return held;
+}
+
+void System::emergency_stop() {
+    stopped_ = true;
+    for (Robot* robot : robots_) robot->emergency_stop();
+}
+
+Expected<void> System::rearm() {
+    if (!stopped_) return failure("nothing is stopped: rearm() follows stop()");
+    for (const Robot* robot : robots_) {
+        if (robot->stands()) continue;
+        return failure(fmt::format("{} still moves, at {:.3f} m/s and {:.3f} rad/s: rearm() needs standstill",
+                                   robot->name(), robot->measured().vx, robot->measured().va));
+    }
+    stopped_ = false;
+    for (Robot* robot : robots_) robot->rearm();
+    return {};
 }
 
 bool System::is_due(const Component& component) const {

@@ -4,8 +4,11 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <ranges>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -13,6 +16,7 @@
 
 #include "engine/components/component.hpp"
 #include "engine/robot/robot.hpp"
+#include "engine/system/actor.hpp"
 #include "engine/system/groups.hpp"
 #include "engine/system/system_spec.hpp"
 #include "engine/system/wiring.hpp"
@@ -64,16 +68,24 @@ public:
     /// Deactivates a component, lets its safe values through, disconnects and destroys it.
     Expected<void> remove(std::string_view name);
 
-    const std::vector<std::unique_ptr<Component>>& components() const { return components_; }
-    const std::vector<Robot*>& robots() const { return robots_; }
+    // Whoever has a constant system can look at everything in it and change nothing.
+    const std::vector<std::unique_ptr<Component>>& components() { return components_; }
+    auto components() const {
+        return std::views::transform(components_, [](const auto& each) -> const Component* { return each.get(); });
+    }
+    const std::vector<Robot*>& robots() { return robots_; }
+    std::span<const Robot* const> robots() const { return robots_; }
     const std::vector<Connection>& connections() const { return wiring_.connections(); }
     /// nullptr when there is none of this name.
-    Component* find(std::string_view name) const;
+    Component* find(std::string_view name) { return find_component(name); }
+    const Component* find(std::string_view name) const { return find_component(name); }
     Robot* find_robot(std::string_view name) const;
     /// The component of this name, or an error that names the nearest.
-    Expected<Component*> component(std::string_view name) const;
+    Expected<Component*> component(std::string_view name) { return component_named(name); }
+    Expected<const Component*> component(std::string_view name) const { return component_named(name); }
     /// The port "name.port", or an error that names the nearest.
-    Expected<Port*> port(std::string_view path) const;
+    Expected<Port*> port(std::string_view path) { return port_named(path); }
+    Expected<const Port*> port(std::string_view path) const { return port_named(path); }
 
     /// Connects "name.port" to "name.port", or says why not.
     Expected<void> connect(std::string_view from, std::string_view to);
@@ -82,6 +94,19 @@ public:
     std::vector<std::string> peers(const Port& port) const { return wiring_.peers(port); }
     /// Drops every connection of a port, which is about to go. Returns the peers.
     std::vector<std::string> disconnect_all(const Port& port);
+
+    /// Whose hand is on the port "name.port", which is held, dropped or frozen; nullptr when nobody's is.
+    const Actor* holder(std::string_view path) const;
+    void set_holder(std::string_view path, const Actor& who) { holders_.insert_or_assign(std::string(path), who); }
+    /// The ports that this one holds, drops or freezes, sorted.
+    std::vector<std::string> held_by(const Actor& who) const;
+
+    /// Every robot brakes as hard as it can; then its motors have no power. Behaviours go on, their commands to robots
+    /// are ignored.
+    void emergency_stop();
+    /// Robots obey again what comes from now on. An error when nothing was stopped, or while a robot still moves.
+    Expected<void> rearm();
+    bool is_stopped() const { return stopped_; }
 
     /// One tick.
     void tick();
@@ -118,6 +143,9 @@ private:
     void share_out(std::size_t count, const Action& action);
     void flush_logs();
     void end_when_out_of_time();
+    Component* find_component(std::string_view name) const;
+    Expected<Component*> component_named(std::string_view name) const;
+    Expected<Port*> port_named(std::string_view path) const;
     Expected<std::pair<Component*, std::string>> split(std::string_view path) const;
 
     Settings settings_;
@@ -133,7 +161,9 @@ private:
     Wiring wiring_;
     std::vector<Group> groups_;
     std::uint64_t layout_ = 0;
-    bool grouped_ = false;  // whether groups_ are those of components_ and wiring_
+    bool grouped_ = false;                               // whether groups_ are those of components_ and wiring_
+    std::map<std::string, Actor, std::less<>> holders_;  // by "name.port"; of one that nothing is put on: whose it was
+    bool stopped_ = false;
     std::atomic<bool> out_of_time_ = false;
     std::vector<PortObserver*> observers_;
     std::unique_ptr<WorkerPool> workers_;

@@ -160,7 +160,7 @@ void Channel::resolve(const System& system) {
     if (port_ != nullptr) {
         kind_ = port_->direction() == Direction::out ? Kind::out_port : Kind::in_port;
         has_value_ = port_->count() > 0;
-        if (kind_ == Kind::in_port) static_cast<InPortBase*>(port_)->follow();
+        if (kind_ == Kind::in_port) static_cast<const InPortBase*>(port_)->follow();
     } else if (member_ == "truth") {
         const auto* robot = dynamic_cast<const Robot*>(component_);
         if (robot != nullptr && robot->has_body() && !robot->is_real() && system.world() != nullptr)
@@ -178,8 +178,8 @@ void Channel::latch(const System& system, std::int64_t tick) {
         case Kind::none: return;
         case Kind::out_port:
         case Kind::in_port: {
-            const std::int64_t latest = kind_ == Kind::out_port ? static_cast<OutPortBase*>(port_)->latched_tick()
-                                                                : static_cast<InPortBase*>(port_)->arrival_tick();
+            const std::int64_t latest = kind_ == Kind::out_port ? static_cast<const OutPortBase*>(port_)->latched_tick()
+                                                                : static_cast<const InPortBase*>(port_)->arrival_tick();
             if (latest != tick) return;
             fresh_ = with_payload_type(port_->type(), [&]<class T>() { return messages_of<T>(*port_).size(); });
             break;

@@ -61,8 +61,8 @@ private:
     std::string part_;    // "pose"; "" for all
 
     Kind kind_ = Kind::none;
-    Component* component_ = nullptr;
-    Port* port_ = nullptr;
+    const Component* component_ = nullptr;
+    const Port* port_ = nullptr;
     Truth truth_;
     std::uint64_t config_version_ = 0;
     std::uint64_t turn_ = 0;

@@ -86,6 +86,8 @@ public:
     virtual void set_wheel_speeds(Wheels speeds) = 0;
     /// Lets the wheels roll freely until the next `set_wheel_speeds`.
     virtual void coast() = 0;
+    /// Power of the motors; called when it changes, at standstill. Without power the wheels roll freely.
+    virtual void set_motor_power(bool /*on*/) {}
     /// Sends servo `index` of the spec's actuators to an angle [rad], already limited, at `speed` [rad/s] (0: as fast
     /// as it can). Called when one of them changes.
     virtual void aim_servo(std::size_t index, double angle, double speed) = 0;

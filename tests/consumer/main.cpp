@@ -9,7 +9,7 @@ int main() {
     if (!simulation) return std::puts(describe(simulation.error()).c_str()), 1;
     simulation->run(10);
 
-    nezumi::System& system = simulation->system();
+    const nezumi::System& system = simulation->system();
     const double x = system.world()->truth(system.find_robot("mouse")->id()).pose.position.x;
     std::printf("after %.2f s the mouse stands at %.2f m\n", simulation->now(), x);
     return x > 0.4 && x < 0.7 ? 0 : 1;  // the wall begins at 0.75 m

@@ -63,9 +63,10 @@ struct LiveRig {
     void tick(int count = 1) {
         for (; count > 0; --count) live->tick();
     }
+    // Past the one door through which systems are changed: only tests have this key.
     Component& component(const std::string& name) {
         REQUIRE(live->system().find(name) != nullptr);
-        return *live->system().find(name);
+        return const_cast<Component&>(*live->system().find(name));
     }
     bool said(const std::string& text) const {
         for (const LogLine& line : log) {

@@ -108,7 +108,7 @@ Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const
     const auto path = project_.find(FileKind::data, *file, call.place.file);
     if (!path) return failure("csv: " + path.error().message, call.place);
     const std::string shown = project_.shown(*path);
-    const auto text = read_text_file(*path, shown);
+    const auto text = project_.read(*path);
     if (!text) return Unexpected(text.error());
     note_file(shown);
     auto map = nezumi::read_map(*text, shown);

@@ -139,7 +139,7 @@ Expected<DataFile::Module> DataFile::find_module(lua_State* lua) {
     module_ = project_.shown(*path);
     if (loaded_.contains(module_)) return Module::known;
     if (loading_.contains(module_)) return refuse({fmt::format("module '{}' requires itself", name)});
-    const auto text = read_text_file(*path, module_);
+    const auto text = project_.read(*path);
     if (!text) return refuse(text.error());
     auto chunk = compile_file(*text, module_);
     if (!chunk) return refuse(chunk.error());

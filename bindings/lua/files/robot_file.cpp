@@ -63,7 +63,7 @@ private:
         const auto path = project_.find(FileKind::data, name, place.file);
         if (!path) return Unexpected(path.error());
         const std::string shown = project_.shown(*path);
-        const auto text = read_text_file(*path, shown);
+        const auto text = project_.read(*path);
         if (!text) return Unexpected(text.error());
         if (std::find(tables.begin(), tables.end(), shown) == tables.end()) tables.push_back(shown);
         return read_csv_response(*text, shown);
@@ -145,7 +145,7 @@ std::vector<Error> check_robot_text(std::string_view text, const std::string& sh
 
 Expected<RobotSpec> read_robot_file(const fs::path& path, const Project& project, std::vector<std::string>* files) {
     const std::string shown = project.shown(path);
-    const auto text = read_text_file(path, shown);
+    const auto text = project.read(path);
     if (!text) return Unexpected(text.error());
     return read_robot_text(*text, shown, project, files);
 }

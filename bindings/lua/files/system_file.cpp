@@ -59,7 +59,7 @@ std::vector<Error> check_system_text(std::string_view text, const std::string& s
 Expected<SystemSpec> read_system_file(const std::filesystem::path& path, const Project& project,
                                       const SystemFileOptions& options) {
     const std::string shown = project.shown(path);
-    const auto text = read_text_file(path, shown);
+    const auto text = project.read(path);
     if (!text) return Unexpected(text.error());
     return read_system_text(*text, shown, project, options);
 }

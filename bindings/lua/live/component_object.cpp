@@ -9,6 +9,7 @@
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/script/script_component.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "engine/system/perform.hpp"
 
 namespace nezumi {
 namespace {
@@ -34,40 +35,40 @@ std::string status_of(const Component& component) { return std::string(to_text(c
 
 Answer now_in(const ComponentAt& at) { return status_of(*at.component); }
 
-// What a method does, and what it returns.
-Expected<Answer> call_method(lua_State* L, const Objects& objects, const ComponentAt& at, std::string_view method) {
-    Component& component = *at.component;
-    System& system = at.live->system();
-    const auto then_status = [&](const Expected<void>& ok) -> Expected<Answer> {
-        if (!ok) return Unexpected(ok.error());
-        return now_in(at);
-    };
-    const auto then_nothing = [](const Expected<void>& ok) -> Expected<Answer> {
-        if (!ok) return Unexpected(ok.error());
-        return Answer{};
-    };
-    if (method == "activate") return then_status(component.activate(system.now()));
-    if (method == "deactivate") return then_status(component.deactivate(system.now()));
-    if (method == "reset") return then_status(component.reset(system.now()));
+// The act that a method means.
+Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& name, std::string_view method) {
+    if (method == "activate") return Activate{name};
+    if (method == "deactivate") return Deactivate{name};
+    if (method == "reset") return Reset{name};
     if (method == "use") {
         if (lua_type(L, 2) != LUA_TSTRING) return failure(R"(use: expected the name of a set, as in :use "careful")");
-        if (auto ok = component.use(text_at(L, 2)); !ok) return Unexpected(ok.error());
-        return Answer{component.set_in_use()};
+        return Use{name, std::string(text_at(L, 2))};
     }
     if (ObjectAccess::hardware(objects)) return failure(fmt::format("{}: this is a real robot", method));
     if (method == "teleport") {
         const auto pose = read_pose(L, 2);
         if (!pose) return Unexpected(pose.error());
-        return then_nothing(teleport(system, component, *pose));
+        return Teleport{name, *pose};
     }
     if (method == "disturb") {
         const auto push = lua_isnoneornil(L, 2) ? Expected<Push>(Push{}) : read_push(L, 2);
         if (!push) return Unexpected(push.error());
-        return then_nothing(disturb(system, component, *push));
+        return Disturb{name, push->vx, push->vy, push->va};
     }
     if (lua_type(L, 2) != LUA_TSTRING) return failure("press: expected the name of a button");
     const bool pressed = lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0;
-    return then_nothing(press(system, component, text_at(L, 2), pressed));
+    return Press{name, std::string(text_at(L, 2)), pressed};
+}
+
+// What a method does, and what it returns.
+Expected<Answer> call_method(lua_State* L, const Objects& objects, const ComponentAt& at, std::string_view method) {
+    const auto act = read_act(L, objects, at.component->name(), method);
+    if (!act) return Unexpected(act.error());
+    const auto done = at.live->act(*act, ObjectAccess::who(objects));
+    if (!done) return Unexpected(done.error());
+    if (std::holds_alternative<Use>(*act)) return Answer{at.component->set_in_use()};
+    const bool changes_life = method == "activate" || method == "deactivate" || method == "reset";
+    return changes_life ? now_in(at) : Answer{};
 }
 
 // The component that a method was called on.
@@ -94,27 +95,26 @@ int command(lua_State* L) {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
         const auto at = check_self(L, name);
         if (!at) return Unexpected(at.error());
-        auto* script = dynamic_cast<ScriptComponent*>(at->component);
-        if (script == nullptr) return failure(fmt::format("{} has no command '{}'", at->component->name(), name));
         const int count = lua_gettop(L) - 1;
         std::vector<std::string> names;
         for (int i = 1; i <= count; ++i) names.push_back(fmt::format("argument {}", i));
         std::vector<Dropped> dropped;
-        const auto arguments = take_plain(L, count, copy_budget, names, dropped);
+        auto arguments = take_plain(L, count, copy_budget, names, dropped);
         if (!arguments) return Unexpected(arguments.error());
         if (!dropped.empty()) {
             return failure(fmt::format("command '{}': {} is {}, and only plain data can be given", name,
                                        dropped.front().path, dropped.front().what));
         }
-        auto results = script->call_command(name, *arguments, at->live->system().now());
-        if (!results) return Unexpected(results.error());
-        return Answer{std::move(*results)};
+        auto done = at->live->act(Command{at->component->name(), std::string(name), std::move(*arguments)},
+                                  ObjectAccess::who(objects));
+        if (!done) return Unexpected(done.error());
+        return Answer{std::move(done->values)};
     });
 }
 
-Expected<Answer> state_of(Component& component) {
+Expected<Answer> state_of(const Component& component) {
     PlainData state;
-    if (auto* script = dynamic_cast<ScriptComponent*>(&component)) {
+    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
         auto copy = script->copy_state();
         if (!copy) return Unexpected(copy.error());
         state = std::move(*copy);
@@ -126,7 +126,7 @@ Expected<Answer> state_of(Component& component) {
 }
 
 Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::string_view word) {
-    Component& component = *at.component;
+    const Component& component = *at.component;
     const auto part = [&](ObjectKind kind) {
         return Answer{ObjectName{kind, ref.live, std::string(ref.component()), ""}};
     };

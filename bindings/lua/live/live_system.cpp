@@ -4,7 +4,12 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/system/perform.hpp"
 
 namespace nezumi {
 
@@ -25,10 +30,26 @@ Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project&
     return read_system_file(file, project, {.seed = options.build.seed, .print = options.print});
 }
 
+Expected<ScriptComponent*> script_named(System& system, std::string_view name) {
+    const auto component = system.component(name);
+    if (!component) return Unexpected(component.error());
+    if (auto* script = dynamic_cast<ScriptComponent*>(*component)) return script;
+    return failure(fmt::format("{} has no script: only behaviours reload", name));
+}
+
+Expected<ActResult> result_of(const Expected<ReloadReport>& report) {
+    if (!report) return Unexpected(report.error());
+    ActResult result;
+    result.components = report->components;
+    result.version = report->version;
+    result.notes = report->notes;
+    return result;
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<LiveSystem>> LiveSystem::load(const std::filesystem::path& file, LiveOptions options) {
-    Project project = Project::of(file, options.installed);
+    Project project = Project::of(file, options.installed, *options.files);
     auto spec = read_spec(file, project, options);
     if (!spec) return Unexpected(spec.error());
     auto live = make(std::move(*spec), std::move(project), std::move(options));
@@ -68,19 +89,31 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     auto system = build_system(next->spec, next->makers, options);
     if (!system) return Unexpected(system.error());
     next->system = std::move(*system);
-    next->reloader.emplace(*next->system);
+    next->reloader.emplace(*next->system, [this](const std::string& path) { return project_.read_source(path); });
     return next;
 }
 
-void LiveSystem::take(std::unique_ptr<Running> running) {
-    running_ = std::move(running);
+std::unique_ptr<LiveSystem::Running> LiveSystem::take(std::unique_ptr<Running> running) {
+    std::swap(running_, running);
+    endings_.clear();
     running_->system->observe(running_->hash);
     trace_.start(*running_->system);
-    if (options_.watch) running_->live_reload.emplace(*running_->system, *running_->reloader, running_->spec.files);
+    if (options_.watch) {
+        running_->live_reload.emplace(*running_->system, *running_->reloader, running_->spec.files,
+                                      [this](const std::vector<std::string>& files) -> Expected<void> {
+                                          auto done = act(Reload{.files = files}, {Actor::Kind::file_watcher});
+                                          return done ? Expected<void>() : Unexpected(done.error());
+                                      });
+    }
     ++starts_;
+    if (!foreseen_.empty()) take_foreseen();
+    return running;
 }
 
-void LiveSystem::activate() { activate_all(*running_->system, running_->spec); }
+void LiveSystem::activate() {
+    if (!foreseen_.empty()) take_foreseen();
+    activate_all(*running_->system, running_->spec);
+}
 
 void LiveSystem::between_ticks() {
     if (running_->live_reload) {
@@ -92,41 +125,159 @@ void LiveSystem::between_ticks() {
 
 void LiveSystem::tick() {
     between_ticks();
+    if (!endings_.empty()) end_holds();
+    if (!foreseen_.empty()) take_foreseen();
+    const ActTime time = when();
     running_->system->tick();
+    if (act_observer_ != nullptr) tell_out_of_time(time);
 }
 
-Expected<void> LiveSystem::restart() {
+Expected<ActResult> LiveSystem::act(const Act& act, const Actor& who) {
+    // What failed on probation is taken back before anything else happens, here as before a tick.
+    running_->reloader->after_tick();
+    if (!foreseen_.empty()) take_foreseen();
+    const ActTime time = when();
+    auto result = std::visit([&](const auto& each) { return perform(each, who); }, act);
+    ++acts_;
+    if (act_observer_ != nullptr) {
+        act_observer_->acted(time, act, who, result);
+        tell_out_of_time(std::holds_alternative<Restart>(act) ? when() : time);
+    }
+    return result;
+}
+
+ActTime LiveSystem::when() const { return {starts_, running_->system->now().tick, acts_}; }
+
+void LiveSystem::let_go(const Actor& who) {
+    for (const std::string& path : running_->system->held_by(who)) {
+        const auto port = running_->system->port(path);
+        if (port && (*port)->type() == type_index<Velocity2D>()) {
+            static_cast<void>(act(Hold{path, Velocity2D{}}, who));
+            endings_.push_back({path, who, running_->system->now().tick});
+        } else {
+            static_cast<void>(act(Release{path}, who));
+        }
+    }
+}
+
+void LiveSystem::end_holds() {
+    const std::int64_t tick = running_->system->now().tick;
+    for (const Ending& ending : std::exchange(endings_, {})) {
+        const Actor* holder = running_->system->holder(ending.port);
+        const bool is_its = holder != nullptr && *holder == ending.who;
+        if (tick <= ending.tick) {
+            endings_.push_back(ending);
+        } else if (is_its) {
+            static_cast<void>(act(Release{ending.port}, ending.who));
+        }
+    }
+}
+
+void LiveSystem::take_foreseen() {
+    const Time& now = running_->system->now();
+    std::erase_if(foreseen_, [&](const Foreseen& each) {
+        if (each.start != starts_ || each.tick != now.tick) return false;
+        Component* component = running_->system->find(each.component);
+        if (component != nullptr) component->run_out_of_time_at(each.call);
+        return component != nullptr;
+    });
+}
+
+void LiveSystem::tell_out_of_time(const ActTime& time) {
+    for (const auto& component : running_->system->components()) {
+        if (!component->has_new_out_of_time()) continue;
+        for (const auto& call : component->take_out_of_time())
+            act_observer_->ran_out_of_time(time, component->name(), call);
+    }
+}
+
+template <class EngineAct>
+Expected<ActResult> LiveSystem::perform(const EngineAct& act, const Actor& who) {
+    return nezumi::perform(*running_->system, act, who);
+}
+
+Expected<ActResult> LiveSystem::perform(const Reload& act, const Actor& /*who*/) {
+    Reloader& reloader = *running_->reloader;
+    Expected<ReloadReport> report;
+    if (!act.files.empty()) {
+        report = reloader.reload_files(act.files);
+    } else {
+        auto script = script_named(*running_->system, act.component);
+        if (!script) return Unexpected(script.error());
+        const ScriptFile& file = (*script)->script().file();
+        report = reloader.reload(**script, {file.path, act.shown.empty() ? file.shown : act.shown, act.text});
+    }
+    if (report) watch_again();
+    return result_of(report);
+}
+
+Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*/) {
+    auto script = script_named(*running_->system, act.component);
+    if (!script) return Unexpected(script.error());
+    const auto report = running_->reloader->rollback(**script);
+    if (report) watch_again();
+    return result_of(report);
+}
+
+Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
+    SystemSpec& spec = running_->spec;
+    if (const auto* robot = std::get_if<RobotEntry>(&act.entry);
+        robot != nullptr && !spec.models.contains(robot->model)) {
+        const auto path = project_.find(FileKind::model, robot->model, robot->place.file);
+        if (!path) return Unexpected(path.error());
+        auto model = read_robot_file(*path, project_, &spec.files);
+        if (!model) return Unexpected(model.error());
+        spec.models.emplace(robot->model, std::move(*model));
+    }
+    if (auto added = add_entry(*running_->system, act.entry, spec, running_->makers); !added)
+        return Unexpected(added.error());
+    spec.entries.push_back(act.entry);
+    watch_again();
+    return ActResult{};
+}
+
+Expected<ActResult> LiveSystem::perform(const Remove& act, const Actor& /*who*/) {
+    if (auto gone = running_->system->remove(act.component); !gone) return Unexpected(gone.error());
+    std::erase_if(running_->spec.entries, [&](const Entry& entry) { return name_of(entry) == act.component; });
+    watch_again();
+    return ActResult{};
+}
+
+Expected<ActResult> LiveSystem::perform(const Restart& /*act*/, const Actor& /*who*/) {
     Expected<SystemSpec> spec = running_->spec;
     if (!file_.empty()) spec = read_spec(file_, project_, options_);
     if (!spec) return Unexpected(spec.error());
-    return restart_as(std::move(*spec));
-}
-
-Expected<void> LiveSystem::restart_as(SystemSpec spec) {
-    auto next = build(std::move(spec));
+    auto next = build(std::move(*spec));
     if (!next) return Unexpected(next.error());
+    hash_before_ = trace_hash();
     take(std::move(*next));
     activate();
+    return ActResult{};
+}
+
+Expected<void> LiveSystem::rebuild(SystemSpec spec) {
+    auto next = build(std::move(spec));
+    if (!next) return Unexpected(next.error());
+    const std::unique_ptr<Running> before = take(std::move(*next));
+    activate();
+    for (const auto& component : before->system->components()) {
+        if (Component* same = running_->system->find(component->name())) same->parameters() = component->parameters();
+    }
     return {};
 }
 
-Expected<Component*> LiveSystem::add(const Entry& entry, const SystemSpec& spec) {
-    SystemSpec& ours = running_->spec;
-    if (const auto* robot = std::get_if<RobotEntry>(&entry)) {
-        if (const auto model = spec.models.find(robot->model); model != spec.models.end()) ours.models.insert(*model);
-    }
-    auto added = add_entry(*running_->system, entry, ours, running_->makers);
-    if (!added) return added;
-    ours.entries.push_back(entry);
-    watch_again();
-    return added;
-}
+void LiveSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
 
-System& LiveSystem::system() { return *running_->system; }
+void LiveSystem::end() { running_->system->stop(0); }
+
 const System& LiveSystem::system() const { return *running_->system; }
-Reloader& LiveSystem::reloader() { return *running_->reloader; }
 const SystemSpec& LiveSystem::spec() const { return running_->spec; }
-std::uint64_t LiveSystem::trace_hash() const { return running_->hash.value(); }
+std::vector<std::string> LiveSystem::changed_files() const { return running_->reloader->changed_files(); }
+
+std::uint64_t LiveSystem::trace_hash() const {
+    const std::uint64_t hash = running_->hash.value();
+    return hash_before_ ? mix(*hash_before_, hash) : hash;
+}
 
 void LiveSystem::watch_again() {
     if (running_->live_reload) running_->live_reload->watch_again();

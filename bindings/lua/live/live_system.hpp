@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "bindings/lua/reload/live_reload.hpp"
 #include "bindings/lua/reload/reloader.hpp"
 #include "bindings/lua/script/behavior_maker.hpp"
+#include "engine/system/act.hpp"
 #include "engine/system/build_system.hpp"
 #include "engine/trace/trace.hpp"
 #include "engine/trace/trace_hash.hpp"
@@ -20,6 +22,7 @@ namespace nezumi {
 
 struct LiveOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
+    const ProjectFiles* files = &disk();           ///< must outlive the system
     WorldFactory world;                            ///< may be empty: then there can be no robots
     decltype(Makers::bodies) bodies;               ///< makers of real robots by backend
     decltype(Makers::components) components;       ///< native components by type
@@ -27,6 +30,25 @@ struct LiveOptions {
     Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock
     bool watch = false;            ///< reload scripts when they are saved
     std::function<void(std::string_view)> print;  ///< takes what system files print, a line at a time; may be empty
+};
+
+/// When an act was performed: in which start, before which tick, and the how manieth act it was of all.
+struct ActTime {
+    int start = 1;
+    std::int64_t tick = 0;
+    std::int64_t sequence = 0;
+    bool operator==(const ActTime&) const = default;
+};
+
+/// Is told of everything that makes one run differ from another.
+class ActObserver {
+public:
+    virtual ~ActObserver() = default;
+    /// An act, and what has come of it. Also one that was refused.
+    virtual void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) = 0;
+    /// A call into a script ran out of its time.
+    virtual void ran_out_of_time(const ActTime& when, const std::string& component,
+                                 const Component::OutOfTime& call) = 0;
 };
 
 class LiveSystem {
@@ -45,43 +67,83 @@ public:
     void tick();
     /// Takes what was saved, if anything: for the time in which no tick comes.
     void between_ticks();
-    /// Reads the file again and starts anew from time 0, activated: everything is as in the file. On an error the
-    /// system that runs has not been touched.
-    Expected<void> restart();
-    /// The same, with another description in the place of the file.
-    Expected<void> restart_as(SystemSpec spec);
+    /// Checks an act and performs it, between two ticks: the one way in which the system that runs is changed from
+    /// outside. On an error nothing has changed, but for what a hook or command of a script did before it failed.
+    ///   Restart reads the file again and starts anew from time 0, activated: everything is as in the file.
+    ///   Add does not activate. Remove lets the safe values of a component through.
+    Expected<ActResult> act(const Act& act, const Actor& who);
+    /// Ends what one holds who goes for good, as a connection that closes: a velocity is zero for a tick first.
+    void let_go(const Actor& who);
+    /// `System::set_at_rest`: a loop that is paused has it so where robots are real. No act: a replay has no clock.
+    void set_at_rest(bool at_rest);
+    /// Tells an observer of every act from now on. It must outlive this or be removed with null.
+    void observe_acts(ActObserver* observer) { act_observer_ = observer; }
+    /// Calls that are to run out of time, by start and tick: what a replay knows of the clock.
+    struct Foreseen {
+        int start = 1;
+        std::int64_t tick = 0;
+        std::string component;
+        Component::OutOfTime call;
+    };
+    void foresee(std::vector<Foreseen> calls) { foreseen_ = std::move(calls); }
     /// Counts the starts: a pointer into the system is void when this has grown.
     int starts() const { return starts_; }
 
-    /// Adds an entry to the system that runs and to its description, without activating it. `spec` has the model of a
-    /// robot.
-    Expected<Component*> add(const Entry& entry, const SystemSpec& spec);
+    /// Builds anew what has not moved yet, from another description; values of parameters stay. On an error the system
+    /// has not been touched.
+    Expected<void> rebuild(SystemSpec spec);
+    /// The run ends: deactivates everything, last first. Robots brake in the ticks that follow.
+    void end();
 
-    System& system();
+    /// The present, as acts see it.
+    ActTime when() const;
+    /// The system file; empty when it comes from none.
+    const std::filesystem::path& file() const { return file_; }
     const System& system() const;
-    Reloader& reloader();
     const SystemSpec& spec() const;
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
-    /// Of everything since the start.
+    /// Scripts and modules that have changed since they were loaded, as `Reload` takes them.
+    std::vector<std::string> changed_files() const;
+    /// Of everything since the start; after a restart, of that and of what the start before came to.
     std::uint64_t trace_hash() const;
     /// What it carries, over restarts.
     Trace& trace() { return trace_; }
-    /// What is to be watched has changed other than by saving: after a reload or rollback by hand.
-    void watch_again();
 
 private:
     struct Running;
 
     LiveSystem(Project project, LiveOptions options);
+    template <class EngineAct>
+    Expected<ActResult> perform(const EngineAct& act, const Actor& who);
+    Expected<ActResult> perform(const Reload& act, const Actor& who);
+    Expected<ActResult> perform(const Rollback& act, const Actor& who);
+    Expected<ActResult> perform(const Add& act, const Actor& who);
+    Expected<ActResult> perform(const Remove& act, const Actor& who);
+    Expected<ActResult> perform(const Restart& act, const Actor& who);
+    void watch_again();
+    void end_holds();
+    void take_foreseen();
+    void tell_out_of_time(const ActTime& time);
     Expected<std::unique_ptr<Running>> build(SystemSpec spec);
-    void take(std::unique_ptr<Running> running);
+    // Returns what it takes the place of.
+    std::unique_ptr<Running> take(std::unique_ptr<Running> running);
 
     std::filesystem::path file_;  // empty: from none
     Project project_;
     LiveOptions options_;
     Trace trace_;
+    ActObserver* act_observer_ = nullptr;
+    std::int64_t acts_ = 0;
+    std::vector<Foreseen> foreseen_;
+    struct Ending {
+        std::string port;
+        Actor who;
+        std::int64_t tick;
+    };
+    std::vector<Ending> endings_;  // of holds, after the tick in which a zero was sent
     std::unique_ptr<Running> running_;
+    std::optional<std::uint64_t> hash_before_;  // of the starts before this one
     int starts_ = 0;
 };
 

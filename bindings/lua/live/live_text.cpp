@@ -57,8 +57,11 @@ std::string peers_text(const System& system, const Port& port) {
     return text;
 }
 
-std::string override_text(const Port& port) {
-    return port.override() == Override::none ? "" : fmt::format("  {}", to_text(port.override()));
+// "  held by console"
+std::string override_text(const System& system, const Component& component, const Port& port) {
+    if (port.override() == Override::none) return "";
+    const Actor* holder = system.holder(component.name() + "." + port.name());
+    return fmt::format("  {}{}", to_text(port.override()), holder != nullptr ? " by " + to_text(*holder) : "");
 }
 
 std::string age_text(double age) { return std::isinf(age) ? "nothing yet" : fmt::format("{:.6g} s old", age); }
@@ -119,7 +122,7 @@ std::string payload_text(const AnyPayload& value, std::size_t width) {
 std::string port_text(const System& system, const Component& component, const Port& port) {
     std::string text = fmt::format("{}.{}  {}  {}  {}  {}{}", component.name(), port.name(), port.type_name(),
                                    payload_text(port.value()), age_text(port_age(system, port)),
-                                   peers_text(system, port), override_text(port));
+                                   peers_text(system, port), override_text(system, component, port));
     if (!port.note().empty()) text += fmt::format("  ({})", first_line(port.note()));
     return text;
 }
@@ -146,9 +149,9 @@ std::string component_text(const System& system, const Component& component) {
     for (const auto& port : component.in_ports()) measure(*port);
     for (const auto& port : component.out_ports()) measure(*port);
     const auto line = [&](const Port& port) {
-        text +=
-            fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port.direction() == Direction::in ? "in" : "out", port.name(),
-                        name_width, port.type_name(), type_width, peers_text(system, port), override_text(port));
+        text += fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port.direction() == Direction::in ? "in" : "out",
+                            port.name(), name_width, port.type_name(), type_width, peers_text(system, port),
+                            override_text(system, component, port));
         if (port.override() == Override::held || port.override() == Override::frozen)
             text += " at " + payload_text(port.override_value(), 60);
     };

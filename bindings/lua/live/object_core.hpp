@@ -62,6 +62,7 @@ using Answer = std::variant<std::monostate, bool, std::int64_t, double, std::str
 struct Objects::Core {
     LuaState* state = nullptr;
     std::function<LiveSystem&()> current;
+    Actor who;
     Answer answer;
     std::string raised;
 };
@@ -69,6 +70,7 @@ struct Objects::Core {
 /// The door to what is private in `Objects`.
 struct ObjectAccess {
     static Objects::Core& core(Objects& objects) { return *objects.core_; }
+    static const Actor& who(const Objects& objects) { return objects.core_->who; }
     static bool hardware(const Objects& objects) { return objects.hardware_; }
     static void note_look(const Objects& objects, const PortAt& port) {
         if (objects.look_) objects.look_(port);
@@ -93,6 +95,12 @@ void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::st
 int push_answer(lua_State* L, Objects& objects);
 /// Raises the text that is kept in the core, with the caller's line before it.
 int raise_answer(lua_State* L, Objects& objects);
+
+/// What an act has come to as an answer without a value.
+inline Expected<Answer> answer_of(const Expected<ActResult>& done) {
+    if (!done) return Unexpected(done.error());
+    return Answer{};
+}
 
 /// Runs `body()`, which reads from Lua without raising and returns an `Expected<Answer>`; then pushes the answer or
 /// raises the error, when nothing is left that needs a destructor.

@@ -159,10 +159,11 @@ int push_locked(lua_State* L, const LockedValue& locked) {
 Objects::Objects() : core_(std::make_unique<Core>()) {}
 Objects::~Objects() = default;
 
-Expected<std::unique_ptr<Objects>> Objects::open(LuaState& state, std::function<LiveSystem&()> current) {
+Expected<std::unique_ptr<Objects>> Objects::open(LuaState& state, std::function<LiveSystem&()> current, Actor who) {
     std::unique_ptr<Objects> objects(new Objects);
     objects->core_->state = &state;
     objects->core_->current = std::move(current);
+    objects->core_->who = std::move(who);
     const auto made = protect(state.lua(), Budget{10.0}, [&objects](lua_State* L) {
         for (std::size_t kind = 0; kind < object_kinds; ++kind) make_metatable(L, *objects, kind);
         return 0;

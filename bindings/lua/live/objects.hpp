@@ -10,10 +10,11 @@
 //   X:command(...)         runs in the component's own state; arguments and results are copies of plain data
 //   robots: X.truth.pose .velocity .height .tilt, X.collided, X.touching, X.leds, X.buzzer, X.limits,
 //           X:teleport(pose), X:press(button, pressed), X:disturb { vx =, va = }
-// A port has .value .tm .age .connected .stale .type .peers .name .path .direction .doc .note .count .override, and
+// A port has .value .tm .age .connected .stale .type .peers .name .path .direction .doc .note .count .override
+// .holder, and
 //   port:write(value)      an out-port: published as if its component had written it, whatever the component's state;
 //                          an in-port: the same as inject
-//   port:inject(value) port:hold(value) port:release() port:drop() port:freeze()
+//   port:inject(value) port:hold(value, { take = true }) port:release() port:drop() port:freeze()
 // Whatever fails raises an error with its message, in the console as in scenarios.
 #pragma once
 
@@ -33,14 +34,14 @@ namespace nezumi {
 /// A component, and the system it is in.
 struct ComponentAt {
     LiveSystem* live;
-    Component* component;
+    const Component* component;
 };
 
 /// A port, whose it is, and the system it is in.
 struct PortAt {
     LiveSystem* live;
-    Component* component;
-    Port* port;
+    const Component* component;
+    const Port* port;
 
     std::string path() const { return component->name() + "." + port->name(); }
 };
@@ -48,9 +49,9 @@ struct PortAt {
 class Objects {
 public:
     /// Opens the objects in a state that has the sandbox's library. `current` is the system in which texts as
-    /// "name.port" are looked up. The objects must outlive the state's use, and every system given to them must outlive
-    /// the state.
-    static Expected<std::unique_ptr<Objects>> open(LuaState& state, std::function<LiveSystem&()> current);
+    /// "name.port" are looked up; what is done to a system is an act of `who`. The objects must outlive the state's
+    /// use, and every system given to them must outlive the state.
+    static Expected<std::unique_ptr<Objects>> open(LuaState& state, std::function<LiveSystem&()> current, Actor who);
     ~Objects();
     Objects(const Objects&) = delete;
     Objects& operator=(const Objects&) = delete;
@@ -103,8 +104,5 @@ private:
     std::unique_ptr<Core> core_;
     friend struct ObjectAccess;
 };
-
-/// What a port's `write` and the word `inject` do. The payload must be of the port's type.
-void write_to(Port& port, const AnyPayload& value);
 
 }  // namespace nezumi

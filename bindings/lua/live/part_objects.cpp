@@ -9,6 +9,7 @@
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/system/perform.hpp"
 
 namespace nezumi {
 namespace {
@@ -108,16 +109,14 @@ int config_newindex(lua_State* L) {
         if (!at) return Unexpected(at.error());
         const auto name = key_of(L, "config");
         if (!name) return Unexpected(name.error());
-        Parameters& parameters = at->component->parameters();
-        if (parameters.find(*name) == nullptr) {
+        if (at->component->parameters().find(*name) == nullptr) {
             return failure(
                 unknown(at->component->name() + ": unknown parameter", *name, parameter_names(*at->component)));
         }
-        const auto value = read_parameter(L, 3);
+        auto value = read_parameter(L, 3);
         if (!value) return failure(fmt::format("parameter '{}': {}", *name, value.error().message));
-        parameters.take_staged();  // what the script set last comes before this
-        if (auto ok = parameters.set(*name, *value); !ok) return Unexpected(ok.error());
-        return Answer{};
+        return answer_of(at->live->act(SetParameter{at->component->name(), std::string(*name), std::move(*value)},
+                                       ObjectAccess::who(objects_of(L))));
     });
 }
 

@@ -12,9 +12,9 @@
 namespace nezumi {
 namespace {
 
-constexpr std::array<std::string_view, 15> properties{"age",  "connected", "count",  "direction", "doc",
-                                                      "name", "note",      "path",   "peers",     "stale",
-                                                      "tm",   "type",      "unread", "value",     "override"};
+constexpr std::array<std::string_view, 16> properties{"age",  "connected", "count", "direction", "doc",   "holder",
+                                                      "name", "note",      "path",  "peers",     "stale", "tm",
+                                                      "type", "unread",    "value", "override"};
 constexpr std::array<std::string_view, 6> called{"drop", "freeze", "hold", "inject", "release", "write"};
 
 bool contains(const auto& all, std::string_view word) { return std::find(all.begin(), all.end(), word) != all.end(); }
@@ -38,6 +38,10 @@ Answer property(const PortAt& at, std::string_view name) {
     if (name == "direction") return std::string(port.direction() == Direction::in ? "in" : "out");
     if (name == "doc") return port.doc();
     if (name == "note") return port.note();
+    if (name == "holder") {
+        const Actor* holder = system.holder(at.path());
+        return holder != nullptr ? Answer{to_text(*holder)} : Answer{};
+    }
     if (name == "count") return static_cast<std::int64_t>(port.count());
     if (name == "unread") return port.direction() == Direction::in && static_cast<const InPortBase&>(port).is_new();
     return std::string(to_text(port.override()));
@@ -49,17 +53,42 @@ Expected<AnyPayload> value_for(lua_State* L, int value, const PortAt& at, std::s
     return Objects::to_payload(L, value, *at.port);
 }
 
-// Every way of putting a hand on a port: `value` is the index of the value, where there is one.
-Expected<Answer> act(lua_State* L, const PortAt& at, std::string_view word, int value) {
-    Port& port = *at.port;
-    if (word == "release") return port.release(), Answer{};
-    if (word == "drop") return port.drop(), Answer{};
-    if (word == "freeze") return port.freeze(), Answer{};
+// The option of `hold`, `{ take = true }`, at `index`, where there may be none.
+Expected<bool> read_take(lua_State* L, int index) {
+    constexpr const char* expected = "hold: expected { take = true } or nothing after the value";
+    if (lua_isnoneornil(L, index)) return false;
+    if (lua_type(L, index) != LUA_TTABLE || lua_checkstack(L, 4) == 0) return failure(expected);
+    const int top = lua_gettop(L);
+    bool take = false;
+    bool well = true;
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+        well = well && lua_type(L, -2) == LUA_TSTRING && text_at(L, -2) == "take" && lua_isboolean(L, -1);
+        take = lua_toboolean(L, -1) != 0;
+    }
+    lua_settop(L, top);
+    if (!well) return failure(expected);
+    return take;
+}
+
+// The act that a word means for a port: `value` is the index of the value, where there is one.
+Expected<Act> read_act(lua_State* L, const PortAt& at, std::string_view word, int value) {
+    const std::string path = at.path();
+    if (word == "release") return Release{path};
+    if (word == "drop") return Drop{path};
+    if (word == "freeze") return Freeze{path};
     auto payload = value_for(L, value, at, word);
     if (!payload) return Unexpected(payload.error());
-    if (word == "hold") return port.hold(std::move(*payload)), Answer{};
-    write_to(port, *payload);
-    return Answer{};
+    if (word == "inject") return Inject{path, std::move(*payload)};
+    if (word == "write") return Write{path, std::move(*payload)};
+    const auto take = read_take(L, value + 1);
+    if (!take) return Unexpected(take.error());
+    return Hold{path, std::move(*payload), *take};
+}
+
+Expected<Answer> act(lua_State* L, const Objects& objects, const PortAt& at, std::string_view word, int value) {
+    const auto act = read_act(L, at, word, value);
+    if (!act) return Unexpected(act.error());
+    return answer_of(at.live->act(*act, ObjectAccess::who(objects)));
 }
 
 int method(lua_State* L) {
@@ -71,7 +100,7 @@ int method(lua_State* L) {
             return failure(fmt::format("{}: write `port:{}(...)` with a colon, not `port.{}(...)`", name, name, name));
         const auto at = find_port(*self);
         if (!at) return Unexpected(at.error());
-        return act(L, *at, name, 2);
+        return act(L, objects, *at, name, 2);
     });
 }
 
@@ -83,7 +112,7 @@ int word(lua_State* L) {
         const int first = static_cast<int>(lua_tointeger(L, lua_upvalueindex(3)));
         const auto at = objects.to_port(L, first);
         if (!at) return failure(fmt::format("{}: {}", name, at.error().message));
-        return act(L, *at, name, first + 1);
+        return act(L, objects, *at, name, first + 1);
     });
 }
 
@@ -153,18 +182,10 @@ std::vector<std::string> Objects::port_members() {
 
 std::vector<std::string> Objects::port_methods() { return {called.begin(), called.end()}; }
 
-void write_to(Port& port, const AnyPayload& value) {
-    if (port.direction() == Direction::in) {
-        static_cast<InPortBase&>(port).inject(value);
-    } else {
-        static_cast<OutPortBase&>(port).write_any(value);
-    }
-}
-
 Expected<PortAt> find_port(const ObjectRef& ref) {
     const auto at = find_component(ref);
     if (!at) return Unexpected(at.error());
-    auto port = ref.live->system().port(fmt::format("{}.{}", ref.component(), ref.port()));
+    const auto port = ref.live->system().port(fmt::format("{}.{}", ref.component(), ref.port()));
     if (!port) return Unexpected(port.error());
     return PortAt{ref.live, at->component, *port};
 }
@@ -181,7 +202,7 @@ Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
     }
     LiveSystem& live = core_->current();
     const std::string_view path = text_at(L, index);
-    auto port = live.system().port(path);
+    const auto port = live.system().port(path);
     if (!port) return Unexpected(port.error());
     return PortAt{&live, live.system().find(path.substr(0, path.find('.'))), *port};
 }

@@ -1,4 +1,4 @@
-// Acts on the abstract world by the robot's id.
+// Poses and pushes as people write them.
 #include "bindings/lua/live/robot_acts.hpp"
 
 #include <fmt/format.h>
@@ -25,8 +25,8 @@ Expected<T> read_fields(lua_State* L, int index, const char* what, Reading readi
     return out;
 }
 
-// Carries a marker that is there.
-Expected<void> move_marker(System& system, std::string_view marker, lua_State* L, int index) {
+// To carry a marker that is there.
+Expected<Act> read_move(const System& system, const std::string& marker, lua_State* L, int index) {
     Pose3D pose;
     for (const MarkerPose& known : system.world()->markers()) {
         if (known.name == marker) pose = known.pose;
@@ -39,18 +39,10 @@ Expected<void> move_marker(System& system, std::string_view marker, lua_State* L
     pose.position = {place->x.value_or(pose.position.x), place->y.value_or(pose.position.y),
                      place->z.value_or(pose.position.z)};
     pose.orientation.y = place->heading.value_or(pose.orientation.y);
-    return system.world()->move_marker(marker, pose);
+    return MoveMarker{marker, pose};
 }
 
 }  // namespace
-
-Expected<Robot*> simulated_robot(const System& system, Component& component) {
-    auto* robot = dynamic_cast<Robot*>(&component);
-    if (robot == nullptr) return failure(fmt::format("{} is no robot", component.name()));
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works in simulation", robot->name()));
-    return robot;
-}
 
 Expected<Pose2D> read_pose(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TTABLE)
@@ -77,12 +69,6 @@ Expected<Push> read_push(lua_State* L, int index) {
     return read_fields<Push>(L, index, "disturb", {.kind = Describe<Push>::at_once});
 }
 
-Expected<void> teleport(System& system, Component& component, const Pose2D& pose) {
-    const auto robot = simulated_robot(system, component);
-    if (!robot) return Unexpected(robot.error());
-    return system.world()->teleport((*robot)->id(), pose);
-}
-
 std::vector<std::string> marker_names(const System& system) {
     std::vector<std::string> names;
     if (system.world() == nullptr) return names;
@@ -90,46 +76,24 @@ std::vector<std::string> marker_names(const System& system) {
     return names;
 }
 
-Expected<void> teleport(const Objects& objects, System& current, lua_State* L, int thing, int pose) {
+Expected<TeleportOf> read_teleport(const Objects& objects, LiveSystem& current, lua_State* L, int thing, int pose) {
     const auto robot = objects.to_component(L, thing);
     if (robot) {
         const auto place = read_pose(L, pose);
         if (!place) return Unexpected(place.error());
-        return teleport(robot->live->system(), *robot->component, *place);
+        return TeleportOf{robot->live, Teleport{robot->component->name(), *place}};
     }
     // A marker, or a slip in one's name.
     const std::string name(lua_type(L, thing) == LUA_TSTRING ? lua_tostring(L, thing) : "");
-    const std::vector<std::string> markers = marker_names(current);
+    const std::vector<std::string> markers = marker_names(current.system());
     const std::vector<std::string_view> names(markers.begin(), markers.end());
-    if (std::find(names.begin(), names.end(), name) != names.end()) return move_marker(current, name, L, pose);
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+        auto move = read_move(current.system(), name, L, pose);
+        if (!move) return Unexpected(move.error());
+        return TeleportOf{&current, std::move(*move)};
+    }
     if (name.empty() || nearest(name, names).empty()) return Unexpected(robot.error());
     return failure(fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, names)));
-}
-
-Expected<void> disturb(System& system, Component& component, const Push& push) {
-    const auto robot = simulated_robot(system, component);
-    if (!robot) return Unexpected(robot.error());
-    system.world()->disturb((*robot)->id(), push);
-    return {};
-}
-
-Expected<void> press(System& system, Component& component, std::string_view sensor, bool pressed) {
-    const auto robot = simulated_robot(system, component);
-    if (!robot) return Unexpected(robot.error());
-    std::vector<std::string_view> names;
-    const auto& sensors = (*robot)->spec().sensors;
-    for (std::size_t i = 0; i < sensors.size(); ++i) {
-        if (sensors[i].kind != SensorSpec::Kind::button && sensors[i].kind != SensorSpec::Kind::touch) continue;
-        if (sensors[i].name == sensor) {
-            system.world()->press((*robot)->id(), i, pressed);
-            return {};
-        }
-        names.emplace_back(sensors[i].name);
-    }
-    if (names.empty()) return failure(fmt::format("{} has no buttons", component.name()));
-    const std::string near = did_you_mean(sensor, names);
-    return failure(fmt::format("{} has no button '{}'{}", component.name(), shown(sensor),
-                               near.empty() ? fmt::format(" (it has {})", fmt::join(names, ", ")) : near));
 }
 
 }  // namespace nezumi

@@ -4,29 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <set>
 #include <system_error>
 
 namespace nezumi {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::size_t largest_file = std::size_t{16} << 20;
-
-// A device or a pipe may never end: what a name stands for is a plain file.
-bool is_file(const fs::path& path) {
-    std::error_code problem;
-    return fs::is_regular_file(path, problem);
-}
-
-bool is_folder(const fs::path& path) {
-    std::error_code problem;
-    return fs::is_directory(path, problem);
-}
 
 std::string_view word(FileKind kind) {
     switch (kind) {
@@ -89,15 +72,15 @@ std::string nearest_name(const std::vector<fs::path>& folders, FileKind kind, st
 
 }  // namespace
 
-Project Project::of(const fs::path& file, std::vector<fs::path> installed) {
-    std::error_code problem;
+Project Project::of(const fs::path& file, std::vector<fs::path> installed, const ProjectFiles& files) {
     Project project;
-    project.working_ = fs::current_path(problem);
+    project.files_ = &files;
+    project.working_ = files.working_folder();
     const auto whole = [&](const fs::path& path) { return (project.working_ / path).lexically_normal(); };
     for (fs::path& root : installed) root = whole(root);
     project.installed_ = std::move(installed);
     for (fs::path folder = whole(file).parent_path();; folder = folder.parent_path()) {
-        if (is_folder(folder / "behaviors")) {
+        if (files.is_folder(folder / "behaviors")) {
             project.root_ = folder;
             break;
         }
@@ -123,7 +106,7 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
         const fs::path candidate = (folder / file).lexically_normal();
         // Nobody means the file itself: a system may be called like the behaviour that it is for.
         if (candidate == naming) continue;
-        if (is_file(candidate)) return candidate;
+        if (files_->is_file(candidate)) return candidate;
         const std::string place = shown(candidate);
         if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
     }
@@ -131,29 +114,20 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
                                nearest_name(folders, kind, name), fmt::join(places, ", ")));
 }
 
+Expected<std::string> Project::read(const fs::path& path) const { return files_->read(path, shown(path)); }
+
+Expected<SourceText> Project::read_source(const std::string& path) const {
+    std::string shown = fs::path(path).filename().string();
+    auto text = files_->read(path, shown);
+    if (!text) return Unexpected(text.error());
+    return SourceText{path, std::move(shown), std::move(*text)};
+}
+
 std::string Project::shown(const fs::path& path) const {
     const fs::path whole = (working_ / path).lexically_normal();
     const fs::path relative = whole.lexically_relative(working_);
     const bool below = !relative.empty() && *relative.begin() != "..";
     return below ? relative.string() : whole.string();
-}
-
-Expected<std::string> read_text_file(const fs::path& path, const std::string& shown) {
-    const auto refuse = [&](int code) {
-        return failure(fmt::format("can't be read: {}", std::strerror(code)), {shown});
-    };
-    if (is_folder(path)) return failure("is a folder, expected a file", {shown});
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file) return errno == ENOENT ? failure("there is no such file", {shown}) : refuse(errno);
-    std::string text;
-    char buffer[65536];
-    for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
-        text.append(buffer, n);
-        if (text.size() > largest_file)
-            return failure(fmt::format("is larger than {} MB", largest_file >> 20), {shown});
-    }
-    if (std::ferror(file.get()) != 0) return refuse(errno);
-    return text;
 }
 
 }  // namespace nezumi

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/lua/project/project_files.hpp"
+#include "bindings/lua/project/script_source.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -25,7 +27,9 @@ class Project {
 public:
     /// The project of a file: the nearest folder above it that has `behaviors/`, or none. `installed` are folders laid
     /// out as the sources are, with `behaviors/` and `engine/robots/`. Paths may be relative to the working directory.
-    static Project of(const std::filesystem::path& file, std::vector<std::filesystem::path> installed = {});
+    /// `files` must outlive all copies of the project.
+    static Project of(const std::filesystem::path& file, std::vector<std::filesystem::path> installed = {},
+                      const ProjectFiles& files = disk());
 
     /// The folder that has `behaviors/`; empty when there is none.
     const std::filesystem::path& root() const { return root_; }
@@ -37,17 +41,19 @@ public:
     Expected<std::filesystem::path> find(FileKind kind, std::string_view name,
                                          const std::filesystem::path& named_in) const;
 
+    /// The whole of a file; its place in errors is the path as `shown` shows it.
+    Expected<std::string> read(const std::filesystem::path& path) const;
+    /// The text of a script, which messages call by its name without folders.
+    Expected<SourceText> read_source(const std::string& path) const;
+
     /// A path as a person would type it: relative to the working directory when it is below it.
     std::string shown(const std::filesystem::path& path) const;
 
 private:
+    const ProjectFiles* files_ = &disk();
     std::filesystem::path working_;
     std::filesystem::path root_;
     std::vector<std::filesystem::path> installed_;
 };
-
-/// The whole of a file, or why it can't be read: not there, a folder, no permission, larger than 16 MB. The error's
-/// place is the file, as `shown` shows it.
-Expected<std::string> read_text_file(const std::filesystem::path& path, const std::string& shown);
 
 }  // namespace nezumi

@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-LiveReload::LiveReload(System& system, Reloader& reloader, std::vector<std::string> other_files)
-    : system_(system), reloader_(reloader), other_files_(std::move(other_files)) {
+LiveReload::LiveReload(const System& system, Reloader& reloader, std::vector<std::string> other_files, Act act)
+    : system_(system), reloader_(reloader), other_files_(std::move(other_files)), act_(std::move(act)) {
     watch_again();
 }
 
@@ -26,7 +26,7 @@ void LiveReload::watch_again() {
     watcher_.watch(files);
 }
 
-void LiveReload::act() {
+void LiveReload::take_changes() {
     if (rehearsed_.exchange(false)) {
         rehearser_.join();
         const std::vector<std::string> paths = std::exchange(rehearsal_, {});
@@ -53,12 +53,12 @@ void LiveReload::act() {
 
 void LiveReload::reload(const std::vector<std::string>& paths, bool rehearsed) {
     reloader_.limit_preparation(rehearsed ? 0 : kBetweenTicks);
-    auto report = reloader_.reload_files(paths);
+    const Expected<void> done = act_(paths);
     reloader_.limit_preparation(0);
     failed_.clear();
-    if (!report) {
-        if (!rehearsed && report.error().kind == Error::Kind::out_of_time) return rehearse(paths);
-        system_.log(LogLevel::error, describe(report.error()));
+    if (!done) {
+        if (!rehearsed && done.error().kind == Error::Kind::out_of_time) return rehearse(paths);
+        system_.log(LogLevel::error, describe(done.error()));
         failed_ = paths;
     }
     watch_again();

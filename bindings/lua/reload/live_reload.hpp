@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -14,9 +15,12 @@ namespace nezumi {
 
 class LiveReload {
 public:
+    /// How a reload is done, of what these files hold now.
+    using Act = std::function<Expected<void>(const std::vector<std::string>& files)>;
+
     /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose change is
     /// only told. All must outlive it.
-    LiveReload(System& system, Reloader& reloader, std::vector<std::string> other_files);
+    LiveReload(const System& system, Reloader& reloader, std::vector<std::string> other_files, Act act);
     ~LiveReload();
     LiveReload(const LiveReload&) = delete;
     LiveReload& operator=(const LiveReload&) = delete;
@@ -24,22 +28,23 @@ public:
     /// To be called between two ticks. Costs a look at a flag when nothing has changed.
     void between_ticks() {
         reloader_.after_tick();
-        if (watcher_.has_changes() || rehearsed_.load(std::memory_order_acquire) || !failed_.empty()) act();
+        if (watcher_.has_changes() || rehearsed_.load(std::memory_order_acquire) || !failed_.empty()) take_changes();
     }
     /// After a reload that did not come from here, or after components came or went: what is to be watched.
     void watch_again();
 
 private:
-    void act();
+    void take_changes();
     void reload(const std::vector<std::string>& paths, bool rehearsed);
     void rehearse(std::vector<std::string> paths);
 
     /// What loading may take between two ticks before it is tried in a thread of its own [s].
     static constexpr double kBetweenTicks = 0.005;
 
-    System& system_;
+    const System& system_;
     Reloader& reloader_;
     std::vector<std::string> other_files_;
+    Act act_;
     FileWatcher watcher_;
     std::vector<std::string> failed_;     // changed files whose reload was refused: their modules may be the reason
     std::vector<std::string> rehearsal_;  // files that are being tried

@@ -70,7 +70,7 @@ Expected<std::vector<Reloader::Change>> Reloader::changes_of(const std::vector<s
         if (!touched) continue;
         const auto [source, is_new] = sources.try_emplace(script.file().path);
         if (is_new) {
-            auto text = read_source(script.file().path);
+            auto text = read_(script.file().path);
             if (!text) return Unexpected(still_running(text.error(), *component));
             source->second = {text->path, script.file().shown, std::move(text->text)};
         }
@@ -117,13 +117,13 @@ Expected<ReloadReport> Reloader::reload(ScriptComponent& component, const Source
     return run(changes);
 }
 
-Expected<ReloadReport> Reloader::reload_all() {
+std::vector<std::string> Reloader::changed_files() const {
     std::map<std::string, bool> changed;
     std::vector<std::string> paths;
     const auto look = [&](const ScriptFile& file) {
         const auto [known, is_new] = changed.try_emplace(file.path, false);
         if (is_new) {
-            const auto now = read_source(file.path);
+            const auto now = read_(file.path);
             known->second = now && ScriptFile(*now).hash != file.hash;
         }
         if (known->second && !contains(paths, file.path)) paths.push_back(file.path);
@@ -132,7 +132,7 @@ Expected<ReloadReport> Reloader::reload_all() {
         look(component->script().file());
         for (const ScriptFile& module : component->script().modules()) look(module);
     }
-    return reload_files(paths);
+    return paths;
 }
 
 Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {

@@ -1,6 +1,7 @@
 // Reloads scripts in a running system: all that a change touches go together, or not at all.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,14 +22,17 @@ struct ReloadReport {
 /// "still running version N".
 class Reloader {
 public:
-    explicit Reloader(System& system) : system_(system) {}
+    using Reader = std::function<Expected<SourceText>(const std::string& path)>;
+
+    /// `read` gives the present text of a script or module.
+    explicit Reloader(System& system, Reader read = read_source) : system_(system), read_(std::move(read)) {}
 
     /// Reloads every component of these files and every one that requires them, from what the files hold now.
     Expected<ReloadReport> reload_files(const std::vector<std::string>& paths);
     /// Reloads a component, and the others of its file, from this text.
     Expected<ReloadReport> reload(ScriptComponent& component, const SourceText& source);
-    /// Reloads everything whose file has changed since it was loaded.
-    Expected<ReloadReport> reload_all();
+    /// The scripts and modules whose files have changed since they were loaded.
+    std::vector<std::string> changed_files() const;
     /// Takes a component, and those that came to their version with it, back to the version before, state included.
     Expected<ReloadReport> rollback(ScriptComponent& component);
 
@@ -74,6 +78,7 @@ private:
     ReloadReport go_back(int reload, bool keep_settings);
 
     System& system_;
+    Reader read_;
     int reloads_ = 0;
     double preparation_seconds_ = 0;
     std::vector<std::string> on_probation_;                  // names of components

@@ -5,7 +5,7 @@ namespace nezumi {
 
 Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
                                                    const BehaviorSettings& settings) {
-    auto source = read_source(entry.path);
+    auto source = settings.project.read_source(entry.path);
     if (!source) return Unexpected(source.error());
     ScriptContext script{.component = entry.name,
                          .seed = context.seed,
@@ -15,7 +15,7 @@ Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, c
                                                                      std::string_view from) -> Expected<SourceText> {
                              auto path = project.find(FileKind::module, name, std::string(from));
                              if (!path) return Unexpected(path.error());
-                             return read_source(path->string());
+                             return project.read_source(path->string());
                          },
                          .chunks = settings.chunks,
                          .configured = entry.config,

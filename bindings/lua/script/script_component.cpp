@@ -85,12 +85,12 @@ Expected<PlainData> ScriptComponent::call_command(std::string_view command, cons
     return results;
 }
 
-Expected<PlainData> ScriptComponent::copy_state() {
+Expected<PlainData> ScriptComponent::copy_state() const {
     std::vector<Dropped> dropped;
     return script_->take_state(dropped);
 }
 
-bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& visit) {
+bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& visit) const {
     if (member != "state") return false;
     if (const auto state = copy_state()) visit_plain(*state, visit);
     return true;

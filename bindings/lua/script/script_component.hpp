@@ -25,11 +25,10 @@ public:
 
     /// The commands that its script gives, callable as `name:command(...)`.
     const std::vector<CommandDeclaration>& commands() const { return script_->commands(); }
-    /// Runs a command between two ticks. When it fails, nothing that it wrote is published and the component goes on.
-    Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now);
+    Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now) override;
     /// A copy of the script's `state`, for a look at it; what is no plain data is left out.
-    Expected<PlainData> copy_state();
-    bool visit_member(std::string_view member, const LeafVisitor& visit) override;
+    Expected<PlainData> copy_state() const;
+    bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
 
     // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
 

@@ -19,10 +19,11 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field doc string
 ---@field note string
 ---@field count integer messages since the start
----@field override string
+---@field override string "held", "dropped", "frozen" or ""
+---@field holder string? whose hand is on it
 ---@field write fun(self: Port, value: any) as if its component had written it; into an in-port: inject
 ---@field inject fun(self: Port, value: any) one message as from a connection
----@field hold fun(self: Port, value: any) this value and nothing else, until release
+---@field hold fun(self: Port, value: any, options?: { take?: boolean }) this value and nothing else, until release
 ---@field drop fun(self: Port) nothing gets through, until release
 ---@field freeze fun(self: Port) the present value again and again, until release
 ---@field release fun(self: Port)
@@ -144,7 +145,8 @@ function s:inject(port, value) end
 ---This value and nothing else, until `release`.
 ---@param port PortName
 ---@param value any
-function s:hold(port, value) end
+---@param options? { take?: boolean } also from another who holds it
+function s:hold(port, value, options) end
 
 ---@param port PortName
 function s:release(port) end
@@ -179,6 +181,12 @@ function s:press(robot, button, seconds) end
 ---@param thing Component|string
 ---@param pose PoseFields|MarkerPoseFields
 function s:teleport(thing, pose) end
+
+---Emergency stop: every robot brakes as hard as it can and ignores commands, until `rearm`.
+function s:stop() end
+
+---Robots obey again what comes from now on. They must stand.
+function s:rearm() end
 
 ---Ends what `drop`, `freeze`, `disturb` and `press` began.
 ---@param thing PortName|Component

@@ -20,11 +20,11 @@ struct Follow {
         live = std::move(*loaded);
         live->activate();
     }
-    World& world() { return *live->system().world(); }
+    const World& world() { return *live->system().world(); }
     Pose2D mouse() { return world().truth(0).pose; }
     Velocity2D velocity() { return world().truth(0).velocity; }
     // Puts the marker so far before the mouse, seen from its camera, facing it.
-    void carry(double x, double y) { REQUIRE(world().move_marker("target", {{x, y, 0.06}, {.y = M_PI}})); }
+    void carry(double x, double y) { REQUIRE(live->act(MoveMarker{"target", {{x, y, 0.06}, {.y = M_PI}}}, {})); }
     double gap() {
         const Point3D marker = world().markers()[0].pose.position;
         return std::hypot(marker.x - mouse().position.x, marker.y - mouse().position.y) - 0.05;  // from the camera
@@ -63,7 +63,7 @@ TEST_CASE("the mouse stops when the marker disappears", "[cli][marker][long]") {
     Follow follow;
     follow.run(2);
     CHECK(follow.velocity().vx > 0.09);
-    REQUIRE(follow.world().move_marker("target", {{0, 0, -5}, {}}));
+    REQUIRE(follow.live->act(MoveMarker{"target", {{0, 0, -5}, {}}}, {}));
     follow.run(0.5);
     CHECK(std::abs(follow.velocity().vx) < 1e-3);
     const Pose2D there = follow.mouse();

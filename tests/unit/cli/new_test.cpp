@@ -182,7 +182,7 @@ TEST_CASE("a new project passes nezumi check and its robot explores without touc
     auto live = LiveSystem::load(folder.path("behaviors/systems/room.lua"), simulated_systems());
     REQUIRE(live.has_value());
     (*live)->activate();
-    System& system = (*live)->system();
+    const System& system = (*live)->system();
     double path = 0;
     for (int tick = 0; tick < 6000; ++tick) {
         (*live)->tick();

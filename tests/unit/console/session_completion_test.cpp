@@ -22,7 +22,7 @@ TEST_CASE("names are completed from the words, the library and the system", "[co
     SessionRig it;
     CHECK(offer(it, "cont", 0) == "controller");
     CHECK(offer(it, "print(mou", 6) == "mouse");
-    CHECK(offer(it, "re", 0) == "release reload repeat restart return");
+    CHECK(offer(it, "re", 0) == "rearm release reload repeat restart return");
     CHECK(offer(it, "xyz", 0).empty());
     it.type("my_table = { alpha = 1, beta = { gamma = 2 } }");
     CHECK(offer(it, "my_", 0) == "my_table");
@@ -52,7 +52,7 @@ TEST_CASE("members are completed from the live system", "[console][completion]")
     CHECK(offer(it, "f().co", 4).empty());
     CHECK(offer(it, "3.", 2).empty());
     CHECK(offer(it, "-- controller.", 14).empty());
-    REQUIRE(it.live->system().remove("controller").has_value());
+    REQUIRE(it.live->act(Remove{"controller"}, {}).has_value());
     CHECK(offer(it, "c.config.", 9).empty());
 }
 

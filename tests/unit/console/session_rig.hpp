@@ -58,7 +58,6 @@ struct SessionRig : LiveRig, ClockControl {
     bool is_advancing() const override { return left > 0; }
     void set_speed(double factor) override { factor_ = factor; }
     double speed() const override { return factor_; }
-    Expected<void> restart() override { return live->restart(); }
     void quit() override { quitting = true; }
     std::vector<LogLine> problems() const override {
         std::vector<LogLine> lines;

@@ -49,7 +49,7 @@ TEST_CASE("where an input can't wait, it says so and no time passes", "[console]
 TEST_CASE("a run can be interrupted, which pauses", "[console][session]") {
     SessionRig it;
     it.session->submit("run(100)");
-    it.session->advance();
+    while (!it.session->is_waiting()) it.session->advance();
     it.turn(5);
     CHECK(it.session->is_waiting());
     it.session->interrupt();
@@ -120,9 +120,10 @@ TEST_CASE("ports are connected, disconnected and held from the prompt", "[consol
                Contains("controller has no port 'ot' (did you mean 'out'?)"));
     CHECK(it.type("disconnect(mouse.target_velocity_in)").empty());
     CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 }) step(2) return controller.out.value.vx") == "0.0");
-    CHECK_THAT(it.type("ls()"), Contains("in  in   TimedShortSeq    <- mouse.ir_sensor_out  held at { 31, 0, 0, 0 }"));
+    CHECK_THAT(it.type("ls()"),
+               Contains("in  in   TimedShortSeq    <- mouse.ir_sensor_out  held by console at { 31, 0, 0, 0 }"));
     CHECK(it.type("hold(controller.in, { 32 })").empty());
-    CHECK_THAT(it.type("ls()"), Contains("held at { 32 }"));  // what is held, also before a tick has passed
+    CHECK_THAT(it.type("ls()"), Contains("held by console at { 32 }"));  // what is held, also before a tick has passed
     CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 })").empty());
     CHECK(it.type("release 'controller.in' step(2) return controller.out.value.vx") == "0.25");
     CHECK(it.type("inject(controller.in, 5)") == "! input 'in' (TimedShortSeq): expected an array, got number");
@@ -214,7 +215,7 @@ TEST_CASE("scripts are reloaded and rolled back from the prompt", "[console][ses
     CHECK(it.type("reload()") == "controller: version 2 runs");
     CHECK(it.type("controller.config.speed_x") == "0.75");
     CHECK_THAT(it.type("rollback()"), StartsWith("controller: version 1 runs"));
-    CHECK(it.type("rollback(mouse)") == "! rollback: mouse is no script");
+    CHECK(it.type("rollback(mouse)") == "! rollback: mouse has no script: only behaviours reload");
     it.folder.write("behaviors/counter.lua", "function (");
     CHECK_THAT(it.type("reload()"), Contains("counter.lua:1: ") && Contains("still running version 1"));
 }
@@ -251,12 +252,12 @@ TEST_CASE("what was added while the system ran is saved with the rest", "[consol
     robot.model = "raspimouse";
     robot.pose.position = {0, 0.5};
     const SystemSpec& spec = it.live->spec();
-    REQUIRE(it.live->add(robot, spec));
-    CHECK_FALSE(it.live->add(robot, spec));  // the name is taken: nothing is added
+    REQUIRE(it.live->act(Add{robot}, {}));
+    CHECK_FALSE(it.live->act(Add{robot}, {}));  // the name is taken: nothing is added
     BehaviorEntry behavior = std::get<BehaviorEntry>(spec.entries[1]);
     behavior.name = "other";
     behavior.rate = 50;
-    REQUIRE(it.live->add(behavior, spec));
+    REQUIRE(it.live->act(Add{behavior}, {}));
     it.type("connect(other.out, second.target_velocity_in)");
     const std::string file = it.folder.path("saved.lua").string();
     CHECK(it.type("save '" + file + "'") == "saved " + file + ": 4 components, 3 connections");
@@ -314,10 +315,51 @@ TEST_CASE("a saved system names a floor's picture as a person would", "[console]
     SessionRig it;
     it.folder.write("behaviors/maps/room.png", png);
     it.folder.write("system.lua", counter_system + "arena { floor { image = 'maps/room.png', size = { 1, 1 } } }");
-    REQUIRE(it.live->restart());
+    REQUIRE(it.live->act(Restart{}, {}));
     const std::string saved = it.folder.path("deep/er/saved.lua").string();
     it.folder.write("deep/er/.keep", "");
     CHECK_THAT(it.type("save '" + saved + "'"), StartsWith("saved "));
     CHECK_THAT(content(saved), Contains("image = \"maps/room.png\""));
     CHECK(read_system_file(saved, Project::of(saved, {source_root()})).has_value());
+}
+
+TEST_CASE("a hold that is another's is refused, and can be taken", "[console][session][act]") {
+    SessionRig it;
+    const Actor tablet{Actor::Kind::browser, "tablet"};
+    REQUIRE(it.live->act(Hold{"controller.out", Velocity2D{.vx = 0.1}}, tablet));
+    CHECK_THAT(it.type("controller.out"), Contains("held by browser tablet"));
+    CHECK(it.type("controller.out.holder") == "\"browser tablet\"");
+    CHECK(it.type("hold(controller.out, {})") ==
+          "! controller.out is held by another (browser tablet): hold(port, value, { take = true }) takes it");
+    CHECK(it.type("hold(controller.out, {}, { take = 1 })") ==
+          "! hold: expected { take = true } or nothing after the value");
+    CHECK(it.type("hold(controller.out, {}, { take = true })").empty());
+    CHECK(it.type("controller.out.holder") == "\"console\"");
+    CHECK(it.said("controller.out: held by console from now on, no longer by browser tablet"));
+    CHECK_FALSE(it.live->act(Release{"controller.out"}, tablet));
+    CHECK(it.type("release(controller.out) return controller.out.holder") == "nil");
+}
+
+TEST_CASE("stop() and rearm() are words", "[console][session][act]") {
+    SessionRig it;
+    CHECK(it.type("rearm()") == "! rearm: nothing is stopped: rearm() follows stop()");
+    CHECK(it.type("run(1) stop() run(1) return mouse.truth.velocity.vx < 0.001").find("true") == 0);
+    CHECK(it.said("emergency stop (console): rearm() lets the robots drive again"));
+    CHECK_THAT(it.type("mouse.target_velocity_in"), Contains("commands are ignored until rearm()"));
+    CHECK(it.type("rearm() run(1) return mouse.truth.velocity.vx > 0.2").find("true") == 0);
+}
+
+TEST_CASE("what another takes is no longer driven", "[console][session][act]") {
+    SessionRig it(counter_system + "component 'stick' { type = 'Joystick' }\n");
+    it.type("drive 'stick'");
+    it.session->key(Key::up);
+    it.turn(3);
+    REQUIRE(it.live->act(Hold{"stick.stick", std::vector<float>{0, 0}, true}, {Actor::Kind::joystick}));
+    it.shown.clear();
+    it.session->key(Key::up);
+    it.turn();
+    CHECK(it.shown ==
+          "driving has ended: stick.stick is held by another (joystick): hold(port, value, { take = true }) "
+          "takes it");
+    CHECK_FALSE(it.keys);
 }

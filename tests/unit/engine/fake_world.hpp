@@ -33,6 +33,7 @@ struct FakeHull {
     Wheels speeds;
     std::vector<Wheels> all_speeds;
     bool coasting = false;
+    bool powered = true;
     std::vector<bool> leds;
     int led_calls = 0;
     int hertz = 0;
@@ -91,6 +92,7 @@ public:
         hull_.coasting = false;
     }
     void coast() override { hull_.coasting = true; }
+    void set_motor_power(bool on) override { hull_.powered = on; }
     void aim_servo(std::size_t index, double angle, double speed) override {
         hull_.servos[index] = angle;
         hull_.servo_speeds[index] = speed;

@@ -35,7 +35,11 @@ struct Live {
         component = loaded->get();
         REQUIRE(system.add(std::move(*loaded)));
         REQUIRE(component->activate(system.now()));
-        live = std::make_unique<LiveReload>(system, reloader, std::vector<Text>{system_file});
+        live = std::make_unique<LiveReload>(system, reloader, std::vector<Text>{system_file},
+                                            [this](const std::vector<Text>& files) -> Expected<void> {
+                                                auto report = reloader.reload_files(files);
+                                                return report ? Expected<void>() : Unexpected(report.error());
+                                            });
         run(10);
     }
     ~Live() {

@@ -18,7 +18,8 @@ struct Objective : LiveRig {
     explicit Objective(const std::string& system,
                        const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}})
         : LiveRig(system, behaviors) {
-        objects = std::move(Objects::open(*box.state, [this]() -> LiveSystem& { return *live; }).value());
+        objects = std::move(
+            Objects::open(*box.state, [this]() -> LiveSystem& { return *live; }, {Actor::Kind::console}).value());
         const auto opened = protect(box.lua(), Budget{1.0}, [this](lua_State* L) {
             lua_pushglobaltable(L);
             objects->add_port_words(L, false);
@@ -219,10 +220,10 @@ TEST_CASE("an object stays valid over a restart, and says so when its component 
     Objective it;
     it.tick(5);
     CHECK(it.run("kept = controller.out return kept.tm") == "0.04");
-    REQUIRE(it.live->restart().has_value());
+    REQUIRE(it.live->act(Restart{}, {}).has_value());
     CHECK(it.run("return kept.tm, kept.path, kept == controller.out, kept == controller['in']") ==
           "0.0 controller.out true false");
-    REQUIRE(it.live->system().remove("controller").has_value());
+    REQUIRE(it.live->act(Remove{"controller"}, {}).has_value());
     CHECK(it.run("return controller.status") == "box.lua:1: there is no component 'controller'");
     CHECK(it.run("return kept.value") == "box.lua:1: there is no component 'controller'");
     CHECK(it.run("return tostring(kept)") == "controller.out (there is no such port now)");
@@ -238,7 +239,7 @@ TEST_CASE("objects have a text that a person can read", "[lua][objects]") {
     CHECK(it.run("return tostring(controller)") ==
           "controller  Counter, ACTIVE, version 1\n"
           "  in  in   TimedShortSeq    <- mouse.ir_sensor_out\n"
-          "  out out  TimedVelocity2D  -> mouse.target_velocity_in  held at { vx = 0, vy = 0, va = 0 }\n"
+          "  out out  TimedVelocity2D  -> mouse.target_velocity_in  held by console at { vx = 0, vy = 0, va = 0 }\n"
           "  config.speed_x = 0.25\n"
           "  config.stop_d = 30\n"
           "  config.gains = { 1.0, 0.5 }\n"

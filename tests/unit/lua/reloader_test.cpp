@@ -313,17 +313,17 @@ TEST_CASE("an INACTIVE component stays INACTIVE through a reload", "[lua][reload
     CHECK(it.version() == 2);
 }
 
-TEST_CASE("reload_all takes what has changed on disk and nothing else", "[lua][reload]") {
+TEST_CASE("changed_files tells what has changed on disk and nothing else", "[lua][reload]") {
     ReloadRig world;
     ScriptComponent& a = world.add_text("a", counter("1"));
     ScriptComponent& b = world.add_text("b", counter("1"));
     world.write("a.lua", counter("2"));
-    auto report = world.reloader.reload_all();
+    auto report = world.reloader.reload_files(world.reloader.changed_files());
     REQUIRE(report);
     CHECK(report->components == std::vector<Text>{"a"});
     CHECK(a.version() == 2);
     CHECK(b.version() == 1);
-    CHECK(world.reloader.reload_all()->components.empty());
+    CHECK(world.reloader.changed_files().empty());
 }
 
 TEST_CASE("a component reloads from a text that is in no file", "[lua][reload]") {

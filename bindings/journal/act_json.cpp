@@ -1,0 +1,381 @@
+// One writer and one reader for everything that describes itself, and for the few things that don't.
+#include "bindings/journal/act_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "bindings/journal/base64.hpp"
+#include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/files/system_text.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/ports/port.hpp"
+
+namespace nezumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool is_utf8(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+        const unsigned char first = byte(at);
+        const std::size_t length = first < 0x80       ? 1
+                                   : first >> 5 == 6  ? 2
+                                   : first >> 4 == 14 ? 3
+                                   : first >> 3 == 30 ? 4
+                                                      : 0;
+        if (length == 0 || at + length > text.size()) return false;
+        std::uint32_t code = length == 1 ? first : first & (0x7fU >> length);
+        for (std::size_t i = 1; i < length; ++i) {
+            if (byte(at + i) >> 6 != 2) return false;
+            code = code << 6 | (byte(at + i) & 63U);
+        }
+        constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+        if (code < least[length] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
+        at += length;
+    }
+    return true;
+}
+
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
+// Each kind of array has its name: an empty one must keep its type.
+template <class T>
+constexpr std::string_view array_name() {
+    if constexpr (std::is_same_v<T, std::vector<bool>>) return "booleans";
+    if constexpr (std::is_same_v<T, std::vector<std::int64_t>>) return "integers";
+    if constexpr (std::is_same_v<T, std::vector<double>>) return "numbers";
+    return "texts";
+}
+
+// Writing.
+
+Json number(double value) {
+    if (std::isfinite(value)) return value;
+    return Json{{"number", std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"}};
+}
+
+template <class T>
+Json write(const T& value);
+
+Json write_plain(const PlainData::Value& value) {
+    return std::visit(
+        []<class T>(const T& each) -> Json {
+            if constexpr (std::is_same_v<T, std::monostate>)
+                return nullptr;
+            else if constexpr (std::is_same_v<T, PlainData::TableRef>)
+                return Json{{"table", each.index}};
+            else
+                return write(each);
+        },
+        value);
+}
+
+Json write_plain(const PlainData& data) {
+    Json values = Json::array();
+    for (const PlainData::Value& value : data.values) values.push_back(write_plain(value));
+    Json tables = Json::array();
+    for (const PlainData::Table& table : data.tables) {
+        Json entries = Json::array();
+        for (const auto& [key, value] : table) entries.push_back(Json::array({write_plain(key), write_plain(value)}));
+        tables.push_back(std::move(entries));
+    }
+    return Json{{"values", std::move(values)}, {"tables", std::move(tables)}};
+}
+
+Json write_parameter(const ParameterValue& value) {
+    return std::visit(
+        []<class T>(const T& each) -> Json {
+            if constexpr (Sequence<T>)
+                return Json{{array_name<T>(), write(each)}};
+            else
+                return write(each);
+        },
+        value);
+}
+
+// As a system file says it, and the file that names are looked up beside.
+Json write_entry(const Entry& entry) {
+    SystemSpec spec;
+    spec.entries.push_back(entry);
+    return Json{{"lua", text_to_json(write_system_text(spec, "An entry."))}, {"file", place_of(entry).file}};
+}
+
+template <class T>
+Json write(const T& value) {
+    if constexpr (std::is_same_v<T, Entry>) {
+        return write_entry(value);
+    } else if constexpr (std::is_same_v<T, AnyPayload>) {
+        return Json{
+            {message_type_names[value.index()], std::visit([](const auto& each) { return write(each); }, value)}};
+    } else if constexpr (std::is_same_v<T, ParameterValue>) {
+        return write_parameter(value);
+    } else if constexpr (std::is_same_v<T, PlainData>) {
+        return write_plain(value);
+    } else if constexpr (Described<T>) {
+        Json fields = Json::object();
+        for_each_field(value, [&](const auto& field, const auto& member) {
+            if constexpr (IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
+                if (member) fields[std::string(field.name)] = write(*member);
+            } else {
+                fields[std::string(field.name)] = write(member);
+            }
+        });
+        return fields;
+    } else if constexpr (std::is_same_v<T, Octets>) {
+        return text_to_json(std::string(value.begin(), value.end()));
+    } else if constexpr (Sequence<T>) {
+        Json elements = Json::array();
+        for (const auto& element : value) elements.push_back(write(static_cast<typename T::value_type>(element)));
+        return elements;
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        return text_to_json(value);
+    } else if constexpr (std::is_floating_point_v<T>) {
+        return number(static_cast<double>(value));
+    } else {
+        return value;
+    }
+}
+
+// Reading. Each returns what is wrong, "" for nothing.
+
+std::string expected(std::string_view what, const Json& got) {
+    std::string text = got.dump(-1, ' ', true, Json::error_handler_t::replace);
+    constexpr std::size_t most = 40;
+    if (text.size() > most) {
+        text.resize(most);
+        text += "...";
+    }
+    return fmt::format("expected {}, got {}", what, text);
+}
+
+template <class T>
+std::string read(const Json& json, T& out, const Project& project);
+
+std::string read_number(const Json& json, double& out) {
+    if (json.is_number()) {
+        out = json.get<double>();
+        return "";
+    }
+    const auto word = json.is_object() ? json.find("number") : json.end();
+    if (json.is_object() && word != json.end() && word->is_string()) {
+        for (const auto& [name, value] : {std::pair{"nan", NAN}, {"inf", INFINITY}, {"-inf", -INFINITY}}) {
+            if (*word != name) continue;
+            out = value;
+            return "";
+        }
+    }
+    return expected("a number", json);
+}
+
+std::string read_plain(const Json& json, PlainData::Value& out, std::size_t tables) {
+    if (json.is_null()) return out = std::monostate{}, "";
+    if (json.is_boolean()) return out = json.get<bool>(), "";
+    if (json.is_number_integer()) return out = json.get<std::int64_t>(), "";
+    if (json.is_object() && json.contains("table")) {
+        const Json& index = json["table"];
+        if (!index.is_number_unsigned() || index.get<std::size_t>() >= tables)
+            return expected("a table's number", index);
+        return out = PlainData::TableRef{index.get<std::size_t>()}, "";
+    }
+    if (json.is_number() || (json.is_object() && json.contains("number"))) {
+        double value = 0;
+        const std::string wrong = read_number(json, value);
+        return out = value, wrong;
+    }
+    auto text = text_from_json(json);
+    if (!text) return text.error().message;
+    return out = std::move(*text), "";
+}
+
+std::string read_plain(const Json& json, PlainData& out) {
+    if (!json.is_object() || !json.contains("values") || !json.contains("tables") || !json["values"].is_array() ||
+        !json["tables"].is_array())
+        return expected("values and tables", json);
+    const std::size_t count = json["tables"].size();
+    for (const Json& value : json["values"]) {
+        if (std::string wrong = read_plain(value, out.values.emplace_back(), count); !wrong.empty()) return wrong;
+    }
+    for (const Json& table : json["tables"]) {
+        PlainData::Table& entries = out.tables.emplace_back();
+        if (!table.is_array()) return expected("a table's entries", table);
+        for (const Json& entry : table) {
+            if (!entry.is_array() || entry.size() != 2) return expected("a key and a value", entry);
+            auto& [key, value] = entries.emplace_back();
+            if (std::string wrong = read_plain(entry[0], key, count); !wrong.empty()) return wrong;
+            if (std::string wrong = read_plain(entry[1], value, count); !wrong.empty()) return wrong;
+        }
+    }
+    return "";
+}
+
+template <class T>
+bool read_array(const Json& json, ParameterValue& out, const Project& project, std::string& wrong) {
+    const auto found = json.find(array_name<T>());
+    if (found == json.end()) return false;
+    wrong = read(*found, out.emplace<T>(), project);
+    return true;
+}
+
+std::string read_parameter(const Json& json, ParameterValue& out, const Project& project) {
+    std::string wrong;
+    if (json.is_boolean()) return read(json, out.emplace<bool>(), project);
+    if (json.is_number_integer()) return read(json, out.emplace<std::int64_t>(), project);
+    if (json.is_number()) return read(json, out.emplace<double>(), project);
+    if (json.is_object() && (read_array<std::vector<bool>>(json, out, project, wrong) ||
+                             read_array<std::vector<std::int64_t>>(json, out, project, wrong) ||
+                             read_array<std::vector<double>>(json, out, project, wrong) ||
+                             read_array<std::vector<std::string>>(json, out, project, wrong)))
+        return wrong;
+    if (json.is_object() && json.contains("number")) return read(json, out.emplace<double>(), project);
+    return read(json, out.emplace<std::string>(), project);
+}
+
+std::string read_payload(const Json& json, AnyPayload& out, const Project& project) {
+    if (!json.is_object() || json.size() != 1) return expected("a message by its type's name", json);
+    const auto type = find_message_type(json.begin().key());
+    if (!type) return type.error().message;
+    std::string wrong;
+    const auto read_as = [&]<std::size_t index>() {
+        if (index != *type) return;
+        wrong = read(json.begin().value(), out.emplace<index>(), project);
+    };
+    [&]<std::size_t... index>(std::index_sequence<index...>) { (read_as.template operator()<index>(), ...); }
+    (std::make_index_sequence<std::variant_size_v<AnyPayload>>());
+    return wrong;
+}
+
+std::string read_entry(const Json& json, Entry& out, const Project& project) {
+    if (!json.is_object() || !json.contains("lua") || !json.contains("file") || !json["file"].is_string())
+        return expected("an entry's lua and file", json);
+    const auto text = text_from_json(json["lua"]);
+    if (!text) return text.error().message;
+    auto spec = read_system_text(*text, json["file"].get<std::string>(), project);
+    if (!spec) return describe(spec.error());
+    if (spec->entries.size() != 1) return fmt::format("expected one entry, got {}", spec->entries.size());
+    out = std::move(spec->entries.front());
+    return "";
+}
+
+template <class T>
+std::string read_fields(const Json& json, T& out, const Project& project) {
+    if (!json.is_object()) return expected("fields", json);
+    std::string wrong;
+    std::size_t known = 0;
+    for_each_field(out, [&](const auto& field, auto& member) {
+        const auto found = json.find(std::string(field.name));
+        if (found == json.end()) {
+            if constexpr (!IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
+                if (wrong.empty()) wrong = fmt::format("'{}' is missing", field.name);
+            }
+            return;
+        }
+        ++known;
+        std::string inner;
+        if constexpr (IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
+            inner = read(*found, member.emplace(), project);
+        } else {
+            inner = read(*found, member, project);
+        }
+        if (!inner.empty() && wrong.empty()) wrong = fmt::format("'{}': {}", field.name, inner);
+    });
+    if (wrong.empty() && known != json.size()) wrong = "there is a field that it does not have";
+    return wrong;
+}
+
+template <class T>
+std::string read(const Json& json, T& out, const Project& project) {
+    if constexpr (std::is_same_v<T, Entry>) {
+        return read_entry(json, out, project);
+    } else if constexpr (std::is_same_v<T, AnyPayload>) {
+        return read_payload(json, out, project);
+    } else if constexpr (std::is_same_v<T, ParameterValue>) {
+        return read_parameter(json, out, project);
+    } else if constexpr (std::is_same_v<T, PlainData>) {
+        return read_plain(json, out);
+    } else if constexpr (Described<T>) {
+        return read_fields(json, out, project);
+    } else if constexpr (std::is_same_v<T, Octets>) {
+        auto bytes = text_from_json(json);
+        if (!bytes) return bytes.error().message;
+        out.assign(bytes->begin(), bytes->end());
+        return "";
+    } else if constexpr (Sequence<T>) {
+        if (!json.is_array()) return expected("a list", json);
+        for (const Json& element : json) {
+            typename T::value_type value{};
+            if (std::string wrong = read(element, value, project); !wrong.empty()) return wrong;
+            out.push_back(std::move(value));
+        }
+        return "";
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        auto text = text_from_json(json);
+        if (!text) return text.error().message;
+        out = std::move(*text);
+        return "";
+    } else if constexpr (std::is_same_v<T, bool>) {
+        if (!json.is_boolean()) return expected("true or false", json);
+        out = json.get<bool>();
+        return "";
+    } else if constexpr (std::is_floating_point_v<T>) {
+        double value = 0;
+        std::string wrong = read_number(json, value);
+        out = static_cast<T>(value);
+        return wrong;
+    } else {
+        if (!json.is_number_integer() ||
+            static_cast<std::int64_t>(static_cast<T>(json.get<std::int64_t>())) != json.get<std::int64_t>())
+            return expected("a whole number of its range", json);
+        out = static_cast<T>(json.get<std::int64_t>());
+        return "";
+    }
+}
+
+// The act of this name, as it is when nothing is said; nothing when there is none.
+template <std::size_t index = 0>
+std::optional<Act> empty_act(std::string_view name) {
+    if constexpr (index == std::variant_size_v<Act>) {
+        return std::nullopt;
+    } else {
+        using Kind = std::variant_alternative_t<index, Act>;
+        return Describe<Kind>::name == name ? std::optional<Act>(Kind{}) : empty_act<index + 1>(name);
+    }
+}
+
+}  // namespace
+
+Json text_to_json(const std::string& text) {
+    if (is_utf8(text)) return text;
+    return Json{{"base64", to_base64(text)}};
+}
+
+Expected<std::string> text_from_json(const Json& json) {
+    if (json.is_string()) return json.get<std::string>();
+    const auto bytes = json.is_object() ? json.find("base64") : json.end();
+    if (json.is_object() && bytes != json.end() && bytes->is_string()) {
+        if (auto text = from_base64(bytes->get_ref<const std::string&>())) return std::move(*text);
+    }
+    return failure(expected("a text", json));
+}
+
+Json to_json(const Act& act) {
+    return std::visit([](const auto& each) { return write(each); }, act);
+}
+
+Expected<Act> act_from_json(std::string_view name, const Json& fields, const Project& project) {
+    std::optional<Act> act = empty_act(name);
+    if (!act) return failure(fmt::format("there is no act '{}'", shown(name)));
+    const std::string wrong = std::visit([&](auto& each) { return read(fields, each, project); }, *act);
+    if (!wrong.empty()) return failure(fmt::format("{}: {}", name, wrong));
+    return std::move(*act);
+}
+
+}  // namespace nezumi

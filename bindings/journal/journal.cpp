@@ -1,0 +1,130 @@
+// Lines are collected and written whole, so that a process that is killed leaves a journal of whole lines.
+#include "bindings/journal/journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "bindings/journal/act_json.hpp"
+
+namespace nezumi {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json at(const ActTime& when) { return Json::array({when.start, when.tick, when.sequence}); }
+
+Json files_to_json(const FileTexts& files) {
+    Json json = Json::object();
+    for (const auto& [path, text] : files) json[path] = text ? text_to_json(*text) : Json();
+    return json;
+}
+
+std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string_view name_of(RunEnd how) {
+    constexpr std::string_view names[] = {"duration", "stopped", "error"};
+    return names[static_cast<std::size_t>(how)];
+}
+
+}  // namespace
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+bool is_journaled(const Act& act, bool succeeded) {
+    return succeeded || std::holds_alternative<Command>(act) || std::holds_alternative<Activate>(act) ||
+           std::holds_alternative<Deactivate>(act) || std::holds_alternative<Reset>(act);
+}
+
+Expected<std::unique_ptr<Journal>> Journal::create(const std::filesystem::path& file, RecordingFiles& files) {
+    constexpr mode_t mode = 0644;
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+    if (descriptor < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {file.string()});
+    return std::unique_ptr<Journal>(new Journal(file.string(), descriptor, files));
+}
+
+Journal::~Journal() {
+    flush();
+    close(descriptor_);
+}
+
+void Journal::begin(LiveSystem& live, const std::string& version, bool hardware) {
+    live_ = &live;
+    Json installed = Json::array();
+    for (const auto& folder : live.options().installed) installed.push_back(folder.string());
+    waiting_ += line({{"journal", 1},
+                      {"version", version},
+                      {"hardware", hardware},
+                      {"system", live.file().string()},
+                      {"working_folder", files_.working_folder().string()},
+                      {"installed", std::move(installed)},
+                      {"seed", live.options().build.seed},
+                      {"seed_wins", live.options().build.seed_wins},
+                      {"files", files_to_json(files_.take())}});
+    live.observe_acts(this);
+    flush();
+    marked_ = Clock::now();
+}
+
+void Journal::serve() {
+    const auto now = Clock::now();
+    if (now - marked_ >= mark_period) mark();
+    if (now - flushed_ >= flush_period) flush();
+}
+
+void Journal::mark() {
+    marked_ = Clock::now();
+    if (live_ == nullptr || live_->when() == last_mark_) return;
+    last_mark_ = live_->when();
+    waiting_ += line({{"at", at(last_mark_)}, {"hash", hash_text(live_->trace_hash())}});
+}
+
+void Journal::end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash) {
+    if (live_ != nullptr) live_->observe_acts(nullptr);
+    live_ = nullptr;
+    Json last{{"at", at(when)}, {"end", name_of(how)}, {"hash", hash_text(hash)}};
+    if (!message.empty()) last["message"] = text_to_json(message);
+    waiting_ += line(last);
+    flush();
+}
+
+void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {
+    const FileTexts files = files_.take();
+    if (!is_journaled(act, result.has_value())) return;
+    Json json{{"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act)}};
+    if (!result) json["failed"] = true;
+    if (!files.empty()) json["files"] = files_to_json(files);
+    waiting_ += line(json);
+}
+
+void Journal::ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) {
+    waiting_ += line({{"at", at(when)},
+                      {"out_of_time",
+                       {{"component", component},
+                        {"call", call.call},
+                        {"message", text_to_json(call.error.message)},
+                        {"file", call.error.place.file},
+                        {"line", call.error.place.line}}}});
+}
+
+void Journal::flush() {
+    flushed_ = Clock::now();
+    std::size_t at = 0;
+    while (at < waiting_.size() && !error_) {
+        const ssize_t written = write(descriptor_, waiting_.data() + at, waiting_.size() - at);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) {
+            error_ = Error{fmt::format("the journal can't be written: {}", std::strerror(errno)), {name_}};
+        } else {
+            at += static_cast<std::size_t>(written);
+        }
+    }
+    waiting_.clear();
+}
+
+}  // namespace nezumi

@@ -1,0 +1,83 @@
+// Writes a journal: a file with one JSON object a line, from which the run can be performed again.
+//
+//   {"journal":1,"version":"0.1.0","hardware":false,"system":"systems/x.lua","working_folder":...,"installed":[...],
+//    "seed":1,"seed_wins":true,"files":{PATH:TEXT}}     first: what it takes to begin, whole
+//   {"at":[START,TICK,SEQUENCE],"who":"console","do":"SetParameter","with":{...}}   an act, before that tick
+//      "failed":true   it was refused, but a script's hook or command has run
+//      "files":{...}   what it read; null: what is no longer there
+//   {"at":...,"out_of_time":{"component":"x","call":12,...}}   the clock ended that call into a script
+//   {"at":...,"hash":"..."}                 now and then: the trace hash there
+//   {"at":...,"end":"duration","hash":...}  last: how it ended, and the hash that the run printed
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bindings/journal/recorded_files.hpp"
+#include "bindings/lua/live/live_system.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+/// How a run ended.
+enum class RunEnd {
+    duration,  ///< at a time that --duration or commands gave
+    stopped,   ///< by a person or a signal: then the robots braked
+    error,     ///< it could not go on
+};
+
+class Journal final : public ActObserver {
+public:
+    /// How long a line may wait before it is written, and how often the hash is noted.
+    static constexpr std::chrono::milliseconds flush_period{100};
+    static constexpr std::chrono::milliseconds mark_period{1000};
+
+    /// Begins a file anew. `files` is what the system will be read through, and must outlive the journal. The system
+    /// may go before it, but not act then.
+    static Expected<std::unique_ptr<Journal>> create(const std::filesystem::path& file, RecordingFiles& files);
+    ~Journal() override;
+    Journal(const Journal&) = delete;
+    Journal& operator=(const Journal&) = delete;
+
+    /// Writes the first line, for a system that has been read and is not active yet, and follows it from now on.
+    void begin(LiveSystem& live, const std::string& version, bool hardware);
+    /// Between two ticks: writes what has waited long enough.
+    void serve();
+    /// Notes the hash as it is now.
+    void mark();
+    /// The last line. Nothing is followed any more.
+    void end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash);
+    /// What kept it from being written, once something did.
+    const std::optional<Error>& error() const { return error_; }
+
+    void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) override;
+    void ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) override;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    Journal(std::string name, int descriptor, RecordingFiles& files)
+        : name_(std::move(name)), descriptor_(descriptor), files_(files) {}
+    void flush();
+
+    std::string name_;
+    int descriptor_;
+    RecordingFiles& files_;
+    LiveSystem* live_ = nullptr;
+    std::string waiting_;  // whole lines
+    Clock::time_point flushed_{};
+    Clock::time_point marked_{};
+    ActTime last_mark_;
+    std::optional<Error> error_;
+};
+
+/// Whether a replay needs this act: it has succeeded, or has run a script's hook or command.
+bool is_journaled(const Act& act, bool succeeded);
+/// "9f86d081884c7d65".
+std::string hash_text(std::uint64_t hash);
+
+}  // namespace nezumi

@@ -1,0 +1,260 @@
+// Every line is checked before anything runs, but for the fields of acts, which need the project's files.
+#include "bindings/journal/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bindings/journal/act_json.hpp"
+
+namespace nezumi {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Expected<std::string> read_whole(const fs::path& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
+    std::error_code problem;
+    if (!file || fs::is_directory(path, problem)) return failure("can't be read as a journal", {path.string()});
+    std::string text;
+    char buffer[65536];
+    for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) text.append(buffer, n);
+    return text;
+}
+
+std::optional<std::uint64_t> hash_of(const Json& json) {
+    std::uint64_t hash = 0;
+    if (!json.is_string()) return std::nullopt;
+    const auto& text = json.get_ref<const std::string&>();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+    if (error != std::errc{} || end != text.data() + text.size() || text.size() != 16) return std::nullopt;
+    return hash;
+}
+
+std::optional<ActTime> time_of(const Json& json) {
+    const auto found = json.find("at");
+    if (found == json.end() || !found->is_array() || found->size() != 3) return std::nullopt;
+    for (const Json& number : *found) {
+        if (!number.is_number_unsigned()) return std::nullopt;
+    }
+    return ActTime{(*found)[0].get<int>(), (*found)[1].get<std::int64_t>(), (*found)[2].get<std::int64_t>()};
+}
+
+std::optional<FileTexts> texts_of(const Json& json) {
+    FileTexts texts;
+    const auto found = json.find("files");
+    if (found == json.end()) return texts;
+    if (!found->is_object()) return std::nullopt;
+    for (const auto& [path, text] : found->items()) {
+        if (text.is_null()) {
+            texts.emplace(path, std::nullopt);
+            continue;
+        }
+        auto read = text_from_json(text);
+        if (!read) return std::nullopt;
+        texts.emplace(path, std::move(*read));
+    }
+    return texts;
+}
+
+template <class T>
+std::optional<T> field(const Json& json, const char* name) {
+    const auto found = json.find(name);
+    if (found == json.end()) return std::nullopt;
+    if constexpr (std::is_same_v<T, bool>) {
+        if (!found->is_boolean()) return std::nullopt;
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        if (!found->is_string()) return std::nullopt;
+    } else if (!found->is_number_integer()) {
+        return std::nullopt;
+    }
+    return found->get<T>();
+}
+
+std::string text_of(const ActTime& when) { return fmt::format("tick {} of start {}", when.tick, when.start); }
+
+}  // namespace
+
+struct Replay::Entry {
+    enum class Kind { act, hash, end };
+    Kind kind = Kind::act;
+    int line = 0;
+    ActTime when;
+    Actor who;
+    std::string name;
+    Json fields;
+    bool failed = false;
+    FileTexts files;
+    std::uint64_t hash = 0;
+};
+
+Replay::Replay(fs::path file) : file_(std::move(file)) {}
+Replay::~Replay() = default;
+
+Unexpected Replay::wrong(int line, const std::string& what) const {
+    return failure(what, {.file = file_.string(), .line = line});
+}
+
+Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::string& version) {
+    const auto text = read_whole(file);
+    if (!text) return Unexpected(text.error());
+    std::unique_ptr<Replay> replay(new Replay(file));
+    int number = 0;
+    for (std::size_t at = 0; at < text->size();) {
+        const std::size_t end = text->find('\n', at);
+        ++number;
+        if (end == std::string::npos) {
+            replay->torn_ = number;
+            break;
+        }
+        const std::string line = text->substr(at, end - at);
+        auto ok = number == 1 ? replay->read_header(line, version) : replay->read_entry(line, number);
+        if (!ok) return Unexpected(ok.error());
+        at = end + 1;
+    }
+    if (!replay->files_) return replay->wrong(1, "is no journal: its first line is not whole");
+    return replay;
+}
+
+Expected<void> Replay::read_header(const std::string& line, const std::string& version) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || !json.contains("journal")) return wrong(1, "is no journal of nezumi run --journal");
+    const auto written_by = field<std::string>(json, "version");
+    if (written_by != version || field<int>(json, "journal") != 1) {
+        return failure(fmt::format("{} is a journal of nezumi {}, this is {}: only the same version replays it",
+                                   file_.string(), written_by.value_or("of another time"), version));
+    }
+    if (field<bool>(json, "hardware").value_or(false)) {
+        return failure(fmt::format(
+            "{} is the journal of a run on hardware: it tells what was done, and can't be replayed", file_.string()));
+    }
+    const auto system = field<std::string>(json, "system");
+    const auto working = field<std::string>(json, "working_folder");
+    const auto seed = field<std::uint64_t>(json, "seed");
+    const auto seed_wins = field<bool>(json, "seed_wins");
+    const auto texts = texts_of(json);
+    const auto installed = json.find("installed");
+    if (!system || !working || !seed || !seed_wins || !texts || installed == json.end() || !installed->is_array())
+        return wrong(1, "expected system, working_folder, installed, seed, seed_wins and files");
+    for (const Json& folder : *installed) {
+        if (!folder.is_string()) return wrong(1, "'installed' must be a list of folders");
+        installed_.emplace_back(folder.get<std::string>());
+    }
+    system_ = *system;
+    seed_ = *seed;
+    seed_wins_ = *seed_wins;
+    files_.emplace(*working);
+    files_->update(*texts);
+    return {};
+}
+
+Expected<void> Replay::read_entry(const std::string& line, int number) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object()) return wrong(number, "expected a JSON object");
+    if (end_) return wrong(number, "nothing may follow the end");
+    const auto when = time_of(json);
+    if (!when) return wrong(number, "'at' must be the start's number, the tick and the act's number");
+    Entry entry{.line = number, .when = *when};
+    if (const auto call = json.find("out_of_time"); call != json.end()) {
+        const auto component = field<std::string>(*call, "component");
+        const auto count = field<std::int64_t>(*call, "call");
+        const auto message = call->contains("message") ? text_from_json((*call)["message"]) : Expected<std::string>("");
+        if (!component || !count || !message)
+            return wrong(number, "'out_of_time' must have component, call and message");
+        Error error{*message, {field<std::string>(*call, "file").value_or(""), field<int>(*call, "line").value_or(0)}};
+        error.kind = Error::Kind::out_of_time;
+        foreseen_.push_back({when->start, when->tick, *component, {*count, std::move(error)}});
+        return {};
+    }
+    if (!entries_.empty()) {
+        const ActTime& before = entries_.back().when;
+        if (std::pair(when->start, when->tick) < std::pair(before.start, before.tick))
+            return wrong(number, fmt::format("{} comes after {}", text_of(*when), text_of(before)));
+    }
+    if (json.contains("do")) {
+        const auto name = field<std::string>(json, "do");
+        auto who = actor_from(field<std::string>(json, "who").value_or(""));
+        auto texts = texts_of(json);
+        if (!name || !texts || !json.contains("with")) return wrong(number, "an act must have do and with");
+        if (!who) return wrong(number, who.error().message);
+        entry.name = *name;
+        entry.who = std::move(*who);
+        entry.fields = json["with"];
+        entry.failed = field<bool>(json, "failed").value_or(false);
+        entry.files = std::move(*texts);
+    } else {
+        const auto hash = json.contains("hash") ? hash_of(json["hash"]) : std::nullopt;
+        if (!hash) return wrong(number, "expected do, out_of_time, or hash with 16 hexadecimal digits");
+        entry.hash = *hash;
+        entry.kind = json.contains("end") ? Entry::Kind::end : Entry::Kind::hash;
+        if (entry.kind == Entry::Kind::end) {
+            const auto how = field<std::string>(json, "end");
+            if (how != "duration" && how != "stopped" && how != "error")
+                return wrong(number, "'end' must be duration, stopped or error");
+            end_ = how == "duration" ? RunEnd::duration : how == "stopped" ? RunEnd::stopped : RunEnd::error;
+            end_message_ = json.contains("message") ? text_from_json(json["message"]).value_or("") : "";
+            hash_ = *hash;
+        }
+    }
+    entries_.push_back(std::move(entry));
+    return {};
+}
+
+Expected<void> Replay::check_system(const fs::path& file) const {
+    if (file.filename() == fs::path(system_).filename()) return {};
+    return failure(fmt::format("{} is a journal of {}, not of {}", file_.string(), system_, file.string()));
+}
+
+Expected<std::unique_ptr<LiveSystem>> Replay::load(LiveOptions options) {
+    options.files = &*files_;
+    options.installed = installed_;
+    options.world = with_pictures_from(*files_, std::move(options.world));
+    options.build.seed = seed_;
+    options.build.seed_wins = seed_wins_;
+    options.build.out_of_time_is_fatal = false;
+    options.watch = false;
+    options.budget = headless_budget;
+    auto live = LiveSystem::load(system_, std::move(options));
+    if (live) (*live)->foresee(std::exchange(foreseen_, {}));
+    return live;
+}
+
+Expected<bool> Replay::before_tick(LiveSystem& live) {
+    for (; next_ < entries_.size(); ++next_) {
+        const Entry& entry = entries_[next_];
+        const ActTime now = live.when();
+        const auto here = std::pair(now.start, now.tick);
+        const auto due = std::pair(entry.when.start, entry.when.tick);
+        if (entry.when.start == now.start && due > here) return true;
+        if (due != here) {
+            return wrong(entry.line,
+                         fmt::format("{} never comes: the run is at {}", text_of(entry.when), text_of(now)));
+        }
+        if (entry.kind == Entry::Kind::act) {
+            if (auto done = perform(live, entry); !done) return Unexpected(done.error());
+        } else if (entry.kind == Entry::Kind::hash && live.trace_hash() != entry.hash) {
+            return wrong(entry.line,
+                         fmt::format("the run is another one than the journal's: its hash at {} was {}, not {}",
+                                     text_of(now), hash_text(entry.hash), hash_text(live.trace_hash())));
+        }
+    }
+    return false;
+}
+
+Expected<void> Replay::perform(LiveSystem& live, const Entry& entry) {
+    if (entry.name == Describe<Restart>::name) files_->clear();
+    files_->update(entry.files);
+    const auto act = act_from_json(entry.name, entry.fields, live.project());
+    if (!act) return wrong(entry.line, act.error().message);
+    const auto done = live.act(*act, entry.who);
+    if (done.has_value() != entry.failed) return {};
+    return wrong(entry.line, entry.failed
+                                 ? fmt::format("{} failed then, and does not now", entry.name)
+                                 : fmt::format("{} went well then, not now: {}", entry.name, describe(done.error())));
+}
+
+}  // namespace nezumi

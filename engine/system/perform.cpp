@@ -1,0 +1,221 @@
+// Each act looks up what it names, checks, and then does it.
+#include "engine/system/perform.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "engine/ports/payload.hpp"
+
+namespace nezumi {
+namespace {
+
+// What an act has come to that can only go well or not.
+Expected<ActResult> result_of(const Expected<void>& done) {
+    if (!done) return Unexpected(done.error());
+    return ActResult{};
+}
+
+// The port, if its type fits the value.
+Expected<Port*> port_for(System& system, const std::string& path, const AnyPayload& value) {
+    auto port = system.port(path);
+    if (!port) return port;
+    if ((*port)->type() != value.index()) {
+        return failure(fmt::format("types differ: {} is {}, the value is {}", path, (*port)->type_name(),
+                                   message_type_names[value.index()]));
+    }
+    if (!is_finite(value)) return failure(fmt::format("{}: a number of the value is not finite", path));
+    return port;
+}
+
+Expected<ActResult> send(System& system, const std::string& path, const AnyPayload& value) {
+    const auto port = port_for(system, path, value);
+    if (!port) return Unexpected(port.error());
+    if ((*port)->direction() == Direction::in) {
+        static_cast<InPortBase&>(**port).inject(value);
+    } else {
+        static_cast<OutPortBase&>(**port).write_any(value);
+    }
+    return ActResult{};
+}
+
+// A hand on a port is that of one alone.
+Expected<void> check_holder(const System& system, const std::string& path, const Actor& who) {
+    const Actor* holder = system.holder(path);
+    if (holder == nullptr || *holder == who) return {};
+    return failure(fmt::format("{} is held by another ({}): hold(port, value, {{ take = true }}) takes it", path,
+                               to_text(*holder)));
+}
+
+template <class Put>
+Expected<ActResult> override_port(System& system, const std::string& path, const Actor& who, const Put& put) {
+    const auto port = system.port(path);
+    if (!port) return Unexpected(port.error());
+    if (auto mine = check_holder(system, path, who); !mine) return Unexpected(mine.error());
+    put(**port);
+    system.set_holder(path, who);
+    return ActResult{};
+}
+
+template <class Do>
+Expected<ActResult> with_component(System& system, const std::string& name, const Do& action) {
+    const auto component = system.component(name);
+    if (!component) return Unexpected(component.error());
+    return result_of(action(**component));
+}
+
+Expected<const Robot*> robot_named(const System& system, const std::string& name) {
+    const auto component = system.component(name);
+    if (!component) return Unexpected(component.error());
+    return simulated_robot(system, **component);
+}
+
+}  // namespace
+
+Expected<const Robot*> simulated_robot(const System& system, const Component& component) {
+    const auto* robot = dynamic_cast<const Robot*>(&component);
+    if (robot == nullptr) return failure(fmt::format("{} is no robot", component.name()));
+    if (system.world() == nullptr) return failure("there is no simulated world");
+    if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works in simulation", robot->name()));
+    return robot;
+}
+
+Expected<ActResult> perform(System& system, const SetParameter& act, const Actor& /*who*/) {
+    return with_component(system, act.component, [&](Component& component) -> Expected<void> {
+        Parameters& parameters = component.parameters();
+        if (const auto* known = parameters.find(act.parameter)) {
+            if (auto fits = check_value(known->spec, act.value); !fits) return Unexpected(fits.error());
+            parameters.take_staged();  // what the script set last comes before this
+        }
+        return parameters.set(act.parameter, act.value);
+    });
+}
+
+Expected<ActResult> perform(System& system, const Write& act, const Actor& /*who*/) {
+    return send(system, act.port, act.value);
+}
+
+Expected<ActResult> perform(System& system, const Inject& act, const Actor& /*who*/) {
+    return send(system, act.port, act.value);
+}
+
+Expected<ActResult> perform(System& system, const Hold& act, const Actor& who) {
+    const auto port = port_for(system, act.port, act.value);
+    if (!port) return Unexpected(port.error());
+    const Actor* holder = system.holder(act.port);
+    if (holder != nullptr && *holder != who) {
+        if (!act.take) return result_of(check_holder(system, act.port, who));
+        system.log(LogLevel::warn, fmt::format("{}: held by {} from now on, no longer by {}", act.port, to_text(who),
+                                               to_text(*holder)));
+    }
+    (*port)->hold(act.value);
+    system.set_holder(act.port, who);
+    return ActResult{};
+}
+
+Expected<ActResult> perform(System& system, const Release& act, const Actor& who) {
+    const auto port = system.port(act.port);
+    if (!port) return Unexpected(port.error());
+    if (auto mine = check_holder(system, act.port, who); !mine) return Unexpected(mine.error());
+    (*port)->release();
+    return ActResult{};
+}
+
+Expected<ActResult> perform(System& system, const Drop& act, const Actor& who) {
+    return override_port(system, act.port, who, [](Port& port) { port.drop(); });
+}
+
+Expected<ActResult> perform(System& system, const Freeze& act, const Actor& who) {
+    return override_port(system, act.port, who, [](Port& port) { port.freeze(); });
+}
+
+Expected<ActResult> perform(System& system, const Activate& act, const Actor& /*who*/) {
+    return with_component(system, act.component, [&](Component& each) { return each.activate(system.now()); });
+}
+
+Expected<ActResult> perform(System& system, const Deactivate& act, const Actor& /*who*/) {
+    return with_component(system, act.component, [&](Component& each) { return each.deactivate(system.now()); });
+}
+
+Expected<ActResult> perform(System& system, const Reset& act, const Actor& /*who*/) {
+    return with_component(system, act.component, [&](Component& each) { return each.reset(system.now()); });
+}
+
+Expected<ActResult> perform(System& system, const Use& act, const Actor& /*who*/) {
+    return with_component(system, act.component, [&](Component& each) { return each.use(act.set); });
+}
+
+Expected<ActResult> perform(System& system, const Connect& act, const Actor& /*who*/) {
+    return result_of(system.connect(act.from, act.to));
+}
+
+Expected<ActResult> perform(System& system, const Disconnect& act, const Actor& /*who*/) {
+    if (!act.to.empty()) return result_of(system.disconnect(act.from, act.to));
+    const auto port = system.port(act.from);
+    if (!port) return Unexpected(port.error());
+    if (system.disconnect_all(**port).empty()) return failure(act.from + " is not connected");
+    return ActResult{};
+}
+
+Expected<ActResult> perform(System& system, const Teleport& act, const Actor& /*who*/) {
+    const auto robot = robot_named(system, act.robot);
+    if (!robot) return Unexpected(robot.error());
+    return result_of(system.world()->teleport((*robot)->id(), act.pose));
+}
+
+Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& /*who*/) {
+    if (system.world() == nullptr) return failure("there is no simulated world");
+    return result_of(system.world()->move_marker(act.marker, act.pose));
+}
+
+Expected<ActResult> perform(System& system, const Disturb& act, const Actor& /*who*/) {
+    const auto robot = robot_named(system, act.robot);
+    if (!robot) return Unexpected(robot.error());
+    for (const auto& speed : {act.vx, act.vy, act.va}) {
+        if (speed && !std::isfinite(*speed)) return failure("disturb: a speed is not finite");
+    }
+    system.world()->disturb((*robot)->id(), {.vx = act.vx, .vy = act.vy, .va = act.va});
+    return ActResult{};
+}
+
+Expected<ActResult> perform(System& system, const Press& act, const Actor& /*who*/) {
+    const auto robot = robot_named(system, act.robot);
+    if (!robot) return Unexpected(robot.error());
+    std::vector<std::string_view> names;
+    const auto& sensors = (*robot)->spec().sensors;
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        if (sensors[i].kind != SensorSpec::Kind::button && sensors[i].kind != SensorSpec::Kind::touch) continue;
+        if (sensors[i].name == act.sensor) {
+            system.world()->press((*robot)->id(), i, act.pressed);
+            return ActResult{};
+        }
+        names.emplace_back(sensors[i].name);
+    }
+    if (names.empty()) return failure(fmt::format("{} has no buttons", act.robot));
+    const std::string near = did_you_mean(act.sensor, names);
+    return failure(fmt::format("{} has no button '{}'{}", act.robot, shown(act.sensor),
+                               near.empty() ? fmt::format(" (it has {})", fmt::join(names, ", ")) : near));
+}
+
+Expected<ActResult> perform(System& system, const Command& act, const Actor& /*who*/) {
+    const auto component = system.component(act.component);
+    if (!component) return Unexpected(component.error());
+    auto values = (*component)->call_command(act.command, act.arguments, system.now());
+    if (!values) return Unexpected(values.error());
+    ActResult result;
+    result.values = std::move(*values);
+    return result;
+}
+
+Expected<ActResult> perform(System& system, const Stop& /*act*/, const Actor& who) {
+    system.emergency_stop();
+    system.log(LogLevel::warn, fmt::format("emergency stop ({}): rearm() lets the robots drive again", to_text(who)));
+    return ActResult{};
+}
+
+Expected<ActResult> perform(System& system, const Rearm& /*act*/, const Actor& /*who*/) {
+    return result_of(system.rearm());
+}
+
+}  // namespace nezumi

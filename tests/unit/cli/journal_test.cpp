@@ -1,0 +1,116 @@
+// `nezumi run --journal` and `--replay` as a person uses them.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A project whose mouse stands on a picture of the floor, and commands that change it as they go.
+struct Journaled {
+    Journaled() {
+        fs::create_directories(folder.path("behaviors"));
+        fs::copy_file("tests/scenarios/stripes.png", folder.path("floor.png"));
+        folder.write("behaviors/it.lua", R"(
+local target = output("out", "TimedVelocity2D")
+param("speed", 0.1)
+command("double", function(x) config.speed = config.speed * 2 return x end)
+function on_execute() target:write { vx = config.speed, va = math.random() } end
+)");
+        system = folder
+                     .write("system.lua", R"(
+arena { floor { image = "floor.png", size = { 2, 1 } } }
+robot "mouse" { model = "raspimouse" }
+behavior "it" { script = "it" }
+connect("it.out", "mouse.target_velocity_in")
+)")
+                     .string();
+        commands = folder
+                       .write("commands", R"(step(10)
+it.config.speed = 0.2
+run(0.5) it:double(1)
+hold(it.out, { vx = 0.05 }) step(3)
+mouse:teleport { x = 0.3 }
+restart()
+run(0.3)
+stop() run(1) rearm()
+run(0.2)
+)")
+                       .string();
+        journal = folder.path("run.journal").string();
+    }
+    Outcome run(std::vector<std::string> options, const std::string& input = "") const {
+        options.insert(options.begin(), {"run", system, "--trace-hash"});
+        return run_nezumi(options, "", input);
+    }
+    Scratch folder;
+    std::string system, commands, journal;
+};
+
+std::string last_line(const std::string& text) { return text.substr(text.rfind('\n', text.size() - 2) + 1); }
+
+}  // namespace
+
+TEST_CASE("a run is replayed from its journal alone, and ends with the same hash", "[cli][journal]") {
+    Journaled it;
+    const Outcome first = it.run({"--batch", "--seed", "7", "--journal", it.journal}, it.commands);
+    INFO(first.error);
+    REQUIRE(first.status == 0);
+    const fs::path kept = it.journal + ".kept";
+    SECTION("with its files") {}
+    SECTION("without them") {
+        for (const char* gone : {"behaviors", "system.lua", "floor.png"}) fs::remove_all(it.folder.path(gone));
+    }
+    const Outcome again = it.run({"--replay", it.journal});
+    INFO(again.error);
+    CHECK(again.status == 0);
+    CHECK(again.out == last_line(first.out));
+}
+
+TEST_CASE("a run of a given length is replayed to that length", "[cli][journal]") {
+    Journaled it;
+    const Outcome first = it.run({"--headless", "--speed", "max", "--duration", "2", "--journal", it.journal});
+    REQUIRE(first.status == 0);
+    const Outcome without = it.run({"--headless", "--speed", "max", "--duration", "2"});
+    CHECK(first.out == without.out);  // a journal changes nothing
+    const Outcome again = it.run({"--replay", it.journal});
+    CHECK(again.status == 0);
+    CHECK(again.out == first.out);
+}
+
+TEST_CASE("what can't be journaled or replayed is said in one line", "[cli][journal]") {
+    Journaled it;
+    CHECK(it.run({"--journal", it.folder.path("none/x").string()}).error ==
+          it.folder.path("none/x").string() + ": can't be written: No such file or directory\n");
+    CHECK(it.run({"--replay", it.journal, "--batch"}).error ==
+          "nezumi: --replay does what the journal says: leave out --batch\n");
+    it.folder.write("run.journal", "{}\n");
+    CHECK(it.run({"--replay", it.journal}).error == it.journal + ":1: is no journal of nezumi run --journal\n");
+    REQUIRE(it.run({"--headless", "--speed", "max", "--duration", "1", "--journal", it.journal}).status == 0);
+    const Outcome other = run_nezumi({"run", "behaviors/systems/two_mice.lua", "--replay", it.journal});
+    CHECK(other.error ==
+          "nezumi: " + it.journal + " is a journal of " + it.system + ", not of behaviors/systems/two_mice.lua\n");
+    CHECK(other.status == 2);
+}
+
+TEST_CASE("a journal whose hash is another one fails its replay", "[cli][journal]") {
+    Journaled it;
+    REQUIRE(it.run({"--headless", "--speed", "max", "--duration", "1", "--journal", it.journal}).status == 0);
+    std::ostringstream text;
+    text << std::ifstream(it.journal).rdbuf();
+    std::string changed = text.str();
+    const auto at = changed.rfind("\"hash\":\"") + 8;
+    changed.replace(at, 16, "0123456789abcdef");
+    it.folder.write("run.journal", changed);
+    const Outcome again = it.run({"--replay", it.journal});
+    CHECK(again.status == 2);
+    CHECK_THAT(again.error, Contains("the run is another one than the journal's: its hash"));
+}

@@ -1,0 +1,72 @@
+// An act comes back from its JSON as it was.
+#include "bindings/journal/act_json.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bindings/journal/base64.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+const Project project = Project::of("system.lua");
+
+template <class T>
+T back(const T& act) {
+    const auto json = nlohmann::ordered_json::parse(to_json(act).dump());
+    auto read = act_from_json(Describe<T>::name, json, project);
+    if (!read) FAIL(describe(read.error()));
+    return std::get<T>(*read);
+}
+
+ParameterValue back(const ParameterValue& value) { return back(SetParameter{"c", "p", value}).value; }
+
+}  // namespace
+
+TEST_CASE("parameters come back with their types", "[journal]") {
+    for (const ParameterValue& value :
+         {ParameterValue(true), ParameterValue(std::int64_t{-7}), ParameterValue(3.0), ParameterValue(0.1),
+          ParameterValue(1e300), ParameterValue(INFINITY), ParameterValue(std::string("a\"\n\xff")),
+          ParameterValue(std::vector<bool>{true, false}), ParameterValue(std::vector<std::int64_t>{}),
+          ParameterValue(std::vector<double>{}), ParameterValue(std::vector<double>{1.0, 0.5}),
+          ParameterValue(std::vector<std::string>{"", "x"})}) {
+        CHECK(back(value) == value);
+    }
+}
+
+TEST_CASE("messages of every type come back", "[journal]") {
+    const auto check = [](const AnyPayload& value) { CHECK(back(Hold{"a.b", value, true}).value == value); };
+    [&]<std::size_t... index>(std::index_sequence<index...>) { (check(AnyPayload(std::in_place_index<index>)), ...); }
+    (std::make_index_sequence<std::variant_size_v<AnyPayload>>());
+    check(Velocity2D{.vx = 0.1, .va = -2});
+    check(std::vector<float>{0.1F, 1e-30F});
+    check(CameraImage{.width = 1, .height = 1, .bpp = 8, .format = "gray8", .pixels = {0xff, 0x00}});
+    check(RangeData{.ranges = {1, 2}, .geometry = {.elements = {{}, {.pose = {{1, 2, 3}, {}}}}}});
+}
+
+TEST_CASE("plain data comes back with its shape", "[journal]") {
+    PlainData data;
+    data.values = {{}, true, std::int64_t{1}, 1.0, std::string("\x80"), -INFINITY, PlainData::TableRef{1}};
+    data.tables = {{{std::string("self"), PlainData::TableRef{0}}}, {{2.5, false}}};
+    CHECK(back(Command{"c", "f", data}).arguments == data);
+}
+
+TEST_CASE("a push keeps what it leaves free", "[journal]") {
+    Disturb push{"mouse"};
+    push.va = 0.5;
+    const Disturb same = back(push);
+    CHECK_FALSE(same.vx);
+    CHECK(same.va == 0.5);
+}
+
+TEST_CASE("base64 is that of RFC 4648", "[journal]") {
+    for (const auto& [bytes, text] :
+         {std::pair{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}}) {
+        CHECK(to_base64(bytes) == text);
+        CHECK(from_base64(text) == bytes);
+    }
+    CHECK_FALSE(from_base64("Zg="));
+    CHECK_FALSE(from_base64("Z!=="));
+}

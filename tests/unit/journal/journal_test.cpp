@@ -1,0 +1,223 @@
+// Whatever is done to a system is journaled, and a journal makes the same run again.
+#include "bindings/journal/journal.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "tests/unit/journal/random_run.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+void check_replays(RandomRun& run, int ticks) {
+    const std::uint64_t hash = run.run(ticks);
+    const Replayed again = replay(run.journal_file());
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
+template <std::size_t... kind>
+std::set<std::string_view> all_kinds(std::index_sequence<kind...>) {
+    return {Describe<std::variant_alternative_t<kind, Act>>::name...};
+}
+
+// A system with one behaviour, journaled tick by tick.
+struct Small {
+    explicit Small(const std::string& script, Budget budget = headless_budget) {
+        folder.write("behaviors/it.lua", script);
+        const fs::path system = folder.write("system.lua", "behavior 'it' { script = 'it' }\n");
+        LiveOptions options;
+        options.files = &files;
+        options.budget = budget;
+        live = std::move(LiveSystem::load(system, std::move(options)).value());
+        journal = std::move(Journal::create(file, files).value());
+        journal->begin(*live, journal_version, false);
+        live->activate();
+    }
+    void tick(int count = 1) {
+        for (; count > 0; --count) live->tick();
+    }
+    std::uint64_t end() {
+        journal->end(RunEnd::duration, "", live->when(), live->trace_hash());
+        return live->trace_hash();
+    }
+    // The journal with a line replaced, or the error of replaying it.
+    std::string error_with(int line, const std::string& other) const {
+        std::istringstream in(text_of(file));
+        std::string changed;
+        std::string each;
+        for (int number = 1; std::getline(in, each); ++number) changed += (number == line ? other : each) + "\n";
+        const fs::path copy = folder.write("changed.journal", changed);
+        std::string error = replay(copy).error;
+        const auto at = error.find(copy.string());
+        return at == std::string::npos ? error : error.replace(at, copy.string().size(), "J");
+    }
+
+    Scratch folder;
+    fs::path file = folder.path("it.journal");
+    RecordingFiles files;
+    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<Journal> journal;
+};
+
+const std::string counter = R"(
+local out = output("out", "TimedLong")
+param("step", 1)
+local n = 0
+function on_execute() n = n + config.step out:write(n) end
+)";
+
+}  // namespace
+
+TEST_CASE("a minute of random acts replays to the same hash", "[journal]") {
+    RandomRun run(1);
+    check_replays(run, 6000);
+}
+
+TEST_CASE("an hour of random acts of every kind replays to the same hash", "[journal][long]") {
+    RandomRun run(2);
+    check_replays(run, 360'000);
+    CHECK(run.done == all_kinds(std::make_index_sequence<std::variant_size_v<Act>>()));
+}
+
+TEST_CASE("a replay reads no file of the project", "[journal]") {
+    RandomRun run(3);
+    const std::uint64_t hash = run.run(1500);
+    const Scratch other;
+    const fs::path journal = other.path("run.journal");
+    fs::copy_file(run.journal_file(), journal);
+    SECTION("they are changed") { run.folder.write("behaviors/wanderer.lua", "error('another one')"); }
+    SECTION("they are gone") { fs::remove_all(run.folder.path("")); }
+    const Replayed again = replay(journal);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
+TEST_CASE("a process that is killed leaves a journal that replays to its last whole line", "[journal]") {
+    RandomRun run(4);
+    const pid_t child = fork();
+    if (child == 0) {
+        run.run(1'000'000, [](Journal&) { return true; });
+        _exit(1);
+    }
+    REQUIRE(child > 0);
+    std::error_code none;
+    while (fs::file_size(run.journal_file(), none) < 60'000 || none) {
+        REQUIRE(waitpid(child, nullptr, WNOHANG) == 0);
+        usleep(1000);
+    }
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+
+    // The line that is torn, as a machine that went down would leave it.
+    const std::string text = text_of(run.journal_file());
+    write(run.journal_file(), text + R"({"at":[1,)");
+    auto read = Replay::read(run.journal_file(), journal_version);
+    REQUIRE(read);
+    CHECK((*read)->torn_line() == std::count(text.begin(), text.end(), '\n') + 1);
+    CHECK_FALSE((*read)->end());
+
+    const std::size_t last = text.rfind('\n', text.size() - 2) + 1;
+    int start = 0;
+    long long tick = 0;
+    REQUIRE(std::sscanf(text.c_str() + last, "{\"at\":[%d,%lld", &start, &tick) == 2);
+    const Replayed again = replay(run.journal_file());
+    CHECK(again.error.empty());
+    CHECK(again.end.start == start);
+    CHECK(again.end.tick == tick);
+}
+
+TEST_CASE("a call that the clock ended ends so in the replay", "[journal]") {
+    Small it(R"(
+local out = output("out", "TimedLong")
+param("endless", false)
+local n = 0
+command("hang", function() while true do end end)
+function on_execute()
+  n = n + 1
+  out:write(n)
+  while config.endless do end
+end
+)",
+             Budget{0.02});
+    it.tick(5);
+    CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
+    it.tick(5);
+    REQUIRE(it.live->act(SetParameter{"it", "endless", true}, {}));
+    it.tick(5);
+    CHECK(it.live->system().find("it")->state() == LifeState::error);
+    REQUIRE(it.live->act(SetParameter{"it", "endless", false}, {}));
+    REQUIRE(it.live->act(Reset{"it"}, {}));
+    REQUIRE(it.live->act(Activate{"it"}, {}));
+    it.tick(5);
+    const std::uint64_t hash = it.end();
+    CHECK_THAT(text_of(it.file), Contains("out_of_time"));
+
+    SECTION("although it is endless") {
+        const Replayed again = replay(it.file);
+        CHECK(again.error.empty());
+        CHECK(hash_text(again.hash) == hash_text(hash));
+    }
+    SECTION("although it would end by itself there") {
+        std::string text = text_of(it.file);
+        for (std::string_view endless : {"while config.endless do", "while true do"}) {
+            const auto at = text.find(endless);
+            REQUIRE(at != std::string::npos);
+            text.replace(at, endless.size(), "while false do");
+        }
+        write(it.file, text);
+        const Replayed again = replay(it.file);
+        CHECK(again.error.empty());
+        CHECK(hash_text(again.hash) == hash_text(hash));
+    }
+}
+
+TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
+    Small it(counter);
+    it.tick(3);
+    REQUIRE(it.live->act(SetParameter{"it", "step", std::int64_t{2}}, {Actor::Kind::console}));
+    it.tick(3);
+    it.end();
+    const std::string act = R"({"at":[1,3,0],"who":"console","do":"SetParameter","with":)";
+    CHECK_THAT(text_of(it.file), Contains(act + R"({"component":"it","parameter":"step","value":2}})"));
+    CHECK(it.error_with(2, "no line at all") == "J:2: expected a JSON object");
+    CHECK(it.error_with(2, R"({"at":[1,3],"hash":"0"})") ==
+          "J:2: 'at' must be the start's number, the tick and the act's number");
+    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step"}})") ==
+          "J:2: SetParameter: 'value' is missing");
+    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step","value":2,"more":1}})") ==
+          "J:2: SetParameter: there is a field that it does not have");
+    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"stop","value":2}})") ==
+          "J:2: SetParameter went well then, not now: unknown parameter 'stop' (did you mean 'step'?)");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Set","with":{}})") == "J:2: there is no act 'Set'");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"somebody","do":"Stop","with":{}})")
+              .starts_with("J:2: 'somebody' is nobody who acts: expected one of run, console"));
+    CHECK(it.error_with(2, R"({"at":[2,3,0],"who":"console","do":"Stop","with":{}})") ==
+          "J:3: tick 6 of start 1 comes after tick 3 of start 2");
+    CHECK(it.error_with(2, R"({"at":[1,4,0],"hash":"0000000000000000"})")
+              .starts_with("J:2: the run is another one than the journal's: its hash at tick 4 of start 1 was "
+                           "0000000000000000, not "));
+    CHECK(it.error_with(1, "[]") == "J:1: is no journal of nezumi run --journal");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"0.0"})") ==
+          "J is a journal of nezumi 0.0, this is test: only the same version replays it");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"test","hardware":true})") ==
+          "J is the journal of a run on hardware: it tells what was done, and can't be replayed");
+    CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": can't be read as a journal");
+}

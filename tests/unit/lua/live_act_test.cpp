@@ -1,0 +1,70 @@
+// The one door through which a running system is changed, and what goes with it.
+#include <catch2/catch.hpp>
+
+#include "engine/ports/payload.hpp"
+#include "tests/unit/live_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+const Actor gamepad{Actor::Kind::joystick, "pad"};
+
+Velocity2D sent(const LiveRig& it) {
+    return std::get<Velocity2D>((*it.live->system().port("controller.out"))->value());
+}
+
+}  // namespace
+
+TEST_CASE("who goes for good lets go of what it held, a velocity by way of zero", "[lua][act]") {
+    LiveRig it;
+    REQUIRE(it.live->act(Hold{"controller.out", Velocity2D{.vx = 0.1}}, gamepad));
+    REQUIRE(it.live->act(Hold{"controller.in", std::vector<std::int16_t>{31}}, gamepad));
+    REQUIRE(it.live->act(Hold{"mouse.target_velocity_in", Velocity2D{.vx = 0.2}}, {Actor::Kind::console}));
+    it.tick(3);
+    CHECK(sent(it).vx == 0.1);
+    it.live->let_go(gamepad);
+    CHECK(it.live->system().holder("controller.in") == nullptr);
+    it.tick();
+    CHECK(sent(it) == Velocity2D{});
+    CHECK(it.live->system().holder("controller.out") != nullptr);
+    it.tick();
+    CHECK(it.live->system().holder("controller.out") == nullptr);
+    it.tick();
+    CHECK(sent(it).vx == 0.25);  // its component's own again
+    CHECK(it.live->system().holder("mouse.target_velocity_in") != nullptr);
+}
+
+TEST_CASE("the hash after a restart is a chain over the starts", "[lua][act]") {
+    LiveRig it;
+    it.tick(20);
+    const std::uint64_t first = it.live->trace_hash();
+    REQUIRE(it.live->act(Restart{}, {}));
+    it.tick(20);
+    CHECK(it.live->trace_hash() == mix(first, first));
+    CHECK(it.live->starts() == 2);
+}
+
+TEST_CASE("an act that is refused changes nothing and says why", "[lua][act]") {
+    LiveRig it;
+    const auto error = [&](const Act& act) {
+        const auto done = it.live->act(act, {});
+        return done ? "" : done.error().message;
+    };
+    CHECK(error(Reload{.component = "mouse", .text = "x"}) == "mouse has no script: only behaviours reload");
+    CHECK(error(Rollback{"controller"}) == "controller has no version before this one; still running version 1");
+    CHECK(error(Remove{"contoller"}) == "there is no component 'contoller' (did you mean 'controller'?)");
+    CHECK(error(SetParameter{"controller", "speed_x", 2.0}) ==
+          "parameter 'speed_x' (number): 2.0 is above its maximum 1.5");
+    it.folder.write("system.lua", "robot(");
+    CHECK_FALSE(it.live->act(Restart{}, {}));
+    CHECK(it.live->starts() == 1);
+}
+
+TEST_CASE("what is removed is gone from the description too", "[lua][act]") {
+    LiveRig it;
+    REQUIRE(it.live->act(Remove{"controller"}, {}));
+    CHECK(it.live->system().find("controller") == nullptr);
+    CHECK(it.live->spec().entries.size() == 1);
+    it.tick(3);
+}
