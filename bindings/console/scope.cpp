@@ -23,14 +23,7 @@ bool is_component(const Session::Parts& parts, std::string_view name) {
     return parts.live.system().find(name) != nullptr;
 }
 
-int raise(lua_State* L, const Session::Parts& parts) {
-    luaL_where(L, 1);
-    lua_pushlstring(L, parts.raised.data(), parts.raised.size());
-    lua_concat(L, 2);
-    return lua_error(L);
-}
-
-void explain_unknown(Session::Parts& parts, std::string_view name) {
+std::string explain_unknown(const Session::Parts& parts, std::string_view name) {
     std::string near;
     for (const auto& component : parts.live.system().components()) {
         if (component->find_port(name) == nullptr && component->parameters().find(name) == nullptr) continue;
@@ -40,7 +33,7 @@ void explain_unknown(Session::Parts& parts, std::string_view name) {
     }
     const std::vector<std::string> known = names_in_scope(parts);
     if (near.empty()) near = did_you_mean(name, {known.begin(), known.end()});
-    parts.raised = fmt::format("unknown name '{}'{}", shown(name), near);
+    return fmt::format("unknown name '{}'{}", shown(name), near);
 }
 
 // Upvalues: the parts, the table of words.
@@ -53,8 +46,8 @@ int read_global(lua_State* L) {
         parts.objects->push_component(L, parts.live, name);
         return 1;
     }
-    explain_unknown(parts, name);
-    return raise(L, parts);
+    keep_error(L, explain_unknown(parts, name));
+    return raise_kept(L);
 }
 
 int assign_global(lua_State* L) {
@@ -64,14 +57,14 @@ int assign_global(lua_State* L) {
     const bool is_word = lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL;
     lua_pop(L, 1);
     if (is_word) {
-        parts.raised = fmt::format("'{}' is a word of the console: choose another name", name);
+        keep_error(L, fmt::format("'{}' is a word of the console: choose another name", name));
     } else if (is_component(parts, name)) {
-        parts.raised = fmt::format("'{}' is a component: choose another name", name);
+        keep_error(L, fmt::format("'{}' is a component: choose another name", name));
     } else {
         lua_rawset(L, 1);
         return 0;
     }
-    return raise(L, parts);
+    return raise_kept(L);
 }
 
 // Moves all globals into a table, which is left on the stack.
@@ -110,7 +103,6 @@ Expected<void> open_scope(Session::Parts& parts) {
     const auto opened = protect(parts.state->lua(), Budget{10.0}, [&parts](lua_State* L) {
         take_globals(L);
         add_words(L, parts);
-        parts.objects->add_port_words(L, false);
         parts.objects->push_system(L, parts.live);
         lua_pushvalue(L, -1);
         lua_setfield(L, -3, "world");

@@ -47,7 +47,6 @@ struct Session::Parts {
     Drive drive;
     double number = 0;       ///< what a word returns
     std::int64_t ticks = 0;  ///< that a word waits for
-    std::string raised;      ///< the text of the Lua error that is about to be raised
     std::unique_ptr<Objects> objects;
     std::unique_ptr<LuaState> state;
     std::unique_ptr<SlicedCall> call;  ///< of `input`; last: dies first

@@ -13,16 +13,15 @@ namespace {
 enum class Outcome : unsigned char { done, number, wait, failed };
 
 Outcome run_word(lua_State* L, Session::Parts& parts, const Word& word) {
-    const WordArguments arguments{L, lua_gettop(L)};
-    Expected<WordEnd> end;
-    if (arguments.count > word.most) {
-        end = failure(
-            fmt::format("expected at most {} argument{}: {}", word.most, word.most == 1 ? "" : "s", word.usage));
-    } else {
-        end = word.run(parts, arguments);
+    const Arguments arguments{L};
+    const std::string_view name = word.name;
+    if (auto ok = arguments.at_most(name, word.most, std::string_view(word.usage).substr(name.size())); !ok) {
+        keep_error(L, ok.error().message);
+        return Outcome::failed;
     }
+    const Expected<WordEnd> end = word.run(parts, arguments);
     if (!end) {
-        parts.raised = fmt::format("{}: {}", word.name, describe(end.error()));
+        keep_error(L, fmt::format("{}: {}", name, describe(end.error())));
         return Outcome::failed;
     }
     if (*end == WordEnd::number) return Outcome::number;
@@ -30,13 +29,6 @@ Outcome run_word(lua_State* L, Session::Parts& parts, const Word& word) {
 }
 
 Session::Parts& parts_of(lua_State* L) { return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1))); }
-
-int raise(lua_State* L, const Session::Parts& parts) {
-    luaL_where(L, 1);
-    lua_pushlstring(L, parts.raised.data(), parts.raised.size());
-    lua_concat(L, 2);
-    return lua_error(L);
-}
 
 int refuse_wait(lua_State* L) {
     return luaL_error(L, "can't wait for time to pass here: call it from the input itself");
@@ -56,7 +48,7 @@ int call_word(lua_State* L) {
     switch (run_word(L, parts, console_words()[number])) {
         case Outcome::done: return 0;
         case Outcome::number: lua_pushnumber(L, parts.number); return 1;
-        case Outcome::failed: return raise(L, parts);
+        case Outcome::failed: return raise_kept(L);
         case Outcome::wait: break;
     }
     if (lua_isyieldable(L) == 0) return refuse_wait(L);
@@ -68,20 +60,6 @@ int call_word(lua_State* L) {
 
 }  // namespace
 
-Expected<std::string> WordArguments::text(int index, std::string_view what) const {
-    if (index <= count && lua_type(lua, index) == LUA_TSTRING) {
-        std::size_t length = 0;
-        const char* text = lua_tolstring(lua, index, &length);
-        return std::string(text, length);
-    }
-    return failure(fmt::format("expected {}, got {}", what, has(index) ? luaL_typename(lua, index) : "nothing"));
-}
-
-Expected<double> WordArguments::number(int index, std::string_view what) const {
-    if (index <= count && lua_type(lua, index) == LUA_TNUMBER) return lua_tonumber(lua, index);
-    return failure(fmt::format("expected {}, got {}", what, has(index) ? luaL_typename(lua, index) : "nothing"));
-}
-
 const std::vector<Word>& console_words() {
     static const std::vector<Word> words{
         {"ls", "ls() or ls(component)", "lists what there is, how it is wired and what is held", 1, word_ls},
@@ -90,9 +68,10 @@ const std::vector<Word>& console_words() {
         {"watch", "watch(port)", "shows a port's value whenever it changes", 1, word_watch},
         {"unwatch", "unwatch(port) or unwatch()", "ends one watch, or all", 1, word_unwatch},
         {"plot", "plot(port, seconds)", "draws what a port carried in the last seconds", 2, word_plot},
-        {"inject", "inject(port, value)", "sends one message to a port, as from a connection", 2, nullptr},
-        {"hold", "hold(port, value)", "sends this value every tick; nothing else gets through", 3, nullptr},
-        {"release", "release(port)", "ends hold", 1, nullptr},
+        {"inject", "inject(port, value)", "sends one message to a port, as from a connection", 2, word_inject},
+        {"hold", "hold(port, value, { take = true })", "sends this value every tick; nothing else gets through", 3,
+         word_hold},
+        {"release", "release(port)", "ends hold", 1, word_release},
         {"connect", "connect(from, to)", "connects an out-port to an in-port", 2, word_connect},
         {"disconnect", "disconnect(from, to) or disconnect(port)", "ends one connection, or all of a port", 2,
          word_disconnect},
@@ -123,13 +102,10 @@ void add_words(lua_State* L, Session::Parts& parts) {
     luaL_checkstack(L, 6, nullptr);
     lua_Integer number = 0;
     for (const Word& word : console_words()) {
-        if (word.run != nullptr) {
-            lua_pushlightuserdata(L, &parts);
-            lua_pushinteger(L, number);
-            lua_pushcclosure(L, call_word, 2);
-            lua_setfield(L, -2, word.name);
-        }
-        ++number;
+        lua_pushlightuserdata(L, &parts);
+        lua_pushinteger(L, number++);
+        lua_pushcclosure(L, call_word, 2);
+        lua_setfield(L, -2, word.name);
     }
 }
 

@@ -7,20 +7,10 @@
 #include <vector>
 
 #include "bindings/console/session_parts.hpp"
+#include "bindings/lua/values/bridge.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
-
-/// The arguments of a word, at 1 to `count` of a Lua stack. Reading them raises nothing.
-struct WordArguments {
-    lua_State* lua;
-    int count;
-
-    bool has(int index) const { return index <= count && !lua_isnil(lua, index); }
-    /// A string; "expected WHAT, got ..." otherwise.
-    Expected<std::string> text(int index, std::string_view what) const;
-    Expected<double> number(int index, std::string_view what) const;
-};
 
 /// What a word wants done after it.
 enum class WordEnd : unsigned char {
@@ -31,13 +21,13 @@ enum class WordEnd : unsigned char {
 
 struct Word {
     const char* name;
-    const char* usage;  ///< "step(n)"
+    const char* usage;  ///< "step(n)": it begins with the name
     const char* help;   ///< one sentence
     int most;           ///< arguments at most
-    Expected<WordEnd> (*run)(Session::Parts& parts, const WordArguments& arguments);
+    Expected<WordEnd> (*run)(Session::Parts& parts, const Arguments& arguments);
 };
 
-/// All of them, in the order in which `help()` lists them. `inject`, `hold` and `release` are run by the object model.
+/// All of them, in the order in which `help()` lists them.
 const std::vector<Word>& console_words();
 
 /// Adds the words' functions to the table on top of the stack. May raise a Lua error.
@@ -46,17 +36,19 @@ void add_words(lua_State* L, Session::Parts& parts);
 const Word* word_at(lua_State* L, int index);
 
 /// The end of a word that was one act and shows nothing.
-inline Expected<WordEnd> done(const Expected<ActResult>& acted) {
+template <class Result>
+Expected<WordEnd> done(const Expected<Result>& acted) {
     if (!acted) return Unexpected(acted.error());
     return WordEnd::done;
 }
 
 // Each group in its own file.
-using WordFunction = Expected<WordEnd>(Session::Parts&, const WordArguments&);
-WordFunction word_connect, word_disconnect;                                         // wiring
-WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;      // looking
-WordFunction word_watch, word_unwatch, word_plot, word_drive;                       // following
-WordFunction word_teleport, word_stop, word_rearm;                                  // acting
+using WordFunction = Expected<WordEnd>(Session::Parts&, const Arguments&);
+WordFunction word_connect, word_disconnect;                                     // wiring
+WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;  // looking
+WordFunction word_watch, word_unwatch, word_plot, word_drive;                   // following
+WordFunction word_inject, word_hold, word_release;                              // acting
+WordFunction word_teleport, word_stop, word_rearm;
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
 WordFunction word_reload, word_rollback, word_save;                                 // versions
 

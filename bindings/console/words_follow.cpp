@@ -10,8 +10,8 @@
 namespace nezumi {
 namespace {
 
-Expected<std::string> path(const Session::Parts& parts, const WordArguments& arguments) {
-    if (arguments.count < 1) return failure("expected a port or \"name.port\", got nothing");
+Expected<std::string> path(const Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.count() < 1) return failure("expected a port or \"name.port\", got nothing");
     const auto port = parts.objects->to_port(arguments.lua, 1);
     if (!port) return Unexpected(port.error());
     return port->path();
@@ -19,7 +19,7 @@ Expected<std::string> path(const Session::Parts& parts, const WordArguments& arg
 
 }  // namespace
 
-Expected<WordEnd> word_watch(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_watch(Session::Parts& parts, const Arguments& arguments) {
     const auto port = path(parts, arguments);
     if (!port) return Unexpected(port.error());
     const auto same = [&](const Watch& watch) { return watch.path == *port; };
@@ -27,7 +27,7 @@ Expected<WordEnd> word_watch(Session::Parts& parts, const WordArguments& argumen
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_unwatch(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_unwatch(Session::Parts& parts, const Arguments& arguments) {
     if (!arguments.has(1)) {
         parts.watches.clear();
         return WordEnd::done;
@@ -41,7 +41,7 @@ Expected<WordEnd> word_unwatch(Session::Parts& parts, const WordArguments& argum
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_plot(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_plot(Session::Parts& parts, const Arguments& arguments) {
     const auto port = path(parts, arguments);
     if (!port) return Unexpected(port.error());
     double seconds = 10;
@@ -61,15 +61,15 @@ Expected<WordEnd> word_plot(Session::Parts& parts, const WordArguments& argument
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_drive(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_drive(Session::Parts& parts, const Arguments& arguments) {
     if (!parts.options.output.take_keys) return failure("this needs a terminal: there are no keys here");
     Expected<std::string> what = path(parts, arguments);
     if (!what) {
-        const auto component = arguments.count < 1 ? Expected<ComponentAt>(failure("drive \"stick\""))
-                                                   : parts.objects->to_component(arguments.lua, 1);
+        const auto component = arguments.count() < 1 ? Expected<ComponentAt>(failure("drive \"stick\""))
+                                                     : parts.objects->to_component(arguments.lua, 1);
         if (component) {
             what = component->component->name();
-        } else if (arguments.count < 1) {
+        } else if (arguments.count() < 1) {
             return failure("expected what to drive, as in drive \"stick\", got nothing");
         } else {
             return Unexpected(what.error().message.find("names no port") != std::string::npos ? component.error()
@@ -82,16 +82,28 @@ Expected<WordEnd> word_drive(Session::Parts& parts, const WordArguments& argumen
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_teleport(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_inject(Session::Parts& parts, const Arguments& arguments) {
+    return done(parts.objects->act_on_port(arguments.lua, arguments.index(1), "inject"));
+}
+
+Expected<WordEnd> word_hold(Session::Parts& parts, const Arguments& arguments) {
+    return done(parts.objects->act_on_port(arguments.lua, arguments.index(1), "hold"));
+}
+
+Expected<WordEnd> word_release(Session::Parts& parts, const Arguments& arguments) {
+    return done(parts.objects->act_on_port(arguments.lua, arguments.index(1), "release"));
+}
+
+Expected<WordEnd> word_teleport(Session::Parts& parts, const Arguments& arguments) {
     if (parts.clock.is_hardware()) return failure("real robots stay where they are: this works in simulation");
-    if (arguments.count < 1) return failure("expected a marker or robot, as in teleport(\"target\", { x = 1 })");
+    if (arguments.count() < 1) return failure("expected a marker or robot, as in teleport(\"target\", { x = 1 })");
     const auto teleport = read_teleport(*parts.objects, parts.live, arguments.lua, 1, 2);
     if (!teleport) return Unexpected(teleport.error());
     return done(parts.act(teleport->act));
 }
 
-Expected<WordEnd> word_stop(Session::Parts& parts, const WordArguments&) { return done(parts.act(Stop{})); }
+Expected<WordEnd> word_stop(Session::Parts& parts, const Arguments&) { return done(parts.act(Stop{})); }
 
-Expected<WordEnd> word_rearm(Session::Parts& parts, const WordArguments&) { return done(parts.act(Rearm{})); }
+Expected<WordEnd> word_rearm(Session::Parts& parts, const Arguments&) { return done(parts.act(Rearm{})); }
 
 }  // namespace nezumi

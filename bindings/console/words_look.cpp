@@ -61,7 +61,7 @@ std::string word_line(const Word& word) { return fmt::format("  {:40} {}", word.
 
 }  // namespace
 
-Expected<WordEnd> word_ls(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_ls(Session::Parts& parts, const Arguments& arguments) {
     const System& system = parts.live.system();
     if (arguments.has(1)) {
         const auto at = parts.objects->to_component(arguments.lua, 1);
@@ -82,7 +82,7 @@ Expected<WordEnd> word_ls(Session::Parts& parts, const WordArguments& arguments)
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_find(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_find(Session::Parts& parts, const Arguments& arguments) {
     const auto text = arguments.text(1, "a part of a name, as in find \"vel\"");
     if (!text) return Unexpected(text.error());
     Finder finder(*text);
@@ -92,7 +92,7 @@ Expected<WordEnd> word_find(Session::Parts& parts, const WordArguments& argument
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_errors(Session::Parts& parts, const WordArguments&) {
+Expected<WordEnd> word_errors(Session::Parts& parts, const Arguments&) {
     std::string text;
     const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
     for (const LogLine& line : parts.clock.problems()) {
@@ -108,7 +108,7 @@ Expected<WordEnd> word_errors(Session::Parts& parts, const WordArguments&) {
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_help(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_help(Session::Parts& parts, const Arguments& arguments) {
     if (arguments.has(1)) {
         const Word* asked = word_at(arguments.lua, 1);
         if (asked == nullptr) {
@@ -133,10 +133,10 @@ Expected<WordEnd> word_help(Session::Parts& parts, const WordArguments& argument
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_print(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_print(Session::Parts& parts, const Arguments& arguments) {
     std::string line;
     InspectWork work;
-    for (int i = 1; i <= arguments.count; ++i) {
+    for (int i = 1; i <= arguments.count(); ++i) {
         if (i > 1) line += '\t';
         line += inspect(arguments.lua, i, {.quote = false, .work = &work});
     }

@@ -24,12 +24,12 @@ WordEnd advance(Session::Parts& parts, double ticks) {
 
 }  // namespace
 
-Expected<WordEnd> word_pause(Session::Parts& parts, const WordArguments&) {
+Expected<WordEnd> word_pause(Session::Parts& parts, const Arguments&) {
     parts.clock.pause();
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_step(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_step(Session::Parts& parts, const Arguments& arguments) {
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
     double ticks = 1;
     if (arguments.has(1)) {
@@ -42,7 +42,7 @@ Expected<WordEnd> word_step(Session::Parts& parts, const WordArguments& argument
     return advance(parts, ticks);
 }
 
-Expected<WordEnd> word_run(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_run(Session::Parts& parts, const Arguments& arguments) {
     if (!arguments.has(1)) {
         if (parts.options.batch) return failure("how long? Time moves only by step(n) and run(seconds) here");
         parts.clock.resume();
@@ -58,7 +58,7 @@ Expected<WordEnd> word_run(Session::Parts& parts, const WordArguments& arguments
     return advance(parts, std::max(1.0, ticks));
 }
 
-Expected<WordEnd> word_speed(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_speed(Session::Parts& parts, const Arguments& arguments) {
     if (!arguments.has(1)) {
         parts.number = parts.clock.speed();
         return WordEnd::number;
@@ -75,20 +75,20 @@ Expected<WordEnd> word_speed(Session::Parts& parts, const WordArguments& argumen
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_restart(Session::Parts& parts, const WordArguments&) {
+Expected<WordEnd> word_restart(Session::Parts& parts, const Arguments&) {
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
     if (auto ok = parts.act(Restart{}); !ok) return Unexpected(ok.error());
     parts.show("started anew, time is 0");
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_quit(Session::Parts& parts, const WordArguments&) {
+Expected<WordEnd> word_quit(Session::Parts& parts, const Arguments&) {
     parts.inputs.clear();
     parts.clock.quit();
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_now(Session::Parts& parts, const WordArguments&) {
+Expected<WordEnd> word_now(Session::Parts& parts, const Arguments&) {
     parts.number = parts.live.system().now().seconds;
     return WordEnd::number;
 }

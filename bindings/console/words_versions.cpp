@@ -33,7 +33,7 @@ const ScriptComponent* changed_last(const System& system) {
 
 }  // namespace
 
-Expected<WordEnd> word_reload(Session::Parts& parts, const WordArguments&) {
+Expected<WordEnd> word_reload(Session::Parts& parts, const Arguments&) {
     std::vector<std::string> files = parts.live.changed_files();
     if (files.empty()) {
         parts.show("no script has changed");
@@ -45,7 +45,7 @@ Expected<WordEnd> word_reload(Session::Parts& parts, const WordArguments&) {
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_rollback(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_rollback(Session::Parts& parts, const Arguments& arguments) {
     const Component* component = nullptr;
     if (arguments.has(1)) {
         const auto at = parts.objects->to_component(arguments.lua, 1);
@@ -61,7 +61,7 @@ Expected<WordEnd> word_rollback(Session::Parts& parts, const WordArguments& argu
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_save(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_save(Session::Parts& parts, const Arguments& arguments) {
     const auto file = arguments.text(1, "the name of a file, as in save \"system.lua\"");
     if (!file) return Unexpected(file.error());
     const auto done = save_system(parts.live, *file);

@@ -6,14 +6,14 @@
 namespace nezumi {
 namespace {
 
-Expected<PortAt> port(const Session::Parts& parts, const WordArguments& arguments, int index) {
-    if (index > arguments.count) return failure("expected a port or \"name.port\", got nothing");
+Expected<PortAt> port(const Session::Parts& parts, const Arguments& arguments, int index) {
+    if (index > arguments.count()) return failure("expected a port or \"name.port\", got nothing");
     return parts.objects->to_port(arguments.lua, index);
 }
 
 }  // namespace
 
-Expected<WordEnd> word_connect(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_connect(Session::Parts& parts, const Arguments& arguments) {
     const auto from = port(parts, arguments, 1);
     if (!from) return Unexpected(from.error());
     const auto to = port(parts, arguments, 2);
@@ -21,7 +21,7 @@ Expected<WordEnd> word_connect(Session::Parts& parts, const WordArguments& argum
     return done(parts.act(Connect{from->path(), to->path()}));
 }
 
-Expected<WordEnd> word_disconnect(Session::Parts& parts, const WordArguments& arguments) {
+Expected<WordEnd> word_disconnect(Session::Parts& parts, const Arguments& arguments) {
     const auto first = port(parts, arguments, 1);
     if (!first) return Unexpected(first.error());
     if (!arguments.has(2)) return done(parts.act(Disconnect{first->path(), ""}));

@@ -133,6 +133,11 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     return pushed ? 2 : raise(run, pushed.error().message);
 }
 
+int ScenarioRun::Methods::act_on_port(ScenarioRun& run, lua_State* lua, std::string_view word) {
+    const auto done = run.objects_->act_on_port(lua, 2, word);
+    return done ? 0 : raise(run, done.error().message);
+}
+
 int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override kind) {
     const auto at = run.objects_->to_port(lua, 2);
     if (!at) return raise(run, at.error().message);
@@ -228,6 +233,11 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts()
         {"load", load, 1, " \"FILE\""},
         {"golden", golden, 250, "(name, options, port, ...)"},
         {"reload", reload, 2, "(component, { file = } or { text = })"},
+        {"inject", [](ScenarioRun& run, lua_State* lua) { return act_on_port(run, lua, "inject"); }, 2,
+         "(port, value)"},
+        {"hold", [](ScenarioRun& run, lua_State* lua) { return act_on_port(run, lua, "hold"); }, 3,
+         "(port, value, { take = true })"},
+        {"release", [](ScenarioRun& run, lua_State* lua) { return act_on_port(run, lua, "release"); }, 1, "(port)"},
         {"drop", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::dropped); }, 2,
          "(port, seconds)"},
         {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }, 2,

@@ -52,7 +52,6 @@ void ScenarioRun::Methods::push_object(lua_State* lua, ScenarioRun& run) {
     lua_pushlightuserdata(lua, &run);
     lua_newtable(lua);  // the methods
     add_system_words(lua, run.word_host_, true);
-    run.objects_->add_port_words(lua, true);
     for (const auto* methods : {&of_time(), &of_acts()}) {
         for (const Method& method : *methods) {
             lua_pushlightuserdata(lua, &run);

@@ -85,6 +85,10 @@ int method(lua_State* L) {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
         const auto at = check_self(L, name);
         if (!at) return Unexpected(at.error());
+        const MemberName* own = find_member(*at->component, name);
+        if (own == nullptr) return failure(fmt::format("{} is no robot: it has no '{}'", at->component->name(), name));
+        const std::string whole = fmt::format("{}:{}", at->component->name(), name);
+        if (auto ok = Arguments{L, 2}.at_most(whole, own->most, own->usage); !ok) return Unexpected(ok.error());
         return call_method(L, objects, *at, name);
     });
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bindings/lua/live/objects.hpp"
+#include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/plain_data.hpp"
 
 namespace nezumi {
@@ -64,7 +65,6 @@ struct Objects::Core {
     std::function<LiveSystem&()> current;
     Actor who;
     Answer answer;
-    std::string raised;
 };
 
 /// The door to what is private in `Objects`.
@@ -93,8 +93,6 @@ void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::st
 
 /// Pushes the answer that is kept in the core, and returns how many values that are. May raise a Lua error.
 int push_answer(lua_State* L, Objects& objects);
-/// Raises the text that is kept in the core, with the caller's line before it.
-int raise_answer(lua_State* L, Objects& objects);
 
 /// What an act has come to as an answer without a value.
 inline Expected<Answer> answer_of(const Expected<ActResult>& done) {
@@ -109,15 +107,14 @@ int answer(lua_State* L, Objects& objects, Body&& body) {
     bool failed = false;
     {
         Expected<Answer> got = body();
-        Objects::Core& core = ObjectAccess::core(objects);
-        if (got) {
-            core.answer = std::move(*got);
+        failed = !got;
+        if (failed) {
+            keep_error(L, describe(got.error()));
         } else {
-            core.raised = describe(got.error());
-            failed = true;
+            ObjectAccess::core(objects).answer = std::move(*got);
         }
     }
-    return failed ? raise_answer(L, objects) : push_answer(L, objects);
+    return failed ? raise_kept(L) : push_answer(L, objects);
 }
 
 /// The text at `index`, which must be a string. Raises nothing.

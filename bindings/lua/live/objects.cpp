@@ -252,13 +252,4 @@ int push_answer(lua_State* L, Objects& objects) {
     return std::visit(Pusher{L, objects}, ObjectAccess::core(objects).answer);
 }
 
-int raise_answer(lua_State* L, Objects& objects) {
-    luaL_checkstack(L, 4, nullptr);
-    const std::string& raised = ObjectAccess::core(objects).raised;
-    luaL_where(L, 1);
-    lua_pushlstring(L, raised.data(), raised.size());
-    lua_concat(L, 2);
-    return lua_error(L);
-}
-
 }  // namespace nezumi

@@ -80,9 +80,9 @@ public:
     /// The value at `index` as a message of this port: "input 'in' (TimedShortSeq): element 2 expected an integer ...".
     static Expected<AnyPayload> to_payload(lua_State* L, int index, const Port& port);
 
-    /// Adds `inject(port, value)`, `hold(port, value)` and `release(port)` to the table on top of the stack, as
-    /// functions or as methods (`s:inject(port, value)`). May raise a Lua error.
-    void add_port_words(lua_State* L, bool methods);
+    /// Does what a method of ports is called ("inject", "hold", "release") to the port at `index`, with the arguments
+    /// that follow it. Raises nothing.
+    Expected<void> act_on_port(lua_State* L, int index, std::string_view word) const;
 
     /// Every member that `X.` has: ports, words, commands. Sorted.
     static std::vector<std::string> members(const Component& component);

@@ -15,9 +15,30 @@ namespace {
 constexpr std::array<std::string_view, 16> properties{"age",  "connected", "count", "direction", "doc",   "holder",
                                                       "name", "note",      "path",  "peers",     "stale", "tm",
                                                       "type", "unread",    "value", "override"};
-constexpr std::array<std::string_view, 6> called{"drop", "freeze", "hold", "inject", "release", "write"};
 
-bool contains(const auto& all, std::string_view word) { return std::find(all.begin(), all.end(), word) != all.end(); }
+// What a port has done to it: `port:NAME(...)`.
+struct Called {
+    std::string_view name;
+    int most;  // arguments at most
+    std::string_view usage;
+};
+constexpr std::array<Called, 6> called{{{"drop", 0, "()"},
+                                        {"freeze", 0, "()"},
+                                        {"hold", 2, "(value, { take = true })"},
+                                        {"inject", 1, "(value)"},
+                                        {"release", 0, "()"},
+                                        {"write", 1, "(value)"}}};
+
+// The one of this name; null for none.
+const Called* find_called(std::string_view name) {
+    const auto* found =
+        std::find_if(called.begin(), called.end(), [&](const Called& each) { return each.name == name; });
+    return found != called.end() ? found : nullptr;
+}
+
+bool is_property(std::string_view name) {
+    return std::find(properties.begin(), properties.end(), name) != properties.end();
+}
 
 std::string title(const Port& port) {
     return fmt::format("{} '{}'", port.direction() == Direction::in ? "input" : "output", port.name());
@@ -48,14 +69,14 @@ Answer property(const PortAt& at, std::string_view name) {
 }
 
 // The value that a word puts into a port. `value` is its index.
-Expected<AnyPayload> value_for(lua_State* L, int value, const PortAt& at, std::string_view word) {
-    if (lua_type(L, value) == LUA_TNONE) return failure(fmt::format("{}: expected a value for {}", word, at.path()));
+Expected<AnyPayload> value_for(lua_State* L, int value, const PortAt& at) {
+    if (lua_type(L, value) == LUA_TNONE) return failure(fmt::format("expected a value for {}", at.path()));
     return Objects::to_payload(L, value, *at.port);
 }
 
 // The option of `hold`, `{ take = true }`, at `index`, where there may be none.
 Expected<bool> read_take(lua_State* L, int index) {
-    constexpr const char* expected = "hold: expected { take = true } or nothing after the value";
+    constexpr const char* expected = "expected { take = true } or nothing after the value";
     if (lua_isnoneornil(L, index)) return false;
     if (lua_type(L, index) != LUA_TTABLE || lua_checkstack(L, 4) == 0) return failure(expected);
     const int top = lua_gettop(L);
@@ -76,7 +97,7 @@ Expected<Act> read_act(lua_State* L, const PortAt& at, std::string_view word, in
     if (word == "release") return Release{path};
     if (word == "drop") return Drop{path};
     if (word == "freeze") return Freeze{path};
-    auto payload = value_for(L, value, at, word);
+    auto payload = value_for(L, value, at);
     if (!payload) return Unexpected(payload.error());
     if (word == "inject") return Inject{path, std::move(*payload)};
     if (word == "write") return Write{path, std::move(*payload)};
@@ -100,19 +121,10 @@ int method(lua_State* L) {
             return failure(fmt::format("{}: write `port:{}(...)` with a colon, not `port.{}(...)`", name, name, name));
         const auto at = find_port(*self);
         if (!at) return Unexpected(at.error());
+        const Called& own = *find_called(name);
+        const std::string whole = fmt::format("{}:{}", at->path(), name);
+        if (auto ok = Arguments{L, 2}.at_most(whole, own.most, own.usage); !ok) return Unexpected(ok.error());
         return act(L, objects, *at, name, 2);
-    });
-}
-
-// The words `inject`, `hold` and `release`. Upvalues: the objects, the word, the index of its first argument.
-int word(lua_State* L) {
-    Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
-        const std::string_view name = text_at(L, lua_upvalueindex(2));
-        const int first = static_cast<int>(lua_tointeger(L, lua_upvalueindex(3)));
-        const auto at = objects.to_port(L, first);
-        if (!at) return failure(fmt::format("{}: {}", name, at.error().message));
-        return act(L, objects, *at, name, first + 1);
     });
 }
 
@@ -124,7 +136,7 @@ std::string explain_key(lua_State* L, const PortAt& at) {
         return fmt::format("{}: only its own component reads it; a look at it is {}.value", at.path(), at.path());
     }
     std::vector<std::string_view> names(properties.begin(), properties.end());
-    names.insert(names.end(), called.begin(), called.end());
+    for (const Called& each : called) names.push_back(each.name);
     std::string near = did_you_mean(key, names);
     if (near.empty()) near = fmt::format("; the value's own fields are {}.value.NAME", at.path());
     return fmt::format("{} has no '{}'{}", at.path(), shown(key), near);
@@ -137,11 +149,11 @@ int port_index(lua_State* L) {
         if (!at) return Unexpected(at.error());
         if (lua_type(L, 2) == LUA_TSTRING) {
             const std::string_view key = text_at(L, 2);
-            if (contains(properties, key)) {
+            if (is_property(key)) {
                 ObjectAccess::note_look(objects, *at);
                 return property(*at, key);
             }
-            if (contains(called, key)) return Answer{MethodName{method, std::string(key)}};
+            if (find_called(key) != nullptr) return Answer{MethodName{method, std::string(key)}};
         }
         return failure(explain_key(L, *at));
     });
@@ -175,12 +187,16 @@ const ObjectFunctions& port_functions() {
 
 std::vector<std::string> Objects::port_members() {
     std::vector<std::string> all(properties.begin(), properties.end());
-    all.insert(all.end(), called.begin(), called.end());
+    for (const Called& each : called) all.emplace_back(each.name);
     std::sort(all.begin(), all.end());
     return all;
 }
 
-std::vector<std::string> Objects::port_methods() { return {called.begin(), called.end()}; }
+std::vector<std::string> Objects::port_methods() {
+    std::vector<std::string> all;
+    for (const Called& each : called) all.emplace_back(each.name);
+    return all;
+}
 
 Expected<PortAt> find_port(const ObjectRef& ref) {
     const auto at = find_component(ref);
@@ -214,15 +230,11 @@ Expected<AnyPayload> Objects::to_payload(lua_State* L, int index, const Port& po
     return value;
 }
 
-void Objects::add_port_words(lua_State* L, bool as_methods) {
-    luaL_checkstack(L, 5, nullptr);
-    for (const char* name : {"inject", "hold", "release"}) {
-        lua_pushlightuserdata(L, this);
-        lua_pushstring(L, name);
-        lua_pushinteger(L, as_methods ? 2 : 1);
-        lua_pushcclosure(L, word, 3);
-        lua_setfield(L, -2, name);
-    }
+Expected<void> Objects::act_on_port(lua_State* L, int index, std::string_view word) const {
+    const auto at = to_port(L, index);
+    if (!at) return Unexpected(at.error());
+    const auto done = act(L, *this, *at, word, index + 1);
+    return done ? Expected<void>() : Unexpected(done.error());
 }
 
 }  // namespace nezumi

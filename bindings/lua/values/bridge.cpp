@@ -44,6 +44,7 @@ Expected<void> Arguments::at_most(std::string_view word, int most, std::string_v
 }
 
 int raise_kept(lua_State* L) {
+    luaL_checkstack(L, 3, nullptr);
     luaL_where(L, 1);
     const std::string& text = LuaState::of(L).kept_error;
     lua_pushlstring(L, text.data(), text.size());

@@ -10,9 +10,11 @@ namespace nezumi {
 /// One member of the object model.
 struct MemberName {
     std::string_view name;
-    bool robot = false;   ///< of robots only
-    bool called = false;  ///< `X:name(...)`
-    bool yields = false;  ///< where a port has the name, `X.name` is the port; else no port can have it
+    bool robot = false;        ///< of robots only
+    bool called = false;       ///< `X:name(...)`
+    bool yields = false;       ///< where a port has the name, `X.name` is the port; else no port can have it
+    int most = 0;              ///< arguments at most, where it is called
+    std::string_view usage{};  ///< "(pose)"
 };
 
 /// All members, sorted by name.

@@ -36,7 +36,12 @@ TEST_CASE("step and run return when time has moved", "[console][session]") {
     CHECK(it.type("run(-1)") == "! run: expected seconds, more than 0, got -1");
     CHECK(it.type("run(1e300)") == "! run: expected seconds, more than 0 and fewer than that, got 1e+300");
     CHECK(it.type("run('x')") == "! run: expected seconds, got string");
-    CHECK(it.type("step(1, 2)") == "! step: expected at most 1 argument: step(n)");
+    CHECK(it.type("step(1, 2)") == "! step: expected at most 1 argument, got 2: step(n)");
+    CHECK(it.type("inject(controller.out, {}, 3)") ==
+          "! inject: expected at most 2 arguments, got 3: inject(port, value)");
+    CHECK(it.type("hold(controller.out, {}, {}, 4)") ==
+          "! hold: expected at most 3 arguments, got 4: hold(port, value, { take = true })");
+    CHECK(it.type("release(controller.out, 2)") == "! release: expected at most 1 argument, got 2: release(port)");
 }
 
 TEST_CASE("where an input can't wait, it says so and no time passes", "[console][session]") {
@@ -126,7 +131,7 @@ TEST_CASE("ports are connected, disconnected and held from the prompt", "[consol
     CHECK_THAT(it.type("ls()"), Contains("held by console at { 32 }"));  // what is held, also before a tick has passed
     CHECK(it.type("hold(controller.in, { 31, 0, 0, 0 })").empty());
     CHECK(it.type("release 'controller.in' step(2) return controller.out.value.vx") == "0.25");
-    CHECK(it.type("inject(controller.in, 5)") == "! input 'in' (TimedShortSeq): expected an array, got number");
+    CHECK(it.type("inject(controller.in, 5)") == "! inject: input 'in' (TimedShortSeq): expected an array, got number");
 }
 
 TEST_CASE("ls, find, help and errors show what there is", "[console][session]") {
@@ -330,7 +335,7 @@ TEST_CASE("a hold that is another's is refused, and can be taken", "[console][se
     CHECK_THAT(it.type("controller.out"), Contains("held by browser tablet"));
     CHECK(it.type("controller.out.holder") == "\"browser tablet\"");
     CHECK(it.type("hold(controller.out, {})") ==
-          "! controller.out is held by another (browser tablet): hold(port, value, { take = true }) takes it");
+          "! hold: controller.out is held by another (browser tablet): hold(port, value, { take = true }) takes it");
     CHECK(it.type("hold(controller.out, {}, { take = 1 })") ==
           "! hold: expected { take = true } or nothing after the value");
     CHECK(it.type("hold(controller.out, {}, { take = true })").empty());

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "bindings/lua/live/inspect.hpp"
+#include "bindings/lua/values/bridge.hpp"
 #include "tests/unit/live_rig.hpp"
 #include "tests/unit/lua/sandbox_support.hpp"
 
@@ -22,7 +23,12 @@ struct Objective : LiveRig {
             Objects::open(*box.state, [this]() -> LiveSystem& { return *live; }, {Actor::Kind::console}).value());
         const auto opened = protect(box.lua(), Budget{1.0}, [this](lua_State* L) {
             lua_pushglobaltable(L);
-            objects->add_port_words(L, false);
+            for (const char* word : {"inject", "hold", "release"}) {
+                lua_pushlightuserdata(L, objects.get());
+                lua_pushstring(L, word);
+                lua_pushcclosure(L, act_on_port, 2);
+                lua_setfield(L, -2, word);
+            }
             objects->push_system(L, *live);
             lua_setfield(L, -2, "world");
             for (const char* name : {"mouse", "controller"}) {
@@ -35,6 +41,14 @@ struct Objective : LiveRig {
     }
 
     std::string run(const std::string& text) { return box.run(text); }
+
+    // A word as consoles and scenarios have it.
+    static int act_on_port(lua_State* L) {
+        return bridge(L, [&] {
+            const auto& all = *static_cast<const Objects*>(lua_touserdata(L, lua_upvalueindex(1)));
+            return all.act_on_port(L, 1, lua_tostring(L, lua_upvalueindex(2)));
+        });
+    }
 
     Box box;
     std::unique_ptr<Objects> objects;
@@ -176,14 +190,12 @@ TEST_CASE("a wrong value gets the message that a script gets", "[lua][objects]")
           "box.lua:1: output 'out' (TimedVelocity2D): field 'vx' expected a number, got string");
     CHECK(it.run("inject(controller['in'], { 1, 40000 })").find("box.lua:1: input 'in' (TimedShortSeq): element 2 ") ==
           0);
-    CHECK(it.run("inject('controller.inn', {})") ==
-          "box.lua:1: inject: controller has no port 'inn' (did you mean 'in'?)");
+    CHECK(it.run("inject('controller.inn', {})") == "box.lua:1: controller has no port 'inn' (did you mean 'in'?)");
     CHECK(it.run("inject(controller, {})") ==
-          "box.lua:1: inject: expected a port, got the component controller: write controller.PORT");
-    CHECK(it.run("inject()") == "box.lua:1: inject: expected a port or \"name.port\", got nothing");
-    CHECK(it.run("hold('controller.in')") == "box.lua:1: hold: expected a value for controller.in");
-    CHECK(it.run("inject('controller', {})") ==
-          "box.lua:1: inject: 'controller' names no port: expected \"name.port\"");
+          "box.lua:1: expected a port, got the component controller: write controller.PORT");
+    CHECK(it.run("inject()") == "box.lua:1: expected a port or \"name.port\", got nothing");
+    CHECK(it.run("hold('controller.in')") == "box.lua:1: expected a value for controller.in");
+    CHECK(it.run("inject('controller', {})") == "box.lua:1: 'controller' names no port: expected \"name.port\"");
 }
 
 TEST_CASE("setting a part of the truth is an error that says what to use", "[lua][objects]") {
@@ -335,4 +347,26 @@ TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect]
     CHECK(shown("{ named(1900) }", seconds).starts_with("{\n  {\n    key1 = 1,\n    key10 = 10,\n"));
     CHECK(shown("setmetatable({}, { __tostring = function() while true do end end })", seconds)
               .starts_with("<can't be shown: box.lua:3: ran for more than 0.01 s"));
+}
+
+TEST_CASE("methods and words refuse an argument too many", "[lua][objects][bridge]") {
+    Objective it;
+    const std::vector<std::pair<std::string, std::string>> refusals{
+        {"controller:activate(1)", "controller:activate: expected no arguments, got 1: controller:activate()"},
+        {"controller:reset(nil)", "controller:reset: expected no arguments, got 1: controller:reset()"},
+        {"controller:use('fast', 2)", "controller:use: expected at most 1 argument, got 2: controller:use \"SET\""},
+        {"mouse:teleport({ x = 1 }, 2)", "mouse:teleport: expected at most 1 argument, got 2: mouse:teleport(pose)"},
+        {"mouse:disturb({}, 2)", "mouse:disturb: expected at most 1 argument, got 2: mouse:disturb { vx =, va = }"},
+        {"mouse:press('a', true, 3)", "mouse:press: expected at most 2 arguments, got 3: mouse:press(sensor, pressed)"},
+        {"controller.out:write({}, 2)",
+         "controller.out:write: expected at most 1 argument, got 2: controller.out:write(value)"},
+        {"controller.out:hold({}, { take = true }, 3)",
+         "controller.out:hold: expected at most 2 arguments, got 3: controller.out:hold(value, { take = true })"},
+        {"controller.out:release(1)", "controller.out:release: expected no arguments, got 1: controller.out:release()"},
+        {"mouse.teleport(controller, {})", "controller is no robot: it has no 'teleport'"},
+    };
+    for (const auto& [call, says] : refusals) {
+        CAPTURE(call);
+        CHECK(it.run(fmt::format("return select(2, pcall(function() {} end))", call)).find(says) != std::string::npos);
+    }
 }

@@ -78,6 +78,13 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
                        "expected at most 2 arguments, got 3: " + word + "(port, seconds)", "s:" + word + "(true)",
                        no_port};
     }
+    table["inject"] = {"s:inject('mouse.ir_sensor_out', {}, 3)",
+                       "expected at most 2 arguments, got 3: inject(port, value)", "s:inject(true)", no_port};
+    table["hold"] = {"s:hold('mouse.ir_sensor_out', {}, {}, 4)",
+                     "expected at most 3 arguments, got 4: hold(port, value, { take = true })", "s:hold(true)",
+                     no_port};
+    table["release"] = {"s:release('mouse.ir_sensor_out', 2)", "expected at most 1 argument, got 2: release(port)",
+                        "s:release(true)", no_port};
     for (const auto* methods : {&ScenarioRun::Methods::of_time(), &ScenarioRun::Methods::of_acts()}) {
         for (const auto& method : *methods) {
             CAPTURE(method.name);
