@@ -74,6 +74,7 @@ struct SimRobot {
     RobotModel* model;  // its contacts are filled in on the way to ODE
     Scene::Index mover;
     bool gone = false;  // removed: nobody meets or sees it any more, and its number is not given again
+    bool left = false;  // the arena, once
     bool has_neighbours = false;
     bool coasting = false;
     Wheels speeds;                    // [m/s]

@@ -19,6 +19,7 @@ Contacts::Contacts(dWorldID world, double step, const Scene& scene, Movers& move
     : world_(world), step_(step), scene_(scene), movers_(movers), islands_(islands), joints_(dJointGroupCreate(0)) {}
 
 void Contacts::find() {
+    count_ = 0;
     for (SimRobot& robot : movers_.robots) {
         if (robot.gone) continue;
         touch_floor(robot);
@@ -38,6 +39,7 @@ Spring Contacts::spring_of(const Thing& thing) const {
 }
 
 void Contacts::attach(const dContact& contact, dBodyID a, dBodyID b) {
+    ++count_;
     dJointAttach(dJointCreateContact(world_, joints_.get(), &contact), a, b);
 }
 
@@ -122,8 +124,11 @@ void Contacts::touch_floor_with(const Shape& shape, dBodyID body, const Spring& 
 }
 
 void Contacts::touch_neighbours(SimRobot& robot) {
-    for (const Scene::Index i : robot.near.fixed) touch_fixed(robot, i);
+    for (const Scene::Index i : robot.near.fixed) {
+        if (!is_full()) touch_fixed(robot, i);
+    }
     for (const Scene::Index i : robot.near.movers) {
+        if (is_full()) return;
         if (movers_.is_thing(i)) {
             touch_thing(robot, i);
         } else if (i > robot.mover) {  // each pair once
@@ -242,12 +247,14 @@ void Contacts::touch_neighbours(Thing& thing) {
     const Spring spring = spring_of(thing);
     const Shape& shape = scene_.movers()[thing.mover];
     for (const Scene::Index i : thing.near.fixed) {
+        if (is_full()) return;
         for (const Touch& touch : narrow_.collide(shape, scene_.fixed()[i])) {
             add_contact(thing.body.id, nullptr, touch, spring, thing_friction);
             islands_.add_equations(thing.mover, 3);
         }
     }
     for (const Scene::Index i : thing.near.movers) {
+        if (is_full()) return;
         if (!movers_.is_thing(i)) continue;  // robots have done it
         Thing& other = movers_.things[i];
         if (!other.asleep && i < thing.mover) continue;  // each pair once

@@ -18,6 +18,10 @@ public:
     /// Makes the contacts of everybody that is awake with the floor and its neighbours, notes who has touched whom, and
     /// wakes what is touched. Neighbours and places in the scene must be up to date.
     void find();
+    /// Whether there were more than a step has room for in the last `find`: what touches what was left out from there
+    /// on, the floor apart. Things that are heaped up have about 24 each; more means that they lie in each other.
+    bool is_full() const { return count_ >= most_contacts(); }
+    std::size_t most_contacts() const { return 1000 + 32 * (movers_.robots.size() + movers_.things.size()); }
     /// Removes them after the step.
     void clear();
     /// Gives up the joints without destroying them, after a breakdown.
@@ -47,6 +51,7 @@ private:
     Movers& movers_;
     Islands& islands_;
     JointGroupHandle joints_;
+    std::size_t count_ = 0;
     NarrowPhase narrow_;
 };
 

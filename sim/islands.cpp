@@ -12,6 +12,7 @@ void Islands::add_mover() {
 
 void Islands::clear() {
     links_.clear();
+    crowded_ = false;
     std::fill(equations_.begin(), equations_.end(), 0);
 }
 
@@ -21,7 +22,7 @@ Scene::Index Islands::root(Scene::Index mover) {
 }
 
 bool Islands::find_large() {
-    if (links_.empty()) return false;
+    if (links_.empty() && !crowded_) return false;
     std::vector<Scene::Index> linked;
     for (const auto& [a, b] : links_) {
         linked.push_back(a);
@@ -34,7 +35,8 @@ bool Islands::find_large() {
 
     large_.assign(parents_.size(), false);
     std::vector<int> of_island(parents_.size(), 0);
-    bool any = false;
+    bool any = crowded_;
+    for (Scene::Index i = 0; crowded_ && i < large_.size(); ++i) large_[i] = equations_[i] > most_alone;
     for (const Scene::Index i : linked) of_island[root(i)] += equations_on_floor + equations_[i];
     for (const Scene::Index i : linked) {
         large_[i] = of_island[root(i)] > most_equations;

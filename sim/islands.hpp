@@ -14,6 +14,9 @@ class Islands {
 public:
     /// Up to so many equations exactness is worth its time.
     static constexpr int most_equations = 45;
+    /// A mover that touches nothing that moves (a plate on a row of pillars) is solved with up to so many: 300 take 1
+    /// ms.
+    static constexpr int most_alone = 300;
     /// Of a robot that stands on the floor; a thing on its corners has 12.
     static constexpr int equations_on_floor = 8;
 
@@ -23,7 +26,10 @@ public:
     /// Begins a step: nobody touches anybody.
     void clear();
     /// Counts equations of contacts with something else than the floor for `mover`.
-    void add_equations(Scene::Index mover, int count) { equations_[mover] += count; }
+    void add_equations(Scene::Index mover, int count) {
+        equations_[mover] += count;
+        crowded_ = crowded_ || equations_[mover] > most_alone;
+    }
     /// The two touch each other.
     void link(Scene::Index a, Scene::Index b) { links_.emplace_back(a, b); }
 
@@ -36,6 +42,7 @@ private:
     Scene::Index root(Scene::Index mover);
 
     std::vector<std::pair<Scene::Index, Scene::Index>> links_;
+    bool crowded_ = false;  // a mover has more than `most_alone`
     // By mover:
     std::vector<int> equations_;
     std::vector<Scene::Index> parents_;  // of the search; each its own when idle

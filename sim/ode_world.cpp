@@ -13,7 +13,8 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr double least_overlap = 1e-6;  // [m] to touch is not to overlap
+constexpr double least_overlap = 1e-6;            // [m] to touch is not to overlap
+constexpr double least_overlap_of_things = 1e-3;  // [m] nor is to stand on each other a little carelessly
 constexpr const char* border_color = "#5c6470";
 
 dMass mass_of(const Shape& shape, double mass) {
@@ -79,7 +80,7 @@ void OdeWorld::add_border(const ArenaSpec& arena) {
 
 void OdeWorld::add_box(const BoxSpec& box, std::string name) {
     add_shape({Shape::Kind::box, to_vec(box.at), yaw_pitch_rotation(box.yaw, box.pitch), to_vec(box.size) * 0.5},
-              box.mass, std::move(name), box.color);
+              box.mass, {std::move(name), box.color, box.place});
 }
 
 void OdeWorld::add_cylinder(const CylinderSpec& cylinder, std::string name) {
@@ -87,13 +88,13 @@ void OdeWorld::add_cylinder(const CylinderSpec& cylinder, std::string name) {
                to_vec(cylinder.at),
                Rotation::Identity(),
                {cylinder.radius, cylinder.radius, cylinder.height / 2}},
-              cylinder.mass, std::move(name), cylinder.color);
+              cylinder.mass, {std::move(name), cylinder.color, cylinder.place});
 }
 
-void OdeWorld::add_shape(const Shape& shape, double mass, std::string name, const std::string& color) {
+void OdeWorld::add_shape(const Shape& shape, double mass, Label label) {
     if (mass <= 0) {
         scene_.add_fixed(shape);
-        fixed_labels_.push_back({std::move(name), color});
+        fixed_labels_.push_back(std::move(label));
         return;
     }
     const dBodyID body = dBodyCreate(world_.get());
@@ -104,7 +105,41 @@ void OdeWorld::add_shape(const Shape& shape, double mass, std::string name, cons
     dBodySetAngularDamping(body, 0.01);
     islands_.add_mover();
     movers_.things.emplace_back(body, scene_.add_mover(shape), mass);
-    thing_labels_.push_back({std::move(name), color});
+    thing_labels_.push_back(std::move(label));
+}
+
+Expected<void> OdeWorld::check_things() {
+    for (std::size_t i = movers_.things.size(); i-- > 0;) {  // the last first: it is the one that was put into another
+        const Thing& thing = movers_.things[i];
+        const Shape& shape = scene_.movers()[thing.mover];
+        const auto overlap = find_overlap(shape, shape.reach(), thing.mover, least_overlap_of_things);
+        if (!overlap) continue;
+        return failure(
+            fmt::format("{} at x = {:g}, y = {:g} overlaps {} by {:.0f} mm: move one of them", thing_labels_[i].name,
+                        shape.centre.x(), shape.centre.y(), overlap->other, overlap->depth * 1e3),
+            thing_labels_[i].place);
+    }
+    return {};
+}
+
+std::optional<OdeWorld::Overlap> OdeWorld::find_overlap(const Shape& shape, double reach, Scene::Index self,
+                                                        double least) {
+    const double x = shape.centre.x(), y = shape.centre.y();
+    std::optional<Overlap> found;
+    const auto look = [&](const Obstacle& obstacle, const Shape& other) {
+        if (found) return;
+        for (const Touch& touch : narrow_.collide(shape, other)) {
+            if (touch.depth > (found ? found->depth : least)) found = Overlap{name_of(obstacle), touch.depth};
+        }
+        if (!found) return;
+        if (!obstacle.moves && found->other == "wall") found->other = "the arena's wall";
+        if (obstacle.moves && !movers_.is_thing(obstacle.index)) found->other = "robot '" + found->other + "'";
+    };
+    scene_.for_each_mover_near(x, y, reach, self, [&](Scene::Index i, const Shape& other) { look({true, i}, other); });
+    scene_.for_each_fixed_near(x, y, reach, [&](Scene::Index i, const Shape& other) {
+        if (distance_from_above(other, x, y) <= reach) look({false, i}, other);
+    });
+    return found;
 }
 
 RobotModel& OdeWorld::model_of(const RobotSpec& spec) {
@@ -181,28 +216,10 @@ Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& 
     hull.rotation = yaw_rotation(pose.heading);
     hull.centre = rest_centre(model, pose, self) + Vec3{0, 0, model.hull_drop};
 
-    std::string other;
-    const auto look = [&](const Obstacle& obstacle, const Shape& shape) {
-        for (const Touch& touch : narrow_.collide(hull, shape)) {
-            if (touch.depth > least_overlap && other.empty()) other = name_of(obstacle);
-        }
-    };
-    scene_.for_each_mover_near(hull.centre.x(), hull.centre.y(), model.reach, self,
-                               [&](Scene::Index i, const Shape& shape) {
-                                   look({true, i}, shape);
-                               });
-    scene_.for_each_fixed_near(hull.centre.x(), hull.centre.y(), model.reach, [&](Scene::Index i, const Shape& shape) {
-        if (distance_from_above(shape, hull.centre.x(), hull.centre.y()) <= model.reach) look({false, i}, shape);
-    });
-    if (other.empty()) return {};
-    const bool robot =
-        std::any_of(movers_.robots.begin(), movers_.robots.end(), [&](const SimRobot& r) { return r.name == other; });
-    return failure(fmt::format("robot '{}' at x = {:g}, y = {:g} overlaps {}{}{}: move one of them", name,
-                               pose.position.x, pose.position.y,
-                               robot             ? "robot '"
-                               : other == "wall" ? "the arena's "
-                                                 : "",
-                               other, robot ? "'" : ""));
+    const auto overlap = find_overlap(hull, model.reach, self, least_overlap);
+    if (!overlap) return {};
+    return failure(fmt::format("robot '{}' at x = {:g}, y = {:g} overlaps {}: move one of them", name, pose.position.x,
+                               pose.position.y, overlap->other));
 }
 
 Truth OdeWorld::truth(RobotId id) const {

@@ -33,6 +33,9 @@ public:
 
     Expected<std::unique_ptr<RobotBody>> add_robot(const std::string& name, const RobotSpec& spec,
                                                    Pose2D pose) override;
+    /// Whether what can move lies in nothing else, apart from what rounding and a careless stack leave. Before robots
+    /// are added.
+    Expected<void> check_things();
     /// Takes a robot out of the world, for good.
     void remove_robot(RobotId robot);
     void step(int count) override;
@@ -75,15 +78,26 @@ public:
 
 private:
     // Building and answering (ode_world.cpp).
+    struct Label {
+        std::string name;
+        std::string color;
+        Place place{};
+    };
     void add_box(const BoxSpec& box, std::string name);
     void add_cylinder(const CylinderSpec& cylinder, std::string name);
-    void add_shape(const Shape& shape, double mass, std::string name, const std::string& color);
+    void add_shape(const Shape& shape, double mass, Label label);
     void add_border(const ArenaSpec& arena);
     RobotModel& model_of(const RobotSpec& spec);
     /// Whether a robot could stand there, and if not, why.
     Expected<void> check_free(const RobotModel& model, const std::string& name, const Pose2D& pose, Scene::Index self);
     Vec3 rest_centre(const RobotModel& model, const Pose2D& pose, Scene::Index self) const;
     std::string name_of(const Obstacle& obstacle) const;
+    struct Overlap {
+        std::string other;  // as a sentence names it
+        double depth;       // [m]
+    };
+    /// The first that the shape lies in deeper than `least`, `self` apart.
+    std::optional<Overlap> find_overlap(const Shape& shape, double reach, Scene::Index self, double least);
 
     // Stepping (stepping.cpp).
     void step_once();
@@ -96,6 +110,7 @@ private:
     void measure_travel();
     void tend_things();
     void restore_lost_bodies();
+    void tell_who_left();
     void restore(const BodyView& body, const Shape& last, double drop, const std::string& name);
 
     double step_;
@@ -119,10 +134,6 @@ private:
     NeighbourLists neighbours_;
     Contacts contacts_;
 
-    struct Label {
-        std::string name;
-        std::string color;
-    };
     std::vector<Label> fixed_labels_, thing_labels_;
     std::vector<MarkerPose> markers_;
     std::optional<Picture> floor_;

@@ -1,4 +1,6 @@
 // Advancing the world by fixed steps.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,8 +28,21 @@ void OdeWorld::step(int count) {
     }
     if (sounds_ != nullptr) sounds_->tell();
     restore_lost_bodies();
+    tell_who_left();
     place_movers();
     scene_.refresh();
+}
+
+// Large wheels climb a border, and a hand pushes a robot over it.
+void OdeWorld::tell_who_left() {
+    if (!inside_) return;
+    for (SimRobot& robot : movers_.robots) {
+        const double x = robot.body.p[0], y = robot.body.p[1];
+        if (robot.gone || robot.left || (std::abs(x) <= inside_->x / 2 && std::abs(y) <= inside_->y / 2)) continue;
+        robot.left = true;
+        warn_(fmt::format("physics: '{}' has left the arena of {:g} x {:g} m, over its border (told once)", robot.name,
+                          inside_->x, inside_->y));
+    }
 }
 
 void OdeWorld::step_once() {
@@ -40,6 +55,8 @@ void OdeWorld::step_once() {
     place_awake();
     islands_.clear();
     contacts_.find();
+    if (contacts_.is_full())
+        warn_("physics: so much lies in each other that a step has no room for all contacts: some are left out");
     advance();
     contacts_.clear();
     turn_wheels();

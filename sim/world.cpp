@@ -59,6 +59,7 @@ Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const Physic
         }
     }
     auto world = std::make_unique<OdeWorld>(arena, physics, std::move(warn));
+    if (auto apart = world->check_things(); !apart) return Unexpected(apart.error());
     if (arena.floor) {
         auto picture = read_picture(arena.floor->image);
         if (!picture) return failure("floor: " + picture.error().message, arena.floor->place);

@@ -11,7 +11,8 @@ namespace nezumi::sim {
 
 /// Makes a simulated world with this arena in it; a `WorldFactory`. Worlds don't disturb each other: any number may run
 /// in a process, also on different threads, and the same calls give the same bits. An error when something of the arena
-/// has no extent, or when the step is not positive. `warn` gets what the physics has to say, each sentence once.
+/// has no extent, when what can move lies deeper than 1 mm in something else, or when the step is not positive. `warn`
+/// gets what the physics has to say, each sentence once.
 Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const PhysicsSpec& physics,
                                             std::function<void(const std::string&)> warn);
 

@@ -29,10 +29,22 @@ TEST_CASE("an island is large when it has more than 45 equations, 8 of them for 
 TEST_CASE("islands are apart, and who touches nobody is in none", "[sim][islands]") {
     Islands islands = chain(6, 4);  // 48 equations, and beside them:
     islands.link(8, 6);
-    islands.add_equations(9, 100);
+    islands.add_equations(9, 300);
     REQUIRE(islands.find_large());
     for (const unsigned i : {0u, 3u, 5u}) CHECK(islands.is_large(i));
     for (const unsigned i : {6u, 7u, 8u, 9u}) CHECK_FALSE(islands.is_large(i));
+}
+
+TEST_CASE("who touches very much is an island that is large, also alone", "[sim][islands]") {
+    Islands islands = chain(2, 2);
+    islands.add_equations(3, 300);
+    CHECK_FALSE(islands.find_large());
+    islands.add_equations(3, 1);
+    REQUIRE(islands.find_large());
+    CHECK(islands.is_large(3));
+    for (const unsigned i : {0u, 1u, 2u}) CHECK_FALSE(islands.is_large(i));
+    islands.clear();
+    CHECK_FALSE(islands.find_large());
 }
 
 TEST_CASE("two islands become one when their movers touch, in whatever order", "[sim][islands]") {
