@@ -51,6 +51,11 @@ int FileWriter::problem() const {
     return problem_;
 }
 
+std::uint64_t FileWriter::last_whole_piece() const {
+    const std::lock_guard lock(mutex_);
+    return last_whole_piece_;
+}
+
 int FileWriter::close() {
     if (file_ < 0) return problem();
     {
@@ -74,7 +79,9 @@ void FileWriter::write_all() {
         const int problem = write_whole(file_, text);
         lock.lock();
         waiting_bytes_ -= text.size();
-        if (problem != 0) {
+        if (problem == 0) {
+            last_whole_piece_ = std::exchange(written_, written_ + text.size());
+        } else {
             problem_ = problem;
             waiting_.clear();
             waiting_bytes_ = 0;

@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <mutex>
 #include <string>
@@ -22,6 +23,8 @@ public:
     void put(std::string text);
     /// The error that ended the writing (an errno), 0 so far.
     int problem() const;
+    /// Where the last piece that was written whole begins, from the first one on [bytes].
+    std::uint64_t last_whole_piece() const;
     /// Waits until everything is written, and closes the file. Returns the error, or 0. Once.
     int close();
 
@@ -35,6 +38,8 @@ private:
     std::size_t waiting_bytes_ = 0;
     const std::size_t most_waiting_;
     int file_;
+    std::uint64_t written_ = 0;           // [bytes] of whole pieces
+    std::uint64_t last_whole_piece_ = 0;  // where it begins
     int problem_ = 0;
     bool ends_ = false;
     std::thread thread_;

@@ -2,12 +2,10 @@
 // earlier ones as many.
 #include "bindings/cli/recorder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 
-#include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -17,6 +15,10 @@ namespace nezumi::cli {
 namespace {
 
 constexpr std::size_t flush_at = 16384;  // bytes
+// What a crash may cost.
+constexpr std::chrono::milliseconds longest_unwritten{100};
+// For a tick that is just adding its rows.
+constexpr std::chrono::seconds longest_wait{1};
 
 }  // namespace
 
@@ -34,30 +36,26 @@ Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const S
         if (!channel) return failure("--ports: " + channel.error().message);
         channels.push_back(*channel);
     }
+    auto opened = ResultFile::open(file);
+    if (!opened) return Unexpected(opened.error());
     Recorder recorder(channels);
-    recorder.file_ = file;
-    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (fd < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {.file = file});
-    struct stat status {};
-    std::error_code none;
-    if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode)) {
-        recorder.real_ = std::filesystem::canonical(file, none);
-        if (ftruncate(fd, 0) != 0) recorder.fail(errno);
-    }
-    recorder.writer_ = std::make_unique<FileWriter>(fd);
+    recorder.name_ = file;
+    recorder.file_ = std::move(*opened);
+    recorder.writer_ = std::make_unique<FileWriter>(recorder.file_.descriptor());
     return recorder;
 }
 
 void Recorder::begin_layout() {
-    layouts_.push_back({rows_, table_.order()});
+    layouts_.push_back({rows_, table_.order(), "time" + table_.header()});
     width_ = table_.width();
     if (layouts_.size() > 1) return;
-    buffer_ += "time" + table_.header() + "\n";
+    buffer_ += layouts_.back().header + "\n";
     // What can't be read again keeps the columns it began with.
-    if (real_.empty()) table_.fix_columns();
+    if (file_.path().empty()) table_.fix_columns();
 }
 
 void Recorder::add_rows(const System& system) {
+    const std::lock_guard lock(*mutex_);
     if (sealed_ || error_) return;
     const double seconds = static_cast<double>(system.now().tick - 1) / system.settings().rate;
     table_.read([&](const std::vector<std::string>& cells) {
@@ -67,22 +65,23 @@ void Recorder::add_rows(const System& system) {
         buffer_ += '\n';
         ++rows_;
     });
-    if (buffer_.size() >= flush_at) flush();
+    if (buffer_.size() >= flush_at || Clock::now() - flushed_ > longest_unwritten) flush();
 }
 
-void Recorder::fail(int code) { error_ = Error{fmt::format("can't be written: {}", std::strerror(code)), {file_}}; }
+void Recorder::fail(int code) { error_ = Error{fmt::format("can't be written: {}", std::strerror(code)), {name_}}; }
 
 void Recorder::flush() {
+    flushed_ = Clock::now();
     writer_->put(std::exchange(buffer_, {}));
     if (const int problem = writer_->problem(); problem != 0 && !error_) fail(problem);
 }
 
 Expected<void> Recorder::align_rows() {
-    const std::filesystem::path aligned = real_.string() + ".part";
-    std::ifstream in(real_, std::ios::binary);
+    const std::string aligned = file_.path() + ".part";
+    std::ifstream in(file_.path(), std::ios::binary);
     std::ofstream out(aligned, std::ios::binary | std::ios::trunc);
     std::string row;
-    out << "time" << table_.header() << '\n';
+    out << layouts_.back().header << '\n';
     read_csv_row(in, row);  // the header of the beginning
     std::size_t layout = 0;
     std::vector<std::string_view> by_id;
@@ -98,28 +97,63 @@ Expected<void> Recorder::align_rows() {
     }
     out.close();
     std::error_code code;
-    if (out) std::filesystem::rename(aligned, real_, code);
+    if (out) std::filesystem::rename(aligned, file_.path(), code);
     if (out && !code) return {};
     std::error_code none;
     std::filesystem::remove(aligned, none);
-    return failure(fmt::format("can't be written: {}", code ? code.message() : "the disk may be full"), {file_});
+    return failure(fmt::format("can't be written: {}", code ? code.message() : "the disk may be full"), {name_});
 }
 
-Expected<void> Recorder::finish() {
+void Recorder::complete() {
+    sealed_ = complete_ = true;
     if (layouts_.empty()) begin_layout();  // no tick has passed: the header alone
     flush();
     if (const int problem = writer_->close(); problem != 0 && !error_) fail(problem);
-    Expected<void> result = error_ ? Expected<void>(Unexpected(*error_)) : Expected<void>{};
-    if (result && layouts_.size() > 1) result = align_rows();
-    if (!result) discard();
-    return result;
+    aligned_ = layouts_.size() == 1;
+    if (error_ || aligned_) return;
+    if (auto ok = align_rows(); ok) {
+        aligned_ = true;
+    } else {
+        error_ = ok.error();
+    }
+}
+
+void Recorder::end_with_note(std::string_view why) {
+    std::string note;
+    for (std::size_t i = 1; i < layouts_.size() && !aligned_; ++i)
+        note += fmt::format("# from row {} on the columns are {}\n", layouts_[i].row + 1, layouts_[i].header);
+    note += fmt::format("# the recording ends here: {}\n", why);
+    file_.cut_to_rows(aligned_ && layouts_.size() > 1 ? 0 : writer_->last_whole_piece(), note);
+}
+
+Expected<void> Recorder::finish() {
+    const std::lock_guard lock(*mutex_);
+    if (complete_) return {};
+    complete();
+    if (!error_) {
+        file_.replace_older();
+        return {};
+    }
+    if (!file_.path().empty()) {
+        end_with_note(error_->message);
+        error_->message += ": the rows that are whole are kept";
+        if (!file_.set_aside().empty()) error_->message += ", and what was there before is now " + file_.set_aside();
+    }
+    return Unexpected(*error_);
+}
+
+void Recorder::end_here(std::string_view why) {
+    const std::unique_lock lock(*mutex_, longest_wait);
+    if (!lock.owns_lock() || complete_) return;
+    complete();
+    end_with_note(error_ ? error_->message : why);
 }
 
 void Recorder::discard() {
-    sealed_ = true;
+    const std::lock_guard lock(*mutex_);
+    sealed_ = complete_ = true;
     writer_->close();
-    std::error_code none;
-    if (!real_.empty()) std::filesystem::remove(real_, none);
+    file_.discard();
 }
 
 }  // namespace nezumi::cli

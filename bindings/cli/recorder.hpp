@@ -1,15 +1,18 @@
 // `--record`: what a system carried, as CSV with a row for every tick, written beside the ticks.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/cli/file_writer.hpp"
+#include "bindings/cli/result_file.hpp"
 #include "engine/base/error.hpp"
 #include "engine/trace/trace.hpp"
 #include "engine/trace/trace_table.hpp"
@@ -33,9 +36,14 @@ public:
     void add_rows(const System& system);
     /// From now on rows are ignored.
     void seal() { sealed_ = true; }
-    /// Completes the file, or takes it away and says what kept it from being written.
+    /// Completes the file: the older one of its name goes. Or says what kept it from being written; then the rows that
+    /// are whole stay, with a last line that begins with # and says why, and so does the older file, under a name that
+    /// the error tells.
     Expected<void> finish();
-    /// Takes the file away.
+    /// Completes the file while another thread is in the middle of a tick that does not end: a last line that begins
+    /// with # says why. Nothing is recorded any more.
+    void end_here(std::string_view why);
+    /// Takes the file away: what was there before is there again.
     void discard();
     /// What keeps the file from being written, as soon as something does.
     const std::optional<Error>& error() const { return error_; }
@@ -45,16 +53,21 @@ private:
     struct Layout {
         std::uint64_t row;
         std::vector<std::size_t> ids;
+        std::string header;
     };
+    using Clock = std::chrono::steady_clock;
 
     explicit Recorder(const std::vector<const Channel*>& channels) : table_(channels) {}
     void begin_layout();
     void flush();
     void fail(int code);
+    void complete();
     Expected<void> align_rows();
+    void end_with_note(std::string_view why);
 
-    std::string file_;            // as it was given
-    std::filesystem::path real_;  // without links; empty: no file that could be taken away or read again
+    std::unique_ptr<std::timed_mutex> mutex_ = std::make_unique<std::timed_mutex>();  // of all below
+    std::string name_;                                                                // of the file, as it was given
+    ResultFile file_;
     std::unique_ptr<FileWriter> writer_;
     TraceTable table_;
     std::vector<Layout> layouts_;  // the last one is today's
@@ -62,6 +75,9 @@ private:
     bool sealed_ = false;
     std::uint64_t rows_ = 0;
     std::string buffer_;
+    Clock::time_point flushed_{};
+    bool aligned_ = false;  // all rows have the columns of the last layout
+    bool complete_ = false;
     std::optional<Error> error_;
 };
 

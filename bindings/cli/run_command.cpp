@@ -91,9 +91,12 @@ public:
         auto live = journal_.load(options_, live_options());
         if (!live) return Unexpected(why_no_system(live.error()));
         live_ = std::move(*live);
-        const StopSignals stop_signals;
+        StopSignals stop_signals;
         live_->trace().remember_ports();
         if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
+        stop_signals.at_second([this] {
+            if (recorder_) recorder_->end_here("the run was ended at once");
+        });
 
         live_->activate();
         loop_.emplace(*live_, RunLoop::Options{.speed = options_.speed, .problems = &problems_});

@@ -1,22 +1,46 @@
 // A handler can reach nothing but a variable of the whole program.
 #include "bindings/cli/stop_signals.hpp"
 
+#include <semaphore.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
 namespace nezumi::cli {
 namespace {
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the only thing that a signal's handler can reach
 volatile std::sig_atomic_t last_signal = 0;
 
+// Whoever asks again is in a hurry: posted then, and at the end of it all.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
+sem_t hurried;
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
+volatile std::sig_atomic_t second_signal = 0, second_is_awaited = 0;
+
 void take(int signal) {
-    last_signal = signal;
-    // Whoever asks again is in a hurry.
-    for (const int each : StopSignals::signals) std::signal(each, SIG_DFL);
+    const int saved_errno = errno;
+    const bool second = last_signal != 0;
+    if (!second) last_signal = signal;
+    if (second) second_signal = signal;
+    if (second || second_is_awaited == 0) {
+        for (const int each : StopSignals::signals) std::signal(each, SIG_DFL);
+    }
+    if (second) sem_post(&hurried);
+    errno = saved_errno;
+}
+
+void end_by(int signal) {
+    kill(getpid(), signal);
+    _exit(128 + signal);  // the first process of a container is not ended by signals
 }
 
 }  // namespace
 
 StopSignals::StopSignals() {
-    last_signal = 0;
+    last_signal = second_signal = second_is_awaited = 0;
+    sem_init(&hurried, 0, 0);
     struct sigaction action {};
     action.sa_handler = take;
     sigemptyset(&action.sa_mask);
@@ -26,11 +50,34 @@ StopSignals::StopSignals() {
     }
     action.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &action, &pipe_before_);
+    sigaction(SIGXFSZ, &action, &size_before_);
+}
+
+void StopSignals::at_second(std::function<void()> action) {
+    // Signals are for the thread that runs the loop: they end its waiting.
+    sigset_t all;
+    sigset_t before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    hurry_ = std::thread([action = std::move(action)] {
+        while (sem_wait(&hurried) != 0) {
+        }
+        if (second_signal == 0) return;
+        action();
+        end_by(second_signal);
+    });
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    second_is_awaited = 1;
 }
 
 StopSignals::~StopSignals() {
+    if (hurry_.joinable()) {
+        sem_post(&hurried);
+        hurry_.join();
+    }
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
     sigaction(SIGPIPE, &pipe_before_, nullptr);
+    sigaction(SIGXFSZ, &size_before_, nullptr);
 }
 
 const volatile std::sig_atomic_t& StopSignals::received() const { return last_signal; }

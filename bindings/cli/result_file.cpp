@@ -1,0 +1,117 @@
+// Renames, so that at every moment there is a file that is whole.
+#include "bindings/cli/result_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace nezumi::cli {
+namespace {
+
+constexpr int most_set_aside = 99;
+
+Error problem_with(const std::string& file) {
+    return {fmt::format("can't be written: {}", std::strerror(errno)), {.file = file}};
+}
+
+// Gives the file a name that nothing has; "" when it can't be renamed, as in a folder that is not ours.
+std::string rename_aside(const std::string& path) {
+    for (int number = 1; number <= most_set_aside; ++number) {
+        const std::string name = path + (number == 1 ? "~" : fmt::format("~{}", number));
+        if (renameat2(AT_FDCWD, path.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) == 0) return name;
+        if (errno != EEXIST) return "";
+    }
+    return "";
+}
+
+}  // namespace
+
+Expected<ResultFile> ResultFile::open(const std::string& file) {
+    ResultFile result;
+    result.descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (result.descriptor_ < 0) return Unexpected(problem_with(file));
+    struct stat status {};
+    if (fstat(result.descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return result;
+    std::error_code none;
+    result.path_ = std::filesystem::canonical(file, none);
+    if (status.st_size == 0) return result;
+
+    result.set_aside_ = rename_aside(result.path_);
+    int fresh = -1;
+    if (!result.set_aside_.empty())
+        fresh = ::open(result.path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, status.st_mode & 0777);
+    if (fresh >= 0) {
+        ::close(std::exchange(result.descriptor_, fresh));
+        return result;
+    }
+    // Where nothing can be made beside it, it is emptied.
+    if (!result.set_aside_.empty()) std::rename(result.set_aside_.c_str(), result.path_.c_str());
+    result.set_aside_.clear();
+    if (ftruncate(result.descriptor_, 0) == 0) return result;
+    Error problem = problem_with(file);
+    ::close(result.descriptor_);
+    return Unexpected(std::move(problem));
+}
+
+void ResultFile::replace_older() {
+    if (!set_aside_.empty()) unlink(std::exchange(set_aside_, {}).c_str());
+}
+
+void ResultFile::discard() {
+    if (path_.empty()) return;
+    if (set_aside_.empty()) {
+        unlink(path_.c_str());
+    } else {
+        std::rename(std::exchange(set_aside_, {}).c_str(), path_.c_str());
+    }
+}
+
+void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
+    if (path_.empty()) return;
+    const int file = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);
+    struct stat status {};
+    if (file < 0 || fstat(file, &status) != 0) {
+        if (file >= 0) ::close(file);
+        return;
+    }
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    from = std::min(from, size);
+    std::string tail(size - from, '\0');
+    const ssize_t got = pread(file, tail.data(), tail.size(), static_cast<off_t>(from));
+    tail.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+
+    // The last end of a row, and the last one behind which the note fits where the disk has room already. A quoted cell
+    // may have line breaks in it.
+    std::uint64_t whole = from;
+    std::uint64_t with_note = from;
+    bool quoted = false;
+    for (std::size_t i = 0; i < tail.size(); ++i) {
+        if (tail[i] == '"') quoted = !quoted;
+        if (tail[i] != '\n' || quoted) continue;
+        whole = from + i + 1;
+        if (whole + note.size() <= size) with_note = whole;
+    }
+    // Where the disk has room again, no row has to go for the note.
+    const auto put = [&](std::uint64_t place) {
+        return pwrite(file, note.data(), note.size(), static_cast<off_t>(place)) == static_cast<ssize_t>(note.size());
+    };
+    std::uint64_t end = whole;
+    if (put(whole)) {
+        end = whole + note.size();
+    } else if (with_note + note.size() <= size && put(with_note)) {
+        end = with_note + note.size();
+    }
+    static_cast<void>(ftruncate(file, static_cast<off_t>(end)) == 0);
+    ::close(file);
+}
+
+}  // namespace nezumi::cli
