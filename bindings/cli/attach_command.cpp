@@ -18,9 +18,13 @@
 namespace nezumi::cli {
 namespace {
 
+// A system answers between two ticks, and a tick may wait for a script or a disk [ms].
+constexpr int longest_silence = 5000;
+
 struct AttachOptions {
     std::string which;
     std::optional<std::string> eval;
+    double timeout = 0;  // [s]; 0: none
     bool list = false;
 };
 
@@ -33,10 +37,15 @@ int list_systems() {
 
 int attach(const AttachOptions& options) {
     if (options.list) return list_systems();
+    if (options.timeout > 0 && !options.eval) return refuse("--timeout is for --eval");
     auto reached = connect_to_system(options.which);
     if (!reached) return refuse(reached.error());
     ConsoleClient client(std::move(reached->socket));
-    if (options.eval) return run_text(client, *options.eval, {}) ? kDone : kFailed;
+    if (!client.is_answered(longest_silence)) return refuse(no_answer(reached->system));
+    if (options.eval) {
+        const auto timeout = options.timeout > 0 ? std::optional(options.timeout) : std::nullopt;
+        return run_text(client, *options.eval, {}, timeout) ? kDone : kFailed;
+    }
     if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}) ? kDone : kFailed;
 
     const auto end = run_prompt(
@@ -56,6 +65,8 @@ Command attach_command() {
                          "its name (of its file) or its process; may be left out when only one runs"},
                         {"--eval", &options->eval,
                          "run this, print what it gives, and leave: exit status 1 if it fails", "LUA"},
+                        {"--timeout", &options->timeout, "with --eval: interrupt it after so many seconds", "S",
+                         number_from(0.001, 1e6)},
                         {"--list", &options->list, "only list what runs, with processes"}},
             .run = [options] { return attach(*options); },
             .footer =

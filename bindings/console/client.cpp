@@ -6,7 +6,7 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
+#include <chrono>
 #include <utility>
 
 namespace nezumi {
@@ -51,23 +51,16 @@ std::optional<Event> ConsoleClient::next(int timeout) {
     }
 }
 
-std::string without_controls(std::string_view text) {
-    std::string plain;
-    plain.reserve(text.size());
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        const auto byte = static_cast<unsigned char>(text[at]);
-        // U+0080 to U+009F are control characters as well, in two bytes.
-        const bool second = byte == 0xC2 && at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) < 0xA0;
-        if (!second && ((byte >= 0x20 && byte != 0x7F) || byte == '\n' || byte == '\t')) {
-            plain += text[at];
-            continue;
-        }
-        std::array<char, 8> written{};
-        std::snprintf(written.data(), written.size(), "\\x%02x",
-                      second ? static_cast<unsigned char>(text[++at]) : byte);
-        plain += written.data();
+bool ConsoleClient::is_answered(int timeout) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(timeout);
+    const std::int64_t id = send({.kind = Request::Kind::is_complete, .text = "1"});
+    while (is_open()) {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
+        if (left <= 0) return false;
+        const auto event = next(static_cast<int>(left));
+        if (event && event->id == id) return true;
     }
-    return plain;
+    return false;
 }
 
 }  // namespace nezumi

@@ -24,6 +24,8 @@ public:
     /// The next event; waits for it for at most `timeout` [ms], -1: as long as it takes. Nothing when none came in that
     /// time, or when the system is gone (`is_open`).
     std::optional<Event> next(int timeout);
+    /// Asks for a sign of life, and whether it came within `timeout` [ms]. Before any other request.
+    bool is_answered(int timeout);
 
 private:
     std::optional<Event> read_line();
@@ -36,8 +38,5 @@ private:
     bool fed_ = false;  // the reader may have another line
     std::int64_t last_id_ = 0;
 };
-
-/// Text as a terminal may show it: control characters other than the end of line and the tab are written out.
-std::string without_controls(std::string_view text);
 
 }  // namespace nezumi

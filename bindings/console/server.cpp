@@ -10,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "engine/base/visible.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -22,6 +24,7 @@ constexpr std::array<std::string_view, 6> key_names{"up", "down", "left", "right
 }  // namespace
 
 Expected<void> ConsoleServer::listen(std::string_view name, const std::filesystem::path& folder) {
+    if (auto ok = transport_.ready(); !ok) return ok;
     auto listener = Listener::open(name, folder);
     if (!listener) return Unexpected(listener.error());
     transport_.listen(std::move(*listener), geteuid());
@@ -29,6 +32,7 @@ Expected<void> ConsoleServer::listen(std::string_view name, const std::filesyste
 }
 
 Expected<FileHandle> ConsoleServer::connect(Use use) {
+    if (auto ok = transport_.ready(); !ok) return Unexpected(ok.error());
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return failure(std::string("can't open a console: ") + std::strerror(errno));
@@ -193,7 +197,7 @@ void ConsoleServer::answer(ClientId id, Event event) {
 
 std::string console_line(const LogLine& line) {
     const std::string who = line.component.empty() ? "" : line.component + ": ";
-    return fmt::format("[{:9.3f}] {:5} {}{}", line.seconds, to_text(line.level), who, line.text);
+    return fmt::format("[{:9.3f}] {:5} {}{}", line.seconds, to_text(line.level), who, visible_message(line.text));
 }
 
 }  // namespace nezumi

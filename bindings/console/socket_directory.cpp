@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/un.h>
 
 #include <algorithm>
@@ -47,10 +48,19 @@ sockaddr_un address_in(const FileHandle& folder, std::string_view name) {
     return address;
 }
 
-FileHandle connect_in(const FileHandle& folder, std::string_view name) {
-    FileHandle socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+// A system that is stopped takes nobody in: those who wait at its door are let go after a while, with EAGAIN.
+constexpr timeval longest_wait{.tv_sec = 2, .tv_usec = 0};
+
+FileHandle connect_in(const FileHandle& folder, std::string_view name, bool wait) {
+    FileHandle socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | (wait ? 0 : SOCK_NONBLOCK), 0));
+    if (!socket) return socket;
+    const auto let_sends_wait = [&](const timeval& time) {
+        return setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time) == 0;
+    };
     const sockaddr_un address = address_in(folder, name);
-    if (socket && connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    if ((wait && !let_sends_wait(longest_wait)) ||
+        connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+        (wait && !let_sends_wait({}))) {
         const int error = errno;
         socket.reset();
         errno = error;
@@ -124,11 +134,9 @@ Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path
     while (const dirent* entry = readdir(list.get())) {
         auto system = parse_name(entry->d_name);
         if (!system) continue;
-        const FileHandle socket = connect_in(*folder, entry->d_name);
-        if (!socket) {
-            if (errno == ECONNREFUSED) unlinkat(folder->get(), entry->d_name, 0);
-            continue;
-        }
+        const FileHandle socket = connect_in(*folder, entry->d_name, false);
+        if (!socket && errno == ECONNREFUSED) unlinkat(folder->get(), entry->d_name, 0);
+        if (!socket && errno != EAGAIN) continue;
         system->path = path / entry->d_name;
         systems.push_back(std::move(*system));
     }
@@ -158,7 +166,8 @@ Expected<ReachedSystem> connect_to_system(std::string_view which, const std::fil
 
     const auto folder = open_folder(path);
     if (!folder) return Unexpected(folder.error());
-    FileHandle socket = connect_in(*folder, fitting.front().path.filename().string());
+    FileHandle socket = connect_in(*folder, fitting.front().path.filename().string(), true);
+    if (!socket && errno == EAGAIN) return failure(no_answer(fitting.front()));
     if (!socket) return failure("can't reach " + list_of(fitting) + ": " + why());
     if (!is_peer(socket.get(), geteuid())) return failure(list_of(fitting) + " belongs to another user");
     return ReachedSystem{std::move(fitting.front()), std::move(socket)};
@@ -171,6 +180,10 @@ std::string list_of(const std::vector<RunningSystem>& systems) {
         text += system.name + " (process " + std::to_string(system.process) + ")";
     }
     return text;
+}
+
+std::string no_answer(const RunningSystem& system) {
+    return list_of({system}) + " does not answer: it is stopped, or very busy";
 }
 
 bool is_peer(int socket, uid_t user) {

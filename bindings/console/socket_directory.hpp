@@ -45,7 +45,8 @@ struct RunningSystem {
     std::filesystem::path path;
 };
 
-/// The systems that listen, sorted by name and process. Sockets that nobody listens at any more are removed.
+/// The systems that listen, sorted by name and process. Sockets that nobody listens at any more are removed. Waits for
+/// none of them.
 Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path& folder = console_folder());
 
 /// A running system that is connected to.
@@ -54,12 +55,16 @@ struct ReachedSystem {
     FileHandle socket;
 };
 
-/// Connects to the one that `which` names (a name or a process number; "": the only one). The error says what runs.
+/// Connects to the one that `which` names (a name or a process number; "": the only one), within 2 s. The error says
+/// what runs.
 Expected<ReachedSystem> connect_to_system(std::string_view which,
                                           const std::filesystem::path& folder = console_folder());
 
 /// "stop_at_wall (process 4711), swarm (process 4712)".
 std::string list_of(const std::vector<RunningSystem>& systems);
+
+/// What is said of a system that does not.
+std::string no_answer(const RunningSystem& system);
 
 /// Whether the process at the other end of a Unix socket belongs to `user`.
 bool is_peer(int socket, uid_t user);

@@ -10,6 +10,8 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstring>
+#include <string>
 #include <utility>
 
 namespace nezumi {
@@ -59,10 +61,20 @@ bool only_shows(const Event& event) {
 }  // namespace
 
 Transport::Transport() : news_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
-    thread_ = std::thread([this] { work(); });
+    if (news_ && wake_) {
+        thread_ = std::thread([this] { work(); });
+    } else {
+        problem_ = errno;
+    }
+}
+
+Expected<void> Transport::ready() const {
+    if (problem_ == 0) return {};
+    return failure(std::string("can't open a console: ") + std::strerror(problem_));
 }
 
 Transport::~Transport() {
+    if (problem_ != 0) return;
     {
         const std::lock_guard lock(mutex_);
         ends_ = true;

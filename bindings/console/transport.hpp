@@ -46,12 +46,16 @@ public:
     static constexpr std::size_t max_requests = 64;
     static constexpr std::size_t max_clients = 32;
 
-    /// Starts the thread that waits for the sockets.
+    /// Starts the thread that waits for the sockets, if it can: see `ready`.
     Transport();
     /// Says `bye` to all clients, and gives them a moment to take it.
     ~Transport();
     Transport(const Transport&) = delete;
     Transport& operator=(const Transport&) = delete;
+
+    /// Why nobody can be a client: the process has no descriptor left. Then nothing else may be called but `file` and
+    /// what does nothing for want of clients.
+    Expected<void> ready() const;
 
     /// Takes clients from `listener` that belong to `user`. Once.
     void listen(Listener listener, uid_t user);
@@ -93,6 +97,7 @@ private:
 
     FileHandle news_;  // eventfd: something for `take`
     FileHandle wake_;  // eventfd: something for the thread
+    int problem_ = 0;  // an errno: there is no thread
 
     std::mutex mutex_;  // of all below, and of the first part of each client
     std::condition_variable drained_;

@@ -28,7 +28,8 @@ struct Running {
     std::string answer;
 };
 
-// SIGINT and SIGTERM as a file to poll, while this lives.
+// SIGINT and SIGTERM as a file to poll, while this lives. Without a descriptor for it they end the program as they
+// come, and its children with it.
 class StopSignals {
 public:
     StopSignals() {
@@ -38,6 +39,7 @@ public:
         sigaddset(&stops, SIGTERM);
         sigprocmask(SIG_BLOCK, &stops, &before_);
         file_ = signalfd(-1, &stops, SFD_CLOEXEC | SFD_NONBLOCK);
+        if (file_ < 0) restore();
     }
     ~StopSignals() {
         if (file_ >= 0) close(file_);

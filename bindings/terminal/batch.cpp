@@ -5,14 +5,17 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "bindings/console/put_text.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi {
 namespace {
@@ -22,6 +25,8 @@ public:
     Batch(ConsoleClient& client, const BatchFiles& files) : client_(client), files_(files) {}
 
     bool run_all();
+    /// From now on no command may take longer.
+    void limit(double seconds) { longest_ = std::chrono::duration<double>(seconds); }
     /// `line`: of the file, the first of the text; 0 when it is from none.
     bool run(const std::string& text, int line);
 
@@ -30,7 +35,7 @@ private:
     bool is_complete(const std::string& text);
     std::optional<Event> wait_for_answer(std::int64_t id);
     void show(const Event& event);
-    void tell(const std::string& text) const { put_text(files_.error, text + "\n"); }
+    void tell(const std::string& text) const { put_text(files_.error, visible(text) + "\n"); }
     std::string place(std::string_view message) const;
 
     ConsoleClient& client_;
@@ -41,6 +46,7 @@ private:
     bool fed_ = false;    // the reader may hold another line
     std::string rest_;    // of the input: an incomplete line
     int first_line_ = 0;  // of the running command
+    std::optional<std::chrono::duration<double>> longest_;
 };
 
 bool Batch::run_all() {
@@ -103,8 +109,19 @@ std::optional<std::string> Batch::read_line() {
 }
 
 std::optional<Event> Batch::wait_for_answer(std::int64_t id) {
+    const auto begin = std::chrono::steady_clock::now();
     for (;;) {
-        auto event = client_.next(-1);
+        int left = -1;
+        if (longest_) {
+            const auto rest = *longest_ - (std::chrono::steady_clock::now() - begin);
+            left = static_cast<int>(std::clamp(std::chrono::duration<double, std::milli>(rest).count(), 0.0, 1e6));
+        }
+        auto event = client_.next(left);
+        if (!event && left == 0) {
+            client_.send({.kind = Request::Kind::interrupt, .text = {}});
+            tell(fmt::format("no answer within {:g} s: interrupted", longest_->count()));
+            return Event{.kind = Event::Kind::answer, .ok = false, .text = {}};
+        }
         if (!event && client_.is_open()) continue;  // a signal
         if (!event) return std::nullopt;
         if (event->kind == Event::Kind::answer && event->id == id) return event;
@@ -115,7 +132,7 @@ std::optional<Event> Batch::wait_for_answer(std::int64_t id) {
 void Batch::show(const Event& event) {
     switch (event.kind) {
         case Event::Kind::output:
-            lost_ = !put_text(files_.out, event.text + "\n") || std::fflush(files_.out) != 0 || lost_;
+            lost_ = !put_text(files_.out, visible(event.text) + "\n") || std::fflush(files_.out) != 0 || lost_;
             return;
         case Event::Kind::error: tell(place(event.text)); return;
         case Event::Kind::log: tell(event.text); return;
@@ -152,8 +169,10 @@ bool run_batch(ConsoleClient& client, const BatchFiles& files) {
     return Batch(client, files).run_all();
 }
 
-bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files) {
-    return Batch(client, files).run(text, 0);
+bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files, std::optional<double> timeout) {
+    Batch batch(client, files);
+    if (timeout) batch.limit(*timeout);
+    return batch.run(text, 0);
 }
 
 }  // namespace nezumi

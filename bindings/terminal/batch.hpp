@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "bindings/console/client.hpp"
@@ -20,7 +21,8 @@ struct BatchFiles {
 /// Returns whether all of them succeeded.
 bool run_batch(ConsoleClient& client, const BatchFiles& files);
 
-/// Runs one command. Returns whether it succeeded.
-bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files);
+/// Runs one command, and interrupts it when there is no answer after `timeout` [s]. Returns whether it succeeded.
+bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files,
+              std::optional<double> timeout = {});
 
 }  // namespace nezumi

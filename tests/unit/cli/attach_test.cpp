@@ -1,6 +1,8 @@
 // Commands from scripts: `nezumi run --batch` and `nezumi attach`.
 #include <catch2/catch.hpp>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -138,6 +140,44 @@ TEST_CASE("attach says what runs when it can't find its system", "[cli][attach]"
     CHECK_THAT(slip.error,
                Catch::StartsWith("nezumi: no system 'tinny' is running (did you mean 'tiny'?); running: tiny "));
     CHECK(slip.status == 2);
+}
+
+TEST_CASE("a system that is stopped keeps nobody from the others, nor for ever", "[cli][attach]") {
+    Running running;
+    const std::string other = running.scratch.write("other.lua", "behavior \"it\" { script = \"it\" }\n").string();
+    Program second({"run", other, "--headless"});
+    for (int tries = 0; tries < 300 && run_nezumi({"attach", "other", "--eval", "1"}).status != 0; ++tries)
+        usleep(100'000);
+    running.program.send(SIGSTOP);
+    // More than may wait at its door.
+    for (int i = 0; i < 20; ++i) {
+        const Outcome list = run_nezumi({"attach", "--list"});
+        CHECK(list.status == 0);
+        CHECK_THAT(list.out, Catch::Contains(" other\n") && Catch::Contains(" tiny\n"));
+    }
+    CHECK(run_nezumi({"attach", "other", "--eval", "1 + 1"}).out == "2\n");
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome full = run_nezumi({"attach", "tiny", "--eval", "1"});
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
+    CHECK(full.status == 2);
+    CHECK_THAT(full.error,
+               Catch::Matches("nezumi: tiny \\(process [0-9]+\\) does not answer: it is stopped, or very busy\n"));
+    running.program.send(SIGCONT);
+    CHECK(run_nezumi({"attach", "tiny", "--eval", "1 + 1"}).out == "2\n");
+    running.program.send(SIGSTOP);  // lets in, and does not answer
+    CHECK(run_nezumi({"attach", "tiny", "--eval", "1"}).error == full.error);
+    running.program.send(SIGCONT);
+}
+
+TEST_CASE("attach --eval --timeout interrupts a text that takes longer", "[cli][attach]") {
+    const Running running;
+    const Outcome late = run_nezumi({"attach", "--timeout", "0.3", "--eval", "print 'begins' run(1000)"});
+    CHECK(late.status == 1);
+    CHECK(late.out == "begins\n");
+    CHECK(late.error == "no answer within 0.3 s: interrupted\n");
+    CHECK(run_nezumi({"attach", "--timeout", "20", "--eval", "1 + 1"}).out == "2\n");
+    CHECK(run_nezumi({"attach", "--timeout", "20"}).error == "nezumi: --timeout is for --eval\n");
+    CHECK(run_nezumi({"attach", "--timeout", "0", "--eval", "1"}).status == 2);
 }
 
 TEST_CASE("quit by attach ends a run in good order", "[cli][attach]") {
