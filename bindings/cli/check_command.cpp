@@ -10,6 +10,7 @@
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/json_text.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -46,7 +47,7 @@ int check(const CheckOptions& options) {
         // A script that several systems name is wrong once.
         for (Error& error : check_file(file, systems)) {
             if (std::find(errors.begin(), errors.end(), error) != errors.end()) continue;
-            if (!options.json) fmt::print("{}\n", describe(error));
+            if (!options.json) fmt::print("{}\n", visible(describe(error)));
             errors.push_back(std::move(error));
             status = std::max(status, static_cast<int>(kFailed));
         }

@@ -10,6 +10,7 @@
 #include "bindings/cli/status.hpp"
 #include "bindings/console/put_text.hpp"
 #include "bindings/embed/simulation.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 
@@ -27,14 +28,14 @@ std::vector<std::filesystem::path> installed_folders() {
 LiveOptions simulated_systems() { return nezumi::simulated_systems(installed_folders()); }
 
 int refuse(std::string_view why) {
-    put_text(stderr, fmt::format("nezumi: {}\n", why));
+    put_text(stderr, fmt::format("nezumi: {}\n", visible(why)));
     return kCouldNotRun;
 }
 
 int refuse(const Error& error) {
     // A place begins the line, so that editors can go there.
     if (error.place.file.empty()) return refuse(error.message);
-    put_text(stderr, describe(error) + "\n");
+    put_text(stderr, visible(describe(error)) + "\n");
     return kCouldNotRun;
 }
 

@@ -12,6 +12,7 @@
 #include "bindings/terminal/batch.hpp"
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/terminal.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -26,7 +27,7 @@ bool has_terminal() {
 }
 
 RunConsole::RunConsole(RunLoop& loop, std::string name)
-    : loop_(loop), name_(std::move(name)), server_(std::make_unique<ConsoleServer>(loop.live(), loop)) {}
+    : loop_(loop), name_(visible(name)), server_(std::make_unique<ConsoleServer>(loop.live(), loop)) {}
 
 RunConsole::~RunConsole() { close(); }
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bindings/console/client.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -66,10 +66,10 @@ void Screen::log(const LogLine& line) {
     const std::string_view colour = live_ ? colour_of(line.level) : "";
     // A script's text is no way to reach the terminal itself.
     put(fmt::format("{}[{:9.3f}] {:5} {}{}{}\n", colour, line.seconds, to_text(line.level), who,
-                    without_controls(line.text), colour.empty() ? "" : "\x1b[0m"));
+                    visible_message(line.text), colour.empty() ? "" : "\x1b[0m"));
 }
 
-void Screen::say(const std::string& text) { put(text + "\n"); }
+void Screen::say(const std::string& text) { put(visible(text) + "\n"); }
 
 void Screen::put(std::string line) {
     if (!live_) return write_whole(line);

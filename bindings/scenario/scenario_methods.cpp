@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 
@@ -107,7 +108,7 @@ void ScenarioRun::Methods::note_slip(ScenarioRun& run, lua_State* lua) {
 int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (run.stopped_) return end_run;
     if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "s: expected the name of a method or component");
-    const std::string name(lua_tostring(lua, 2));
+    const std::string name(string_at(lua, 2));
     lua_pushvalue(lua, 2);
     const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL;
     if (is_method && is_early(name)) {
@@ -198,7 +199,7 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
     terms.place = calling_place(lua);
     if (lua_type(lua, 2) != LUA_TSTRING)
         return raise(run, fmt::format("expected a name (what should hold), got {}", type_at(lua, 2)));
-    terms.name = one_line(lua_tostring(lua, 2));
+    terms.name = one_line(std::string(string_at(lua, 2)));
     const bool has_options = lua_type(lua, 3) != LUA_TFUNCTION;
     const int function = has_options ? 4 : 3;
     if (has_options && lua_type(lua, 3) != LUA_TTABLE && lua_type(lua, 3) > LUA_TNIL)
@@ -246,7 +247,7 @@ int ScenarioRun::Methods::check(ScenarioRun& run, lua_State* lua) {
     if (lua_gettop(lua) < 2) return raise(run, "expected a value");
     if (lua_toboolean(lua, 2) != 0) return lua_pushvalue(lua, 2), 1;
     const bool is_text = lua_type(lua, 3) == LUA_TSTRING;
-    fails(run, lua, is_text ? fmt::format("check failed: {}", lua_tostring(lua, 3)) : "check failed");
+    fails(run, lua, is_text ? fmt::format("check failed: {}", string_at(lua, 3)) : "check failed");
     return end_run;
 }
 
@@ -264,7 +265,7 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     if (off <= tolerance) return 0;
     std::string text = fmt::format("near failed: {} is off {} by {:.6g}, more than the tolerance of {}", actual,
                                    expected, off, tolerance);
-    if (lua_type(lua, 5) == LUA_TSTRING) text += fmt::format(": {}", lua_tostring(lua, 5));
+    if (lua_type(lua, 5) == LUA_TSTRING) text += fmt::format(": {}", string_at(lua, 5));
     fails(run, lua, std::move(text));
     return end_run;
 }

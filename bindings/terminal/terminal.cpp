@@ -17,6 +17,7 @@
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/line_editor.hpp"
 #include "bindings/terminal/tty_input.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi {
 namespace {
@@ -237,17 +238,17 @@ void Prompt::show(const Event& event, std::string& text) {
         case Event::Kind::keys: keys_ = event.ok; return;
         case Event::Kind::status:
             paused_ = !event.ok;
-            editor_->set_title(without_controls(event.text));
+            editor_->set_title(visible(event.text));
             return;
         case Event::Kind::bye:
             ended_ = true;
-            if (options_.attached && !event.text.empty()) text += without_controls(event.text) + "\n";
+            if (options_.attached && !event.text.empty()) text += visible(event.text) + "\n";
             return;
     }
 }
 
 std::string Prompt::coloured(const Event& event) const {
-    std::string plain = without_controls(event.text);
+    std::string plain = visible(event.text);
     const char* none = std::getenv("NO_COLOR");
     if (editor_->is_plain() || (none != nullptr && none[0] != '\0')) return plain;
     const bool wrong = event.kind == Event::Kind::error || event.level == "error";

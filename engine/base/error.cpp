@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cstddef>
 
+#include "engine/base/visible.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -46,19 +48,16 @@ std::string describe(const Error& error) {
 }
 
 std::string shown(std::string_view name) {
-    constexpr std::size_t most = 60;
-    constexpr std::string_view digits = "0123456789abcdef";
+    constexpr std::size_t most = 60;  // [bytes]
     std::string text;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (text.size() >= most) return text + "...";
-        if (byte >= 0x20 && byte != 0x7f) {
-            text += c;
+    for (const char c : visible(name.substr(0, most))) {
+        if (c == '\n' || c == '\t') {
+            text += c == '\n' ? "\\x0a" : "\\x09";
         } else {
-            text += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+            text += c;
         }
     }
-    return text;
+    return name.size() > most ? text + "..." : text;
 }
 
 std::string_view nearest(std::string_view name, const std::vector<std::string_view>& candidates) {

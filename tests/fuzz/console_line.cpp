@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (*line) check_line(**line);
         }
     }
-    require(without_controls(text).find('\x1b') == std::string::npos);
+    require(visible(text).find('\x1b') == std::string::npos);
     require(to_utf8(to_wide(text)) == to_utf8(to_wide(to_utf8(to_wide(text)))));
     for (std::string_view typed = text; !typed.empty();) {
         const TypedKey key = next_key(typed, true);

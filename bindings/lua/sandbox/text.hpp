@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <lua.hpp>
+#include <string_view>
 
 namespace nezumi {
 
@@ -13,5 +14,12 @@ const char* push_text(lua_State* lua, int index, std::size_t* length = nullptr);
 
 /// Pushes the text of the identity of the value at `index` ("table: 1"), `__tostring` not asked.
 void push_identity(lua_State* lua, int index);
+
+/// The string at `index`, all of it: Lua's may hold zero bytes. As long as that value lives.
+inline std::string_view string_at(lua_State* lua, int index) {
+    std::size_t length = 0;
+    const char* text = lua_tolstring(lua, index, &length);
+    return {text, length};
+}
 
 }  // namespace nezumi

@@ -30,7 +30,7 @@ int unknown_parameter(lua_State* L) {
     return bridge(L, [&]() -> Expected<void> {
         std::vector<std::string_view> names;
         for (const auto& parameter : script.parameters().all()) names.push_back(parameter.spec.name);
-        const std::string_view name = lua_tostring(L, -1);
+        const std::string_view name = string_at(L, -1);
         return failure(fmt::format("unknown parameter '{}'{}", shown(name), did_you_mean(name, names)));
     });
 }
@@ -39,7 +39,7 @@ int config_newindex(lua_State* L) {
     Script& script = script_of(L);
     push_text(L, 2);
     return bridge(L, [&]() -> Expected<void> {
-        const std::string_view name = lua_tostring(L, -1);
+        const std::string_view name = string_at(L, -1);
         if (script.phase() == Script::Phase::loading) {
             return failure(fmt::format("config.{} can't be set while the file loads", shown(name)));
         }

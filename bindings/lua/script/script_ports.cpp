@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 
@@ -150,7 +151,7 @@ void explain_property(lua_State* L, const PortSlot& slot) {
             L, in ? fmt::format("{} is the port, not its value: read it first, with `:read()`", title(slot))
                   : fmt::format("{} is the port, not its value: write it with `:write(value)`", title(slot)));
     }
-    const std::string_view key = lua_tostring(L, 2);
+    const std::string_view key = string_at(L, 2);
     std::vector<std::string_view> names;
     if (in) {
         names.emplace_back("read");
@@ -167,7 +168,7 @@ void explain_property(lua_State* L, const PortSlot& slot) {
 int port_index(lua_State* L) {
     PortSlot& slot = slot_of(L);
     if (slot.declaration->direction == Direction::in && lua_type(L, 2) == LUA_TSTRING) {
-        const char* key = lua_tostring(L, 2);
+        const std::string_view key = string_at(L, 2);
         for (std::size_t i = 0; i < property_names.size(); ++i) {
             if (property_names[i] != key) continue;
             if (slot.port == nullptr) return refuse_while_loading(L, slot, "read");

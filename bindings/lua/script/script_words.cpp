@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
@@ -38,16 +37,14 @@ int word_log(lua_State* L) {
         luaL_addvalue(&line);
     }
     luaL_pushresult(&line);
-    std::size_t size = 0;
-    const char* text = lua_tolstring(L, -1, &size);
-    script_of(L).log(level, std::string(text, size));
+    script_of(L).log(level, std::string(string_at(L, -1)));
     return 0;
 }
 
 int unknown_level(lua_State* L) {
     push_text(L, 2);
     return bridge(L, [&]() -> Expected<void> {
-        const std::string_view name = lua_tostring(L, -1);
+        const std::string_view name = string_at(L, -1);
         const std::string near = did_you_mean(name, {"debug", "info", "warn", "error"});
         return failure(
             fmt::format("log has no '{}'{}", name, near.empty() ? " (it has debug, info, warn, error)" : near));
@@ -80,7 +77,7 @@ int word_require(lua_State* L) {
     bridge(L, [&]() -> Expected<void> {
         if (lua_type(L, 1) != LUA_TSTRING)
             return failure(fmt::format("require expected a module's name, got {}", luaL_typename(L, 1)));
-        return script.begin_module(L, lua_tostring(L, 1));
+        return script.begin_module(L, string_at(L, 1));
     });
     const Chunk& chunk = script.module_chunk();
     if (luaL_loadbufferx(L, chunk.bytecode.data(), chunk.bytecode.size(), "module", "b") != LUA_OK) lua_error(L);
@@ -105,7 +102,7 @@ int global_newindex(lua_State* L) {
     int line = 0;
     bridge(L, [&]() -> Expected<void> {
         line = caller(L).line;
-        const std::string_view name = lua_tostring(L, -1);
+        const std::string_view name = string_at(L, -1);
         const auto found = script.check_hook(name, luaL_typename(L, 3));
         if (!found) return Unexpected(found.error());
         hook = *found;
@@ -122,12 +119,12 @@ int global_newindex(lua_State* L) {
 // `dt` costs those who read it, and nobody else.
 int global_index(lua_State* L) {
     Script& script = script_of(L);
-    if (lua_type(L, 2) == LUA_TSTRING && std::strcmp(lua_tostring(L, 2), "dt") == 0) {
+    if (lua_type(L, 2) == LUA_TSTRING && string_at(L, 2) == "dt") {
         lua_pushnumber(L, script.dt());
         return 1;
     }
     push_text(L, 2);
-    const int function = script.hook_function(lua_tostring(L, -1));
+    const int function = script.hook_function(string_at(L, -1));
     if (function == LUA_REFNIL) {
         lua_pushnil(L);
         return 1;
@@ -137,7 +134,7 @@ int global_index(lua_State* L) {
         return 1;
     }
     return bridge(L, [&]() -> Expected<void> {
-        const std::string_view name = lua_tostring(L, -1);
+        const std::string_view name = string_at(L, -1);
         return failure(fmt::format("unknown global '{}'{}", name, did_you_mean(name, script_words())));
     });
 }

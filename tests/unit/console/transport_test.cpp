@@ -232,10 +232,3 @@ TEST_CASE("clients are told when the system ends, and do not keep it from ending
     CHECK(event->kind == Event::Kind::bye);
     CHECK(event->text == "the system has ended");
 }
-
-TEST_CASE("control characters are written out for a terminal", "[console][client]") {
-    CHECK(without_controls("a\tb\nc") == "a\tb\nc");
-    CHECK(without_controls("\x1b[31mred\x07\x7f\r") == "\\x1b[31mred\\x07\\x7f\\x0d");
-    CHECK(without_controls("\xC2\x9B"
-                           "31m \xC3\xBC") == "\\x9b31m \xC3\xBC");
-}

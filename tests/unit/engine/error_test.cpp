@@ -88,6 +88,8 @@ TEST_CASE("a suggestion reads as the end of a sentence, or is nothing", "[engine
 TEST_CASE("a name of somebody else's is shown in one short line", "[engine][error]") {
     CHECK(shown("speed_x") == "speed_x");
     CHECK(shown(std::string_view("a\nb\0\x1b[1m", 8)) == "a\\x0ab\\x00\\x1b[1m");
-    CHECK(shown("M\xC3\xA4use") == "M\xC3\xA4use");
+    CHECK(shown("M\xC3\xA4use\t") == "M\xC3\xA4use\\x09");
+    CHECK(shown("a\xE2\x80\xAE"
+                "aul.") == "a\\u202eaul.");
     CHECK(shown(std::string(1000, 'x')) == std::string(60, 'x') + "...");
 }
