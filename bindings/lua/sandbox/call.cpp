@@ -119,6 +119,7 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
         error = {{describe_value(lua, prefix), to_place(call.error_place)}, false};
         error.message += state.hint(error.message);
     }
+    if (call.seen != 0) error.used_seconds = static_cast<double>(thread_time() - call.seen) * 1e-9;
     lua_pop(lua, 1);
     return error;
 }
@@ -126,7 +127,8 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
 CallError lost_error(double budget_seconds) {
     return {{"ran for more than " + shown(budget_seconds) +
              " s inside Lua itself, where it could not be stopped: the script is lost, load it again"},
-            true};
+            true,
+            budget_seconds};
 }
 
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {
@@ -158,8 +160,8 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
     }
     // What the script had gathered is garbage now; nobody may call it again for a long time.
     const LuaState& state = LuaState::of(lua);
-    if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
     call.can_escape = false;
+    if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
     return tl::unexpected(take_error(lua, status, call));
 }
 

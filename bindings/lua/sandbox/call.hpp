@@ -13,6 +13,7 @@ namespace nezumi {
 /// Why a call into Lua did not return. `place` is the script's line where that is known, and not part of `message`.
 struct CallError : Error {
     bool over_budget = false;  ///< it ran for too long: in a headless run, the run itself could not be made
+    double used_seconds = 0;   ///< of CPU time, to within the few milliseconds between two looks at the clock
 };
 
 /// What a call into Lua gives; its results are on Lua's stack.

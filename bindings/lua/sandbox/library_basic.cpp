@@ -53,6 +53,15 @@ void refuse_field(lua_State* lua, const char* field, const char* reason) {
     lua_pop(lua, 1);
 }
 
+// Lua looks for what calls a `__call` that is no function in turn, for ever where they go round in a circle.
+void refuse_caller(lua_State* lua) {
+    lua_pushliteral(lua, "__call");
+    const int type = lua_rawget(lua, 2);
+    if (type != LUA_TNIL && type != LUA_TFUNCTION)
+        luaL_error(lua, "setmetatable: '__call' expected a function, got %s", lua_typename(lua, type));
+    lua_pop(lua, 1);
+}
+
 int set_metatable(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     const int type = lua_type(lua, 2);
@@ -63,6 +72,7 @@ int set_metatable(lua_State* lua) {
     if (type == LUA_TTABLE) {
         refuse_field(lua, "__gc", "nothing could stop a finalizer that does not end");
         refuse_field(lua, "__mode", "what a weak table holds would differ from run to run");
+        refuse_caller(lua);
     }
     lua_setmetatable(lua, 1);
     return 1;

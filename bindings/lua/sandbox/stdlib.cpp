@@ -119,7 +119,9 @@ Expected<void> open_sandbox(LuaState& state) {
     const auto opened = protect(state.lua(), Budget{10.0}, [](lua_State* lua) {
         // Lua looks here for the name of a function that is called under none.
         luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
-        // The basic functions are not there: beside them a script puts functions of its own, under other names.
+        // The globals are not there: a script puts functions of its own among them, under other names.
+        library::push_entries(lua, library::basic());
+        lua_setfield(lua, -2, LUA_GNAME);
         lua_pushglobaltable(lua);
         for (const library::Entry& entry : library::basic()) {
             lua_pushcfunction(lua, entry.function);

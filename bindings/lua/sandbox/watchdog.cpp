@@ -43,7 +43,7 @@ namespace {
 
 constexpr std::int64_t tick_ns = 5'000'000;
 constexpr int deep_recursion = 20'000;  // calls within calls
-constexpr std::int64_t escape_after_ns = 1'000'000'000;
+constexpr std::int64_t shortest_grace_ns = 50'000'000, longest_grace_ns = 1'000'000'000;
 constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): from a signal handler to the place it jumps to
@@ -53,6 +53,14 @@ int watch_signal() { return SIGRTMIN + 5; }
 
 NEZUMI_IN_SIGNAL std::int64_t nanoseconds(const timespec& time) {
     return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+// What Lua's own code may use on top of a budget before it is left in the middle. It gets to the next instruction of
+// the script, where a hook ends it, in far less, unless the script has seen to it that it does not.
+NEZUMI_IN_SIGNAL std::int64_t grace_ns(double budget_seconds) {
+    const auto half = static_cast<std::int64_t>(budget_seconds * 0.5e9);
+    if (half < shortest_grace_ns) return shortest_grace_ns;
+    return half < longest_grace_ns ? half : longest_grace_ns;
 }
 
 NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
@@ -100,7 +108,7 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
         if (call == expired) break;
     }
     errno = saved_errno;
-    if (expired != nullptr && now - innermost->expired_at > escape_after_ns && was_in_lua(context))
+    if (expired != nullptr && now - innermost->expired_at > grace_ns(innermost->budget_seconds) && was_in_lua(context))
         leave_lua(innermost);
 }
 

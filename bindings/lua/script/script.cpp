@@ -18,6 +18,12 @@ namespace nezumi {
 namespace {
 
 constexpr std::size_t longest_name = 100;
+constexpr std::size_t most_of_a_kind = 1000;
+
+Expected<void> check_count(std::size_t count, std::string_view kind, std::string_view name, std::string_view kinds) {
+    if (count < most_of_a_kind) return {};
+    return failure(fmt::format("{} '{}': a component has at most {} {}", kind, name, most_of_a_kind, kinds));
+}
 
 bool contains(const std::vector<std::string_view>& words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -127,6 +133,7 @@ Expected<PortSlot*> Script::declare_port(PortDeclaration declaration) {
     const std::string_view word = declaration.direction == Direction::in ? "input" : "output";
     if (auto ok = check_loading(word); !ok) return Unexpected(ok.error());
     if (auto ok = check_name(word, declaration.name, true); !ok) return Unexpected(ok.error());
+    if (auto ok = check_count(ports_.size(), word, declaration.name, "ports"); !ok) return Unexpected(ok.error());
     for (const PortDeclaration& other : ports_) {
         if (other.name != declaration.name) continue;
         if (other.direction == declaration.direction) {
@@ -149,6 +156,7 @@ Expected<PortSlot*> Script::declare_port(PortDeclaration declaration) {
 Expected<void> Script::declare_parameter(ParameterSpec spec) {
     if (auto ok = check_loading("param"); !ok) return ok;
     if (auto ok = check_name("parameter", spec.name, false); !ok) return ok;
+    if (auto ok = check_count(parameters_.all().size(), "parameter", spec.name, "parameters"); !ok) return ok;
     if (const auto* other = parameters_.find(spec.name)) {
         return failure(fmt::format("parameter '{}' is declared twice{}", spec.name, first_in(other->spec.place)));
     }
@@ -166,6 +174,7 @@ Expected<void> Script::declare_parameter(ParameterSpec spec) {
 Expected<void> Script::declare_command(CommandDeclaration declaration) {
     if (auto ok = check_loading("command"); !ok) return ok;
     if (auto ok = check_name("command", declaration.name, false); !ok) return ok;
+    if (auto ok = check_count(commands_.size(), "command", declaration.name, "commands"); !ok) return ok;
     // Unlike a port, a command never takes the place of a member, of whatever kind of component.
     for (const MemberName& member : member_names()) {
         if (member.name == declaration.name) {
@@ -244,7 +253,7 @@ Expected<void> Script::begin_module(lua_State* L, std::string_view name) {
     if (!chain.empty())
         return failure(fmt::format("require '{}': the modules require each other: {}{}", name, chain, name));
     auto source = context_.find_module(name, loading_modules_.empty() ? file_.path : loading_modules_.back().path);
-    if (!source) return failure(fmt::format("require '{}': {}", name, source.error().message));
+    if (!source) return failure(fmt::format("require '{}': {}", shown(name), source.error().message));
     if (inheritance_.required != nullptr) inheritance_.required->emplace_back(*source);
     auto chunk = compile(*source, ScriptKind::module);
     if (!chunk) {
@@ -310,7 +319,12 @@ Expected<void> Script::call(Hook hook) {
     if (auto ok = begin_call(); !ok) return ok;
     lua_State* L = lua_->lua();
     lua_rawgeti(L, LUA_REGISTRYINDEX, function);
-    if (auto ok = protected_call(L, 0, 0, context_.budget); !ok) return Unexpected(to_error(ok.error()));
+    Budget budget = context_.budget;
+    if (hook == Hook::on_aborting && has_used_its_tick()) budget.seconds *= kReserve;
+    if (auto ok = protected_call(L, 0, 0, budget); !ok) {
+        failed_seconds_ = ok.error().used_seconds;
+        return Unexpected(to_error(ok.error()));
+    }
     return {};
 }
 

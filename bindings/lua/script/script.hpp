@@ -117,8 +117,12 @@ public:
     /// Opens the ports, or closes them: whether this version is the one that runs. Their slots must be filled.
     void go_live(bool live);
 
+    /// The part of a budget that is kept for `on_aborting`: the hooks of a tick have one budget, not one each.
+    static constexpr double kReserve = 0.1;
     /// Calls a callback; nothing when the script has none.
     Expected<void> call(Hook hook);
+    /// Whether the call that failed last used more than the reserve: then only that is left of the tick's budget.
+    bool has_used_its_tick() const { return failed_seconds_ > context_.budget.seconds * kReserve; }
     /// Calls `on_reload(old_version)`.
     Expected<void> call_on_reload(int old_version);
     /// Calls a command with copies of these arguments; its results are copies.
@@ -197,6 +201,7 @@ private:
     std::array<int, 9> hooks_{};  // registry references, by Hook
     std::array<int, 9> hook_lines_{};
     std::vector<std::pair<LogLevel, std::string>> early_log_;
+    double failed_seconds_ = 0;      // of CPU time, that the last call that failed had used
     std::size_t written_bytes_ = 0;  // in this execution
     std::size_t logged_bytes_ = 0;   // likewise
     Component* owner_ = nullptr;

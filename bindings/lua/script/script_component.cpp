@@ -192,8 +192,10 @@ Expected<void> ScriptComponent::execute_on_probation() {
                 .version = version_,
                 .execution = kProbation - probation_left_ + 1,
                 .reload = before.replaced_by};
-    // When no port differs, the version before can take this very tick.
-    if (!before.in_ports.empty() || !before.out_ports.empty() || !ports_going(before).empty()) return {};
+    // When no port differs, the version before can take this very tick, unless its time has been used.
+    if (script_->has_used_its_tick() || !before.in_ports.empty() || !before.out_ports.empty() ||
+        !ports_going(before).empty())
+        return {};
     relapse_->went_back = true;
     go_back(false);
     return script_->call(Hook::on_execute);

@@ -110,6 +110,15 @@ TEST_CASE("the library's tables can't be changed", "[lua][library]") {
     CHECK(box.run("rawset(string, 'rep', nil)") == "box.lua:1: rawset: the table is read-only");
 }
 
+TEST_CASE("what calls a table is a function", "[lua][library]") {
+    Box box;
+    CHECK(box.run("return setmetatable({}, { __call = function(_, x) return x + 1 end })(1)") == "2");
+    CHECK(box.run("local k = {} setmetatable(k, { __call = k })") ==
+          "box.lua:1: setmetatable: '__call' expected a function, got table");
+    CHECK(box.run("setmetatable({}, { __call = 'x' })").find("'__call' expected a function, got string") !=
+          std::string::npos);
+}
+
 TEST_CASE("finalizers and weak tables are refused, and added later they do nothing", "[lua][library]") {
     Box box;
     CHECK(box.run("setmetatable({}, { __gc = function() end })") ==
@@ -125,7 +134,7 @@ TEST_CASE("finalizers and weak tables are refused, and added later they do nothi
     CHECK(box.run("local t = setmetatable({}, { __metatable = 'locked' }) return getmetatable(t), pcall(setmetatable, "
                   "t, {})") == "locked false cannot change a protected metatable");
     CHECK(box.run("return setmetatable({}, nil) ~= nil, pcall(setmetatable, {}, 1)") ==
-          "true false bad argument #2 to '?' (nil or table expected, got number)");
+          "true false bad argument #2 to 'setmetatable' (nil or table expected, got number)");
     CHECK(box.run("local mt = setmetatable({}, { __index = { __gc = 1 } }) return type(setmetatable({}, mt))") ==
           "table");
 }

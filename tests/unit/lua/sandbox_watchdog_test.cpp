@@ -237,6 +237,18 @@ TEST_CASE("work without end in the garbage collector is left, and its state give
     Box next;
     CHECK(next.run_for_a_moment("while true do end") == "box.lua:1: " + too_long);
 }
+
+TEST_CASE("Lua's own code is left half a budget late", "[lua][watchdog]") {
+    Box box;
+    // What calls a table is looked for in a circle, which was closed after setmetatable has looked.
+    REQUIRE(box.run("local k = setmetatable({}, {}) getmetatable(k).__call = k "
+                    "function bomb() pcall(function() return k() end) end") == "");
+    const std::int64_t began = thread_time();
+    CHECK(box.run("bomb()", paced_budget).find("ran for more than 0.1 s inside Lua itself") == 0);
+    const double used = static_cast<double>(thread_time() - began) * 1e-9;
+    CHECK(used > 0.14);
+    CHECK(used < 0.3);
+}
 #endif
 
 TEST_CASE("a host's system calls and errno are left alone", "[lua][watchdog]") {

@@ -204,6 +204,27 @@ TEST_CASE("a budget that is used up is told apart from other errors", "[lua][com
     CHECK(rig.error() == "robot_controller.lua:1: ran for more than 0.02 s: is there an endless loop?");
 }
 
+TEST_CASE("a failed execution and its on_aborting share one budget", "[lua][component]") {
+    Rig rig("function on_execute() while true do end end function on_aborting() while true do end end",
+            {.budget = {0.3}});
+    rig.activate();
+    const std::int64_t began = thread_time();
+    rig.tick();
+    const double used = static_cast<double>(thread_time() - began) * 1e-9;
+    CHECK(rig.error() == "robot_controller.lua:1: ran for more than 0.3 s: is there an endless loop?");
+    CHECK(rig.log.back() ==
+          "error: on_aborting failed: robot_controller.lua:1: ran for more than 0.03 s: is there an endless loop?");
+    CHECK(used > 0.32);
+    CHECK(used < 0.45);
+
+    Rig quick(
+        "local led = output('led', 'TimedBoolean') function on_execute() while true do end end "
+        "function on_aborting() led:write(true) end",
+        {.budget = {0.1}});
+    quick.activate().tick();
+    CHECK(quick.out<bool>("led").read());
+}
+
 TEST_CASE("modules are required by name, once each", "[lua][component][modules]") {
     std::vector<std::string> asked;
     const ModuleFinder find = [&](std::string_view name, std::string_view from) -> Expected<SourceText> {

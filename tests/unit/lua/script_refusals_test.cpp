@@ -223,3 +223,24 @@ TEST_CASE("a command can't be called like a member of components", "[lua][refusa
     }
     CHECK_THAT(refusal("command('status', function() end)"), Catch::Contains("is one of a component's own words"));
 }
+
+TEST_CASE("a component has at most 1000 ports, parameters and commands each, and says so", "[lua][component]") {
+    CHECK(refusal("for i = 1, 1000 do param('x' .. i, 0) end") == "");
+    CHECK(refusal("for i = 1, 30000 do param('x' .. i, 0) end") ==
+          "robot_controller.lua:1: parameter 'x1001': a component has at most 1000 parameters");
+    CHECK(refusal("for i = 1, 30000 do input('x' .. i, 'TimedLong') end") ==
+          "robot_controller.lua:1: input 'x1001': a component has at most 1000 ports");
+    CHECK(refusal("for i = 1, 30000 do command('x' .. i, function() end) end") ==
+          "robot_controller.lua:1: command 'x1001': a component has at most 1000 commands");
+}
+
+TEST_CASE("a zero byte ends no name", "[lua][component]") {
+    const ScriptContext context{.find_module = [](std::string_view name, std::string_view) -> Expected<SourceText> {
+        return failure("there is no module '" + shown(name) + "'");
+    }};
+    CHECK(refusal("require 'a\\0b'", context) ==
+          "robot_controller.lua:1: require 'a\\x00b': there is no module 'a\\x00b'");
+    CHECK(failure_of("param('x', 1)", "config['x\\0y'] = 2").find("unknown parameter 'x\\x00y'") != std::string::npos);
+    CHECK(failure_of("local a = input('a', 'TimedLong')", "local _ = a['tm\\0']").find("has no 'tm\\x00'") !=
+          std::string::npos);
+}
