@@ -16,10 +16,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <numbers>
 #include <string_view>
 #include <utility>
+
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::sim {
 namespace {
@@ -105,13 +106,6 @@ std::string run_program(std::vector<std::string> words, int input) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
     return WIFEXITED(status) ? fmt::format("it ended with status {}", WEXITSTATUS(status))
                              : fmt::format("signal {} ended it", WTERMSIG(status));
-}
-
-bool write_file(const std::filesystem::path& file, const std::string& bytes) {
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    return out.good();
 }
 
 }  // namespace
@@ -204,12 +198,12 @@ void SoundFiles::serve() {
 void SoundFiles::write(const Job& job) {
     const std::filesystem::path wav = folder_ / (job.stem + ".wav");
     if (job.sound.kind == Sound::Kind::tone) {
-        if (!write_file(wav, tone_as_wav(job.sound.hertz, job.sound.seconds)))
+        if (!write_whole(wav, tone_as_wav(job.sound.hertz, job.sound.seconds)))
             complain(fmt::format("'{}' can't be written", wav.string()));
         return;
     }
     const std::filesystem::path text = folder_ / (job.stem + ".txt");
-    if (!write_file(text, job.sound.text)) complain(fmt::format("'{}' can't be written", text.string()));
+    if (!write_whole(text, job.sound.text)) complain(fmt::format("'{}' can't be written", text.string()));
     if (can_speak_) speak(job.sound.text, wav);
 }
 

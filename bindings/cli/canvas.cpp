@@ -12,8 +12,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
+
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -104,20 +104,7 @@ Expected<void> Canvas::write() {
     if (status != CAIRO_STATUS_SUCCESS)
         return failure(fmt::format("can't be drawn: {}", cairo_status_to_string(status)), {file_});
 
-    const int fd = open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {file_});
-    std::string_view left = bytes_;
-    int wrong = 0;
-    while (!left.empty() && wrong == 0) {
-        const ssize_t written = ::write(fd, left.data(), left.size());
-        if (written < 0 && errno != EINTR) wrong = errno;
-        if (written > 0) left.remove_prefix(static_cast<std::size_t>(written));
-    }
-    if (close(fd) != 0 && wrong == 0) wrong = errno;
-    if (wrong == 0) return {};
-    std::error_code none;
-    if (std::filesystem::is_regular_file(file_, none)) std::filesystem::remove(file_, none);
-    return failure(fmt::format("can't be written: {}", std::strerror(wrong)), {file_});
+    return write_whole(file_, bytes_);
 }
 
 bool is_picture_name(std::string_view name) {

@@ -14,9 +14,9 @@
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/scenario_files.hpp"
-#include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/test_session.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 namespace {

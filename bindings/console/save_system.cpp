@@ -4,13 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace {
@@ -63,18 +61,24 @@ void bring_up_to_date(ComponentEntry& entry, const Component& component) {
     if (!is_as_configured(component)) entry.config = present_values(component, entry.config);
 }
 
-Expected<void> write_file(const std::filesystem::path& path, const std::string& text) {
-    const std::filesystem::path fresh = path.string() + ".new";
-    {
-        std::ofstream file(fresh, std::ios::binary);
-        file << text;
-        file.flush();
-        if (!file) return failure(fmt::format("{} can't be written: {}", path.string(), std::strerror(errno)));
-    }
+// Writes the file, and what was there goes on as `before`. When it can't be done all is as it was.
+Expected<void> replace_file(const std::filesystem::path& path, const std::string& before, const std::string& text) {
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) return write_whole(path, text);
+    const std::string kept = before + ".new";
     std::error_code problem;
-    std::filesystem::rename(fresh, path, problem);
-    if (problem) return failure(fmt::format("{} can't be written: {}", path.string(), problem.message()));
-    return {};
+    const auto real = std::filesystem::canonical(path, problem);
+    std::filesystem::remove(kept, none);
+    std::filesystem::create_hard_link(real, kept, problem);  // takes no room on the disk
+    if (problem) std::filesystem::copy_file(real, kept, problem);
+    Expected<void> done = failure(fmt::format("can't be kept as {}: {}", before, problem.message()), {path.string()});
+    if (!problem) done = write_whole(path, text);
+    if (done) {
+        std::filesystem::rename(kept, before, none);
+    } else {
+        std::filesystem::remove(kept, none);
+    }
+    return done;
 }
 
 // Where the system lies, in and below which it may be saved: its project, else the folder of its file.
@@ -169,12 +173,7 @@ Expected<std::string> save_system(const LiveSystem& live, const std::string& fil
     std::error_code problem;
     const bool existed = std::filesystem::exists(path, problem);
     const std::string before = path.string() + "~";
-    if (existed) {
-        std::filesystem::copy_file(path, before, std::filesystem::copy_options::overwrite_existing, problem);
-        if (problem)
-            return failure(fmt::format("{} can't be kept as {}: {}", path.string(), before, problem.message()));
-    }
-    if (auto ok = write_file(path, text); !ok) return Unexpected(ok.error());
+    if (auto ok = replace_file(path, before, text); !ok) return failure(describe(ok.error()));
     return fmt::format("saved {}: {}, {}{}", path.string(), counted(spec.entries.size(), "component"),
                        counted(spec.connections.size(), "connection"),
                        existed ? fmt::format("; what was there is now {}", before) : "");

@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
 #include <system_error>
 
 #include "engine/ports/payload.hpp"
@@ -64,19 +61,6 @@ Expected<std::string> make_failure_folder(const fs::path& folder) {
     if (!problem) fs::create_directories(folder, problem);
     if (problem) return failure(fmt::format("the folder {} can't be made: {}", folder.string(), problem.message()));
     return folder.string();
-}
-
-Expected<void> write_whole(const fs::path& file, std::string_view text) {
-    std::FILE* const out = std::fopen(file.c_str(), "wbe");
-    int problem = out == nullptr ? errno : 0;
-    if (out != nullptr) {
-        if (std::fwrite(text.data(), 1, text.size(), out) != text.size()) problem = errno;
-        if (std::fclose(out) != 0 && problem == 0) problem = errno;
-    }
-    if (problem == 0) return {};
-    std::error_code none;
-    if (out != nullptr && fs::is_regular_file(file, none)) fs::remove(file, none);
-    return failure(fmt::format("can't be written: {}", std::strerror(problem)), {file.string()});
 }
 
 }  // namespace nezumi

@@ -18,7 +18,4 @@ std::string run_file_name(const std::filesystem::path& file, std::string_view ru
 /// Makes the folder, or empties it of what an earlier failure left. Returns its path.
 Expected<std::string> make_failure_folder(const std::filesystem::path& folder);
 
-/// Writes a file whole, or says why not and leaves none.
-Expected<void> write_whole(const std::filesystem::path& file, std::string_view text);
-
 }  // namespace nezumi

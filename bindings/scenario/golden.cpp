@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "bindings/lua/project/project.hpp"
 #include "engine/base/csv.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace {
@@ -98,10 +98,8 @@ Expected<void> Golden::compare(const std::string& csv) const {
 
 Expected<void> Golden::finish(bool update) const {
     if (update) {
-        std::ofstream out(file_, std::ios::binary);
-        out << text();
-        out.close();
-        return out ? Expected<void>() : failure(fmt::format("golden '{}': can't be written", name_), place_);
+        const auto written = write_whole(file_, text());
+        return written ? written : failure(fmt::format("golden '{}': {}", name_, written.error().message), place_);
     }
     const auto text = read_text_file(file_, name_);
     if (!text) {

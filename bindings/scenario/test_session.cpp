@@ -10,6 +10,7 @@
 
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/process_pool.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace {

@@ -48,15 +48,3 @@ TEST_CASE("the folder of a failure is emptied of an earlier one, and of nothing 
     REQUIRE_FALSE(none);
     CHECK(none.error().message.ends_with("can't be made: Not a directory"));
 }
-
-TEST_CASE("a file that can't be written whole is told and not left", "[lua][scenario][folder]") {
-    const auto full = write_whole("/dev/full", "text");
-    REQUIRE_FALSE(full);
-    CHECK(describe(full.error()) == "/dev/full: can't be written: No space left on device");
-    CHECK(std::filesystem::exists("/dev/full"));
-    const Scratch scratch;
-    CHECK(write_whole(scratch.path("it.txt"), "text"));
-    const auto none = write_whole(scratch.path("no/it.txt"), "text");
-    REQUIRE_FALSE(none);
-    CHECK(none.error().message == "can't be written: No such file or directory");
-}

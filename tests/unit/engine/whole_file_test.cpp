@@ -1,0 +1,81 @@
+// Files that are written whole or not at all.
+#include "engine/base/whole_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+std::ptrdiff_t files_in(const std::filesystem::path& folder) {
+    return std::distance(std::filesystem::directory_iterator(folder), {});
+}
+
+// While this lives, no file gets larger than this.
+struct SizeLimit {
+    explicit SizeLimit(rlim_t bytes) {
+        getrlimit(RLIMIT_FSIZE, &before);
+        const rlimit less{bytes, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &less);
+        handler = std::signal(SIGXFSZ, SIG_IGN);
+    }
+    ~SizeLimit() {
+        setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, handler);
+    }
+    rlimit before{};
+    void (*handler)(int) = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("a file that can't be written whole is told, and what was there stays", "[engine][base]") {
+    const Scratch scratch;
+    const auto file = scratch.write("it.txt", "before");
+    {
+        const SizeLimit limit(1000);
+        const auto full = write_whole(file, std::string(2000, 'x'));
+        REQUIRE_FALSE(full);
+        CHECK(describe(full.error()) == file.string() + ": can't be written: File too large");
+        CHECK_FALSE(write_whole(scratch.path("fresh.txt"), std::string(2000, 'x')));
+    }
+    CHECK(text_of(file) == "before");
+    CHECK(files_in(scratch.path("")) == 1);
+    CHECK(write_whole(file, "after"));
+    CHECK(text_of(file) == "after");
+    CHECK(write_whole(scratch.path("fresh.txt"), ""));
+    CHECK(files_in(scratch.path("")) == 2);
+    CHECK(describe(write_whole(scratch.path("no/it.txt"), "text").error()) ==
+          scratch.path("no/it.txt").string() + ": can't be written: No such file or directory");
+}
+
+TEST_CASE("a link, a mode and a device stay what they are", "[engine][base]") {
+    const Scratch scratch;
+    const auto file = scratch.write("it.txt", "before");
+    std::filesystem::create_symlink("it.txt", scratch.path("link.txt"));
+    chmod(file.c_str(), 0640);
+    REQUIRE(write_whole(scratch.path("link.txt"), "after"));
+    CHECK(std::filesystem::is_symlink(scratch.path("link.txt")));
+    CHECK(text_of(file) == "after");
+    struct stat status {};
+    REQUIRE(stat(file.c_str(), &status) == 0);
+    CHECK((status.st_mode & 0777) == 0640);
+    CHECK(write_whole("/dev/null", "text"));
+    CHECK(describe(write_whole("/dev/full", "text").error()) == "/dev/full: can't be written: No space left on device");
+    CHECK(std::filesystem::exists("/dev/full"));
+}
