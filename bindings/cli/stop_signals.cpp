@@ -39,7 +39,9 @@ void end_by(int signal) {
 }  // namespace
 
 StopSignals::StopSignals() {
-    last_signal = second_signal = second_is_awaited = 0;
+    last_signal = 0;
+    second_signal = 0;
+    second_is_awaited = 0;
     sem_init(&hurried, 0, 0);
     struct sigaction action {};
     action.sa_handler = take;
