@@ -18,7 +18,7 @@ using Names = std::vector<std::string>;
 struct Place {
     enum class Kind { nothing, system, component, ports, port, config, truth, value, table } kind = Kind::nothing;
     const Component* component = nullptr;
-    Port* port = nullptr;  // also of `value`
+    const Port* port = nullptr;  // also of `value`
 };
 
 Names component_names(const System& system) {
@@ -129,7 +129,7 @@ private:
     }
 
     static Place port(const Component* component, std::string_view name) {
-        Port* found = component->find_port(name);
+        const Port* found = component->find_port(name);
         return found == nullptr ? Place{} : Place{Place::Kind::port, component, found};
     }
 

@@ -147,12 +147,7 @@ SystemSpec present_spec(const LiveSystem& live) {
     for (Entry& entry : spec.entries) {
         std::visit([&](auto& each) { bring_up_to_date(each, *system.find(each.name)); }, entry);
     }
-    spec.connections.clear();
-    for (const Connection& connection : system.connections()) {
-        spec.connections.push_back({connection.from_component->name() + "." + connection.from->name(),
-                                    connection.to_component->name() + "." + connection.to->name(),
-                                    {}});
-    }
+    spec.connections = system.connections();
     return spec;
 }
 

@@ -21,22 +21,22 @@ std::string_view to_text(Hook hook) {
     return names[static_cast<int>(hook)];
 }
 
-InPortBase* Component::find_in_port(std::string_view name) const {
+const InPortBase* Component::find_in_port(std::string_view name) const {
     for (const auto& port : in_ports_) {
         if (port->name() == name) return port.get();
     }
     return nullptr;
 }
 
-OutPortBase* Component::find_out_port(std::string_view name) const {
+const OutPortBase* Component::find_out_port(std::string_view name) const {
     for (const auto& port : out_ports_) {
         if (port->name() == name) return port.get();
     }
     return nullptr;
 }
 
-Port* Component::find_port(std::string_view name) const {
-    if (Port* port = find_in_port(name)) return port;
+const Port* Component::find_port(std::string_view name) const {
+    if (const Port* port = find_in_port(name)) return port;
     return find_out_port(name);
 }
 

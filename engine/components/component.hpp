@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -72,13 +73,27 @@ public:
     /// The set in use; "" when none is.
     const std::string& set_in_use() const { return set_in_use_; }
 
-    const std::vector<std::unique_ptr<InPortBase>>& in_ports() const { return in_ports_; }
-    const std::vector<std::unique_ptr<OutPortBase>>& out_ports() const { return out_ports_; }
+    // Whoever has a constant component can look at its ports, and put nothing into them.
+    const std::vector<std::unique_ptr<InPortBase>>& in_ports() { return in_ports_; }
+    const std::vector<std::unique_ptr<OutPortBase>>& out_ports() { return out_ports_; }
+    auto in_ports() const {
+        return std::views::transform(in_ports_, [](const auto& each) -> const InPortBase* { return each.get(); });
+    }
+    auto out_ports() const {
+        return std::views::transform(out_ports_, [](const auto& each) -> const OutPortBase* { return each.get(); });
+    }
     /// nullptr when there is no port of this name and direction.
-    InPortBase* find_in_port(std::string_view name) const;
-    OutPortBase* find_out_port(std::string_view name) const;
+    const InPortBase* find_in_port(std::string_view name) const;
+    const OutPortBase* find_out_port(std::string_view name) const;
+    InPortBase* find_in_port(std::string_view name) {
+        return const_cast<InPortBase*>(std::as_const(*this).find_in_port(name));
+    }
+    OutPortBase* find_out_port(std::string_view name) {
+        return const_cast<OutPortBase*>(std::as_const(*this).find_out_port(name));
+    }
     /// nullptr when there is no port of this name.
-    Port* find_port(std::string_view name) const;
+    const Port* find_port(std::string_view name) const;
+    Port* find_port(std::string_view name) { return const_cast<Port*>(std::as_const(*this).find_port(name)); }
 
     /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, as a script's
     /// "state". Returns whether it has such a member.

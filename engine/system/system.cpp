@@ -111,7 +111,14 @@ Component* System::find_component(std::string_view name) const {
     return found != by_name_.end() ? found->second : nullptr;
 }
 
-Robot* System::find_robot(std::string_view name) const {
+std::vector<ConnectionSpec> System::connections() const {
+    std::vector<ConnectionSpec> all;
+    for (const Connection& each : wiring_.connections())
+        all.push_back({path(*each.from_component, *each.from), path(*each.to_component, *each.to), {}});
+    return all;
+}
+
+const Robot* System::find_robot(std::string_view name) const {
     for (Robot* robot : robots_) {
         if (robot->name() == name) return robot;
     }

@@ -75,11 +75,12 @@ public:
     }
     const std::vector<Robot*>& robots() { return robots_; }
     std::span<const Robot* const> robots() const { return robots_; }
-    const std::vector<Connection>& connections() const { return wiring_.connections(); }
+    /// As a system file says them, without places.
+    std::vector<ConnectionSpec> connections() const;
     /// nullptr when there is none of this name.
     Component* find(std::string_view name) { return find_component(name); }
     const Component* find(std::string_view name) const { return find_component(name); }
-    Robot* find_robot(std::string_view name) const;
+    const Robot* find_robot(std::string_view name) const;
     /// The component of this name, or an error that names the nearest.
     Expected<Component*> component(std::string_view name) { return component_named(name); }
     Expected<const Component*> component(std::string_view name) const { return component_named(name); }

@@ -20,12 +20,10 @@ std::string no_port(const Component& component, Direction direction, std::string
 // The first port at either end that would make the types equal, as the end of a sentence.
 std::string fitting_port(const Component& from, const Port& out, const Component& to, const Port& in) {
     for (const auto& port : to.in_ports()) {
-        if (port.get() != &in && port->type() == out.type())
-            return fmt::format(" (did you mean '{}'?)", path(to, *port));
+        if (port != &in && port->type() == out.type()) return fmt::format(" (did you mean '{}'?)", path(to, *port));
     }
     for (const auto& port : from.out_ports()) {
-        if (port.get() != &out && port->type() == in.type())
-            return fmt::format(" (did you mean '{}'?)", path(from, *port));
+        if (port != &out && port->type() == in.type()) return fmt::format(" (did you mean '{}'?)", path(from, *port));
     }
     return "";
 }

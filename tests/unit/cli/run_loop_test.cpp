@@ -31,9 +31,9 @@ struct RealRun {
         REQUIRE(made);
         live = std::move(*made);
         live->activate();
-        robot().find_in_port("velocity_in")->hold(Velocity2D{.vx = 0.1});
+        REQUIRE(live->act(Hold{"mouse.velocity_in", Velocity2D{.vx = 0.1}}, {}));
     }
-    Robot& robot() { return *live->system().find_robot("mouse"); }
+    const Robot& robot() const { return *live->system().find_robot("mouse"); }
 
     FakeHull hull;
     std::unique_ptr<LiveSystem> live;
