@@ -36,7 +36,7 @@ PATIENCE = 90  # [s] for anything to happen: machines may be slow, and busy
 def explain_missing():
     """Why the tests can't run; None when they can."""
     if uno is None or shutil.which("soffice") is None:
-        return "the spreadsheet link's tests need Debian's libreoffice-calc and python3-uno: ./test installs them"
+        return "the spreadsheet link's tests need Debian's libreoffice-calc and python3-uno: tests/long installs them"
     return None
 
 
@@ -307,6 +307,6 @@ class OfficeCase(unittest.TestCase):
 
 def main():
     if explain_missing():
-        sys.exit(explain_missing())
+        sys.exit("SKIPPED: " + explain_missing())  # as ctest knows a skipped test
     OfficeCase.nezumi = os.path.abspath(sys.argv.pop(1))
     unittest.main(verbosity=2)
