@@ -2,6 +2,7 @@
 #include "tests/unit/vision/seen.hpp"
 
 #include <string>
+#include <tuple>
 
 #include "engine/system/system.hpp"
 #include "engine/trace/trace_hash.hpp"
@@ -109,6 +110,53 @@ TEST_CASE("a picture brings its camera's intrinsics along; otherwise the detecto
     apart.show(picture_of(*world, {.field_of_view = 1.6}));
     apart.run(5);
     CHECK(apart.pos().position.x == Approx(0.6).margin(0.01));
+}
+
+TEST_CASE("each of the detector's own intrinsics counts, and those that are 0 follow fx and the middle",
+          "[vision][detector]") {
+    const CameraIntrinsics c = pinhole(640, 480, field_of_view);
+    const auto seen = [&](ParameterValues values) {
+        values.emplace("fx", c.fx);
+        Watch watch(one_marker({0.6, 0.1, 0.15}), values);
+        watch.run(20);
+        REQUIRE(watch.visible());
+        return watch.pos().position;
+    };
+    const Point3D plain = seen({});
+    CHECK(plain.x == Approx(0.6).margin(0.005));
+    CHECK(plain.y == Approx(0.1).margin(0.002));
+    CHECK(plain.z == Approx(0.05).margin(0.002));
+    CHECK(seen({{"fy", c.fx}, {"cx", c.cx}, {"cy", c.cy}}) == plain);
+    // 20 pixels farther to the right, or farther down, the middle makes it lie so much more to the left, or higher.
+    CHECK(seen({{"cx", c.cx + 20}}).y - plain.y == Approx(20 / c.fx * 0.6).epsilon(0.1));
+    CHECK(seen({{"cy", c.cy + 20}}).z - plain.z == Approx(20 / c.fx * 0.6).epsilon(0.1));
+    CHECK(seen({{"fy", 1.2 * c.fx}}).z < 0.95 * plain.z);
+}
+
+TEST_CASE("a detector's parameters are taken within their bounds and refused beyond", "[vision][detector]") {
+    Watch watch(one_marker());
+    Parameters& parameters = watch.detector().parameters();
+    for (const auto& [name, low, high] : {std::tuple{"tag_size", 0.001, 100.0},
+                                          {"latency", 0.0, 10.0},
+                                          {"yaw_from", 0.0, 10000.0},
+                                          {"fx", 0.0, 1e6},
+                                          {"fy", 0.0, 1e6},
+                                          {"cx", 0.0, 1e6},
+                                          {"cy", 0.0, 1e6},
+                                          {"field_of_view", 0.05, 2.8}}) {
+        INFO(name);
+        const double hair = 1e-6 * high;
+        CHECK(parameters.set(name, low));
+        CHECK(parameters.set(name, high));
+        CHECK_FALSE(parameters.set(name, low - hair));
+        CHECK_FALSE(parameters.set(name, high + hair));
+    }
+    CHECK(parameters.set("id", std::int64_t{-1}));
+    CHECK(parameters.set("id", std::int64_t{586}));
+    CHECK_FALSE(parameters.set("id", std::int64_t{-2}));
+    CHECK_FALSE(parameters.set("id", std::int64_t{587}));
+    CHECK(parameters.set("family", std::string("16h5")));
+    CHECK_FALSE(parameters.set("family", std::string("17h5")));
 }
 
 TEST_CASE("intrinsics that change while it runs are those of the pictures from then on", "[vision][detector]") {

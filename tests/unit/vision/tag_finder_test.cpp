@@ -37,6 +37,12 @@ TEST_CASE("a marker that is turned to the left has a positive yaw, one that is t
     CHECK(only_tag(*world).pose.orientation.r == Approx(-0.5).margin(0.01));
 }
 
+TEST_CASE("a tag's edge is what the pinhole makes of its size", "[vision][tag]") {
+    const double fx = pinhole(640, 480, field_of_view).fx;
+    CHECK(only_tag(*world_with(one_marker({0.5, 0, 0.1}))).edge == Approx(fx * 0.1 / 0.5).margin(1));
+    CHECK(only_tag(*world_with(one_marker({1, 0.3, 0.1}))).edge == Approx(fx * 0.1 / 1).margin(1));
+}
+
 TEST_CASE("with a wrong size every distance is wrong by wrong / right", "[vision][tag]") {
     const auto world = world_with(one_marker({1, 0.2, 0.1}));
     const FoundTag right = only_tag(*world, 0.1), wrong = only_tag(*world, 0.2);
