@@ -110,7 +110,8 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     bool readable = true;
     if (!file.empty()) {
         const auto path = run.file_.project().find(FileKind::script, file, calling_place(lua).file);
-        auto read = path ? read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
+        auto read =
+            path ? run.file_.project().read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
         readable = read.has_value();
         if (readable) {
             reload.text = std::move(read->text);

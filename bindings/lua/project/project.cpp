@@ -117,10 +117,9 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
 Expected<std::string> Project::read(const fs::path& path) const { return files_->read(path, shown(path)); }
 
 Expected<SourceText> Project::read_source(const std::string& path) const {
-    std::string shown = fs::path(path).filename().string();
-    auto text = files_->read(path, shown);
+    auto text = read(path);
     if (!text) return Unexpected(text.error());
-    return SourceText{path, std::move(shown), std::move(*text)};
+    return SourceText{path, shown(path), std::move(*text)};
 }
 
 std::string Project::shown(const fs::path& path) const {

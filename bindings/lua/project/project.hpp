@@ -43,7 +43,7 @@ public:
 
     /// The whole of a file; its place in errors is the path as `shown` shows it.
     Expected<std::string> read(const std::filesystem::path& path) const;
-    /// The text of a script, which messages call by its name without folders.
+    /// The text of a script, which messages call by `shown`.
     Expected<SourceText> read_source(const std::string& path) const;
 
     /// A path as a person would type it: relative to the working directory when it is below it.

@@ -12,7 +12,7 @@ namespace nezumi {
 
 struct SourceText {
     std::string path;   ///< of the file; what a watcher watches
-    std::string shown;  ///< what messages call it, usually its file name
+    std::string shown;  ///< what messages call it, usually its path as a person would open it
     std::string text;
 };
 

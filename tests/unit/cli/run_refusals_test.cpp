@@ -47,8 +47,8 @@ const std::string mouse = "robot \"mouse\" { model = \"raspimouse\" }\n";
 TEST_CASE("what is wrong with a system is said with its place", "[cli][run]") {
     CHECK(refused("behavior \"it\" { script = \"itt\" }\n").find("system.lua:1:") == 0);
     CHECK(refused("behavior \"it\" { script = \"itt\" }\n").find("did you mean 'it'") != std::string::npos);
-    CHECK(refused("behavior \"it\" { script = \"broken\" }\n").find("broken.lua:2: ") == 0);
-    CHECK(refused("behavior \"it\" { script = \"odd\" }\n").find("odd.lua:1: ") == 0);
+    CHECK(refused("behavior \"it\" { script = \"broken\" }\n").find("behaviors/broken.lua:2: ") == 0);
+    CHECK(refused("behavior \"it\" { script = \"odd\" }\n").find("behaviors/odd.lua:1: ") == 0);
     CHECK(refused("behavior \"it\" { script = \"odd\" }\n").find("did you mean 'TimedShort'") != std::string::npos);
     CHECK(refused("robot \"m\" { model = \"raspimose\" }\n").find("did you mean 'raspimouse'") != std::string::npos);
     CHECK(refused(mouse + good + "\nconnect(\"it.out\", \"mouse.target_velocity\")\n") ==
