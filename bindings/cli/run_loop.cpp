@@ -108,10 +108,10 @@ void RunLoop::serve_until_due() {
         const auto now = Clock::now();
         const double spare = spare_seconds();
         // Ticks that are never in time, or never wait, still let the others have a turn now and then.
-        const bool starving = now - served_ > duration_of(more_waits_ ? kSlice * 2 : kLongestWait / 2);
+        const bool starving = now - served_ > duration_of(more_waits_ ? kSlice : kLongestWait / 2);
         if (spare < 2 * margin && !starving) return;
 
-        serve(now + duration_of(std::clamp(spare - margin, margin, kSlice)));
+        serve(now + duration_of(std::clamp(spare - margin, margin, kLongestWait)));
         if (stands_still()) live_.between_ticks();
         follow_restart();
         if (ended()) return;

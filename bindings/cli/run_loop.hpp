@@ -23,9 +23,9 @@ class Attendant {
 public:
     virtual ~Attendant() = default;
 
-    /// Does what waits. With every tick on time `until` is when the next is due, at most `RunLoop::kSlice` away; work
-    /// that would last longer is to be left for the next turn. Returns whether more waits: then the next turn comes as
-    /// soon as possible.
+    /// Does what waits. With every tick on time `until` is when the next is due, at most `RunLoop::kLongestWait` away;
+    /// work that would last longer is to be left for the next turn. Returns whether more waits: then the next turn
+    /// comes as soon as possible.
     virtual bool serve(Pacer::Clock::time_point until) = 0;
 
     /// Adds the file descriptors that it reads from: its turn comes as soon as one of them is readable.
@@ -34,8 +34,9 @@ public:
 
 class RunLoop final : public ClockControl {
 public:
-    /// The longest turn of all attendants together, and how long they wait at most for their next one [s].
-    static constexpr double kSlice = 0.001;
+    /// How long attendants with work wait for their next turn where ticks leave no time [s].
+    static constexpr double kSlice = 0.002;
+    /// How long they wait at most for their next one, and the longest turn [s].
     static constexpr double kLongestWait = 0.05;
 
     /// How ticks have kept to the clock.

@@ -14,14 +14,14 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// What a chain of names leads to.
+// What a chain of names leads to, if it is there.
 struct Place {
     enum class Kind { nothing, system, component, ports, port, config, truth, value, table } kind = Kind::nothing;
-    const Component* component = nullptr;
-    const Port* port = nullptr;  // also of `value`
+    std::string component;
+    std::string port;  // also of `value`
 };
 
-Names component_names(const System& system) {
+Names names_of(const System& system) {
     Names names;
     for (const auto& component : system.components()) names.push_back(component->name());
     return names;
@@ -65,7 +65,7 @@ Names table_keys(lua_State* L, int table) {
 // come to is on top of the stack, where that is a table.
 class Walk {
 public:
-    explicit Walk(const Session::Parts& parts) : parts_(parts), lua_(parts.state->lua()), top_(lua_gettop(lua_)) {}
+    explicit Walk(Session::Parts& parts) : parts_(parts), lua_(parts.state->lua()), top_(lua_gettop(lua_)) {}
     ~Walk() { lua_settop(lua_, top_); }
     Walk(const Walk&) = delete;
     Walk& operator=(const Walk&) = delete;
@@ -78,37 +78,36 @@ public:
     }
 
     Names names(const Place& place, char separator) {
+        if (place.kind == Place::Kind::table) return table_keys(lua_, lua_gettop(lua_));
+        return parts_.at_system([&] { return names_in(parts_.live.system(), place, separator == ':'); });
+    }
+
+private:
+    static Names names_in(const System& system, const Place& place, bool called) {
         using Kind = Place::Kind;
-        const bool called = separator == ':';
-        if (place.kind == Kind::component) {
-            Names methods = Objects::methods(*place.component);
-            return called ? methods : without(Objects::members(*place.component), methods);
-        }
-        if (place.kind == Kind::port) {
-            return called ? Objects::port_methods() : without(Objects::port_members(), Objects::port_methods());
-        }
-        if (place.kind == Kind::table) return table_keys(lua_, lua_gettop(lua_));
-        if (called) return {};
+        if (place.kind == Kind::system) return called ? Names{} : names_of(system);
+        const Component* component = system.find(place.component);
+        if (component == nullptr) return {};
+        const Port* port = component->find_port(place.port);
         switch (place.kind) {
-            case Kind::system: return component_names(parts_.live.system());
-            case Kind::ports: return port_names(*place.component);
-            case Kind::config: return parameter_names(*place.component);
-            case Kind::truth: return Objects::truth_members();
-            case Kind::value: return value_fields(*place.port);
+            case Kind::component:
+                return called ? Objects::methods(*component)
+                              : without(Objects::members(*component), Objects::methods(*component));
+            case Kind::port:
+                if (port == nullptr) return {};
+                return called ? Objects::port_methods() : without(Objects::port_members(), Objects::port_methods());
+            case Kind::value: return called || port == nullptr ? Names{} : value_fields(*port);
+            case Kind::ports: return called ? Names{} : port_names(*component);
+            case Kind::config: return called ? Names{} : parameter_names(*component);
+            case Kind::truth: return called ? Names{} : Objects::truth_members();
             default: return {};
         }
     }
 
-private:
     static Names parameter_names(const Component& component) {
         Names names;
         for (const auto& parameter : component.parameters().all()) names.push_back(parameter.spec.name);
         return names;
-    }
-
-    Place component(std::string_view name) const {
-        const Component* found = parts_.live.system().find(name);
-        return found == nullptr ? Place{} : Place{Place::Kind::component, found};
     }
 
     // What the value on top of the stack is.
@@ -117,27 +116,21 @@ private:
         const ObjectRef* ref = to_object(lua_, -1);
         if (ref == nullptr) return {};
         if (ref->kind == ObjectKind::system) return {Place::Kind::system};
-        const Place owner = component(ref->component());
-        if (owner.component == nullptr) return {};
+        const std::string owner(ref->component());
         switch (ref->kind) {
-            case ObjectKind::ports: return {Place::Kind::ports, owner.component};
-            case ObjectKind::config: return {Place::Kind::config, owner.component};
-            case ObjectKind::truth: return {Place::Kind::truth, owner.component};
-            case ObjectKind::port: return port(owner.component, ref->port());
-            default: return owner;
+            case ObjectKind::ports: return {Place::Kind::ports, owner};
+            case ObjectKind::config: return {Place::Kind::config, owner};
+            case ObjectKind::truth: return {Place::Kind::truth, owner};
+            case ObjectKind::port: return {Place::Kind::port, owner, std::string(ref->port())};
+            default: return {Place::Kind::component, owner};
         }
-    }
-
-    static Place port(const Component* component, std::string_view name) {
-        const Port* found = component->find_port(name);
-        return found == nullptr ? Place{} : Place{Place::Kind::port, component, found};
     }
 
     Place begin(const std::string& name) const {
         lua_pushglobaltable(lua_);
         if (!push_raw(name)) {
             push_words_table(lua_);
-            if (!push_raw(name)) return component(name);
+            if (!push_raw(name)) return {Place::Kind::component, name};
         }
         return value();
     }
@@ -161,20 +154,20 @@ private:
     Place member(const Place& place, const std::string& name) const {
         using Kind = Place::Kind;
         switch (place.kind) {
-            case Kind::system: return component(name);
+            case Kind::system: return {Kind::component, name};
             case Kind::component:
                 if (name == "ports") return {Kind::ports, place.component};
                 if (name == "config") return {Kind::config, place.component};
                 if (name == "truth") return {Kind::truth, place.component};
-                return port(place.component, name);
-            case Kind::ports: return port(place.component, name);
+                return {Kind::port, place.component, name};
+            case Kind::ports: return {Kind::port, place.component, name};
             case Kind::port: return name == "value" ? Place{Kind::value, place.component, place.port} : Place{};
             case Kind::table: return push_raw(name) ? value() : Place{};
             default: return {};
         }
     }
 
-    const Session::Parts& parts_;
+    Session::Parts& parts_;
     lua_State* lua_;
     int top_;
 };
@@ -195,19 +188,23 @@ Names port_paths(const System& system, bool in, bool out, const Port* like = nul
     return paths;
 }
 
-// What can be in a quoted text.
-Names texts(const Session::Parts& parts, const TextAtCursor& text) {
-    const System& system = parts.live.system();
-    const std::string& word = text.word;
-    if (word == "use" && text.callee.separator == ':') {
-        Walk walk(parts);
-        const Place place = walk.follow(text.callee.chain);
+// The sets of the component that a chain of names leads to.
+Names set_names(Session::Parts& parts, const Names& chain) {
+    Walk walk(parts);
+    const Place place = walk.follow(chain);
+    return parts.at_system([&] {
         Names sets;
-        if (place.kind == Place::Kind::component) {
-            for (const auto& [name, values] : place.component->sets) sets.push_back(name);
-        }
+        const System& system = parts.live.system();
+        const Component* component = place.kind == Place::Kind::component ? system.find(place.component) : nullptr;
+        if (component == nullptr) return sets;
+        for (const auto& [name, values] : component->sets) sets.push_back(name);
         return sets;
-    }
+    });
+}
+
+// What can be in a quoted text that is no set's name.
+Names texts(const System& system, const TextAtCursor& text) {
+    const std::string& word = text.word;
     if (text.callee.separator != 0) return {};
     if (word == "connect" || word == "disconnect") {
         if (text.argument == 1) return port_paths(system, word == "disconnect", true);
@@ -219,7 +216,7 @@ Names texts(const Session::Parts& parts, const TextAtCursor& text) {
         if (word == each) return port_paths(system, true, true);
     }
     for (const char* each : {"ls", "rollback", "drive"}) {
-        if (word == each) return component_names(system);
+        if (word == each) return names_of(system);
     }
     if (word == "teleport") {
         Names things = marker_names(system);
@@ -236,24 +233,27 @@ Names texts(const Session::Parts& parts, const TextAtCursor& text) {
 
 }  // namespace
 
-Completion Session::complete(std::string_view text, std::size_t cursor) const {
+Completion complete(Session::Parts& parts, std::string_view text, std::size_t cursor) {
     text = text.substr(0, cursor);
     Completion completion{text.size(), {}};
-    if (parts_->state->is_lost()) return completion;
+    if (parts.state->is_lost()) return completion;
     const TextAtCursor quoted = text_at_cursor(text);
     if (quoted.comment) return completion;
-    if (quoted.open) {
+    if (quoted.open && quoted.word == "use" && quoted.callee.separator == ':') {
         completion.from = quoted.from;
-        completion.candidates = texts(*parts_, quoted);
+        completion.candidates = set_names(parts, quoted.callee.chain);
+    } else if (quoted.open) {
+        completion.from = quoted.from;
+        completion.candidates = parts.at_system([&] { return texts(parts.live.system(), quoted); });
     } else {
         const NameAtCursor name = name_at_cursor(text);
         completion.from = name.from;
         if (name.separator == 0) {
-            completion.candidates = names_in_scope(*parts_);
+            completion.candidates = names_in_scope(parts);
             if (name.from < text.size())
                 completion.candidates.insert(completion.candidates.end(), lua_keywords().begin(), lua_keywords().end());
         } else if (!name.broken) {
-            Walk walk(*parts_);
+            Walk walk(parts);
             completion.candidates = walk.names(walk.follow(name.chain), name.separator);
         }
     }

@@ -82,13 +82,13 @@ Expected<void> replace_file(const std::filesystem::path& path, const std::string
 }
 
 // Where the system lies, in and below which it may be saved: its project, else the folder of its file.
-std::filesystem::path home_of(const LiveSystem& live) {
-    if (!live.project().root().empty()) return live.project().root();
-    return std::filesystem::absolute(live.spec().file).parent_path();
+std::filesystem::path home_of(const PresentSystem& present) {
+    if (!present.project.root().empty()) return present.project.root();
+    return std::filesystem::absolute(present.spec.file).parent_path();
 }
 
 // The file that a person means, or why nothing may be written there.
-Expected<std::filesystem::path> file_to_write(const LiveSystem& live, const std::string& name) {
+Expected<std::filesystem::path> file_to_write(const PresentSystem& present, const std::string& name) {
     const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
     if (std::any_of(name.begin(), name.end(), is_control))
         return failure(fmt::format("'{}' names no file: there is a control character in it", shown(name)));
@@ -103,7 +103,7 @@ Expected<std::filesystem::path> file_to_write(const LiveSystem& live, const std:
     }
     // Links may lead out of the project.
     const auto real = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
-    const auto home = std::filesystem::weakly_canonical(home_of(live), problem);
+    const auto home = std::filesystem::weakly_canonical(home_of(present), problem);
     const auto inside = real.lexically_relative(home);
     if (problem || inside.empty() || *inside.begin() == "..") {
         return failure(fmt::format("'{}' lies outside of the project: a system is saved in {} or below", path.string(),
@@ -140,7 +140,7 @@ std::string counted(std::size_t count, std::string_view what) {
 
 }  // namespace
 
-SystemSpec present_spec(const LiveSystem& live) {
+PresentSystem present_system(const LiveSystem& live) {
     const System& system = live.system();
     SystemSpec spec = live.spec();
     std::erase_if(spec.entries, [&](const Entry& entry) { return system.find(name_of(entry)) == nullptr; });
@@ -148,15 +148,15 @@ SystemSpec present_spec(const LiveSystem& live) {
         std::visit([&](auto& each) { bring_up_to_date(each, *system.find(each.name)); }, entry);
     }
     spec.connections = system.connections();
-    return spec;
+    return {std::move(spec), live.project(), live.options().installed};
 }
 
-Expected<std::string> save_system(const LiveSystem& live, const std::string& file) {
-    const auto named = file_to_write(live, file);
+Expected<std::string> save_system(PresentSystem present, const std::string& file) {
+    const auto named = file_to_write(present, file);
     if (!named) return Unexpected(named.error());
     const std::filesystem::path& path = *named;
-    const Project project = Project::of(path, live.options().installed);
-    SystemSpec spec = present_spec(live);
+    const Project project = Project::of(path, present.installed);
+    SystemSpec& spec = present.spec;
     if (spec.arena.floor) spec.arena.floor->image = name_of(project, spec.arena.floor->image, path);
     const std::string title =
         spec.file.empty() ? "A system, saved from the console." : fmt::format("{}, saved from the console.", spec.file);

@@ -1,19 +1,28 @@
 // The system that runs, as a system file.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "bindings/lua/live/live_system.hpp"
 
 namespace nezumi {
 
+/// A copy of what there is to save: looked up between two ticks, written beside them.
+struct PresentSystem {
+    SystemSpec spec;
+    Project project;
+    std::vector<std::filesystem::path> installed;
+};
+
 /// The present wiring and configuration as data: entries as the file gave them with the parameters' values of now,
 /// components that are gone left out, connections as they are.
-SystemSpec present_spec(const LiveSystem& live);
+PresentSystem present_system(const LiveSystem& live);
 
 /// Writes it as a system file and says in a sentence what was done. What was there is kept beside it, as `FILE~`. Only
 /// `.lua` files are written, and only within the project, or where there is none, in and below the system's folder.
 /// Nothing is written when the file could not be read back: the error says why.
-Expected<std::string> save_system(const LiveSystem& live, const std::string& file);
+Expected<std::string> save_system(PresentSystem present, const std::string& file);
 
 }  // namespace nezumi

@@ -19,18 +19,19 @@ std::string_view key_text(lua_State* L) {
     return {text, length};
 }
 
-bool is_component(const Session::Parts& parts, std::string_view name) {
-    return parts.live.system().find(name) != nullptr;
+bool is_component(Session::Parts& parts, std::string_view name) {
+    return parts.at_system([&] { return parts.live.system().find(name) != nullptr; });
 }
 
-std::string explain_unknown(const Session::Parts& parts, std::string_view name) {
-    std::string near;
-    for (const auto& component : parts.live.system().components()) {
-        if (component->find_port(name) == nullptr && component->parameters().find(name) == nullptr) continue;
-        near = fmt::format(" (did you mean '{}.{}{}'?)", component->name(),
-                           component->find_port(name) != nullptr ? "" : "config.", name);
-        break;
-    }
+std::string explain_unknown(Session::Parts& parts, std::string_view name) {
+    std::string near = parts.at_system([&]() -> std::string {
+        for (const auto& component : parts.live.system().components()) {
+            const bool is_port = component->find_port(name) != nullptr;
+            if (!is_port && component->parameters().find(name) == nullptr) continue;
+            return fmt::format(" (did you mean '{}.{}{}'?)", component->name(), is_port ? "" : "config.", name);
+        }
+        return "";
+    });
     const std::vector<std::string> known = names_in_scope(parts);
     if (near.empty()) near = did_you_mean(name, {known.begin(), known.end()});
     return fmt::format("unknown name '{}'{}", shown(name), near);
@@ -131,8 +132,16 @@ Expected<void> open_scope(Session::Parts& parts) {
 
 void push_words_table(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &words_key); }
 
-std::vector<std::string> names_in_scope(const Session::Parts& parts) {
-    std::vector<std::string> names;
+std::vector<std::string> component_names(Session::Parts& parts) {
+    return parts.at_system([&] {
+        std::vector<std::string> names;
+        for (const auto& component : parts.live.system().components()) names.push_back(component->name());
+        return names;
+    });
+}
+
+std::vector<std::string> names_in_scope(Session::Parts& parts) {
+    std::vector<std::string> names = component_names(parts);
     lua_State* L = parts.state->lua();
     const int top = lua_gettop(L);
     if (lua_checkstack(L, 6) != 0) {
@@ -142,7 +151,6 @@ std::vector<std::string> names_in_scope(const Session::Parts& parts) {
         collect_names(L, lua_gettop(L), names);
     }
     lua_settop(L, top);
-    for (const auto& component : parts.live.system().components()) names.push_back(component->name());
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;

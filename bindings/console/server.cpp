@@ -15,13 +15,16 @@
 namespace nezumi {
 namespace {
 
-// The longest that one session works before the others have their turn.
-constexpr std::chrono::microseconds slice{1000};
-
 // In the order of their enumerators.
 constexpr std::array<std::string_view, 6> key_names{"up", "down", "left", "right", "space", "escape"};
 
 }  // namespace
+
+ConsoleServer::~ConsoleServer() {
+    for (auto& [id, console] : consoles_) {
+        if (console.session) console.session->close();
+    }
+}
 
 Expected<void> ConsoleServer::listen(std::string_view name, const std::filesystem::path& folder) {
     if (auto ok = transport_.ready(); !ok) return ok;
@@ -43,23 +46,32 @@ Expected<FileHandle> ConsoleServer::connect(Use use) {
 }
 
 bool ConsoleServer::serve(Clock::time_point until) {
-    for (const Transport::Incoming& incoming : transport_.take()) take(incoming);
+    for (;;) {
+        bell_.clear();
+        for (const Transport::Incoming& incoming : transport_.take()) take(incoming);
+        std::erase_if(leaving_, [](const auto& session) { return session->has_ended(); });
+        if (!serve_sessions(until)) return false;
+        if (!bell_.wait(until, transport_.file())) return true;
+    }
+}
+
+// Returns whether one of them works.
+bool ConsoleServer::serve_sessions(Clock::time_point until) {
+    bool works = false;
     // Begins behind the one that was served last, so that nobody has all the time for himself.
     auto turn = consoles_.upper_bound(last_served_);
     for (std::size_t count = consoles_.size(); count > 0; --count, ++turn) {
         if (turn == consoles_.end()) turn = consoles_.begin();
         auto& [id, console] = *turn;
-        while (has_more(console)) {
-            const auto left = std::chrono::duration_cast<std::chrono::microseconds>(until - Clock::now());
-            if (left.count() <= 0) return true;
-            last_served_ = id;
-            deal_with(id, console);
-            if (console.session && console.session->is_busy() && !console.session->is_waiting()) {
-                if (!console.session->advance(std::min(left, slice)) && console.running) break;
-            }
-        }
+        while (!console.running && !console.waiting.empty()) deal_with(id, console);
+        if (!console.session || !console.session->is_busy()) continue;
+        last_served_ = id;
+        console.session->serve(until);
+        const bool begins = !console.running && !console.waiting.empty();
+        works = works || begins || (console.session->is_busy() && !console.session->is_waiting());
+        if (works && Clock::now() >= until) break;
     }
-    return false;
+    return works;
 }
 
 void ConsoleServer::after_tick() {
@@ -94,6 +106,10 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         return;
     }
     if (incoming.what == Transport::Incoming::What::closed) {
+        if (auto& session = consoles_[id].session) {
+            session->close();
+            leaving_.push_back(std::move(session));
+        }
         consoles_.erase(id);
         const std::lock_guard lock(mutex_);
         std::erase(listeners_, id);
@@ -134,13 +150,7 @@ void ConsoleServer::interrupt(ClientId id, Console& console) {
     if (console.session) console.session->interrupt();
 }
 
-bool ConsoleServer::has_more(const Console& console) const {
-    if (console.session && console.session->is_busy() && !console.session->is_waiting()) return true;
-    return !console.running && !console.waiting.empty();
-}
-
 void ConsoleServer::deal_with(ClientId id, Console& console) {
-    if (console.running || console.waiting.empty()) return;
     const Request request = std::move(console.waiting.front());
     console.waiting.pop_front();
     if (request.kind == Request::Kind::is_complete) {
@@ -152,15 +162,18 @@ void ConsoleServer::deal_with(ClientId id, Console& console) {
         transport_.send(id, {.kind = Event::Kind::error, .text = session.error().message});
         return answer(id, {.kind = Event::Kind::answer, .id = request.id, .ok = false, .text = {}});
     }
-    if (request.kind == Request::Kind::complete) {
-        Completion found = (*session)->complete(request.text, request.cursor);
-        return answer(id, {.kind = Event::Kind::completions,
-                           .id = request.id,
-                           .text = {},
-                           .from = found.from,
-                           .items = std::move(found.candidates)});
-    }
     console.running = request.id;
+    if (request.kind == Request::Kind::complete) {
+        (*session)->complete(request.text, request.cursor, [this, id, &console](Completion found) {
+            const std::int64_t question = *std::exchange(console.running, std::nullopt);
+            answer(id, {.kind = Event::Kind::completions,
+                        .id = question,
+                        .text = {},
+                        .from = found.from,
+                        .items = std::move(found.candidates)});
+        });
+        return;
+    }
     (*session)->submit(request.text);
 }
 
@@ -169,6 +182,7 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     SessionOptions options;
     options.batch = console.batch;
     options.who = console.who;
+    options.bell = &bell_;
     options.output.show = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});
     };

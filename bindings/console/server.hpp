@@ -1,4 +1,4 @@
-// The consoles of a running system: a session for each client, served between ticks.
+// The consoles of a running system: a session for each client, whose looks and acts are served between ticks.
 #pragma once
 
 #include <chrono>
@@ -16,6 +16,7 @@
 #include "bindings/console/clock_control.hpp"
 #include "bindings/console/session.hpp"
 #include "bindings/console/transport.hpp"
+#include "bindings/console/worker.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/base/log.hpp"
 
@@ -28,6 +29,10 @@ public:
 
     /// Both must outlive it.
     ConsoleServer(LiveSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
+    /// Ends what runs; what can't be ended within a second goes on without it.
+    ~ConsoleServer();
+    ConsoleServer(const ConsoleServer&) = delete;
+    ConsoleServer& operator=(const ConsoleServer&) = delete;
 
     /// Lets `nezumi attach` in, by a socket named after the system. On an error nobody can attach; nothing else
     /// changes.
@@ -40,7 +45,8 @@ public:
     /// Returns the other end of a connection, for a client in this process.
     Expected<FileHandle> connect(Use use);
 
-    /// Deals with what clients sent and runs their sessions until about `until`. Returns whether more waits.
+    /// Deals with what clients sent and with what their sessions want of the system, and while one of them works waits
+    /// for that, until about `until`. Returns whether more may come.
     bool serve(Clock::time_point until);
     /// After every tick.
     void after_tick();
@@ -69,11 +75,13 @@ private:
     void deal_with(ClientId id, Console& console);
     Expected<Session*> session_of(ClientId id, Console& console);
     void answer(ClientId id, Event event);
-    bool has_more(const Console& console) const;
+    bool serve_sessions(Clock::time_point until);
 
     LiveSystem& live_;
     ClockControl& clock_;
+    Bell bell_;  // of all sessions
     std::map<ClientId, Console> consoles_;
+    std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone
     ClientId last_served_ = 0;
     std::mutex mutex_;                 // of listeners_
     std::vector<ClientId> listeners_;  // who wants the log

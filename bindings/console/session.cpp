@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "bindings/console/input_text.hpp"
@@ -11,6 +12,7 @@
 #include "bindings/console/words.hpp"
 #include "bindings/lua/live/inspect.hpp"
 #include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 
 namespace nezumi {
@@ -19,6 +21,9 @@ namespace {
 constexpr Budget input_budget{5.0};
 constexpr std::size_t watch_width = 100;        // [characters]
 constexpr double highest_watched_speed = 1000;  // "max" has no number
+// How long a session waits for the end of what can't be ended at once: Lua's own code is left after a second.
+constexpr std::chrono::seconds stuck_after{2};
+constexpr std::chrono::seconds farewell{1};
 
 // One line of an input needs no place; of several, the line says more than the input's name.
 std::string error_text(const Error& error, std::string_view input) {
@@ -27,13 +32,14 @@ std::string error_text(const Error& error, std::string_view input) {
     return fmt::format("line {}: {}", error.place.line, error.message);
 }
 
-void show_results(const Session::Parts& parts, lua_State* L) {
+// Of all values above `base`.
+void show_results(Session::Parts& parts, lua_State* L, int base) {
     const int count = lua_gettop(L);
-    if (count == 0) return;
+    if (count == base) return;
     std::vector<std::string> texts;
     bool several_lines = false;
     InspectWork work;
-    for (int i = 1; i <= count; ++i) {
+    for (int i = base + 1; i <= count; ++i) {
         const Word* word = word_at(L, i);
         texts.push_back(word != nullptr ? fmt::format("{}: {}", word->usage, word->help)
                                         : inspect(L, i, {.work = &work}));
@@ -51,7 +57,7 @@ bool is_goodbye(std::string_view text) {
 }
 
 // Shows what is new on a watched port. Returns false when the port is gone.
-bool look(const Session::Parts& parts, Watch& watch) {
+bool look(Session::Parts& parts, Watch& watch) {
     const System& system = parts.live.system();
     const auto port = system.port(watch.path);
     if (!port) return false;
@@ -69,13 +75,32 @@ bool look(const Session::Parts& parts, Watch& watch) {
     return true;
 }
 
+// Ends what is not to be run.
+void drop(const Session::Parts& parts, const Job& job) {
+    if (job.answer) return job.answer({});
+    if (parts.options.output.done) parts.options.output.done(false);
+}
+
+Expected<std::unique_ptr<Session::Parts>> make_parts(LiveSystem& live, ClockControl& clock, SessionOptions options) {
+    try {
+        return std::make_unique<Session::Parts>(live, clock, std::move(options));
+    } catch (const std::system_error& error) {
+        return failure(fmt::format("there is no thread for another console: {}", error.code().message()));
+    }
+}
+
 }  // namespace
 
 Session::Parts::Parts(LiveSystem& system, ClockControl& control, SessionOptions settings)
-    : live(system), clock(control), options(std::move(settings)) {}
+    : live(system), clock(control), options(std::move(settings)), is_hardware(control.is_hardware()), worker(bell()) {}
+
+void Session::Parts::tell(const std::function<void(std::string_view)>& output, std::string_view text) {
+    if (!output) return;
+    if (!worker.is_here()) return output(text);
+    worker.post(text.size(), [&output, text = std::string(text)] { output(text); });
+}
 
 Expected<void> Session::Parts::open() {
-    call.reset();
     auto fresh = create_sandbox({.print = [this](std::string_view line) { show(line); }});
     if (!fresh) return Unexpected(fresh.error());
     auto opened = Objects::open(
@@ -83,92 +108,149 @@ Expected<void> Session::Parts::open() {
     if (!opened) return Unexpected(opened.error());
     state = std::move(*fresh);
     objects = std::move(*opened);
-    objects->set_hardware(clock.is_hardware());
+    objects->set_hardware(is_hardware);
+    objects->set_visit([this](const std::function<void()>& body) {
+        return worker.perform([&body] {
+            body();
+            return true;
+        });
+    });
     return open_scope(*this);
 }
 
+void Session::Parts::open_if_lost() {
+    if (!state->is_lost()) return;
+    show_error("what was defined here is lost with it");
+    if (auto ok = open(); !ok) show_error(describe(ok.error()));
+}
+
+bool Session::Parts::run(const std::string& input) {
+    const auto refuse = [&](const Error& error) {
+        show_error(error_text(error, input));
+        return false;
+    };
+    const auto chunk = compile_input(input);
+    if (!chunk) return refuse(chunk.error());
+    lua_State* const L = state->lua();
+    const int base = lua_gettop(L);
+    if (auto loaded = load_chunk(L, *chunk); !loaded) return refuse(loaded.error());
+    if (auto called = protected_call(L, 0, LUA_MULTRET, input_budget); !called) return refuse(called.error());
+    show_results(*this, L, base);
+    lua_settop(L, base);
+    return true;
+}
+
 Expected<std::unique_ptr<Session>> Session::create(LiveSystem& live, ClockControl& clock, SessionOptions options) {
-    auto parts = std::make_unique<Parts>(live, clock, std::move(options));
-    if (auto ok = parts->open(); !ok) return Unexpected(ok.error());
-    return std::unique_ptr<Session>(new Session(std::move(parts)));
+    auto parts = make_parts(live, clock, std::move(options));
+    if (!parts) return Unexpected(parts.error());
+    std::unique_ptr<Session> session(new Session(std::move(*parts)));
+    if (auto ok = session->parts_->open(); !ok) return Unexpected(ok.error());
+    return session;
 }
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
 Session::~Session() {
-    if (parts_->drive.is_on()) parts_->drive.end(parts_->live);
-    static_cast<void>(parts_->drive.after_tick(parts_->live));  // lets the port go
+    close();
+    // A thread that does not end keeps what it works on.
+    if (!parts_->worker.join(*closed_ + farewell)) static_cast<void>(parts_.release());
 }
+
+void Session::close() {
+    if (closed_) return;
+    Parts& parts = *parts_;
+    if (parts.drive.is_on()) parts.drive.end(parts.live);
+    static_cast<void>(parts.drive.after_tick(parts.live));  // lets the port go
+    parts.worker.close([&parts] {
+        parts.state.reset();
+        parts.objects.reset();
+    });
+    closed_ = Worker::Clock::now();
+}
+
+bool Session::has_ended() const { return parts_->worker.has_ended(); }
 
 bool Session::is_complete(std::string_view text) { return is_complete_input(text); }
 
 void Session::submit(std::string text) {
     if (is_goodbye(text)) text = "quit()";
-    parts_->inputs.push_back(std::move(text));
+    parts_->jobs.push_back({.text = std::move(text)});
 }
 
-bool Session::is_busy() const { return parts_->call != nullptr || !parts_->inputs.empty(); }
+void Session::complete(std::string text, std::size_t cursor, std::function<void(Completion)> answer) {
+    parts_->jobs.push_back({std::move(text), cursor, std::move(answer)});
+}
 
-bool Session::is_waiting() const { return parts_->call != nullptr && parts_->waiting && parts_->clock.is_advancing(); }
+bool Session::is_busy() const { return parts_->job || !parts_->jobs.empty(); }
+
+bool Session::is_waiting() const { return parts_->job && parts_->waiting && parts_->clock.is_advancing(); }
 
 void Session::finish(bool well) {
-    parts_->call.reset();
-    parts_->waiting = false;
-    if (parts_->state->is_lost()) {
-        parts_->show_error("what was defined here is lost with it");
-        if (auto ok = parts_->open(); !ok) parts_->show_error(describe(ok.error()));
-    }
+    parts_->job.reset();
     if (parts_->options.output.done) parts_->options.output.done(well);
 }
 
-// Begins the next input. Returns whether one runs now.
-bool Session::begin_next() {
-    Parts& parts = *parts_;
-    while (parts.call == nullptr && !parts.inputs.empty()) {
-        parts.input = std::move(parts.inputs.front());
-        parts.inputs.pop_front();
-        const auto refuse = [&](const Error& error) {
-            parts.show_error(error_text(error, parts.input));
-            finish(false);
-        };
-        const auto chunk = compile_input(parts.input);
-        if (!chunk) {
-            refuse(chunk.error());
-            continue;
-        }
-        if (auto loaded = load_chunk(parts.state->lua(), *chunk); !loaded) {
-            refuse(loaded.error());
-            continue;
-        }
-        auto call = SlicedCall::start(*parts.state, 0, input_budget);
-        if (!call) {
-            refuse(call.error());
-            continue;
-        }
-        parts.call = std::move(*call);
+void Session::begin_next() {
+    if (parts_->job || parts_->jobs.empty()) return;
+    if (!parts_->worker.is_idle()) {
+        const bool stuck = parts_->revoked && Worker::Clock::now() - *parts_->revoked > stuck_after;
+        if (!stuck) return;
+        replace_stuck();
+        if (!parts_->worker.is_idle()) return;
     }
-    return parts.call != nullptr;
+    Parts& parts = *parts_;
+    parts.job = std::move(parts.jobs.front());
+    parts.jobs.pop_front();
+    parts.waiting = false;
+    parts.revoked.reset();
+    parts.worker.start([this, &parts, job = *parts.job] {
+        parts.open_if_lost();
+        if (job.answer) {
+            parts.worker.post(0, [this, answer = job.answer, found = nezumi::complete(parts, job.text, job.cursor)] {
+                parts_->job.reset();
+                answer(found);
+            });
+            return;
+        }
+        const bool well = parts.run(job.text);
+        parts.open_if_lost();
+        parts.worker.post(0, [this, well] { finish(well); });
+    });
+}
+
+// Leaves a job alone that does not end: it hangs in a file, or in code that nothing can end.
+void Session::replace_stuck() {
+    auto fresh = make_parts(parts_->live, parts_->clock, parts_->options);
+    if (fresh) {
+        if (auto ok = (*fresh)->open(); !ok) fresh = Unexpected(ok.error());
+    }
+    parts_->show_error("what was interrupted has not ended: what was defined here is lost with it");
+    if (!fresh) {
+        parts_->revoked = Worker::Clock::now();  // tries again
+        return parts_->show_error(describe(fresh.error()));
+    }
+    (*fresh)->jobs = std::move(parts_->jobs);
+    (*fresh)->watches = std::move(parts_->watches);
+    (*fresh)->drive = std::move(parts_->drive);
+    parts_->worker.close({});
+    const bool ended = parts_->worker.join(Worker::Clock::now());
+    if (!ended) static_cast<void>(parts_.release());
+    parts_ = std::move(*fresh);
+}
+
+void Session::serve(Worker::Clock::time_point until) {
+    begin_next();
+    parts_->worker.serve(until);
 }
 
 bool Session::advance(std::chrono::microseconds slice) {
-    Parts& parts = *parts_;
-    const auto end = std::chrono::steady_clock::now() + slice;
+    const auto end = Worker::Clock::now() + slice;
     for (;;) {
-        if (is_waiting() || !begin_next()) return false;
-        parts.waiting = false;
-        const auto left = std::chrono::duration_cast<std::chrono::microseconds>(end - std::chrono::steady_clock::now());
-        if (left.count() <= 0) return true;
-        switch (parts.call->advance(left)) {
-            case SlicedCall::Progress::running: break;
-            case SlicedCall::Progress::finished:
-                show_results(parts, parts.call->results());
-                finish(true);
-                break;
-            case SlicedCall::Progress::failed:
-                parts.show_error(error_text(parts.call->error(), parts.input));
-                finish(false);
-                break;
-        }
+        const Bell& bell = parts_->bell();
+        bell.clear();
+        serve(end);
+        if (!is_busy() || is_waiting()) return false;
+        if (!bell.wait(end)) return true;
     }
 }
 
@@ -189,16 +271,17 @@ void Session::interrupt() {
     Parts& parts = *parts_;
     if (parts.drive.is_on()) key(Key::escape);
     parts.watches.clear();
-    const std::size_t dropped = parts.inputs.size();
-    parts.inputs.clear();
-    if (parts.call != nullptr) {
+    parts.worker.serve_posts();
+    auto jobs = std::exchange(parts.jobs, {});
+    if (parts.job) {
         if (is_waiting()) parts.clock.pause();
-        parts.show_error("interrupted");
-        finish(false);
+        parts.worker.revoke();
+        parts.revoked = Worker::Clock::now();
+        if (!parts.job->answer) parts.show_error("interrupted");
+        jobs.push_front(std::move(*parts.job));
+        parts.job.reset();
     }
-    for (std::size_t i = 0; i < dropped; ++i) {
-        if (parts.options.output.done) parts.options.output.done(false);
-    }
+    for (const Job& job : jobs) drop(parts, job);
 }
 
 void Session::key(Key key) {

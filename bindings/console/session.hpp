@@ -1,4 +1,4 @@
-// One user of the console: what is typed runs in a Lua state of its own, in slices between the ticks.
+// One user of the console: what is typed runs in a Lua state and a thread of its own, beside the ticks.
 #pragma once
 
 #include <chrono>
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "bindings/lua/live/live_system.hpp"
 
 namespace nezumi {
+
+class Bell;
 
 /// What `drive` takes from the keyboard.
 enum class Key { up, down, left, right, space, escape };
@@ -39,6 +42,8 @@ struct SessionOptions {
     double watch_period = 0.1;
     /// Time moves only by `step` and `run(seconds)`: a `run()` without end is refused.
     bool batch = false;
+    /// Is rung when `advance` has something to do; must outlive the session. Null: only `advance` itself waits for it.
+    const Bell* bell = nullptr;
 };
 
 /// Candidates for what stands before the cursor.
@@ -48,11 +53,12 @@ struct Completion {
 };
 
 /// Everything is to be called between two ticks, from the thread that runs them. `is_complete` may be called from
-/// anywhere.
+/// anywhere. What an input computes is its own thread's; the system is looked at and acted on in `advance` alone.
 class Session {
 public:
     /// Both must outlive the session.
     static Expected<std::unique_ptr<Session>> create(LiveSystem& live, ClockControl& clock, SessionOptions options);
+    /// Closes it, and waits until its thread has ended, a second after `close` at most.
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -62,11 +68,17 @@ public:
 
     /// Hands in an input, which may have several lines. Inputs run one after the other; each ends with `done`.
     void submit(std::string text);
+    /// What could stand before the cursor, from the live system; `answer` gets it, as one of the inputs. It gets
+    /// nothing when that is interrupted.
+    void complete(std::string text, std::size_t cursor, std::function<void(Completion)> answer);
     /// Something that was handed in is not finished yet.
     bool is_busy() const;
-    /// It waits for ticks to pass (`step`, `run`) and takes no slices meanwhile.
+    /// It waits for ticks to pass (`step`, `run`) and wants nothing meanwhile.
     bool is_waiting() const;
-    /// Runs for about `slice` of real time, or until there is nothing to do. Returns whether there is more to do now.
+    /// Does what inputs want of the system now, until about then.
+    void serve(std::chrono::steady_clock::time_point until);
+    /// The same, and waits for more to do, until about `slice` of real time has passed or nothing is
+    /// left to do. Returns whether more may come.
     bool advance(std::chrono::microseconds slice = std::chrono::microseconds(1000));
     /// After every tick: watches show what is new, `drive` sends.
     void after_tick();
@@ -75,16 +87,20 @@ public:
     /// A key, while `take_keys` is on.
     void key(Key key);
 
-    /// What could stand before the cursor, from the live system.
-    Completion complete(std::string_view text, std::size_t cursor) const;
+    /// Nothing is said or done any more, `drive` ends, and so does what runs, soon.
+    void close();
+    /// After `close`: what it was made of is gone.
+    bool has_ended() const;
 
     struct Parts;
 
 private:
     explicit Session(std::unique_ptr<Parts> parts);
-    bool begin_next();
+    void begin_next();
     void finish(bool well);
+    void replace_stuck();
     std::unique_ptr<Parts> parts_;
+    std::optional<std::chrono::steady_clock::time_point> closed_;
 };
 
 }  // namespace nezumi

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <lua.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bindings/console/drive.hpp"
 #include "bindings/console/session.hpp"
+#include "bindings/console/worker.hpp"
 #include "bindings/lua/live/objects.hpp"
-#include "bindings/lua/sandbox/sliced_call.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 
 namespace nezumi {
@@ -23,33 +25,66 @@ struct Watch {
     double shown_at = -1;  ///< [s] simulated; -1: not yet
 };
 
+/// An input, or a question what could stand before the cursor.
+struct Job {
+    std::string text;
+    std::size_t cursor = 0;
+    std::function<void(Completion)> answer{};  ///< of a question; empty: an input
+};
+
 struct Session::Parts {
     Parts(LiveSystem& system, ClockControl& control, SessionOptions settings);
 
-    /// Opens a fresh state with all names in scope.
-    Expected<void> open();
-    void show(std::string_view text) const {
-        if (options.output.show) options.output.show(text);
-    }
-    void show_error(std::string_view text) const {
-        if (options.output.show_error) options.output.show_error(text);
+    /// Shows it behind all that was shown before. From both threads.
+    void show(std::string_view text) { tell(options.output.show, text); }
+    void show_error(std::string_view text) { tell(options.output.show_error, text); }
+    void tell(const std::function<void(std::string_view)>& output, std::string_view text);
+
+    const Bell& bell() {
+        if (options.bell != nullptr) return *options.bell;
+        return own_bell ? *own_bell : own_bell.emplace();
     }
 
     Expected<ActResult> act(const Act& act) const { return live.act(act, options.who); }
 
+    // Of the thread that ticks:
     LiveSystem& live;
     ClockControl& clock;
     SessionOptions options;
-    std::deque<std::string> inputs;  ///< handed in and not begun
-    std::string input;               ///< that runs
-    bool waiting = false;            ///< for the ticks of an `advance` of the clock
+    const bool is_hardware;
+    std::optional<Bell> own_bell;                      ///< where nobody else waits for the worker
+    std::deque<Job> jobs;                              ///< handed in and not begun
+    std::optional<Job> job;                            ///< that runs
+    bool waiting = false;                              ///< for the ticks of an `advance` of the clock
+    std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was, which may not have ended yet
     std::vector<Watch> watches;
     Drive drive;
+
+    // Of the worker, and of what is done for it while it waits:
+
+    /// Opens a fresh state with all names in scope.
+    Expected<void> open();
+    /// The same when the state was lost, which is told.
+    void open_if_lost();
+    /// Returns whether it went well; results and errors are shown.
+    bool run(const std::string& input);
+    /// Has `body()` done where the system may be looked at and acted on, and waits for it. Returns its result, or a
+    /// default one when the job is interrupted.
+    template <class Body>
+    auto at_system(Body&& body) {
+        decltype(body()) result{};
+        worker.perform([&] {
+            result = body();
+            return true;
+        });
+        return result;
+    }
+
     double number = 0;       ///< what a word returns
     std::int64_t ticks = 0;  ///< that a word waits for
     std::unique_ptr<Objects> objects;
     std::unique_ptr<LuaState> state;
-    std::unique_ptr<SlicedCall> call;  ///< of `input`; last: dies first
+    Worker worker;
 };
 
 /// Puts the library, the console's words and the system's names into the scope of a state. The names are looked up in
@@ -59,7 +94,12 @@ Expected<void> open_scope(Session::Parts& parts);
 /// Pushes the table of all that `open_scope` has put there. Needs one place on the stack.
 void push_words_table(lua_State* L);
 
+/// The system's components, in its order. For the worker, as what follows.
+std::vector<std::string> component_names(Session::Parts& parts);
 /// Every name that an input can begin with: words, library, components, what was defined at the prompt. Sorted.
-std::vector<std::string> names_in_scope(const Session::Parts& parts);
+std::vector<std::string> names_in_scope(Session::Parts& parts);
+
+/// What could stand before the cursor.
+Completion complete(Session::Parts& parts, std::string_view text, std::size_t cursor);
 
 }  // namespace nezumi

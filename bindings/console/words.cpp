@@ -5,12 +5,25 @@
 
 #include <utility>
 
-#include "bindings/lua/sandbox/watchdog.hpp"
-
 namespace nezumi {
 namespace {
 
-enum class Outcome : unsigned char { done, number, wait, failed };
+enum class Outcome : unsigned char { done, number, failed };
+
+// Runs a word between two ticks, and lets the time pass that it waits for.
+Expected<WordEnd> run(Session::Parts& parts, const Word& word, const Arguments& arguments) {
+    if (word.beside) return word.run(parts, arguments);
+    Expected<WordEnd> end = failure("interrupted");
+    bool waits = false;
+    parts.worker.perform([&] {
+        if (!waits) end = word.run(parts, arguments);
+        if (!end || *end != WordEnd::wait) return true;
+        if (!std::exchange(waits, true)) parts.clock.advance(parts.ticks);
+        parts.waiting = parts.clock.is_advancing();
+        return !parts.waiting;
+    });
+    return end;
+}
 
 Outcome run_word(lua_State* L, Session::Parts& parts, const Word& word) {
     const Arguments arguments{L};
@@ -19,28 +32,15 @@ Outcome run_word(lua_State* L, Session::Parts& parts, const Word& word) {
         keep_error(L, ok.error().message);
         return Outcome::failed;
     }
-    const Expected<WordEnd> end = word.run(parts, arguments);
+    const Expected<WordEnd> end = run(parts, word, arguments);
     if (!end) {
         keep_error(L, fmt::format("{}: {}", name, describe(end.error())));
         return Outcome::failed;
     }
-    if (*end == WordEnd::number) return Outcome::number;
-    return *end == WordEnd::wait ? Outcome::wait : Outcome::done;
+    return *end == WordEnd::number ? Outcome::number : Outcome::done;
 }
 
 Session::Parts& parts_of(lua_State* L) { return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1))); }
-
-int refuse_wait(lua_State* L) {
-    return luaL_error(L, "can't wait for time to pass here: call it from the input itself");
-}
-
-// The input goes on. It was not left when a coroutine within it could be left, and not what called that.
-int finish_wait(lua_State* L, int, lua_KContext) {
-    Session::Parts& parts = parts_of(L);
-    if (!std::exchange(parts.waiting, false)) return 0;
-    parts.clock.pause();
-    return refuse_wait(L);
-}
 
 int call_word(lua_State* L) {
     Session::Parts& parts = parts_of(L);
@@ -49,29 +49,24 @@ int call_word(lua_State* L) {
         case Outcome::done: return 0;
         case Outcome::number: lua_pushnumber(L, parts.number); return 1;
         case Outcome::failed: return raise_kept(L);
-        case Outcome::wait: break;
     }
-    if (lua_isyieldable(L) == 0) return refuse_wait(L);
-    parts.waiting = true;
-    parts.clock.advance(parts.ticks);
-    current_call->slice_over = true;  // also out of the input's own coroutines
-    return lua_yieldk(L, 0, 0, finish_wait);
+    return 0;
 }
 
 }  // namespace
 
 const std::vector<Word>& console_words() {
     static const std::vector<Word> words{
-        {"ls", "ls() or ls(component)", "lists what there is, how it is wired and what is held", 1, word_ls},
+        {"ls", "ls() or ls(component)", "lists what there is, how it is wired and what is held", 1, word_ls, true},
         {"find", "find \"vel\"", "lists ports, parameters and commands whose name or description has this", 1,
-         word_find},
+         word_find, true},
         {"watch", "watch(port)", "shows a port's value whenever it changes", 1, word_watch},
         {"unwatch", "unwatch(port) or unwatch()", "ends one watch, or all", 1, word_unwatch},
-        {"plot", "plot(port, seconds)", "draws what a port carried in the last seconds", 2, word_plot},
-        {"inject", "inject(port, value)", "sends one message to a port, as from a connection", 2, word_inject},
+        {"plot", "plot(port, seconds)", "draws what a port carried in the last seconds", 2, word_plot, true},
+        {"inject", "inject(port, value)", "sends one message to a port, as from a connection", 2, word_inject, true},
         {"hold", "hold(port, value, { take = true })", "sends this value every tick; nothing else gets through", 3,
-         word_hold},
-        {"release", "release(port)", "ends hold", 1, word_release},
+         word_hold, true},
+        {"release", "release(port)", "ends hold", 1, word_release, true},
         {"connect", "connect(from, to)", "connects an out-port to an in-port", 2, word_connect},
         {"disconnect", "disconnect(from, to) or disconnect(port)", "ends one connection, or all of a port", 2,
          word_disconnect},
@@ -88,10 +83,11 @@ const std::vector<Word>& console_words() {
         {"reload", "reload()", "loads every script that has changed", 0, word_reload},
         {"rollback", "rollback() or rollback(component)", "goes back to the version before", 1, word_rollback},
         {"errors", "errors()", "lists what is in ERROR, and the last warnings and errors", 0, word_errors},
-        {"save", "save \"system.lua\"", "writes the present wiring and configuration as a system file", 1, word_save},
+        {"save", "save \"system.lua\"", "writes the present wiring and configuration as a system file", 1, word_save,
+         true},
         {"now", "now()", "shows the simulated time", 0, word_now},
-        {"print", "print(...)", "prints values", 250, word_print},
-        {"help", "help() or help \"step\"", "explains the words", 1, word_help},
+        {"print", "print(...)", "prints values", 250, word_print, true},
+        {"help", "help() or help \"step\"", "explains the words", 1, word_help, true},
         {"quit", "quit()", "ends the run", 0, word_quit},
         {"exit", "exit()", "is quit()", 0, word_quit},
     };

@@ -25,6 +25,9 @@ struct Word {
     const char* help;   ///< one sentence
     int most;           ///< arguments at most
     Expected<WordEnd> (*run)(Session::Parts& parts, const Arguments& arguments);
+    /// It runs in the session's own thread, beside the ticks, and asks for what it wants of the system; the others run
+    /// between two ticks, and read nothing large from Lua.
+    bool beside = false;
 };
 
 /// All of them, in the order in which `help()` lists them.

@@ -42,22 +42,32 @@ Expected<WordEnd> word_unwatch(Session::Parts& parts, const Arguments& arguments
 }
 
 Expected<WordEnd> word_plot(Session::Parts& parts, const Arguments& arguments) {
-    const auto port = path(parts, arguments);
-    if (!port) return Unexpected(port.error());
+    // What is drawn is a copy: drawing takes longer than a look.
+    struct Drawn {
+        std::string port;
+        Series series;
+        double now = 0;
+    };
     double seconds = 10;
-    if (arguments.has(2)) {
-        const auto given = arguments.number(2, "seconds");
-        if (!given) return Unexpected(given.error());
-        if (!(*given > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *given));
-        seconds = *given;
-    }
-    const auto series = parts.live.trace().remember(*port);
-    if (!series) return Unexpected(series.error());
-    const double now = parts.live.system().now().seconds;
+    const auto drawn = parts.at_system([&]() -> Expected<Drawn> {
+        const auto port = path(parts, arguments);
+        if (!port) return Unexpected(port.error());
+        if (arguments.has(2)) {
+            const auto given = arguments.number(2, "seconds");
+            if (!given) return Unexpected(given.error());
+            if (!(*given > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *given));
+            seconds = *given;
+        }
+        const auto series = parts.live.trace().remember(*port);
+        if (!series) return Unexpected(series.error());
+        return Drawn{*port, **series, parts.live.system().now().seconds};
+    });
+    if (!drawn) return Unexpected(drawn.error());
+    const Series& series = drawn->series;
     std::string text;
-    if ((*series)->size() > 0) text = braille_plot(**series, std::max((*series)->seconds(0), now - seconds), now);
-    parts.show(text.empty() ? fmt::format("{} has carried no numbers in this time", *port)
-                            : fmt::format("{}\n{}", *port, text));
+    if (series.size() > 0) text = braille_plot(series, std::max(series.seconds(0), drawn->now - seconds), drawn->now);
+    parts.show(text.empty() ? fmt::format("{} has carried no numbers in this time", drawn->port)
+                            : fmt::format("{}\n{}", drawn->port, text));
     return WordEnd::done;
 }
 

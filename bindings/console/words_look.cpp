@@ -62,21 +62,29 @@ std::string word_line(const Word& word) { return fmt::format("  {:40} {}", word.
 }  // namespace
 
 Expected<WordEnd> word_ls(Session::Parts& parts, const Arguments& arguments) {
-    const System& system = parts.live.system();
     if (arguments.has(1)) {
-        const auto at = parts.objects->to_component(arguments.lua, 1);
-        if (!at) return Unexpected(at.error());
-        parts.show(component_text(system, *at->component));
+        const auto text = parts.at_system([&]() -> Expected<std::string> {
+            const auto at = parts.objects->to_component(arguments.lua, 1);
+            if (!at) return Unexpected(at.error());
+            return component_text(parts.live.system(), *at->component);
+        });
+        if (!text) return Unexpected(text.error());
+        parts.show(*text);
         return WordEnd::done;
     }
     std::string text;
     std::size_t listed = 0;
-    for (const auto& component : system.components()) {
+    const std::vector<std::string> names = component_names(parts);
+    for (const std::string& name : names) {
         if (listed++ == most_listed) {
-            text += fmt::format("\nand {} more: ls \"name\" shows one", system.components().size() - most_listed);
+            text += fmt::format("\nand {} more: ls \"name\" shows one", names.size() - most_listed);
             break;
         }
-        text += (text.empty() ? "" : "\n") + component_text(system, *component);
+        text += (text.empty() ? "" : "\n") + parts.at_system([&]() -> std::string {
+            const System& system = parts.live.system();
+            const Component* component = system.find(name);
+            return component != nullptr ? component_text(system, *component) : "";
+        });
     }
     parts.show(text.empty() ? "the system is empty" : text);
     return WordEnd::done;
@@ -86,7 +94,13 @@ Expected<WordEnd> word_find(Session::Parts& parts, const Arguments& arguments) {
     const auto text = arguments.text(1, "a part of a name, as in find \"vel\"");
     if (!text) return Unexpected(text.error());
     Finder finder(*text);
-    for (const auto& component : parts.live.system().components()) find_in(finder, *component);
+    for (const std::string& name : component_names(parts)) {
+        parts.at_system([&] {
+            const Component* component = parts.live.system().find(name);
+            if (component != nullptr) find_in(finder, *component);
+            return component != nullptr;
+        });
+    }
     for (const Word& word : console_words()) finder.offer(word.name, "", word_line(word));
     parts.show(finder.result().empty() ? fmt::format("nothing has '{}' in its name", shown(*text)) : finder.result());
     return WordEnd::done;

@@ -83,7 +83,7 @@ Expected<WordEnd> word_restart(Session::Parts& parts, const Arguments&) {
 }
 
 Expected<WordEnd> word_quit(Session::Parts& parts, const Arguments&) {
-    parts.inputs.clear();
+    parts.jobs.clear();
     parts.clock.quit();
     return WordEnd::done;
 }

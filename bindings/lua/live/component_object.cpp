@@ -60,59 +60,73 @@ Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& 
     return Press{name, std::string(text_at(L, 2)), pressed};
 }
 
-// What a method does, and what it returns.
-Expected<Answer> call_method(lua_State* L, const Objects& objects, const ComponentAt& at, std::string_view method) {
-    const auto act = read_act(L, objects, at.component->name(), method);
-    if (!act) return Unexpected(act.error());
-    const auto done = at.live->act(*act, ObjectAccess::who(objects));
-    if (!done) return Unexpected(done.error());
-    if (std::holds_alternative<Use>(*act)) return Answer{at.component->set_in_use()};
-    const bool changes_life = method == "activate" || method == "deactivate" || method == "reset";
-    return changes_life ? now_in(at) : Answer{};
-}
-
-// The component that a method was called on.
-Expected<ComponentAt> check_self(lua_State* L, std::string_view method) {
+// The object that a method was called on.
+Expected<const ObjectRef*> check_self(lua_State* L, std::string_view method) {
     const ObjectRef* self = to_object(L, 1, ObjectKind::component);
     if (self == nullptr)
         return failure(fmt::format("{}: write `X:{}(...)` with a colon, not `X.{}(...)`", method, method, method));
-    return find_component(*self);
+    return self;
+}
+
+// A method of this component may be called with what there is; its arguments are not looked at.
+Expected<void> check_call(lua_State* L, const ObjectRef& self, std::string_view name) {
+    const auto at = find_component(self);
+    if (!at) return Unexpected(at.error());
+    const MemberName* own = find_member(*at->component, name);
+    if (own == nullptr) return failure(fmt::format("{} is no robot: it has no '{}'", at->component->name(), name));
+    return Arguments{L, 2}.at_most(fmt::format("{}:{}", at->component->name(), name), own->most, own->usage);
 }
 
 int method(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
-        const auto at = check_self(L, name);
-        if (!at) return Unexpected(at.error());
-        const MemberName* own = find_member(*at->component, name);
-        if (own == nullptr) return failure(fmt::format("{} is no robot: it has no '{}'", at->component->name(), name));
-        const std::string whole = fmt::format("{}:{}", at->component->name(), name);
-        if (auto ok = Arguments{L, 2}.at_most(whole, own->most, own->usage); !ok) return Unexpected(ok.error());
-        return call_method(L, objects, *at, name);
+        const auto self = check_self(L, name);
+        if (!self) return Unexpected(self.error());
+        const auto act = read_act(L, objects, std::string((*self)->component()), name);
+        return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
+            if (auto ok = check_call(L, **self, name); !ok) return Unexpected(ok.error());
+            if (!act) return Unexpected(act.error());
+            if (auto done = (*self)->live->act(*act, ObjectAccess::who(objects)); !done)
+                return Unexpected(done.error());
+            const auto at = find_component(**self);
+            if (!at) return Unexpected(at.error());
+            if (std::holds_alternative<Use>(*act)) return Answer{at->component->set_in_use()};
+            const bool changes_life = name == "activate" || name == "deactivate" || name == "reset";
+            return changes_life ? now_in(*at) : Answer{};
+        });
     });
+}
+
+// The arguments of a command, as copies.
+Expected<PlainData> read_arguments(lua_State* L, std::string_view command) {
+    const int count = lua_gettop(L) - 1;
+    std::vector<std::string> names;
+    for (int i = 1; i <= count; ++i) names.push_back(fmt::format("argument {}", i));
+    std::vector<Dropped> dropped;
+    auto arguments = take_plain(L, count, copy_budget, names, dropped);
+    if (!arguments) return Unexpected(arguments.error());
+    if (dropped.empty()) return std::move(*arguments);
+    return failure(fmt::format("command '{}': {} is {}, and only plain data can be given", command,
+                               dropped.front().path, dropped.front().what));
 }
 
 int command(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
-        const auto at = check_self(L, name);
-        if (!at) return Unexpected(at.error());
-        const int count = lua_gettop(L) - 1;
-        std::vector<std::string> names;
-        for (int i = 1; i <= count; ++i) names.push_back(fmt::format("argument {}", i));
-        std::vector<Dropped> dropped;
-        auto arguments = take_plain(L, count, copy_budget, names, dropped);
-        if (!arguments) return Unexpected(arguments.error());
-        if (!dropped.empty()) {
-            return failure(fmt::format("command '{}': {} is {}, and only plain data can be given", name,
-                                       dropped.front().path, dropped.front().what));
-        }
-        auto done = at->live->act(Command{at->component->name(), std::string(name), std::move(*arguments)},
-                                  ObjectAccess::who(objects));
-        if (!done) return Unexpected(done.error());
-        return Answer{std::move(done->values)};
+        const auto self = check_self(L, name);
+        if (!self) return Unexpected(self.error());
+        const ObjectRef& ref = **self;  // stays: the call has it
+        auto arguments = read_arguments(L, name);
+        return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
+            if (auto at = find_component(ref); !at) return Unexpected(at.error());
+            if (!arguments) return Unexpected(arguments.error());
+            auto done = ref.live->act(Command{std::string(ref.component()), std::string(name), std::move(*arguments)},
+                                      ObjectAccess::who(objects));
+            if (!done) return Unexpected(done.error());
+            return Answer{std::move(done->values)};
+        });
     });
 }
 

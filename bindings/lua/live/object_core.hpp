@@ -72,6 +72,14 @@ struct ObjectAccess {
     static Objects::Core& core(Objects& objects) { return *objects.core_; }
     static const Actor& who(const Objects& objects) { return objects.core_->who; }
     static bool hardware(const Objects& objects) { return objects.hardware_; }
+    /// Runs `body()` where the system may be looked at and acted on.
+    template <class Body>
+    static Expected<Answer> visit(const Objects& objects, Body&& body) {
+        if (!objects.visit_) return body();
+        Expected<Answer> got = failure("interrupted");
+        objects.visit_([&] { got = body(); });
+        return got;
+    }
     static void note_look(const Objects& objects, const PortAt& port) {
         if (objects.look_) objects.look_(port);
     }
@@ -100,13 +108,13 @@ inline Expected<Answer> answer_of(const Expected<ActResult>& done) {
     return Answer{};
 }
 
-/// Runs `body()`, which reads from Lua without raising and returns an `Expected<Answer>`; then pushes the answer or
-/// raises the error, when nothing is left that needs a destructor.
-template <class Body>
-int answer(lua_State* L, Objects& objects, Body&& body) {
+/// Runs `find()`, which reads from Lua without raising and returns an `Expected<Answer>`; then pushes the answer or
+/// raises the error, when nothing is left that needs a destructor. It looks at the system within `visit` alone.
+template <class Find>
+int answer_beside(lua_State* L, Objects& objects, Find&& find) {
     bool failed = false;
     {
-        Expected<Answer> got = body();
+        Expected<Answer> got = find();
         failed = !got;
         if (failed) {
             keep_error(L, describe(got.error()));
@@ -115,6 +123,12 @@ int answer(lua_State* L, Objects& objects, Body&& body) {
         }
     }
     return failed ? raise_kept(L) : push_answer(L, objects);
+}
+
+/// The same for what is one visit, and reads nothing from Lua but names and numbers.
+template <class Body>
+int answer(lua_State* L, Objects& objects, Body&& body) {
+    return answer_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });
 }
 
 /// The text at `index`, which must be a string. Raises nothing.

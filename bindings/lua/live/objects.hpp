@@ -58,6 +58,9 @@ public:
 
     /// Real robots: they can't be teleported, pressed or pushed from here.
     void set_hardware(bool hardware) { hardware_ = hardware; }
+    /// How a member's look or act comes to the system: `visit` has it done, by the thread that ticks, and returns false
+    /// when it was not. Empty: it is done where it is.
+    void set_visit(std::function<bool(const std::function<void()>&)> visit) { visit_ = std::move(visit); }
     /// Is called with every port that a script looks at. Must not throw.
     void on_look(std::function<void(const PortAt&)> look) { look_ = std::move(look); }
 
@@ -77,11 +80,8 @@ public:
     Expected<ComponentAt> to_component(lua_State* L, int index) const;
     /// A system object; null for anything else.
     static LiveSystem* to_system(lua_State* L, int index);
-    /// The value at `index` as a message of this port: "input 'in' (TimedShortSeq): element 2 expected an integer ...".
-    static Expected<AnyPayload> to_payload(lua_State* L, int index, const Port& port);
-
     /// Does what a method of ports is called ("inject", "hold", "release") to the port at `index`, with the arguments
-    /// that follow it. Raises nothing.
+    /// that follow it, in visits of its own. Raises nothing.
     Expected<void> act_on_port(lua_State* L, int index, std::string_view word) const;
 
     /// Every member that `X.` has: ports, words, commands. Sorted.
@@ -101,6 +101,7 @@ private:
 
     bool hardware_ = false;
     std::function<void(const PortAt&)> look_;
+    std::function<bool(const std::function<void()>&)> visit_;
     std::unique_ptr<Core> core_;
     friend struct ObjectAccess;
 };

@@ -104,19 +104,21 @@ int config_index(lua_State* L) {
 }
 
 int config_newindex(lua_State* L) {
-    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
-        const auto at = find_component(*to_object(L, 1));
-        if (!at) return Unexpected(at.error());
-        const auto name = key_of(L, "config");
-        if (!name) return Unexpected(name.error());
-        if (at->component->parameters().find(*name) == nullptr) {
-            return failure(
-                unknown(at->component->name() + ": unknown parameter", *name, parameter_names(*at->component)));
-        }
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
         auto value = read_parameter(L, 3);
-        if (!value) return failure(fmt::format("parameter '{}': {}", *name, value.error().message));
-        return answer_of(at->live->act(SetParameter{at->component->name(), std::string(*name), std::move(*value)},
-                                       ObjectAccess::who(objects_of(L))));
+        return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
+            const auto at = find_component(*to_object(L, 1));
+            if (!at) return Unexpected(at.error());
+            const auto name = key_of(L, "config");
+            if (!name) return Unexpected(name.error());
+            const Component& component = *at->component;
+            if (component.parameters().find(*name) == nullptr)
+                return failure(unknown(component.name() + ": unknown parameter", *name, parameter_names(component)));
+            if (!value) return failure(fmt::format("parameter '{}': {}", *name, value.error().message));
+            return answer_of(at->live->act(SetParameter{component.name(), std::string(*name), std::move(*value)},
+                                           ObjectAccess::who(objects)));
+        });
     });
 }
 

@@ -40,10 +40,6 @@ bool is_property(std::string_view name) {
     return std::find(properties.begin(), properties.end(), name) != properties.end();
 }
 
-std::string title(const Port& port) {
-    return fmt::format("{} '{}'", port.direction() == Direction::in ? "input" : "output", port.name());
-}
-
 Answer property(const PortAt& at, std::string_view name) {
     const System& system = at.live->system();
     const Port& port = *at.port;
@@ -68,10 +64,29 @@ Answer property(const PortAt& at, std::string_view name) {
     return std::string(to_text(port.override()));
 }
 
+// What is to be known of a port before a value for it is read.
+struct PortToRead {
+    LiveSystem* live;
+    std::string path;
+    std::string title;  // "input 'in' (TimedShortSeq)"
+    std::size_t type;
+};
+
+PortToRead to_read(const PortAt& at) {
+    const Port& port = *at.port;
+    return {at.live, at.path(),
+            fmt::format("{} '{}' ({})", port.direction() == Direction::in ? "input" : "output", port.name(),
+                        port.type_name()),
+            port.type()};
+}
+
 // The value that a word puts into a port. `value` is its index.
-Expected<AnyPayload> value_for(lua_State* L, int value, const PortAt& at) {
-    if (lua_type(L, value) == LUA_TNONE) return failure(fmt::format("expected a value for {}", at.path()));
-    return Objects::to_payload(L, value, *at.port);
+Expected<AnyPayload> value_for(lua_State* L, int value, const PortToRead& port) {
+    if (lua_type(L, value) == LUA_TNONE) return failure(fmt::format("expected a value for {}", port.path));
+    if (lua_checkstack(L, 30) == 0) return failure("stack overflow");
+    auto payload = read_payload(L, lua_absindex(L, value), port.type);
+    if (!payload) return failure(fmt::format("{}: {}", port.title, payload.error().message));
+    return payload;
 }
 
 // The option of `hold`, `{ take = true }`, at `index`, where there may be none.
@@ -82,7 +97,7 @@ Expected<bool> read_take(lua_State* L, int index) {
     const int top = lua_gettop(L);
     bool take = false;
     bool well = true;
-    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
+    for (lua_pushnil(L); well && lua_next(L, index) != 0; lua_pop(L, 1)) {
         well = well && lua_type(L, -2) == LUA_TSTRING && text_at(L, -2) == "take" && lua_isboolean(L, -1);
         take = lua_toboolean(L, -1) != 0;
     }
@@ -92,12 +107,12 @@ Expected<bool> read_take(lua_State* L, int index) {
 }
 
 // The act that a word means for a port: `value` is the index of the value, where there is one.
-Expected<Act> read_act(lua_State* L, const PortAt& at, std::string_view word, int value) {
-    const std::string path = at.path();
+Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view word, int value) {
+    const std::string& path = port.path;
     if (word == "release") return Release{path};
     if (word == "drop") return Drop{path};
     if (word == "freeze") return Freeze{path};
-    auto payload = value_for(L, value, at);
+    auto payload = value_for(L, value, port);
     if (!payload) return Unexpected(payload.error());
     if (word == "inject") return Inject{path, std::move(*payload)};
     if (word == "write") return Write{path, std::move(*payload)};
@@ -106,25 +121,35 @@ Expected<Act> read_act(lua_State* L, const PortAt& at, std::string_view word, in
     return Hold{path, std::move(*payload), *take};
 }
 
-Expected<Answer> act(lua_State* L, const Objects& objects, const PortAt& at, std::string_view word, int value) {
-    const auto act = read_act(L, at, word, value);
+// Two visits: what is read between them may be a million numbers. `find()` gives the port, a `PortToRead`.
+template <class Find>
+Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view word, int value, Find&& find) {
+    Expected<PortToRead> port;
+    auto found = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
+        port = find();
+        return port ? Expected<Answer>() : Unexpected(port.error());
+    });
+    if (!found) return found;
+    const auto act = read_act(L, *port, word, value);
     if (!act) return Unexpected(act.error());
-    return answer_of(at.live->act(*act, ObjectAccess::who(objects)));
+    return ObjectAccess::visit(objects, [&] { return answer_of(port->live->act(*act, ObjectAccess::who(objects))); });
 }
 
 int method(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
         const ObjectRef* self = to_object(L, 1, ObjectKind::port);
         if (self == nullptr)
             return failure(fmt::format("{}: write `port:{}(...)` with a colon, not `port.{}(...)`", name, name, name));
-        const auto at = find_port(*self);
-        if (!at) return Unexpected(at.error());
-        const Called& own = *find_called(name);
-        const std::string whole = fmt::format("{}:{}", at->path(), name);
-        if (auto ok = Arguments{L, 2}.at_most(whole, own.most, own.usage); !ok) return Unexpected(ok.error());
-        return act(L, objects, *at, name, 2);
+        return act(L, objects, name, 2, [&]() -> Expected<PortToRead> {
+            const auto at = find_port(*self);
+            if (!at) return Unexpected(at.error());
+            const Called& own = *find_called(name);
+            const std::string whole = fmt::format("{}:{}", at->path(), name);
+            if (auto ok = Arguments{L, 2}.at_most(whole, own.most, own.usage); !ok) return Unexpected(ok.error());
+            return to_read(*at);
+        });
     });
 }
 
@@ -223,17 +248,12 @@ Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
     return PortAt{&live, live.system().find(path.substr(0, path.find('.'))), *port};
 }
 
-Expected<AnyPayload> Objects::to_payload(lua_State* L, int index, const Port& port) {
-    if (lua_checkstack(L, 30) == 0) return failure("stack overflow");
-    auto value = read_payload(L, lua_absindex(L, index), port.type());
-    if (!value) return failure(fmt::format("{} ({}): {}", title(port), port.type_name(), value.error().message));
-    return value;
-}
-
 Expected<void> Objects::act_on_port(lua_State* L, int index, std::string_view word) const {
-    const auto at = to_port(L, index);
-    if (!at) return Unexpected(at.error());
-    const auto done = act(L, *this, *at, word, index + 1);
+    const auto done = act(L, *this, word, index + 1, [&]() -> Expected<PortToRead> {
+        const auto at = to_port(L, index);
+        if (!at) return Unexpected(at.error());
+        return to_read(*at);
+    });
     return done ? Expected<void>() : Unexpected(done.error());
 }
 

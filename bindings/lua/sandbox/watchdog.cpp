@@ -46,10 +46,17 @@ constexpr int deep_recursion = 20'000;  // calls within calls
 constexpr std::int64_t shortest_grace_ns = 50'000'000, longest_grace_ns = 1'000'000'000;
 constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): each thread has its own
+constinit thread_local const std::atomic<bool>* stop_flag = nullptr;
+
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): from a signal handler to the place it jumps to
 constinit thread_local LuaState* lost_states = nullptr;
 
 int watch_signal() { return SIGRTMIN + 5; }
+
+NEZUMI_IN_SIGNAL bool is_set(const std::atomic<bool>* flag) {
+    return flag != nullptr && flag->load(std::memory_order_relaxed);
+}
 
 NEZUMI_IN_SIGNAL std::int64_t nanoseconds(const timespec& time) {
     return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
@@ -91,7 +98,7 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
     CallRecord* expired = nullptr;  // the outermost one
     for (CallRecord* call = innermost; call != nullptr; call = call->outer) {
         if (call->seen == 0) call->seen = now;
-        if (now - call->seen >= call->budget_ns) expired = call;
+        if (now - call->seen >= call->budget_ns || is_set(call->stop)) expired = call;
     }
     // A call waits for those within it: they end with it.
     for (CallRecord* call = expired != nullptr ? innermost : nullptr; call != nullptr; call = call->outer) {
@@ -195,6 +202,7 @@ CallRecord::CallRecord(lua_State* lua, Budget budget)
     : running(lua),
       outer(current_call),
       budget_ns(static_cast<std::int64_t>(budget.seconds * 1e9)),
+      stop(stop_flag),
       budget_seconds(budget.seconds),
       stack_base(outer != nullptr ? outer->stack_base : static_cast<const char*>(__builtin_frame_address(0))) {
     if (watch == Watch::not_yet) watch_this_thread();
@@ -226,7 +234,7 @@ void keep_watching(lua_State* lua) {
 void watch_hook(lua_State* lua, lua_Debug*) {
     CallRecord* const call = current_call;
     if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
-    if (call->polled_limit != 0 && thread_time() > call->polled_limit) call->expired = 1;
+    if (call->polled_limit != 0 && (thread_time() > call->polled_limit || is_set(call->stop))) call->expired = 1;
     if (call->expired != 0) {
         // From here on every instruction ends here: neither handlers nor closers of variables run on.
         if (lua_gethookcount(lua) != 1) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, 1);
@@ -264,6 +272,29 @@ CallPause::~CallPause() {
     }
     std::atomic_signal_fence(std::memory_order_seq_cst);
     current_call = paused_;
+}
+
+void end_calls_when(const std::atomic<bool>& flag) { stop_flag = &flag; }
+
+// Ends the calls from the innermost to this one at their next step.
+static void expire_calls(const CallRecord& outermost) {
+    for (CallRecord* call = current_call; call != nullptr; call = call->outer) {
+        call->budget_seconds = outermost.budget_seconds;
+        if (call->expired == 0) call->expired_at = thread_time();
+        call->expired = 1;
+        lua_sethook(call->running, watch_hook, LUA_MASKCOUNT, 1);
+        if (call == &outermost) return;
+    }
+}
+
+void charge_calls(std::int64_t nanoseconds) {
+    const CallRecord* expired = nullptr;  // the outermost one
+    for (CallRecord* call = current_call; call != nullptr; call = call->outer) {
+        call->budget_ns -= nanoseconds;
+        if (call->polled_limit != 0) call->polled_limit -= nanoseconds;
+        if (call->budget_ns <= 0 || is_set(call->stop)) expired = call;
+    }
+    if (expired != nullptr) expire_calls(*expired);
 }
 
 void end_call(lua_State* lua) {

@@ -7,6 +7,7 @@
 // what a script catches on the way (pcall, coroutines, __close) is raised again.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <csetjmp>
 #include <csignal>
@@ -50,6 +51,7 @@ public:
     volatile std::int64_t seen = 0;          ///< [ns] of CPU time, when the timer first found this call
     std::int64_t next_hook = 0;              ///< [ns] when the timer may set the hook again
     std::int64_t budget_ns;                  ///< so long after that, the budget is used up
+    const std::atomic<bool>* const stop;     ///< when this is set, the budget is used up at once; may be null
     std::int64_t expired_at = 0;             ///< [ns] when the timer found it used up
     double budget_seconds;                   ///< for the message
     std::int64_t pattern_steps = pattern_step_budget;
@@ -102,6 +104,14 @@ private:
     CallRecord* paused_;
     std::int64_t began_;
 };
+
+/// From now on the calls of this thread end as if their budgets were used up while `flag` is set, a few milliseconds of
+/// CPU time later. It must outlive them.
+void end_calls_when(const std::atomic<bool>& flag);
+
+/// Counts what another thread did for the calls of this one as their own time [ns], and ends them at their next step
+/// when it is used up or their flag is set.
+void charge_calls(std::int64_t nanoseconds);
 
 /// Ends the innermost call as if its budget were used up, whatever the script tries to catch. Raises a Lua error;
 /// nothing around it may need a destructor. When the call's state was lost during a pause, leaves it by a jump.

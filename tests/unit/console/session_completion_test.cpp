@@ -8,8 +8,8 @@ using namespace nezumi;
 namespace {
 
 // The candidates joined by blanks, and where they begin.
-std::string offer(const SessionRig& it, const std::string& text, std::size_t from) {
-    const Completion completion = it.session->complete(text, text.size());
+std::string offer(SessionRig& it, const std::string& text, std::size_t from) {
+    const Completion completion = it.complete(text);
     CHECK(completion.from == from);
     std::string joined;
     for (const std::string& each : completion.candidates) joined += (joined.empty() ? "" : " ") + each;

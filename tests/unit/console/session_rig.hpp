@@ -5,11 +5,13 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bindings/console/session.hpp"
+#include "bindings/console/worker.hpp"
 #include "tests/unit/live_rig.hpp"
 
 namespace nezumi {
@@ -23,6 +25,7 @@ struct SessionRig : LiveRig, ClockControl {
         options.output.show_error = [this](std::string_view text) { add("! " + std::string(text)); };
         options.output.done = [this](bool well) { all_well = all_well && well, ++finished; };
         options.output.take_keys = [this](bool on) { keys = on; };
+        options.bell = &bell;
         session = std::move(Session::create(*live, *this, std::move(options)).value());
     }
 
@@ -37,6 +40,15 @@ struct SessionRig : LiveRig, ClockControl {
             if (is_advancing()) turn();
         }
         return shown;
+    }
+
+    /// What could stand behind a text.
+    Completion complete(std::string text) {
+        std::optional<Completion> found;
+        const std::size_t cursor = text.size();
+        session->complete(std::move(text), cursor, [&](Completion completion) { found = std::move(completion); });
+        for (int rounds = 0; !found && rounds < 100'000; ++rounds) session->advance();
+        return found.value_or(Completion{0, {"no answer"}});
     }
 
     /// Ticks, as the loop does them.
@@ -76,6 +88,7 @@ struct SessionRig : LiveRig, ClockControl {
     int finished = 0;
     bool all_well = true;
     std::string shown;
+    Bell bell;
     std::unique_ptr<Session> session;
 };
 

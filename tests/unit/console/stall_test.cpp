@@ -1,0 +1,133 @@
+// What a line computes is no time of the thread that ticks: lines that stalled every tick when they ran between two.
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <string>
+
+#include "bindings/lua/sandbox/watchdog.hpp"
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double most_of_a_line = 0.002;  // [s] of the thread that ticks
+constexpr std::chrono::milliseconds period{10};
+
+// A running system at 100 Hz, and what a line costs it.
+struct Run {
+    double spent = 0;  // [s] CPU time of the thread that ticks, without its ticks
+    int ticks = 0;
+    double ended_after = 0;  // [s] of real time, of the interrupt
+    bool interrupted = false;
+};
+
+// Interrupts what has not ended by `patience`.
+Run run(SessionRig& it, const std::string& line, std::chrono::milliseconds patience) {
+    Run run;
+    it.paused = false;
+    it.shown.clear();
+    const auto began = Clock::now();
+    const auto measured = [&](const auto& action) {
+        const std::int64_t before = thread_time();
+        action();
+        return static_cast<double>(thread_time() - before) * 1e-9;
+    };
+    it.session->submit(line);
+    while (it.session->is_busy()) {
+        // Waiting for the line is no work for it.
+        double between = 0;
+        for (const auto due = Clock::now() + period; Clock::now() < due && it.session->is_busy();) {
+            it.bell.clear();
+            between += measured([&] { it.session->serve(due); });
+            if (it.session->is_busy()) it.bell.wait(due);
+        }
+        if (it.session->is_busy() && Clock::now() - began > patience) {
+            const auto asked = Clock::now();
+            between += measured([&] { it.session->interrupt(); });
+            run.ended_after = std::chrono::duration<double>(Clock::now() - asked).count();
+            run.interrupted = true;
+        }
+        run.spent += between;
+        it.turn();
+        ++run.ticks;
+    }
+    return run;
+}
+
+// The best of a few attempts is the line's own: a busy machine, above all a virtual one, charges threads for others.
+Run best_run(const std::string& line, std::chrono::milliseconds patience) {
+    Run best{.spent = 1e9};
+    for (int attempt = 0; attempt < 4 && best.spent >= most_of_a_line; ++attempt) {
+        SessionRig it;
+        const Run next = run(it, line, patience);
+        if (next.spent < best.spent) best = next;
+    }
+    return best;
+}
+
+}  // namespace
+
+TEST_CASE("a line without end takes no time of the ticks, and is interrupted at once", "[console][stall][wallclock]") {
+    const std::string line = GENERATE(as<std::string>(), "while true do end",                       //
+                                      "('x'):gsub('.', function() while true do end end)",          //
+                                      "table.sort({ 1, 2 }, function() while true do end end)",     //
+                                      "xpcall(error, function() while true do end end)",            //
+                                      "while true do pcall(function() while true do end end) end",  //
+                                      "repeat pcall(error) until false",                            //
+                                      "coroutine.wrap(function() while true do end end)()",         //
+                                      "t = setmetatable({}, { __index = function(t, k) return t[k] end }) "
+                                      "while true do pcall(function() return t.x end) end");
+    CAPTURE(line);
+    const Run endless = best_run(line, std::chrono::milliseconds(200));
+    CHECK(endless.interrupted);
+    CHECK(endless.ticks >= 10);
+    CHECK(endless.spent < most_of_a_line);
+    CHECK(endless.ended_after < 0.1);
+}
+
+TEST_CASE("a line that computes much takes no time of the ticks", "[console][stall][wallclock]") {
+    const std::string million = "local t = {} for i = 1, 1000000 do t[i] = i * 7919 % 30011 end ";
+    const std::string line =
+        GENERATE_COPY(million + "table.sort(t)",                                                                     //
+                      "local t = {} for i = 1, 1000000 do t['k' .. i] = i end for k, v in pairs(t) do end",          //
+                      million + "inject(controller.in, t)",                                                          //
+                      std::string("(' '):rep(30000000):gsub(' ', 'yy')"), std::string("string.rep('x', 60000000)"),  //
+                      million + "return t", "error(('x'):rep(10000000))", "find(('x'):rep(10000000))",
+                      "return controller[('x'):rep(10000000)]");
+    CAPTURE(line);
+    const Run much = best_run(line, std::chrono::milliseconds(20'000));
+    CHECK_FALSE(much.interrupted);
+    CHECK(much.spent < most_of_a_line);
+}
+
+TEST_CASE("a question about a table of a million names takes no time of the ticks", "[console][stall][wallclock]") {
+    SessionRig it;
+    it.type("t = {} for i = 1, 300000 do t['k' .. i] = i end");
+    double spent = 1e9;
+    for (int attempt = 0; attempt < 4 && spent >= most_of_a_line; ++attempt) {
+        std::size_t found = 0;
+        spent = 0;
+        it.session->complete("t.k12345", 8,
+                             [&](const Completion& completion) { found = completion.candidates.size(); });
+        while (it.session->is_busy()) {
+            it.bell.clear();
+            const std::int64_t before = thread_time();
+            it.session->serve(Clock::now() + period);
+            spent += static_cast<double>(thread_time() - before) * 1e-9;
+            if (it.session->is_busy()) it.bell.wait(Clock::now() + period);
+        }
+        CHECK(found == 11);
+    }
+    CHECK(spent < most_of_a_line);
+}
+
+TEST_CASE("a line that fills the output waits for it, and the ticks do not", "[console][stall][wallclock]") {
+    SessionRig it;
+    const Run flood = run(it, "while true do print(('x'):rep(1000)) end", std::chrono::milliseconds(200));
+    CHECK(flood.interrupted);
+    CHECK(flood.ticks >= 10);
+    CHECK(it.shown.find("! interrupted") != std::string::npos);
+}
