@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/base/const_view.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 #include "engine/components/parameter.hpp"
@@ -76,12 +76,8 @@ public:
     // Whoever has a constant component can look at its ports, and put nothing into them.
     const std::vector<std::unique_ptr<InPortBase>>& in_ports() { return in_ports_; }
     const std::vector<std::unique_ptr<OutPortBase>>& out_ports() { return out_ports_; }
-    auto in_ports() const {
-        return std::views::transform(in_ports_, [](const auto& each) -> const InPortBase* { return each.get(); });
-    }
-    auto out_ports() const {
-        return std::views::transform(out_ports_, [](const auto& each) -> const OutPortBase* { return each.get(); });
-    }
+    ConstView<InPortBase> in_ports() const { return ConstView(in_ports_); }
+    ConstView<OutPortBase> out_ports() const { return ConstView(out_ports_); }
     /// nullptr when there is no port of this name and direction.
     const InPortBase* find_in_port(std::string_view name) const;
     const OutPortBase* find_out_port(std::string_view name) const;

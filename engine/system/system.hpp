@@ -7,13 +7,13 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "engine/base/const_view.hpp"
 #include "engine/components/component.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/system/actor.hpp"
@@ -70,9 +70,7 @@ public:
 
     // Whoever has a constant system can look at everything in it and change nothing.
     const std::vector<std::unique_ptr<Component>>& components() { return components_; }
-    auto components() const {
-        return std::views::transform(components_, [](const auto& each) -> const Component* { return each.get(); });
-    }
+    ConstView<Component> components() const { return ConstView(components_); }
     const std::vector<Robot*>& robots() { return robots_; }
     std::span<const Robot* const> robots() const { return robots_; }
     /// As a system file says them, without places.
