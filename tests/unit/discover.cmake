@@ -1,5 +1,5 @@
 # Lists a test executable's cases for ctest; Catch2's own script breaks names at a semicolon.
-# Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DSANITIZED=OFF -P discover.cmake
+# Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DSANITIZED=OFF|address|thread -P discover.cmake
 
 # Appends an add_test for each case that matches `spec`.
 function(list_cases spec properties)
@@ -33,7 +33,10 @@ function(list_cases spec properties)
   set(script "${script}" PARENT_SCOPE)
 endfunction()
 
-if(SANITIZED)
+if(SANITIZED STREQUAL thread)
+  # This sanitizer keeps signals back until a thread calls something that it knows, which a loop of Lua's never does.
+  list_cases("~[watchdog]~[wallclock]~[long]~[.]" "")
+elseif(SANITIZED)
   list_cases("~[wallclock]~[long]~[.]" "")
 else()
   list_cases("~[wallclock]~[.]" "")

@@ -245,7 +245,7 @@ TEST_CASE("exit leaves as quit() does", "[cli][prompt]") {
     CHECK(it.is_as_before());
 }
 
-TEST_CASE("Ctrl-C drops the line that is typed and ends the one that runs; robots go on", "[cli][prompt]") {
+TEST_CASE("Ctrl-C drops the line that is typed and ends the one that runs; robots go on", "[cli][prompt][watchdog]") {
     const Home home(chatty);
     PtyProgram it = home.run();
     REQUIRE(it.wait_for_prompt("nezumi>"));
@@ -260,7 +260,8 @@ TEST_CASE("Ctrl-C drops the line that is typed and ends the one that runs; robot
     CHECK(it.wait_for_row("2"));
 }
 
-TEST_CASE("a loop without end is ended with a message, and no log line of a robot is late for it", "[cli][prompt]") {
+TEST_CASE("a loop without end is ended with a message, and no log line of a robot is late for it",
+          "[cli][prompt][watchdog]") {
     const Home home(chatty);
     PtyProgram it = home.run();
     REQUIRE(it.wait_for_prompt("nezumi>"));
@@ -317,7 +318,8 @@ TEST_CASE("a second terminal attaches and leaves, and the system goes on", "[cli
     CHECK(third.wait() == 0);
 }
 
-TEST_CASE("a terminal that goes away ends the run in good order, and an attached console alone", "[cli][prompt]") {
+TEST_CASE("a terminal that goes away ends the run in good order, and an attached console alone",
+          "[cli][prompt][watchdog]") {
     const Home home(quiet);
     PtyProgram it = home.run();
     REQUIRE(it.wait_for_prompt("nezumi>"));

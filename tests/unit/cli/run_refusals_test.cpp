@@ -44,7 +44,7 @@ const std::string mouse = "robot \"mouse\" { model = \"raspimouse\" }\n";
 
 }  // namespace
 
-TEST_CASE("what is wrong with a system is said with its place", "[cli][run]") {
+TEST_CASE("what is wrong with a system is said with its place", "[cli][run][watchdog]") {
     CHECK(refused("behavior \"it\" { script = \"itt\" }\n").find("system.lua:1:") == 0);
     CHECK(refused("behavior \"it\" { script = \"itt\" }\n").find("did you mean 'it'") != std::string::npos);
     CHECK(refused("behavior \"it\" { script = \"broken\" }\n").find("behaviors/broken.lua:2: ") == 0);

@@ -230,7 +230,7 @@ TEST_CASE("a disk that gets full costs no row that was whole, and not the older 
     CHECK(contents(csv + "~") == older);
 }
 
-TEST_CASE("a recording takes the place of the older one when it is whole", "[cli][run]") {
+TEST_CASE("a recording takes the place of the older one when it is whole", "[cli][run][watchdog]") {
     const Scratch scratch;
     const std::string csv = scratch.write("trace.csv", "of an earlier run\n").string();
     const auto record = [&](const std::string& file, const std::vector<std::string>& more) {
@@ -288,7 +288,7 @@ TEST_CASE("a signal ends a run in good order: robots stopped, files complete, st
     CHECK(contents(png).size() > 1000);
 }
 
-TEST_CASE("a second signal ends a run at once", "[cli][run]") {
+TEST_CASE("a second signal ends a run at once", "[cli][run][watchdog]") {
     // Loading is over when this has been said, and the endless hook keeps the first signal waiting.
     const Project project(R"(param("x", 1)
 function on_execute() log.info("begins") while true do end end
@@ -301,7 +301,8 @@ function on_execute() log.info("begins") while true do end end
     CHECK(program.wait() == -SIGINT);
 }
 
-TEST_CASE("a second signal ends a run within a tick that does not end, and its recording is whole", "[cli][run]") {
+TEST_CASE("a second signal ends a run within a tick that does not end, and its recording is whole",
+          "[cli][run][watchdog]") {
     const Project project(R"(
 local out = output("out", "TimedLong")
 local n = 0
@@ -341,7 +342,7 @@ TEST_CASE("a script that reaches its budget ends a headless run, and leaves no f
 }
 
 TEST_CASE("a behaviour that reaches its budget while the run ends, or on the way to ERROR, makes it none",
-          "[cli][run]") {
+          "[cli][run][watchdog]") {
     for (const char* text : {"function on_execute() end\nfunction on_deactivated() while true do end end\n",
                              "function on_execute() error('x') end\nfunction on_aborting() while true do end end\n"}) {
         const Outcome outcome = Project(text).run({"--duration", "0.05", "--trace-hash"});

@@ -97,7 +97,7 @@ TEST_CASE("each console has variables of its own and sees the same system", "[co
     CHECK(it.eval(other, "controller.config.speed_x") == Said{"0.2", "well"});
 }
 
-TEST_CASE("a loop without end leaves the others their turn, and ends with a message", "[console][server]") {
+TEST_CASE("a loop without end leaves the others their turn, and ends with a message", "[console][server][watchdog]") {
     ServerRig it;
     ConsoleClient endless = it.open();
     ConsoleClient other = it.open();
@@ -109,7 +109,7 @@ TEST_CASE("a loop without end leaves the others their turn, and ends with a mess
     CHECK(it.eval(endless, "2") == Said{"2", "well"});
 }
 
-TEST_CASE("no turn lasts much longer than it may", "[console][server][wallclock]") {
+TEST_CASE("no turn lasts much longer than it may", "[console][server][wallclock][watchdog]") {
     ServerRig it;
     ConsoleClient endless = it.open();
     endless.send({.kind = Request::Kind::eval, .text = "while true do local s = ('x'):rep(1000) .. 'y' end"});
@@ -125,7 +125,7 @@ TEST_CASE("no turn lasts much longer than it may", "[console][server][wallclock]
     CHECK(turns[turns.size() * 9 / 10] < 0.0015);
 }
 
-TEST_CASE("a client that goes away takes its work with it", "[console][server]") {
+TEST_CASE("a client that goes away takes its work with it", "[console][server][watchdog]") {
     ServerRig it;
     ConsoleClient client = it.open();
     ConsoleClient other = it.open();

@@ -84,13 +84,13 @@ TEST_CASE("an error costs a line and no more", "[console][session]") {
     CHECK_THAT(it.type(std::string(70'000, ' ')), Contains("the input is too long"));
 }
 
-TEST_CASE("an endless loop ends with a message", "[console][session][wallclock]") {
+TEST_CASE("an endless loop ends with a message", "[console][session][wallclock][watchdog]") {
     SessionRig it;
     CHECK(it.type("while true do end") == "! ran for more than 5 s: is there an endless loop?");
     CHECK(it.type("1") == "1");
 }
 
-TEST_CASE("what is done for an input between ticks counts as its own time", "[console][session][wallclock]") {
+TEST_CASE("what is done for an input between ticks counts as its own time", "[console][session][wallclock][watchdog]") {
     // Most of such a loop's time is the script's, which the thread that ticks runs.
     SessionRig it(counter_system, {{"counter", counter_behavior + R"(
 command("work", function() for i = 1, 3e5 do end end)
@@ -100,7 +100,7 @@ command("work", function() for i = 1, 3e5 do end end)
     CHECK(static_cast<double>(thread_time() - began) < 7.5e9);
 }
 
-TEST_CASE("an input can be interrupted", "[console][session]") {
+TEST_CASE("an input can be interrupted", "[console][session][watchdog]") {
     SessionRig it;
     it.session->submit("while true do end");
     it.session->submit("1");
@@ -113,7 +113,8 @@ TEST_CASE("an input can be interrupted", "[console][session]") {
     CHECK(it.type("2") == "2");
 }
 
-TEST_CASE("what was said before an interrupt is shown, and nothing that comes after it", "[console][session]") {
+TEST_CASE("what was said before an interrupt is shown, and nothing that comes after it",
+          "[console][session][watchdog]") {
     SessionRig it;
     it.session->submit("print 'before' while true do pcall(function() print(controller.status) end) end");
     while (it.shown.find("ACTIVE") == std::string::npos) it.session->advance();
@@ -123,7 +124,7 @@ TEST_CASE("what was said before an interrupt is shown, and nothing that comes af
     CHECK(it.type("controller.status") == "\"ACTIVE\"");
 }
 
-TEST_CASE("a question is answered with nothing when it is interrupted", "[console][completion]") {
+TEST_CASE("a question is answered with nothing when it is interrupted", "[console][completion][watchdog]") {
     SessionRig it;
     it.session->submit("while true do end");
     int answers = 0;

@@ -70,7 +70,8 @@ Run best_run(const std::string& line, std::chrono::milliseconds patience) {
 
 }  // namespace
 
-TEST_CASE("a line without end takes no time of the ticks, and is interrupted at once", "[console][stall][wallclock]") {
+TEST_CASE("a line without end takes no time of the ticks, and is interrupted at once",
+          "[console][stall][wallclock][watchdog]") {
     const std::string line = GENERATE(as<std::string>(), "while true do end",                       //
                                       "('x'):gsub('.', function() while true do end end)",          //
                                       "table.sort({ 1, 2 }, function() while true do end end)",     //
@@ -124,7 +125,7 @@ TEST_CASE("a question about a table of a million names takes no time of the tick
     CHECK(spent < most_of_a_line);
 }
 
-TEST_CASE("a line that fills the output waits for it, and the ticks do not", "[console][stall][wallclock]") {
+TEST_CASE("a line that fills the output waits for it, and the ticks do not", "[console][stall][wallclock][watchdog]") {
     SessionRig it;
     const Run flood = run(it, "while true do print(('x'):rep(1000)) end", std::chrono::milliseconds(200));
     CHECK(flood.interrupted);

@@ -172,14 +172,13 @@ TEST_CASE("no more requests are read than are dealt with", "[console][transport]
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
     const std::string request = "{\"do\":\"eval\",\"text\":\"" + std::string(60000, 'x') + "\"}\n";
-    constexpr std::size_t sent = 500;
+    constexpr std::size_t sent = 200;
     std::thread writer([&] {
         for (std::size_t count = 0; count < sent; ++count) write_text(pair.client, request);
     });
     std::size_t taken = 0;
     std::size_t most = 0;
-    const auto end = Clock::now() + std::chrono::seconds(20);
-    while (taken < sent && Clock::now() < end) {
+    while (taken < sent) {  // however long that takes: the writer can't be left waiting
         if (taken == 0) std::this_thread::sleep_for(std::chrono::milliseconds(200));
         std::size_t more = 0;
         for (const Incoming& incoming : transport.take()) more += incoming.what == Incoming::What::request ? 1 : 0;

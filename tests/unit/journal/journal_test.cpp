@@ -145,7 +145,7 @@ TEST_CASE("a process that is killed leaves a journal that replays to its last wh
     CHECK(again.end.tick == (restarts ? 0 : tick));
 }
 
-TEST_CASE("a call that the clock ended ends so in the replay", "[journal]") {
+TEST_CASE("a call that the clock ended ends so in the replay", "[journal][watchdog]") {
     Small it(R"(
 local out = output("out", "TimedLong")
 param("endless", false)

@@ -109,7 +109,7 @@ TEST_CASE("a broken save is told, and the next good one runs", "[lua][reload][wa
     CHECK(it.says("version 2 runs in it"));
 }
 
-TEST_CASE("a file that never ends its loading delays no tick", "[lua][reload][wallclock]") {
+TEST_CASE("a file that never ends its loading delays no tick", "[lua][reload][wallclock][watchdog]") {
     Live it(writes("1"));
     it.longest = 0;
     write(it.file, writes("2") + "while true do end");
@@ -120,7 +120,7 @@ TEST_CASE("a file that never ends its loading delays no tick", "[lua][reload][wa
     CHECK(it.says("version 2 runs in it"));
 }
 
-TEST_CASE("a save while another one is tried beside the ticks is not forgotten", "[lua][reload][wallclock]") {
+TEST_CASE("a save while another one is tried beside the ticks is not forgotten", "[lua][reload][wallclock][watchdog]") {
     Live it(writes("1"));
     write(it.file, writes("2") + "while true do end");
     it.run(4);

@@ -304,7 +304,7 @@ TEST_CASE("values are shown as Lua writes them, in several lines where one is to
     CHECK(shown("math").find("{") == 0);
 }
 
-TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect][wallclock]") {
+TEST_CASE("however large a value is, showing it takes a moment", "[lua][inspect][wallclock][watchdog]") {
     Box box;
     const auto shown = [&](const std::string& text, double& seconds) {
         box.run("return 1");

@@ -146,7 +146,7 @@ TEST_CASE("the error about a local that a reload has lost says so", "[lua][reloa
     CHECK(to_text(it.state()) == "ACTIVE");
 }
 
-TEST_CASE("a version that can't be had leaves the old one untouched and says what runs", "[lua][reload]") {
+TEST_CASE("a version that can't be had leaves the old one untouched and says what runs", "[lua][reload][watchdog]") {
     ReloadRig world;
     ScriptComponent& it = world.add_text("it", counter("1"));
     world.tick(2);

@@ -6,7 +6,7 @@
 using namespace nezumi;
 using namespace nezumi::robot_files;
 
-TEST_CASE("a robot file that is no robot file is one plain message", "[lua][robot_file]") {
+TEST_CASE("a robot file that is no robot file is one plain message", "[lua][robot_file][watchdog]") {
     CHECK(error("") == "r.lua: a robot file ends with `return robot_model { ... }`");
     CHECK(error(with("").substr(7)) == "r.lua: a robot file ends with `return robot_model { ... }`");
     CHECK(error("return {}") == "r.lua: a robot file ends with `return robot_model { ... }`");
@@ -147,7 +147,7 @@ TEST_CASE("bounds of values that a sensor does not have are refused", "[lua][rob
           "r.lua:2:35: robot_model: field 'sensors.a.nothing' is for a sensor with a 'table' or a 'response'");
 }
 
-TEST_CASE("a response that is no function of the distance is refused", "[lua][robot_file]") {
+TEST_CASE("a response that is no function of the distance is refused", "[lua][robot_file][watchdog]") {
     const auto response = [](const std::string& what) {
         return error(with("sensors = { a = { kind = 'range',\n response = " + what + " } }"));
     };

@@ -87,7 +87,7 @@ TEST_CASE("patterns give what Lua's own give, errors included", "[lua][pattern]"
     CHECK(matches > 1000);
 }
 
-TEST_CASE("a pattern bomb ends in an error, soon", "[lua][pattern]") {
+TEST_CASE("a pattern bomb ends in an error, soon", "[lua][pattern][watchdog]") {
     const char* const text =
         GENERATE(as<const char*>{}, "return ('a'):rep(32):find(('a?'):rep(32) .. ('a'):rep(32))",
                  "return ('a'):rep(3000):find('.-.-.-.-b')", "return ('a'):rep(3000):match('.*.*.*.*b')",

@@ -58,7 +58,7 @@ TEST_CASE("a short line needs one slice, a long one many short ones", "[lua][sli
     CHECK(slow.slices > 3);
 }
 
-TEST_CASE("a line is sliced wherever it is", "[lua][sliced]") {
+TEST_CASE("a line is sliced wherever it is", "[lua][sliced][watchdog]") {
     const char* const text = GENERATE(
         as<const char*>{}, "return select(2, pcall(work))", "return select(2, xpcall(work, print))",
         "return select(2, pcall(pcall, pcall, work)) and work()", "return coroutine.wrap(work)()",
@@ -95,7 +95,7 @@ TEST_CASE("where Lua can't yield, a slice goes on until it can", "[lua][sliced]"
     CHECK(outcome.slices > 3);
 }
 
-TEST_CASE("an endless line ends by its total time, whatever it does", "[lua][sliced]") {
+TEST_CASE("an endless line ends by its total time, whatever it does", "[lua][sliced][watchdog]") {
     const char* const text = GENERATE(
         as<const char*>{}, "while true do end", "while true do pcall(function() while true do end end) end",
         "coroutine.wrap(function() while true do end end)()", "table.sort({ 1, 2 }, function() while true do end end)",
@@ -115,7 +115,7 @@ TEST_CASE("a slice takes about its time", "[lua][sliced][wallclock]") {
     CHECK(run_sliced(box, sum + "return n").longest < 0.003);
 }
 
-TEST_CASE("a sliced line looks to itself as if it were none", "[lua][sliced]") {
+TEST_CASE("a sliced line looks to itself as if it were none", "[lua][sliced][watchdog]") {
     Box box;
     CHECK(run_sliced(box, "local _, main = coroutine.running() return main, coroutine.isyieldable()").text ==
           "true false");
@@ -135,7 +135,7 @@ TEST_CASE("a sliced line looks to itself as if it were none", "[lua][sliced]") {
           "line:1: pattern too complex: it takes too many steps");
 }
 
-TEST_CASE("the state takes other calls between two slices", "[lua][sliced]") {
+TEST_CASE("the state takes other calls between two slices", "[lua][sliced][watchdog]") {
     Box box;
     box.run("count = 0");
     REQUIRE(load_chunk(box.lua(), compile("for i = 1, 3000000 do count = count + 1 end return count", "line").value()));
@@ -152,7 +152,7 @@ TEST_CASE("the state takes other calls between two slices", "[lua][sliced]") {
     CHECK(call->used_seconds() > 0.001);
 }
 
-TEST_CASE("a sliced call may be given up at any time", "[lua][sliced]") {
+TEST_CASE("a sliced call may be given up at any time", "[lua][sliced][watchdog]") {
     Box box;
     for (int i = 0; i < 20; ++i) {
         load_chunk(box.lua(), compile("local t = {} while true do t[#t + 1] = {} end", "line").value());

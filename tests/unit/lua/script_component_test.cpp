@@ -185,7 +185,7 @@ function on_execute() end)");
           "robot_controller.lua:4: attempt to perform arithmetic on a nil value (local 'n')");
 }
 
-TEST_CASE("an endless command ends by its budget and the component goes on", "[lua][component][command]") {
+TEST_CASE("an endless command ends by its budget and the component goes on", "[lua][component][command][watchdog]") {
     Rig rig("command('loop', function() while true do end end) function on_execute() end");
     rig.activate();
     auto result = rig.component->call_command("loop", {}, rig.now);
@@ -196,7 +196,7 @@ TEST_CASE("an endless command ends by its budget and the component goes on", "[l
     CHECK(rig.status() == "ACTIVE");
 }
 
-TEST_CASE("a budget that is used up is told apart from other errors", "[lua][component]") {
+TEST_CASE("a budget that is used up is told apart from other errors", "[lua][component][watchdog]") {
     Rig rig("function on_execute() while true do end end", {.budget = {0.02}});
     rig.activate().tick();
     CHECK(rig.status() == "ERROR");
@@ -204,7 +204,7 @@ TEST_CASE("a budget that is used up is told apart from other errors", "[lua][com
     CHECK(rig.error() == "robot_controller.lua:1: ran for more than 0.02 s: is there an endless loop?");
 }
 
-TEST_CASE("a failed execution and its on_aborting share one budget", "[lua][component]") {
+TEST_CASE("a failed execution and its on_aborting share one budget", "[lua][component][watchdog]") {
     Rig rig("function on_execute() while true do end end function on_aborting() while true do end end",
             {.budget = {0.3}});
     rig.activate();

@@ -158,7 +158,7 @@ TEST_CASE("declarations are made while the file loads", "[lua][refusals]") {
     CHECK(failure_of("", "about {}") == "robot_controller.lua:3: about can only be called while the file loads");
 }
 
-TEST_CASE("an error at the top level refuses the file with its line", "[lua][refusals]") {
+TEST_CASE("an error at the top level refuses the file with its line", "[lua][refusals][watchdog]") {
     CHECK(refusal("param('x', 1)\nerror('no')") == "robot_controller.lua:2: no");
     CHECK(refusal("param('x', 1)\nlocal t = nil\nt.x = 1") ==
           "robot_controller.lua:3: attempt to index a nil value (local 't')");
@@ -170,7 +170,7 @@ TEST_CASE("an error at the top level refuses the file with its line", "[lua][ref
           "robot_controller.lua:2: not enough memory: the script reached its limit of 1 MB");
 }
 
-TEST_CASE("a script that fails in any way ends in ERROR and nothing else does", "[lua][refusals]") {
+TEST_CASE("a script that fails in any way ends in ERROR and nothing else does", "[lua][refusals][watchdog]") {
     for (const std::string body :
          {"error(nil)", "error({})", "assert(false)", "local t t.x = 1",
           "coroutine.wrap(function() error('inside') end)()", "while true do end",
@@ -192,7 +192,7 @@ TEST_CASE("a script that fails in any way ends in ERROR and nothing else does", 
     }
 }
 
-TEST_CASE("an endless loop in any callback ends by its budget", "[lua][refusals]") {
+TEST_CASE("an endless loop in any callback ends by its budget", "[lua][refusals][watchdog]") {
     for (const std::string hook :
          {"on_activated", "on_execute", "on_deactivated", "on_aborting", "on_error", "on_reset"}) {
         INFO(hook);

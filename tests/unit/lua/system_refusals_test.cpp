@@ -240,7 +240,7 @@ TEST_CASE("globals that nobody knows are refused before anything runs", "[lua][s
     CHECK_THAT(error("robot = nil"), Catch::StartsWith("s.lua:1:1: "));
 }
 
-TEST_CASE("what is no Lua, runs into an error or never ends is one message", "[lua][system_file]") {
+TEST_CASE("what is no Lua, runs into an error or never ends is one message", "[lua][system_file][watchdog]") {
     CHECK_THAT(error("arena {\n  box {\n"), Catch::StartsWith("s.lua:"));
     CHECK_THAT(error("local a = nil\nlocal b = a.x"), Catch::StartsWith("s.lua:2: attempt to index a nil value"));
     CHECK(error("error('no arena today')") == "s.lua:1: no arena today");

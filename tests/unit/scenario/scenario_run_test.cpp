@@ -64,7 +64,7 @@ TEST_CASE("worlds of different rates tick when they are due", "[lua][scenario][r
     CHECK(outcome_of(rig.run()) == "passed");
 }
 
-TEST_CASE("a broken always ends the scenario at once, whatever tries to catch it", "[lua][scenario][run]") {
+TEST_CASE("a broken always ends the scenario at once, whatever tries to catch it", "[lua][scenario][run][watchdog]") {
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
                      "s:always('rests', function() return s:now() < 0.5 end)\n"
                      "pcall(function() coroutine.wrap(function() pcall(s.run, s, 1) end)() end)\n"
@@ -84,7 +84,7 @@ TEST_CASE("a scenario that takes longer than its timeout fails", "[lua][scenario
           "wait_until 'more' had not happened since 2.00 s");
 }
 
-TEST_CASE("an endless loop ends with its line, and the scenario could not be run", "[lua][scenario][run]") {
+TEST_CASE("an endless loop ends with its line, and the scenario could not be run", "[lua][scenario][run][watchdog]") {
     CHECK(outcome_of("while true do end") ==
           "could not run: it_test.lua:2: ran for more than 2 s: is there an endless loop?");
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
