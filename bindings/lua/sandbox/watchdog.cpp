@@ -276,8 +276,10 @@ CallPause::~CallPause() {
 
 void end_calls_when(const std::atomic<bool>& flag) { stop_flag = &flag; }
 
+namespace {
+
 // Ends the calls from the innermost to this one at their next step.
-static void expire_calls(const CallRecord& outermost) {
+void expire_calls(const CallRecord& outermost) {
     for (CallRecord* call = current_call; call != nullptr; call = call->outer) {
         call->budget_seconds = outermost.budget_seconds;
         if (call->expired == 0) call->expired_at = thread_time();
@@ -286,6 +288,8 @@ static void expire_calls(const CallRecord& outermost) {
         if (call == &outermost) return;
     }
 }
+
+}  // namespace
 
 void charge_calls(std::int64_t nanoseconds) {
     const CallRecord* expired = nullptr;  // the outermost one

@@ -22,7 +22,7 @@ void append(std::vector<std::string>& all, const auto& words) {
 // What is in scope where components are: the console as it is, scenarios, system files and scripts.
 std::vector<std::string> exported_words() {
     SessionRig console("arena {}", {});
-    std::vector<std::string> all = console.session->complete("", 0).candidates;
+    std::vector<std::string> all = console.complete("").candidates;
     append(all, ScenarioRun::Methods::names());
     append(all, std::vector<std::string>{"scenario", "range"});
     append(all, system_word_names());
