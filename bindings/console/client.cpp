@@ -17,7 +17,9 @@ std::int64_t ConsoleClient::send(Request request) {
     for (std::size_t sent = 0; sent < line.size() && is_open();) {
         const ssize_t count = ::send(socket_.get(), line.data() + sent, line.size() - sent, MSG_NOSIGNAL);
         if (count > 0) sent += static_cast<std::size_t>(count);
-        if (count < 0 && errno != EINTR) break;  // what it said last can still be read
+        if (count >= 0 || errno == EINTR) continue;
+        if (errno == EPIPE || errno == ECONNRESET) break;  // what it said last can still be read
+        close();                                           // no answer would come
     }
     return last_id_;
 }

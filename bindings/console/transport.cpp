@@ -28,8 +28,9 @@ constexpr std::size_t portion = std::size_t{1} << 16;
 
 void signal(const FileHandle& event) {
     const std::uint64_t one = 1;
-    // It fails only when the counter is full: then it is readable anyway.
-    [[maybe_unused]] const ssize_t written = write(event.get(), &one, sizeof one);
+    // When the counter is full it is readable anyway; whatever else it is, who waits must not wait for ever.
+    for (int tries = 0; tries < 3 && write(event.get(), &one, sizeof one) < 0 && errno != EAGAIN; ++tries) {
+    }
 }
 
 void clear(const FileHandle& event) {

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstring>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -32,7 +33,9 @@ public:
 
 private:
     std::optional<std::string> read_line();
+    std::optional<std::string> give_up_input();
     bool is_complete(const std::string& text);
+    bool is_cut_off();  // the system is gone without a word; says so once
     std::optional<Event> wait_for_answer(std::int64_t id);
     void show(const Event& event);
     void tell(const std::string& text) const { put_text(files_.error, visible(text) + "\n"); }
@@ -41,9 +44,12 @@ private:
     ConsoleClient& client_;
     BatchFiles files_;
     LineReader reader_;
-    bool ended_ = false;  // the input is at its end
-    bool lost_ = false;   // the output is closed
-    bool fed_ = false;    // the reader may hold another line
+    bool ended_ = false;   // the input is at its end
+    bool lost_ = false;    // the output is closed
+    bool unread_ = false;  // the input can't be read to its end
+    bool fed_ = false;     // the reader may hold another line
+    bool bye_ = false;     // the system has said that it ends
+    bool told_ = false;
     std::string rest_;    // of the input: an incomplete line
     int first_line_ = 0;  // of the running command
     std::optional<std::chrono::duration<double>> longest_;
@@ -66,15 +72,28 @@ bool Batch::run_all() {
         if (!next) break;
         first = line + 1;
     }
-    return well && !lost_;
+    return !is_cut_off() && well && !lost_ && !unread_;
 }
 
 bool Batch::run(const std::string& text, int line) {
     first_line_ = line;
     const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::eval, .text = text}));
     if (answer) return answer->ok;
+    if (is_cut_off()) return false;
     if (!files_.own) tell(place("the system has ended"));
     return files_.own;
+}
+
+std::optional<std::string> Batch::give_up_input() {
+    tell(fmt::format("the commands can't be read: {}", std::strerror(errno)));
+    ended_ = unread_ = true;
+    return std::nullopt;
+}
+
+bool Batch::is_cut_off() {
+    if (client_.is_open() || bye_) return false;
+    if (!std::exchange(told_, true)) tell(place("the connection with the system is lost"));
+    return true;
 }
 
 bool Batch::is_complete(const std::string& text) {
@@ -93,7 +112,10 @@ std::optional<std::string> Batch::read_line() {
         if (ended_ || !client_.is_open()) return std::nullopt;
         std::array<pollfd, 2> polled{{{.fd = files_.input, .events = POLLIN, .revents = 0},
                                       {.fd = client_.file(), .events = POLLIN, .revents = 0}}};
-        if (poll(polled.data(), polled.size(), -1) < 0 && errno != EINTR) return std::nullopt;
+        if (poll(polled.data(), polled.size(), -1) < 0) {
+            if (errno == EINTR) continue;
+            return give_up_input();
+        }
         if (polled[1].revents != 0) {
             while (const auto event = client_.next(0)) show(*event);
         }
@@ -101,7 +123,8 @@ std::optional<std::string> Batch::read_line() {
         std::array<char, 65536> piece{};
         const ssize_t got = read(files_.input, piece.data(), piece.size());
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-        ended_ = got <= 0;
+        if (got < 0) return give_up_input();
+        ended_ = got == 0;
         // The last line may lack its end.
         reader_.feed(ended_ ? "\n" : std::string_view(piece.data(), static_cast<std::size_t>(got)));
         fed_ = true;
@@ -140,8 +163,8 @@ void Batch::show(const Event& event) {
         case Event::Kind::answer:
         case Event::Kind::completions:
         case Event::Kind::keys:
-        case Event::Kind::status:
-        case Event::Kind::bye: return;
+        case Event::Kind::status: return;
+        case Event::Kind::bye: bye_ = true; return;
     }
 }
 

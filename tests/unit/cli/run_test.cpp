@@ -1,11 +1,9 @@
 // `nezumi run` as a script uses it: what it prints, what it writes, how it ends.
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -204,50 +202,6 @@ TEST_CASE("a disk that is full ends the run with one line", "[cli][run]") {
     CHECK(outcome.error == "/dev/full: can't be written: No space left on device\n");
 }
 
-TEST_CASE("a disk that gets full costs no row that was whole, and not the older recording", "[cli][run]") {
-    const Scratch scratch;
-    const std::string csv = scratch.path("trace.csv").string(), said = scratch.path("said").string();
-    const std::string command = "ulimit -f 40; exec " + nezumi_program() + " run " + stop_at_wall +
-                                " --headless --speed max --duration 100 --ports mouse.truth.pose.position --record " +
-                                csv + " 2>" + said;
-    const std::string problem = csv + ": can't be written: File too large: the rows that are whole are kept";
-    const auto rows = [&] {
-        auto lines = lines_of(contents(csv));
-        REQUIRE(lines.size() > 100);
-        CHECK(lines.back() == "# the recording ends here: can't be written: File too large");
-        lines.pop_back();
-        for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), ',') == 2);
-        CHECK(contents(csv).back() == '\n');
-        return lines;
-    };
-    CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
-    CHECK(contents(said) == problem + "\n");
-    const auto first = rows();
-    const std::string older = contents(csv);
-    CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
-    CHECK(contents(said) == problem + ", and what was there before is now " + csv + "~\n");
-    CHECK(rows() == first);
-    CHECK(contents(csv + "~") == older);
-}
-
-TEST_CASE("a recording takes the place of the older one when it is whole", "[cli][run][watchdog]") {
-    const Scratch scratch;
-    const std::string csv = scratch.write("trace.csv", "of an earlier run\n").string();
-    const auto record = [&](const std::string& file, const std::vector<std::string>& more) {
-        std::vector<std::string> words{"run", file, "--headless", "--speed", "max", "--duration", "1", "--record", csv};
-        words.insert(words.end(), more.begin(), more.end());
-        return run_nezumi(words).status;
-    };
-    CHECK(record(stop_at_wall, {"--ports", "no.port"}) == 2);
-    CHECK(contents(csv) == "of an earlier run\n");
-    const Project lost("function on_execute() if now() > 0.5 then while true do end end end\n");
-    CHECK(record(lost.file, {}) == 2);  // no run, so no recording
-    CHECK(contents(csv) == "of an earlier run\n");
-    CHECK(record(stop_at_wall, {}) == 0);
-    CHECK(lines_of(contents(csv)).size() == 101);
-    CHECK_FALSE(std::filesystem::exists(csv + "~"));
-}
-
 TEST_CASE("the option --picture draws PNG or SVG by the file's ending", "[cli][run]") {
     const Scratch scratch;
     const std::string png = scratch.path("a.png").string(), svg = scratch.path("a.svg").string();
@@ -299,33 +253,6 @@ function on_execute() log.info("begins") while true do end end
     usleep(100000);
     program.send(SIGINT);
     CHECK(program.wait() == -SIGINT);
-}
-
-TEST_CASE("a second signal ends a run within a tick that does not end, and its recording is whole",
-          "[cli][run][watchdog]") {
-    const Project project(R"(
-local out = output("out", "TimedLong")
-local n = 0
-function on_execute()
-  n = n + 1
-  out:write(n)
-  if n == 100 then log.info("begins") while true do end end
-end
-)");
-    const std::string csv = project.scratch.write("trace.csv", "time,of an earlier run\n").string();
-    const int signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
-    Program program({"run", project.file, "--headless", "--speed", "max", "--record", csv});
-    REQUIRE(program.wait_for_error("begins"));
-    program.send(signal);
-    usleep(100000);
-    program.send(signal);
-    CHECK(program.wait() == -signal);
-    const auto lines = lines_of(contents(csv));
-    REQUIRE(lines.size() == 101);
-    CHECK(lines[0] == "time,it.out");
-    CHECK(lines[99] == "0.98,99");
-    CHECK(lines[100] == "# the recording ends here: the run was ended at once");
-    CHECK(contents(csv + "~") == "time,of an earlier run\n");
 }
 
 TEST_CASE("a script that reaches its budget ends a headless run, and leaves no files", "[cli][run]") {
