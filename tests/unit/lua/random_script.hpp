@@ -15,7 +15,7 @@ public:
 
     std::string text() {
         std::string script =
-            "local range = input('in', 'TimedShortSeq', '', { queue = " + pick({"0", "1", "5"}) +
+            "local range = input('in', 'TimedShortSeq', '', { queue = " + pick({"1", "5"}) +
             " })\nlocal target = output('out', 'TimedVelocity2D')\nlocal flag = output('flag', 'TimedBoolean')\n"
             "param('x', " +
             pick({"0", "0.5", "true", "'text'", "{ 1.0, 2.0 }"}) +
@@ -24,7 +24,7 @@ public:
         if (one_in(3)) script += "command('go', function(a, b) " + block(2) + " end)\n";
         for (const char* hook : {"on_activated", "on_execute", "on_deactivated", "on_aborting", "on_error"}) {
             const bool always = std::string(hook) == "on_execute";
-            if (always || one_in(4)) script += std::string("function ") + hook + "()\n" + block(4) + "end\n";
+            if (always || one_in(4)) script += std::string("function ") + hook + "()\n" + body() + "end\n";
         }
         return script;
     }
@@ -33,6 +33,14 @@ private:
     bool one_in(int n) { return std::uniform_int_distribution<int>(1, n)(random_) == 1; }
     std::string pick(const std::vector<const char*>& choices) {
         return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(random_)];
+    }
+
+    // Most of what goes wrong is caught, or nothing would come after it.
+    std::string body() {
+        std::string text;
+        for (int count = std::uniform_int_distribution<int>(1, 5)(random_); count > 0; --count)
+            text += one_in(8) ? statement(4) + "\n" : "pcall(function() " + statement(4) + " end)\n";
+        return text;
     }
 
     std::string block(int depth) {
@@ -127,8 +135,7 @@ private:
                        value(depth - 1) + ")";
             case 3: return pick({"-", "not ", "#", "~"}) + "(" + value(depth - 1) + ")";
             case 4: return "range:read()" + pick({"", "[1]", "[99]"});
-            case 5:
-                return pick({"tostring", "tonumber", "type", "select('#', ", "#"}).append(" ").append(call(depth - 1));
+            case 5: return pick({"tostring", "tonumber", "type", "#"}) + "(" + value(depth - 1) + ")";
             case 6: return text_call(depth - 1);
             case 7:
                 return pick({"table.concat", "table.unpack", "next", "rawlen", "getmetatable"}) + "(" +
@@ -147,8 +154,6 @@ private:
             default: return value(0);
         }
     }
-
-    std::string call(int depth) { return "(" + value(depth) + ")"; }
 
     std::string text_call(int depth) {
         switch (std::uniform_int_distribution<int>(0, 4)(random_)) {

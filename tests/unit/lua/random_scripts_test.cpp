@@ -129,7 +129,7 @@ TEST_CASE("no behaviour made at random disturbs the engine, the robot's stand or
         if (!other.out_of_time) CHECK(one.hash == other.hash);
     }
     // Otherwise the grammar tries nothing.
-    CHECK(loaded > count / 2);
+    CHECK(loaded > count * 9 / 10);
     CHECK(failed > count / 10);
     CHECK(failed < loaded);
     if (count > 150)
