@@ -28,7 +28,7 @@ TEST_CASE("out of file descriptors, a run ends as any other or says in one line 
     int done = 0;
     int refused = 0;
     int alone = 0;
-    for (int most = 3; most < 13; ++most) {
+    for (int most = 3; most < 25; ++most) {
         CAPTURE(most);
         const std::string command =
             "exec prlimit --nofile=" + std::to_string(most) + " timeout -k 1 60 " + nezumi_program() +
