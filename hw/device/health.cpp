@@ -1,0 +1,28 @@
+// A loss and a return are told at the moment they happen, and not again.
+#include "hw/device/health.hpp"
+
+#include <utility>
+
+namespace nezumi::hw {
+
+void Health::lost(const std::string& why) {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(is_lost_, true)) lines_.push_back(device_ + ": " + why);
+}
+
+void Health::works() {
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(is_lost_, false)) lines_.push_back(device_ + ": back again");
+}
+
+bool Health::is_lost() const {
+    const std::lock_guard lock(mutex_);
+    return is_lost_;
+}
+
+std::vector<std::string> Health::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(lines_, {});
+}
+
+}  // namespace nezumi::hw

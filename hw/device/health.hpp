@@ -1,0 +1,31 @@
+// What a device has to say about itself: lost, and back again.
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace nezumi::hw {
+
+/// Tells each loss once, however often it is noticed, and the return as well. From any thread.
+class Health {
+public:
+    /// `device` as a person calls it: "the light sensors".
+    explicit Health(std::string device) : device_(std::move(device)) {}
+
+    /// It does not work, for this reason. Told unless it did not work before.
+    void lost(const std::string& why);
+    /// It works.
+    void works();
+    bool is_lost() const;
+    /// What is to be told: a line each.
+    std::vector<std::string> take();
+
+private:
+    const std::string device_;
+    mutable std::mutex mutex_;
+    bool is_lost_ = false;
+    std::vector<std::string> lines_;
+};
+
+}  // namespace nezumi::hw

@@ -1,0 +1,85 @@
+// A device that is read again and again beside the loop, which gets the newest sample with its time.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+#include "hw/device/clock.hpp"
+#include "hw/device/health.hpp"
+#include "hw/device/worker.hpp"
+
+namespace nezumi::hw {
+
+/// What a device said, and when.
+template <class T>
+struct Sample {
+    T value{};
+    double tm = 0;  ///< [s] by `clock_seconds`: the middle of the reading
+};
+
+/// After how many seconds without a new sample a device counts as silent.
+inline constexpr double stale_after = 0.3;
+/// How often [s] a device that failed is tried again.
+inline constexpr double retry_period = 0.5;
+
+/// Who derives from it says how to read the device once.
+template <class T>
+class Sampler : public Job {
+public:
+    /// Reads every `period` [s], or as fast as the device allows when that is slower.
+    Sampler(std::string device, double period) : health_(std::move(device)), period_(period) {}
+
+    /// The newest sample at `now`, by `clock_seconds`; none when there is no recent one. A device that has not answered
+    /// for too long is told as lost.
+    std::optional<Sample<T>> newest(double now) {
+        const double asked = asked_at_.load();
+        if (asked > 0 && now - asked > stale_after)
+            health_.lost(
+                fmt::format("no answer for {} s: is it in use, or the bus stuck? Restart the driver's module "
+                            "or the robot",
+                            stale_after));
+        const std::lock_guard lock(mutex_);
+        if (!sample_ || now - sample_->tm > stale_after) return std::nullopt;
+        return sample_;
+    }
+
+    std::vector<std::string> take_faults() { return health_.take(); }
+
+    double run() final {
+        const double before = clock_seconds();
+        asked_at_ = before;
+        auto value = sample(before);
+        const double after = clock_seconds();
+        asked_at_ = 0;
+        if (!value) {
+            health_.lost(value.error());
+            return retry_period;
+        }
+        health_.works();
+        if (*value) {
+            const std::lock_guard lock(mutex_);
+            sample_ = Sample<T>{std::move(**value), (before + after) / 2};
+        }
+        return before + period_ - after;
+    }
+
+protected:
+    /// Reads the device once, at `now` by `clock_seconds`: a value, nothing yet, or why not, with what to do.
+    virtual tl::expected<std::optional<T>, std::string> sample(double now) = 0;
+
+private:
+    Health health_;
+    const double period_;
+    std::atomic<double> asked_at_ = 0;  // since when a reading has been going on; 0: none
+    std::mutex mutex_;                  // held for a copy at most
+    std::optional<Sample<T>> sample_;
+};
+
+}  // namespace nezumi::hw

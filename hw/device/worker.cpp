@@ -1,0 +1,38 @@
+// Runs a job until nobody wants it any more, or leaves it behind.
+#include "hw/device/worker.hpp"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace nezumi::hw {
+
+Worker::Worker(std::shared_ptr<Job> job) : state_(std::make_shared<State>()) {
+    state_->job = std::move(job);
+    // Detached, as a thread that hangs in the kernel can't be joined; the state is its own as well.
+    std::thread([state = state_] { work(*state); }).detach();
+}
+
+Worker::~Worker() {
+    std::unique_lock lock(state_->mutex);
+    state_->should_end = true;
+    state_->bell.ring();
+    state_->ended.wait_for(lock, std::chrono::duration<double>(patience), [this] { return state_->has_ended; });
+}
+
+void Worker::work(State& state) {
+    const auto should_end = [&] {
+        const std::lock_guard lock(state.mutex);
+        return state.should_end;
+    };
+    while (!should_end()) {
+        const double seconds = state.job->run();
+        if (!should_end()) state.bell.wait(seconds, state.job->watched_file());
+    }
+    state.job->end();
+    const std::lock_guard lock(state.mutex);
+    state.has_ended = true;
+    state.ended.notify_all();
+}
+
+}  // namespace nezumi::hw

@@ -1,0 +1,53 @@
+// A thread that does the reading and writing of one device, so that nobody else waits for it.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+
+#include "hw/device/wake.hpp"
+
+namespace nezumi::hw {
+
+/// What a worker does, again and again. It outlives its worker where its thread hangs in the kernel: it must own all
+/// that it uses.
+class Job {
+public:
+    virtual ~Job() = default;
+    /// Does what is to be done now. Returns after how many seconds it wants to be called again at the latest.
+    virtual double run() = 0;
+    /// A file that makes it run as well when there is something to read; -1: none.
+    virtual int watched_file() const { return -1; }
+    /// The last thing it does, on the same thread.
+    virtual void end() {}
+};
+
+class Worker {
+public:
+    /// How long [s] a thread has time to end. One that hangs in the kernel for longer is left behind.
+    static constexpr double patience = 1.0;
+
+    /// Begins at once. Throws std::system_error when there can be no more threads.
+    explicit Worker(std::shared_ptr<Job> job);
+    ~Worker();
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    /// Makes the job run now, or again when it runs. Never waits.
+    void wake() const { state_->bell.ring(); }
+
+private:
+    struct State {
+        std::shared_ptr<Job> job;
+        Wake bell;
+        std::mutex mutex;
+        std::condition_variable ended;
+        bool should_end = false;
+        bool has_ended = false;
+    };
+    static void work(State& state);
+
+    std::shared_ptr<State> state_;
+};
+
+}  // namespace nezumi::hw

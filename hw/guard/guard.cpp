@@ -1,0 +1,82 @@
+// Forks the guard and talks to it without ever waiting.
+#include "hw/guard/guard.hpp"
+
+#include <poll.h>
+#include <sys/pidfd.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+namespace nezumi::hw {
+
+Expected<std::unique_ptr<Guard>> Guard::start(const std::string& lease, std::vector<StopWrite> stop_writes) {
+    auto taken = Lease::take(lease);
+    if (!taken) return Unexpected(taken.error());
+    std::array<int, 2> ends{};
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        return failure(std::string("no guard process for the motors: ") + std::strerror(errno));
+    const pid_t engine = getpid();
+    const pid_t process = fork();
+    if (process == 0) be_guard(ends[1], taken->file(), engine, stop_writes);
+    close(ends[1]);
+    if (process < 0) {
+        close(ends[0]);
+        return failure(std::string("no guard process for the motors: ") + std::strerror(errno));
+    }
+    return std::unique_ptr<Guard>(new Guard(std::move(*taken), ends[0], process));
+}
+
+Guard::~Guard() {
+    close(socket_);
+    kill(process_, SIGCONT);  // it may have been stopped
+    // One that hangs in the kernel is left behind.
+    if (const int guard = pidfd_open(process_, 0); guard >= 0) {
+        pollfd ended{.fd = guard, .events = POLLIN, .revents = 0};
+        poll(&ended, 1, 1000);
+        close(guard);
+    }
+    waitpid(process_, nullptr, WNOHANG);
+}
+
+void Guard::say(GuardWord word) {
+    if (has_ended_) return;
+    // A guard that takes nothing is noticed by the answers that fail to come.
+    if (send(socket_, &word, 1, MSG_DONTWAIT | MSG_NOSIGNAL) < 0 && errno != EAGAIN && errno != EINTR)
+        has_ended_ = true;
+}
+
+void Guard::beat(double now) {
+    if (beats_ && now - beat_at_ < shortest_beat) return;
+    beats_ = true;
+    beat_at_ = now;
+    if (asked_at_ == 0) asked_at_ = now;
+    say(GuardWord::beat);
+}
+
+void Guard::rest() {
+    if (!std::exchange(beats_, false)) return;
+    asked_at_ = 0;
+    say(GuardWord::rest);
+}
+
+bool Guard::has_stopped() {
+    bool stopped = false;
+    std::array<GuardWord, 64> words{};
+    for (;;) {
+        const ssize_t count = recv(socket_, words.data(), words.size(), MSG_DONTWAIT);
+        if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) has_ended_ = true;
+        if (count <= 0) return stopped;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            if (words[i] == GuardWord::stopped) stopped = true;
+            asked_at_ = 0;
+        }
+    }
+}
+
+}  // namespace nezumi::hw

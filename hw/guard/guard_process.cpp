@@ -1,0 +1,113 @@
+// Waits for beats, for the end of the socket, and for the death of the engine's thread that forked it.
+#include "hw/guard/guard_process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+
+#include "hw/device/clock.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+// The kernel's word that the engine's main thread is dead. The socket's end can come later: it waits for all threads,
+// and a thread that waits for a device ends only with its reading.
+constexpr int engine_died = SIGUSR1;
+
+void write_stop(const StopWrite& stop) {
+    const int file = open(stop.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (file < 0) return;
+    struct stat status {};
+    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && ftruncate(file, 0) != 0) status = {};
+    [[maybe_unused]] const ssize_t written = write(file, stop.text.data(), stop.text.size());
+    close(file);
+}
+
+void close_all_but(int a, int b) {
+    const auto [low, high] = std::minmax(a, b);
+    if (low > 3) close_range(3, static_cast<unsigned>(low) - 1, 0);
+    if (high > low + 1) close_range(static_cast<unsigned>(low) + 1, static_cast<unsigned>(high) - 1, 0);
+    close_range(static_cast<unsigned>(high) + 1, UINT_MAX, 0);
+    const int nothing = open("/dev/null", O_RDWR);
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, file);
+    if (nothing > STDERR_FILENO) close(nothing);
+}
+
+// Ctrl-C in the engine's terminal is not for the guard, whose engine may take a while to end; all else is as anywhere.
+void set_signals() {
+    for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
+    for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP}) std::signal(signal, SIG_IGN);
+    sigset_t only;
+    sigemptyset(&only);
+    sigaddset(&only, engine_died);
+    sigprocmask(SIG_SETMASK, &only, nullptr);
+}
+
+int open_death_notice() {
+    sigset_t only;
+    sigemptyset(&only);
+    sigaddset(&only, engine_died);
+    return signalfd(-1, &only, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+void say(int socket, GuardWord word) { send(socket, &word, 1, MSG_DONTWAIT | MSG_NOSIGNAL); }
+
+}  // namespace
+
+void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> stop_writes) {
+    setsid();
+    set_signals();
+    prctl(PR_SET_NAME, "nezumi-guard");
+    prctl(PR_SET_PDEATHSIG, engine_died);
+    close_all_but(socket, lease);
+    const int death = open_death_notice();
+    // Where it may: before all that is not of real time, or the machine's load would be the motors' time.
+    const sched_param priority{.sched_priority = 1};
+    sched_setscheduler(0, SCHED_FIFO, &priority);
+
+    const auto stop = [&] {
+        for (const StopWrite& each : stop_writes) write_stop(each);
+    };
+    bool awaits_beat = false;
+    double beat_at = 0;
+    while (getppid() == engine) {
+        std::array<pollfd, 2> files{pollfd{.fd = socket, .events = POLLIN, .revents = 0},
+                                    pollfd{.fd = death, .events = POLLIN, .revents = 0}};
+        const double left = beat_at + beat_timeout - clock_seconds();
+        const int timeout = awaits_beat ? std::max(0, static_cast<int>(left * 1e3) + 1) : -1;
+        if (poll(files.data(), files.size(), timeout) < 0 && errno != EINTR) break;
+        if (files[1].revents != 0) {
+            std::array<signalfd_siginfo, 4> told;
+            [[maybe_unused]] const ssize_t length = read(death, told.data(), sizeof told);
+        }
+        if (files[0].revents != 0) {
+            std::array<GuardWord, 64> words{};
+            const ssize_t count = recv(socket, words.data(), words.size(), MSG_DONTWAIT);
+            if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) break;
+            if (count > 0) {
+                awaits_beat = words[static_cast<std::size_t>(count) - 1] == GuardWord::beat;
+                beat_at = clock_seconds();
+                if (awaits_beat) say(socket, GuardWord::beat);
+            }
+        } else if (awaits_beat && clock_seconds() - beat_at >= beat_timeout) {
+            stop();
+            awaits_beat = false;
+            say(socket, GuardWord::stopped);
+        }
+    }
+    stop();
+    _exit(0);
+}
+
+}  // namespace nezumi::hw

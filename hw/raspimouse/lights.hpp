@@ -1,0 +1,34 @@
+// The mouse's four LEDs, switched on a thread of their own.
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "hw/device/health.hpp"
+#include "hw/device/node.hpp"
+#include "hw/device/worker.hpp"
+
+namespace nezumi::hw {
+
+class Lights final : public Job {
+public:
+    static constexpr std::size_t count = 4;
+
+    explicit Lights(const std::string& folder);
+
+    /// From the control loop: the newest counts. LEDs that are not named stay as they are.
+    void set(const std::vector<bool>& on);
+    std::vector<std::string> take_faults() { return health_.take(); }
+
+    double run() override;
+
+private:
+    std::vector<Node> nodes_;
+    std::vector<bool> is_on_;  // as written
+    Health health_{"LEDs"};
+    std::mutex mutex_;  // held for a copy at most
+    std::vector<bool> wanted_;
+};
+
+}  // namespace nezumi::hw

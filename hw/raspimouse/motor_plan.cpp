@@ -1,0 +1,44 @@
+// The order in which nodes of motors, power and buzzer may be written.
+#include "hw/raspimouse/motor_plan.hpp"
+
+namespace nezumi::hw {
+
+using Node = MotorWrite::Node;
+
+MotorState after(const MotorState& state, const MotorWrite& write) {
+    MotorState next = state;
+    switch (write.node) {
+        case Node::power: next.power = write.value != 0; break;
+        case Node::left: next.left = write.value; break;
+        case Node::right: next.right = write.value; break;
+        case Node::buzzer: next.tone = write.value; break;
+    }
+    if (write.node == Node::left || write.node == Node::right) next.tone = 0;
+    return next;
+}
+
+MotorState possible(MotorState wanted) {
+    if (!wanted.power) wanted.left = wanted.right = 0;
+    if (wanted.left != 0 || wanted.right != 0) wanted.tone = 0;
+    return wanted;
+}
+
+std::vector<MotorWrite> plan(const MotorState& is, const MotorState& wanted) {
+    const MotorState goal = possible(wanted);
+    std::vector<MotorWrite> writes;
+    MotorState state = is;
+    const auto write = [&](Node node, int value) {
+        writes.push_back({node, value});
+        state = after(state, writes.back());
+    };
+    const bool motors_change = goal.left != state.left || goal.right != state.right;
+    if (state.tone != 0 && (motors_change || goal.tone == 0)) write(Node::buzzer, 0);
+    if (goal.power && !state.power) write(Node::power, 1);
+    if (goal.left != state.left) write(Node::left, goal.left);
+    if (goal.right != state.right) write(Node::right, goal.right);
+    if (!goal.power && state.power) write(Node::power, 0);
+    if (goal.tone != state.tone) write(Node::buzzer, goal.tone);
+    return writes;
+}
+
+}  // namespace nezumi::hw

@@ -1,0 +1,194 @@
+// Every command goes through the guard's beat: a loop, or a node, that hangs lets it stop the motors.
+#include "hw/raspimouse/motors.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "hw/device/clock.hpp"
+#include "hw/device/sampler.hpp"
+#include "hw/raspimouse/advice.hpp"
+#include "hw/raspimouse/codec.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+constexpr double idle = 1;          // [s] between looks while there is nothing to do
+constexpr double attention = 0.05;  // the same while the motors have power
+
+}  // namespace
+
+Motors::Motors(const std::string& folder, std::unique_ptr<Guard> guard, double metres_per_pulse, double acceleration)
+    : guard_(std::move(guard)),
+      power_(folder + "/rtmotoren0", Node::Access::write),
+      left_(folder + "/rtmotor_raw_l0", Node::Access::write),
+      right_(folder + "/rtmotor_raw_r0", Node::Access::write),
+      buzzer_(folder + "/rtbuzzer0", Node::Access::write),
+      left_rate_(metres_per_pulse, acceleration),
+      right_rate_(metres_per_pulse, acceleration) {}
+
+Expected<std::shared_ptr<Motors>> Motors::make(const std::string& folder, double metres_per_pulse,
+                                               double acceleration) {
+    const std::string power = folder + "/rtmotoren0", left = folder + "/rtmotor_raw_l0",
+                      right = folder + "/rtmotor_raw_r0";
+    // All are looked at before any is written: where one is missing, nothing is touched.
+    for (const std::string& path : {power, left, right}) {
+        if (auto ok = Node(path, Node::Access::write).open(); !ok) return failure("motors: " + with_advice(ok.error()));
+    }
+    // Power first: without it nothing turns, whatever the others say.
+    auto guard =
+        Guard::start(power, {{power, encode_switch(false)}, {left, encode_number(0)}, {right, encode_number(0)}});
+    if (!guard) return Unexpected(guard.error());
+    std::shared_ptr<Motors> motors(new Motors(folder, std::move(*guard), metres_per_pulse, acceleration));
+    if (auto ok = motors->stop_all(); !ok) return failure("motors: " + with_advice(ok.error()));
+    return motors;
+}
+
+void Motors::command(const MotorCommand& command) {
+    const std::lock_guard lock(mutex_);
+    newest_ = command;
+    ++commands_;
+}
+
+std::vector<std::string> Motors::take_faults() {
+    std::vector<std::string> all = health_.take();
+    for (Health* health : {&buzzer_health_, &guard_health_}) {
+        for (std::string& line : health->take()) all.push_back(std::move(line));
+    }
+    return all;
+}
+
+int Motors::watched_file() const { return guard_->has_ended() ? -1 : guard_->file(); }
+
+void Motors::follow(const MotorState& state) {
+    const double now = clock_seconds();
+    if (state.left != state_.left) commanded_->left.set_rate(state.left, now);
+    if (state.right != state_.right) commanded_->right.set_rate(state.right, now);
+    state_ = state;
+}
+
+tl::expected<void, NodeError> Motors::stop_all() {
+    tl::expected<void, NodeError> all;
+    const auto keep_first = [&](tl::expected<void, NodeError> one) {
+        if (all && !one) all = std::move(one);
+    };
+    keep_first(power_.write(encode_switch(false)));
+    keep_first(left_.write(encode_number(0)));
+    keep_first(right_.write(encode_number(0)));
+    follow({});
+    return all;
+}
+
+bool Motors::has_guard_stopped() {
+    if (!guard_->has_stopped()) return false;
+    follow({});
+    guard_health_.lost(
+        fmt::format("it has stopped them, as nothing came from the control loop for {} s: the robot drives "
+                    "again with the next commands",
+                    beat_timeout));
+    return true;
+}
+
+void Motors::heed_guard(double now) {
+    has_guard_stopped();
+    if (guard_->has_ended()) {
+        if (!std::exchange(guard_ended_, true)) static_cast<void>(stop_all());
+        guard_health_.lost("its process has ended, and without it the motors get no power: start the run again");
+    } else if (guard_->is_late(now)) {
+        if (state_.power) static_cast<void>(stop_all());
+        guard_health_.lost("its process does not answer, and without it the motors get no power");
+    }
+}
+
+MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) {
+    MotorState goal = goal_;
+    if (is_new) {
+        const double elapsed = now - std::exchange(served_at_, now);
+        goal.left = left_rate_.next(command.speeds.left, state_.left, elapsed);
+        goal.right = right_rate_.next(command.speeds.right, state_.right, elapsed);
+        goal.tone = command.tone;
+        if (goal.left != 0 || goal.right != 0 || !std::exchange(has_power_command_, command.power)) moved_at_ = now;
+        goal.power = command.power;
+    }
+    goal_ = goal;
+    goal.power = goal.power && now - moved_at_ < standing_power && !guard_->has_ended() && !guard_->is_late(now);
+    return possible(goal);
+}
+
+bool Motors::write(const MotorWrite& write) {
+    switch (write.node) {
+        case MotorWrite::Node::buzzer: {
+            // A robot without its voice drives as well.
+            const auto ok = buzzer_.write(encode_number(write.value));
+            if (ok) {
+                buzzer_health_.works();
+            } else {
+                buzzer_health_.lost(with_advice(ok.error()));
+            }
+            break;
+        }
+        case MotorWrite::Node::power:
+        case MotorWrite::Node::left:
+        case MotorWrite::Node::right: {
+            const bool is_power = write.node == MotorWrite::Node::power;
+            Node& node = is_power ? power_ : write.node == MotorWrite::Node::left ? left_ : right_;
+            const auto ok = node.write(is_power ? encode_switch(write.value != 0) : encode_number(write.value));
+            if (ok) break;
+            health_.lost(with_advice(ok.error()));
+            return false;
+        }
+    }
+    follow(after(state_, write));
+    return true;
+}
+
+bool Motors::perform(const MotorState& goal) {
+    for (const MotorWrite& each : plan(state_, goal)) {
+        // The guard may have stopped the motors while this thread stood still: then what follows is void.
+        if (has_guard_stopped()) {
+            static_cast<void>(stop_all());
+            return true;
+        }
+        if (!write(each)) return false;
+    }
+    return true;
+}
+
+double Motors::run() {
+    const double now = clock_seconds();
+    heed_guard(now);
+    if (health_.is_lost()) {
+        if (now < retry_at_) return retry_at_ - now;
+        retry_at_ = now + retry_period;
+        if (!stop_all()) return retry_period;
+        health_.works();
+    }
+    MotorCommand command;
+    std::uint64_t number = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        command = newest_;
+        number = commands_;
+    }
+    const bool is_new = number != std::exchange(served_, number);
+    if (!perform(wanted(command, is_new, now))) {
+        static_cast<void>(stop_all());
+        retry_at_ = clock_seconds() + retry_period;
+        return retry_period;
+    }
+    if (!state_.power) {
+        guard_->rest();
+    } else if (is_new) {
+        guard_->beat(clock_seconds());
+        guard_health_.works();
+    }
+    return state_.power ? attention : idle;
+}
+
+void Motors::end() {
+    // One by one: a motor that fails must not keep the other running. The guard does the same once more.
+    static_cast<void>(stop_all());
+    if (state_.tone != 0) static_cast<void>(buzzer_.write(encode_number(0)));
+}
+
+}  // namespace nezumi::hw

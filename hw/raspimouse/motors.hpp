@@ -1,0 +1,87 @@
+// The mouse's motors, their power and its buzzer, driven on a thread of their own under a guard.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/world/world.hpp"
+#include "hw/device/health.hpp"
+#include "hw/device/node.hpp"
+#include "hw/device/worker.hpp"
+#include "hw/guard/guard.hpp"
+#include "hw/raspimouse/commanded_pulses.hpp"
+#include "hw/raspimouse/motor_plan.hpp"
+#include "hw/raspimouse/step_rate.hpp"
+
+namespace nezumi::hw {
+
+/// What both motors have been told, for those who count their pulses.
+struct CommandedWheels {
+    CommandedPulses left, right;
+};
+
+/// What the control loop wants of motors and buzzer.
+struct MotorCommand {
+    bool power = false;  ///< whether the motors may have power
+    Wheels speeds;       ///< [m/s] of the rims
+    int tone = 0;        ///< [Hz]; 0: silent
+};
+
+/// A job: the newest command counts. Motor power is off until a command wants it, and again when one no longer does,
+/// when the robot has stood for `standing_power`, when the guard has stopped it, and when a motor fails: then neither
+/// turns, and both are tried again every half a second.
+class Motors final : public Job {
+public:
+    /// [s] of standstill after which the motors' power goes off, until they are to turn again.
+    static constexpr double standing_power = 30;
+
+    /// Takes the motors' lease, starts the guard and has all motors stopped and without power. `folder` has the nodes.
+    /// `metres_per_pulse` of a wheel's rim, `acceleration` [m/s^2] that the limits allow it. An error, with what to do,
+    /// when another program drives the motors, or when motors or their power can't be written.
+    static Expected<std::shared_ptr<Motors>> make(const std::string& folder, double metres_per_pulse,
+                                                  double acceleration);
+
+    /// From the control loop, once a tick at least: whoever falls silent is stopped by the guard.
+    void command(const MotorCommand& command);
+    const std::shared_ptr<CommandedWheels>& commanded() const { return commanded_; }
+    std::vector<std::string> take_faults();
+
+    double run() override;
+    int watched_file() const override;
+    void end() override;
+
+private:
+    Motors(const std::string& folder, std::unique_ptr<Guard> guard, double metres_per_pulse, double acceleration);
+    /// All motors stopped and without power, whatever they were: every node is written, also after one that failed.
+    tl::expected<void, NodeError> stop_all();
+    bool has_guard_stopped();
+    void heed_guard(double now);
+    MotorState wanted(const MotorCommand& command, bool is_new, double now);
+    bool perform(const MotorState& goal);
+    bool write(const MotorWrite& write);
+    void follow(const MotorState& state);
+
+    std::unique_ptr<Guard> guard_;
+    Node power_, left_, right_, buzzer_;
+    StepRate left_rate_, right_rate_;
+    std::shared_ptr<CommandedWheels> commanded_ = std::make_shared<CommandedWheels>();
+    Health health_{"motors"}, buzzer_health_{"buzzer"}, guard_health_{"guard of the motors"};
+
+    std::mutex mutex_;  // held for a copy at most
+    MotorCommand newest_;
+    std::uint64_t commands_ = 0;
+
+    MotorState state_;
+    MotorState goal_;
+    std::uint64_t served_ = 0;
+    double served_at_ = 0;
+    double moved_at_ = 0;  // when the wheels were last meant to turn, or power was first wanted
+    double retry_at_ = 0;  // while they are lost: when to try again
+    bool has_power_command_ = false;
+    bool guard_ended_ = false;
+};
+
+}  // namespace nezumi::hw

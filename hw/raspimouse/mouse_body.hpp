@@ -1,0 +1,63 @@
+// A real Raspberry Pi Mouse as a robot's body.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/system/build_system.hpp"
+#include "engine/world/world.hpp"
+#include "hw/device/roots.hpp"
+#include "hw/device/worker.hpp"
+#include "hw/raspimouse/lights.hpp"
+#include "hw/raspimouse/motors.hpp"
+#include "hw/raspimouse/sensors.hpp"
+
+namespace nezumi::hw {
+
+/// The distance [m] at which a sensor with this response has this value: what is measured, from what is read.
+double distance_at(const ResponseTable& response, double value);
+
+/// Nothing of it waits for a device: each has a thread of its own.
+class MouseBody final : public RobotBody {
+public:
+    /// The first four range sensors of the spec are the light sensors, right first; its first three buttons are the
+    /// switches. An error, with what to do, when it has more, when motors or their power are not there, or when another
+    /// program drives them. What else is missing is told as a fault. `spec` must outlive this.
+    static Expected<std::unique_ptr<RobotBody>> make(const RobotSpec& spec, const DeviceRoots& roots);
+
+    RobotId id() const override { return not_simulated; }
+    WheelReading read_wheels(const Time& now, double period) override;
+    std::span<const SensorReading> read_sensors(const Time& now, double period) override;
+    std::vector<std::string> take_faults() override;
+    void set_wheel_speeds(Wheels speeds) override;
+    void coast() override;
+    void set_motor_power(bool on);
+    void aim_servo(std::size_t /*index*/, double /*angle*/, double /*speed*/) override {}
+    void set_leds(const std::vector<bool>& on) override;
+    void set_buzzer(int hertz) override;
+
+private:
+    MouseBody(const RobotSpec& spec, const std::string& folder, std::shared_ptr<Motors> motors);
+    double system_time(const Time& now, double tm) const;
+    void send();
+
+    const RobotSpec& spec_;
+    std::vector<std::size_t> ranges_, buttons_;  // indices into spec_.sensors, by channel
+    std::vector<SensorReading> readings_;
+    LightValues converted_{};  // what readings_ have been made of
+    double offset_;            // [s] of the clock at the system's time 0
+    MotorCommand command_;
+    bool may_have_power_ = false;
+
+    std::shared_ptr<Motors> motors_;
+    std::shared_ptr<WheelCounters> counters_;
+    std::shared_ptr<LightSensors> light_sensors_;
+    std::shared_ptr<Switches> switches_;
+    std::shared_ptr<Lights> lights_;
+    // Last: they end before what they work on.
+    Worker motors_worker_, counters_worker_, light_sensors_worker_, switches_worker_, lights_worker_;
+};
+
+}  // namespace nezumi::hw

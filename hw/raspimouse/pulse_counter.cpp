@@ -1,0 +1,68 @@
+// Believes a reading that fits what was commanded, and others only when they insist.
+#include "hw/raspimouse/pulse_counter.hpp"
+
+#include <cmath>
+
+namespace nezumi::hw {
+namespace {
+
+PulseTotals between(const PulseTotals& earlier, const PulseTotals& later) {
+    return {later.forward - earlier.forward, later.backward - earlier.backward};
+}
+
+double sum(const PulseTotals& totals) { return totals.forward + totals.backward; }
+
+// The pulses counted from one reading to a later one.
+int counted(std::uint16_t earlier, std::uint16_t later) { return static_cast<std::uint16_t>(later - earlier); }
+
+// More than this can't have been counted when so many were commanded: times are known to a few milliseconds, and a slow
+// rate holds until its period is over.
+double most(double commanded) { return commanded * 1.25 + 24; }
+
+// So many commanded pulses without one counted show that the counter is not read.
+constexpr double silent_pulses = 64;
+
+}  // namespace
+
+bool PulseCounter::agree(const Mark& earlier, const Mark& later) {
+    return counted(earlier.reading, later.reading) <= most(sum(between(earlier.commanded, later.commanded)));
+}
+
+void PulseCounter::count(double pulses, const PulseTotals& meanwhile) {
+    const double commanded = sum(meanwhile);
+    double forward = direction_ > 0 ? pulses : 0;
+    if (commanded > 0) {
+        forward = std::round(pulses * meanwhile.forward / commanded);
+        if (meanwhile.backward > 0 != meanwhile.forward > 0) direction_ = meanwhile.forward > 0 ? 1 : -1;
+    }
+    pulses_ += std::llround(2 * forward - pulses);
+}
+
+PulseCounter::Verdict PulseCounter::take(std::uint16_t reading, const PulseTotals& commanded) {
+    const Mark now{reading, commanded};
+    if (!started_) {
+        started_ = true;
+        last_ = now;
+        return Verdict::taken;
+    }
+    const PulseTotals meanwhile = between(last_.commanded, commanded);
+    if (agree(last_, now)) {
+        // A failed reading is 0 as well: of a counter that stood at 0 it is told by the pulses that are missing.
+        if (reading == 0 && last_.reading == 0 && sum(meanwhile) > silent_pulses) return Verdict::zero;
+        if (reading == 0 && last_.reading == 0 && sum(meanwhile) > 0) return Verdict::taken;
+        count(counted(last_.reading, reading), meanwhile);
+        last_ = now;
+        doubts_ = 0;
+        return Verdict::taken;
+    }
+    if (reading == 0) return Verdict::zero;
+    doubts_ = doubts_ > 0 && agree(doubted_, now) ? doubts_ + 1 : 1;
+    doubted_ = now;
+    if (doubts_ < readings_to_believe) return Verdict::doubted;
+    count(std::round(sum(meanwhile)), meanwhile);
+    last_ = now;
+    doubts_ = 0;
+    return Verdict::jumped;
+}
+
+}  // namespace nezumi::hw

@@ -1,0 +1,102 @@
+// How each of the mouse's sensors is read, and what is not believed.
+#include "hw/raspimouse/sensors.hpp"
+
+#include <utility>
+
+#include "hw/raspimouse/advice.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+using Access = Node::Access;
+
+// [s] between readings. The light sensors take 2.4 ms or more, a switch up to 40 ms, a counter 1.2 ms.
+constexpr double light_period = 0.01;
+constexpr double switch_period = 0.03;
+constexpr double counter_period = 0.01;
+// A counter that fails for so many readings in a row is lost.
+constexpr int zeros_to_lose = 10;
+
+}  // namespace
+
+LightSensors::LightSensors(const std::string& folder)
+    : Sampler("light sensors", light_period), node_(folder + "/rtlightsensor0", Access::read) {}
+
+tl::expected<std::optional<LightValues>, std::string> LightSensors::sample(double /*now*/) {
+    const auto text = node_.read();
+    if (!text) return tl::unexpected(with_advice(text.error()));
+    const auto values = decode_lights(*text);
+    if (!values) return tl::unexpected(not_understood(node_, *text, "four numbers"));
+    zeros_ = *values == LightValues{} ? zeros_ + 1 : 0;
+    if (zeros_ >= zeros_to_doubt)
+        return tl::unexpected(node_.path() +
+                              ": says only 0 0 0 0: the SPI overlay is missing. Add "
+                              "dtoverlay=anyspi:spi0-0,dev=\"microchip,mcp3204\",speed=500000 "
+                              "to config.txt and start the robot again");
+    return *values;
+}
+
+Switches::Switches(const std::string& folder)
+    : Sampler("switches", switch_period),
+      nodes_{Node(folder + "/rtswitch0", Access::read), Node(folder + "/rtswitch1", Access::read),
+             Node(folder + "/rtswitch2", Access::read)} {}
+
+tl::expected<std::optional<SwitchValues>, std::string> Switches::sample(double /*now*/) {
+    SwitchValues values{};
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const auto text = nodes_[i].read();
+        if (!text) return tl::unexpected(with_advice(text.error()));
+        const auto pressed = decode_switch(*text);
+        if (!pressed) return tl::unexpected(not_understood(nodes_[i], *text, "0 or 1"));
+        values[i] = *pressed;
+    }
+    return values;
+}
+
+WheelCounters::WheelCounters(const std::string& folder, std::shared_ptr<CommandedWheels> commanded)
+    : Sampler("wheel counters", counter_period),
+      commanded_(std::move(commanded)),
+      left_(folder + "/rtcounter_l0", Access::read),
+      right_(folder + "/rtcounter_r0", Access::read) {}
+
+tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Node& node, PulseCounter& counter,
+                                                                     const CommandedPulses& commanded) {
+    const double before = clock_seconds();
+    const auto text = node.read();
+    const double after = clock_seconds();
+    if (!text) return tl::unexpected(with_advice(text.error()));
+    const auto reading = decode_counter(*text);
+    if (!reading) return tl::unexpected(not_understood(node, *text, "a number from 0 to 65535"));
+    const auto verdict = counter.take(*reading, commanded.until((before + after) / 2));
+    // Whoever opens a node last decides whether both kinds of it are signed.
+    if (verdict == PulseCounter::Verdict::jumped) node.close();
+    return verdict;
+}
+
+tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(double now) {
+    using Verdict = PulseCounter::Verdict;
+    const auto left = read(left_, left_counter_, commanded_->left);
+    if (!left) return tl::unexpected(left.error());
+    const auto right = read(right_, right_counter_, commanded_->right);
+    if (!right) return tl::unexpected(right.error());
+    zeros_ = *left == Verdict::zero || *right == Verdict::zero ? zeros_ + 1 : 0;
+    if (zeros_ >= zeros_to_lose)
+        return tl::unexpected(
+            std::string("they say 0 while the motors turn: I2C fails. Is dtparam=i2c_arm=on in "
+                        "config.txt, and do the addresses 0x10 and 0x11 answer (i2cdetect -y 1)?"));
+    const auto in_doubt = [](Verdict verdict) { return verdict == Verdict::zero || verdict == Verdict::doubted; };
+    if (in_doubt(*left) || in_doubt(*right)) return std::nullopt;
+
+    const WheelPulses pulses{.left = left_counter_.pulses(), .right = right_counter_.pulses()};
+    counted_.push_back({now, pulses});
+    while (counted_.size() > 2 && now - counted_[1].tm >= rate_window) counted_.pop_front();
+    const Counted& then = counted_.front();
+    const double passed = now - then.tm;
+    WheelValues values{.pulses = pulses, .rates = {}};
+    if (passed > 0)
+        values.rates = {.left = static_cast<double>(pulses.left - then.pulses.left) / passed,
+                        .right = static_cast<double>(pulses.right - then.pulses.right) / passed};
+    return values;
+}
+
+}  // namespace nezumi::hw

@@ -1,0 +1,13 @@
+// A test's line to a fake robot: a command a line, its answer, and a line with a dot.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace nezumi::fakes {
+
+/// Listens at a Unix socket on a thread of its own until the process ends. `answer` gets each line without its end.
+/// False when there can be no such socket.
+bool serve_commands(const std::string& path, std::function<std::string(const std::string& line)> answer);
+
+}  // namespace nezumi::fakes
