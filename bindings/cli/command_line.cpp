@@ -21,6 +21,8 @@ template <class Value>
 CLI::Option* add_option(CLI::App& app, const std::string& name, Value* value, const std::string& help) {
     if constexpr (std::is_same_v<Value, bool>) {
         return app.add_flag(name, *value, help);
+    } else if constexpr (std::is_same_v<Value, FlagText>) {
+        return app.add_flag(name, value->text, help);
     } else {
         CLI::Option* const option = app.add_option(name, *value, help);
         constexpr bool is_number = std::is_arithmetic_v<Value>;
@@ -42,7 +44,7 @@ void declare(CLI::App& app, const Option& option) {
     CLI::Option* const declared =
         std::visit([&](auto* value) { return add_option(app, name, value, option.help); }, option.value);
     declared->required(!may_be_missing);
-    if (std::holds_alternative<bool*>(option.value)) return;
+    if (std::holds_alternative<bool*>(option.value) || std::holds_alternative<FlagText*>(option.value)) return;
     declared->type_name(option.form);
     if (declared->nonpositional() && !std::holds_alternative<std::optional<std::string>*>(option.value))
         declared->check(not_empty);

@@ -13,10 +13,15 @@
 
 namespace nezumi::cli {
 
+/// A flag that may say more: "--hw" gives "true", "--hw=mouse" gives "mouse"; "" when it is not given.
+struct FlagText {
+    std::string text;
+};
+
 /// Where an option's value goes: given or not, a text, a text that may be empty, one text each time it is given, a
-/// number. What is there before is the default.
-using OptionValue =
-    std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*, std::uint64_t*, double*>;
+/// number, a flag that may say more. What is there before is the default.
+using OptionValue = std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*,
+                                 std::uint64_t*, double*, FlagText*>;
 
 struct Option {
     /// "--seed" or "-o,--output"; without dashes it is known by its place: "FILE", or "[FILE]" when it may be left out.

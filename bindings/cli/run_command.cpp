@@ -17,6 +17,7 @@
 #include "bindings/cli/problems.hpp"
 #include "bindings/cli/recorder.hpp"
 #include "bindings/cli/run_console.hpp"
+#include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/run_journal.hpp"
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
@@ -104,6 +105,7 @@ public:
         loop.end_when(stop_signals.received());
         loop.end_at(options_.duration);
         journal_.follow(loop);
+        StartButtons start_buttons(loop, [this](std::string text) { say(std::move(text)); });
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
@@ -145,10 +147,13 @@ private:
                       }};
         live.budget = options_.headless ? headless_budget : paced_budget;
         live.watch = !options_.headless;
-        live.print = [this](std::string_view line) {
-            if (!console_ || !console_->say(std::string(line))) screen_.say(std::string(line));
-        };
+        if (options_.hardware) use_hardware(live, *options_.hardware);
+        live.print = [this](std::string_view line) { say(std::string(line)); };
         return live;
+    }
+
+    void say(std::string line) {
+        if (!console_ || !console_->say(line)) screen_.say(line);
     }
 
     Expected<void> open_console() {

@@ -30,19 +30,43 @@ Unexpected wrong(std::string_view option, std::string_view expected, std::string
     return failure(fmt::format("{}: expected {}, got '{}'", option, expected, shown(got)));
 }
 
-Expected<std::vector<std::string>> split_ports(const std::string& given) {
-    std::vector<std::string> ports;
+// "a, b" as its parts; an error where one is empty.
+Expected<std::vector<std::string>> split(std::string_view option, std::string_view expected, const std::string& given) {
+    std::vector<std::string> parts;
     std::string_view words = given;
     while (true) {
         const auto comma = words.find(',');
-        std::string_view port = words.substr(0, comma);
-        while (!port.empty() && port.front() == ' ') port.remove_prefix(1);
-        while (!port.empty() && port.back() == ' ') port.remove_suffix(1);
-        if (port.empty()) return wrong("--ports", "names of ports as in mouse.ir_sensor_out,controller.out", given);
-        ports.emplace_back(port);
-        if (comma == std::string_view::npos) return ports;
+        std::string_view part = words.substr(0, comma);
+        while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+        while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+        if (part.empty()) return wrong(option, expected, given);
+        parts.emplace_back(part);
+        if (comma == std::string_view::npos) return parts;
         words.remove_prefix(comma + 1);
     }
+}
+
+// What real robots need, and what can't be had with them.
+Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
+    if (words.hw.text.empty()) {
+        for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root}, {"--sys-root", words.sys_root}}) {
+            if (!given.empty()) return failure(fmt::format("{} is for real robots: give --hw as well", option));
+        }
+        return std::nullopt;
+    }
+    for (const auto& [option, given] :
+         {std::pair{"--speed", !words.speed.empty()}, {"--batch", words.batch}, {"--replay", !words.replay.empty()}}) {
+        if (given) return failure(fmt::format("--hw: real robots know only real time: leave out {}", option));
+    }
+    Hardware hardware;
+    if (words.hw.text != "true") {
+        auto robots = split("--hw", "names of robots as in --hw=mouse", words.hw.text);
+        if (!robots) return Unexpected(robots.error());
+        hardware.robots = std::move(*robots);
+    }
+    if (!words.dev_root.empty()) hardware.dev_root = words.dev_root;
+    if (!words.sys_root.empty()) hardware.sys_root = words.sys_root;
+    return hardware;
 }
 
 }  // namespace
@@ -50,6 +74,9 @@ Expected<std::vector<std::string>> split_ports(const std::string& given) {
 std::vector<Option> run_options(RunWords& words) {
     return {
         {"FILE", &words.file, "the system file"},
+        {"--hw", &words.hw,
+         "drive the real robots; --hw=NAME,...: only these, the others stay simulated, and neither kind sees the "
+         "other"},
         {"--headless", &words.headless,
          "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; reaching that "
          "ends the run"},
@@ -73,6 +100,8 @@ std::vector<Option> run_options(RunWords& words) {
          "run ended. No other file is read",
          "OUT"},
         {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
+        {"--dev-root", &words.dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
+        {"--sys-root", &words.sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
     };
 }
 
@@ -122,10 +151,13 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     if (!words.ports.empty()) {
         if (words.record.empty())
             return failure("--ports chooses what --record writes: give --record FILE.csv as well");
-        auto ports = split_ports(words.ports);
+        auto ports = split("--ports", "names of ports as in mouse.ir_sensor_out,controller.out", words.ports);
         if (!ports) return Unexpected(ports.error());
         options.ports = std::move(*ports);
     }
+    auto hardware = read_hardware(words);
+    if (!hardware) return Unexpected(hardware.error());
+    options.hardware = std::move(*hardware);
     return options;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/cli/command_line.hpp"
+#include "bindings/cli/run_hardware.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi::cli {
@@ -16,6 +17,8 @@ namespace nezumi::cli {
 struct RunWords {
     std::string file;
     std::string speed, duration, seed, threads, picture, record, ports, sounds, journal, replay;
+    std::string dev_root, sys_root;
+    FlagText hw;
     bool headless = false;
     bool batch = false;
     bool trace_hash = false;
@@ -33,12 +36,13 @@ struct RunOptions {
     std::optional<std::uint64_t> seed;
     int threads = 1;
     bool trace_hash = false;
-    std::string picture;             ///< "" for none; ends in .png or .svg
-    std::string record;              ///< "" for none
-    std::vector<std::string> ports;  ///< "name.port"; empty: every out-port
-    std::string journal;             ///< "" for none
-    std::string replay;              ///< "" for none; then headless
-    std::string sounds;              ///< folder for what robots say; "" for none
+    std::string picture;               ///< "" for none; ends in .png or .svg
+    std::string record;                ///< "" for none
+    std::vector<std::string> ports;    ///< "name.port"; empty: every out-port
+    std::string journal;               ///< "" for none
+    std::string replay;                ///< "" for none; then headless
+    std::string sounds;                ///< folder for what robots say; "" for none
+    std::optional<Hardware> hardware;  ///< none: everything is simulated
 };
 
 /// The same as values, or what is wrong with the first word that is.

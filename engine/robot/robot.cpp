@@ -22,6 +22,12 @@ Robot::~Robot() {
     if (body_ != nullptr) body_->set_wheel_speeds({});
 }
 
+// Whatever a real robot's motors had before: from here on it has to be ACTIVE.
+void Robot::take_body(std::unique_ptr<RobotBody> body) {
+    body_ = std::move(body);
+    powered_ = !is_real();
+}
+
 Expected<std::unique_ptr<Robot>> Robot::make(std::string name, const RobotSpec& spec, const Limits& limits) {
     std::unique_ptr<Robot> robot(new Robot(std::move(name), spec, limits));
     for (const PortSpec& port : spec.ports) {
@@ -130,10 +136,10 @@ void Robot::sense(const Time& now) {
     tell_faults();
     if (state() != LifeState::active) return;
     take_parameters();
-    const std::span<const SensorReading> readings = body_->read_sensors(now, period);
+    readings_ = body_->read_sensors(now, period);
     if (wheels.is_there) publish_wheels(wheels, now);
     for (const SensorPort& port : sensor_ports_) {
-        if (is_due_at(port.rate, now)) publish(port, readings, now);
+        if (is_due_at(port.rate, now)) publish(port, readings_, now);
     }
 }
 
@@ -189,7 +195,7 @@ void Robot::rearm() {
     stopped_ = false;
     braked_at_.reset();
     actuators_.rearm_servos();
-    set_motor_power(true);
+    set_motor_power(!is_real() || state() == LifeState::active);
     if (velocity_in_ == nullptr) return;
     velocity_in_->clear();  // what was sent before this and has not arrived counts for nothing
     velocity_in_->set_note(note_before_stop_);
@@ -197,6 +203,18 @@ void Robot::rearm() {
 
 void Robot::set_motor_power(bool on) {
     if (std::exchange(powered_, on) != on) body_->set_motor_power(on);
+}
+
+// A real robot's motors have power from its activation until it stands after a deactivation or an error: somebody may
+// take it in the hand.
+void Robot::power_while_active(const Velocity2D& velocity, const Time& now) {
+    if (!is_real() || stopped_) return;
+    if (state() == LifeState::active) {
+        braked_at_.reset();
+        set_motor_power(true);
+    } else if (velocity == Velocity2D{} && has_come_to_rest(now)) {
+        set_motor_power(false);
+    }
 }
 
 bool Robot::stands() const {
@@ -258,6 +276,7 @@ void Robot::drive(const Time& now) {
         body_->coast();
         return;
     }
+    power_while_active(velocity, now);
     const double turn = velocity.va * spec_.drive.track / 2;
     body_->set_wheel_speeds({.left = velocity.vx - turn, .right = velocity.vx + turn});
 }

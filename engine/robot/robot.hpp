@@ -24,7 +24,7 @@ public:
     /// Its body stops: nobody is left to drive it.
     ~Robot() override;
     /// The body it moves; given once, before the first tick.
-    void take_body(std::unique_ptr<RobotBody> body) { body_ = std::move(body); }
+    void take_body(std::unique_ptr<RobotBody> body);
 
     bool has_body() const { return body_ != nullptr; }
     /// What the world calls it; `not_simulated` for a real robot.
@@ -38,6 +38,9 @@ public:
     int buzzer_hertz() const { return actuators_.buzzer_hertz(); }
     /// What its speaker was given, oldest first, as far as it is kept.
     const std::deque<std::string>& said() const { return actuators_.said(); }
+    /// What the sensors of its description said last, in its order; empty before it was ACTIVE, good until the next
+    /// tick.
+    std::span<const SensorReading> readings() const { return readings_; }
 
     /// Brakes as hard as it can, then its motors have no power; until `rearm` it ignores what would move it.
     void emergency_stop();
@@ -99,10 +102,12 @@ private:
     void take_pose();
     void drive(const Time& now);
     void set_motor_power(bool on);
+    void power_while_active(const Velocity2D& velocity, const Time& now);
     bool has_come_to_rest(const Time& now);
 
     const RobotSpec& spec_;
     std::unique_ptr<RobotBody> body_;
+    std::span<const SensorReading> readings_;  // of body_
     VelocityGuard guard_;
     Odometry odometry_;
     Actuators actuators_;

@@ -47,6 +47,8 @@ return robot_model {
     buzzer = { kind = "buzzer" },
   },
 
+  hardware = { driver = "raspimouse" },
+
   ports = {
     target_velocity_in = { type = "TimedVelocity2D", to = "drive", doc = "target velocity" },
     pose_update        = { type = "TimedPose2D", to = "odometry", doc = "sets the odometry's pose" },

@@ -254,6 +254,20 @@ struct Describe<PortSpec> {
 };
 
 template <>
+struct Describe<HardwareSpec> {
+    static constexpr std::string_view name = "hardware";
+    static constexpr std::string_view doc = "How the real robot is reached: what `nezumi run --hw` drives.";
+    static constexpr std::tuple fields{
+        Setting{"driver", &HardwareSpec::driver, "", "\"raspimouse\"", {.required = true}},
+        Setting{"start",
+                &HardwareSpec::start,
+                "",
+                "a sensor of kind `button`: the run waits until it is pressed",
+                {.fallback = "the run starts at once"}},
+    };
+};
+
+template <>
 struct Describe<RobotSpec> {
     static constexpr std::string_view name = "robot_model";
     static constexpr std::string_view doc = "A model of robot: `return robot_model { ... }` is a robot file.";
@@ -273,6 +287,7 @@ struct Describe<RobotSpec> {
         Setting{"sensors", &RobotSpec::sensors, "", "by name", {.by_hand = true}},
         Setting{"actuators", &RobotSpec::actuators, "", "by name", {.by_hand = true}},
         Setting{"ports", &RobotSpec::ports, "", "by name", {.by_hand = true}},
+        Setting{"hardware", &RobotSpec::hardware, "", "the real robot's driver", {.fallback = "only simulated"}},
         Internal{&RobotSpec::model},
         Internal{&RobotSpec::place},
     };

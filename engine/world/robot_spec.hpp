@@ -144,6 +144,12 @@ struct PortSpec {
     std::string doc;
 };
 
+/// How the real robot is reached.
+struct HardwareSpec {
+    std::string driver;  ///< key of `Makers::bodies`; "": there is no real one
+    std::string start;   ///< the button that starts a run with the real robot; "": none, it drives at once
+};
+
 /// Everything about a model of robot. Frame and units as in `BodySpec`.
 struct RobotSpec {
     std::string model;
@@ -154,6 +160,7 @@ struct RobotSpec {
     std::vector<SensorSpec> sensors;
     std::vector<ActuatorSpec> actuators;
     std::vector<PortSpec> ports;
+    HardwareSpec hardware;
     Place place;  ///< the file it came from
 };
 

@@ -7,6 +7,9 @@
 
 namespace nezumi::hw {
 
+/// Why a device counts as lost whose thread hangs.
+inline constexpr const char* no_answer = "no answer for 0.3 s: restart its driver, or the robot";
+
 /// Tells each loss once, however often it is noticed, and the return as well. From any thread.
 class Health {
 public:

@@ -57,7 +57,8 @@ tl::expected<std::string_view, NodeError> Node::read() {
         } while (length < 0 && errno == EINTR);
         if (length > 0) return std::string_view(buffer_, static_cast<std::size_t>(length));
         const int code = length < 0 ? errno : EIO;
-        if (again || !was_open) return failed(code);
+        const bool may_be_seeking = length == 0 || code == ESPIPE || code == EINVAL;
+        if (again || !was_open || !may_be_seeking) return failed(code);
         close();
     }
     return failed(EIO);

@@ -1,9 +1,6 @@
 // A device that is read again and again beside the loop, which gets the newest sample with its time.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <atomic>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -39,12 +36,7 @@ public:
     /// The newest sample at `now`, by `clock_seconds`; none when there is no recent one. A device that has not answered
     /// for too long is told as lost.
     std::optional<Sample<T>> newest(double now) {
-        const double asked = asked_at_.load();
-        if (asked > 0 && now - asked > stale_after)
-            health_.lost(
-                fmt::format("no answer for {} s: is it in use, or the bus stuck? Restart the driver's module "
-                            "or the robot",
-                            stale_after));
+        if (hangs(now)) health_.lost(no_answer);
         const std::lock_guard lock(mutex_);
         if (!sample_ || now - sample_->tm > stale_after) return std::nullopt;
         return sample_;
@@ -54,10 +46,8 @@ public:
 
     double run() final {
         const double before = clock_seconds();
-        asked_at_ = before;
         auto value = sample(before);
         const double after = clock_seconds();
-        asked_at_ = 0;
         if (!value) {
             health_.lost(value.error());
             return retry_period;
@@ -77,8 +67,7 @@ protected:
 private:
     Health health_;
     const double period_;
-    std::atomic<double> asked_at_ = 0;  // since when a reading has been going on; 0: none
-    std::mutex mutex_;                  // held for a copy at most
+    std::mutex mutex_;  // held for a copy at most
     std::optional<Sample<T>> sample_;
 };
 

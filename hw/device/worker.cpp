@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "hw/device/clock.hpp"
+
 namespace nezumi::hw {
 
 Worker::Worker(std::shared_ptr<Job> job) : state_(std::make_shared<State>()) {
@@ -26,7 +28,9 @@ void Worker::work(State& state) {
         return state.should_end;
     };
     while (!should_end()) {
+        state.job->running_since_ = clock_seconds();
         const double seconds = state.job->run();
+        state.job->running_since_ = 0;
         if (!should_end()) state.bell.wait(seconds, state.job->watched_file());
     }
     state.job->end();

@@ -1,6 +1,7 @@
 // A thread that does the reading and writing of one device, so that nobody else waits for it.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -20,6 +21,18 @@ public:
     virtual int watched_file() const { return -1; }
     /// The last thing it does, on the same thread.
     virtual void end() {}
+
+    /// Whether its `run` has not come back at `now` [s] after `hangs_after`. From any thread.
+    bool hangs(double now) const {
+        const double since = running_since_;
+        return since > 0 && now - since > hangs_after;
+    }
+    /// [s] that a device may take for all that is done at once.
+    static constexpr double hangs_after = 0.3;
+
+private:
+    friend class Worker;
+    std::atomic<double> running_since_ = 0;  // [s] by `clock_seconds`; 0: it does not run
 };
 
 class Worker {

@@ -2,8 +2,8 @@
 #include "hw/guard/guard.hpp"
 
 #include <poll.h>
-#include <sys/pidfd.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,7 +36,7 @@ Guard::~Guard() {
     close(socket_);
     kill(process_, SIGCONT);  // it may have been stopped
     // One that hangs in the kernel is left behind.
-    if (const int guard = pidfd_open(process_, 0); guard >= 0) {
+    if (const int guard = static_cast<int>(syscall(SYS_pidfd_open, process_, 0)); guard >= 0) {
         pollfd ended{.fd = guard, .events = POLLIN, .revents = 0};
         poll(&ended, 1, 1000);
         close(guard);
@@ -60,8 +60,8 @@ void Guard::beat(double now) {
 }
 
 void Guard::rest() {
+    // A beat that has had no answer yet still wants it.
     if (!std::exchange(beats_, false)) return;
-    asked_at_ = 0;
     say(GuardWord::rest);
 }
 

@@ -21,8 +21,8 @@
 namespace nezumi::hw {
 namespace {
 
-// The kernel's word that the engine's main thread is dead. The socket's end can come later: it waits for all threads,
-// and a thread that waits for a device ends only with its reading.
+// The kernel's word that the engine's main thread is dead. The socket's end comes later: it waits for all threads, and
+// a thread that waits for a device ends only with its reading.
 constexpr int engine_died = SIGUSR1;
 
 void write_stop(const StopWrite& stop) {
@@ -87,10 +87,7 @@ void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> st
         const double left = beat_at + beat_timeout - clock_seconds();
         const int timeout = awaits_beat ? std::max(0, static_cast<int>(left * 1e3) + 1) : -1;
         if (poll(files.data(), files.size(), timeout) < 0 && errno != EINTR) break;
-        if (files[1].revents != 0) {
-            std::array<signalfd_siginfo, 4> told;
-            [[maybe_unused]] const ssize_t length = read(death, told.data(), sizeof told);
-        }
+        if (files[1].revents != 0) break;
         if (files[0].revents != 0) {
             std::array<GuardWord, 64> words{};
             const ssize_t count = recv(socket, words.data(), words.size(), MSG_DONTWAIT);
@@ -98,7 +95,7 @@ void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> st
             if (count > 0) {
                 awaits_beat = words[static_cast<std::size_t>(count) - 1] == GuardWord::beat;
                 beat_at = clock_seconds();
-                if (awaits_beat) say(socket, GuardWord::beat);
+                say(socket, GuardWord::beat);
             }
         } else if (awaits_beat && clock_seconds() - beat_at >= beat_timeout) {
             stop();

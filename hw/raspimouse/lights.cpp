@@ -17,6 +17,11 @@ void Lights::set(const std::vector<bool>& on) {
     for (std::size_t i = 0; i < count && i < on.size(); ++i) wanted_[i] = on[i];
 }
 
+std::vector<std::string> Lights::take_faults() {
+    if (hangs(clock_seconds())) health_.lost(no_answer);
+    return health_.take();
+}
+
 double Lights::run() {
     constexpr double idle = 1;  // [s]; it is woken when something is to be done
     std::vector<bool> wanted;

@@ -19,7 +19,7 @@ public:
 
     /// From the control loop: the newest counts. LEDs that are not named stay as they are.
     void set(const std::vector<bool>& on);
-    std::vector<std::string> take_faults() { return health_.take(); }
+    std::vector<std::string> take_faults();
 
     double run() override;
 

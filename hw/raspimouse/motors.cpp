@@ -51,6 +51,7 @@ void Motors::command(const MotorCommand& command) {
 }
 
 std::vector<std::string> Motors::take_faults() {
+    if (hangs(clock_seconds())) health_.lost(no_answer);
     std::vector<std::string> all = health_.take();
     for (Health* health : {&buzzer_health_, &guard_health_}) {
         for (std::string& line : health->take()) all.push_back(std::move(line));
@@ -73,6 +74,7 @@ tl::expected<void, NodeError> Motors::stop_all() {
         if (all && !one) all = std::move(one);
     };
     keep_first(power_.write(encode_switch(false)));
+    if (all) guard_->rest();  // without power nothing turns
     keep_first(left_.write(encode_number(0)));
     keep_first(right_.write(encode_number(0)));
     follow({});
@@ -157,6 +159,11 @@ bool Motors::perform(const MotorState& goal) {
 double Motors::run() {
     const double now = clock_seconds();
     heed_guard(now);
+    if (const int losses = commanded_->driver_losses; std::exchange(driver_losses_, losses) != losses) {
+        health_.lost(
+            "the driver's nodes have gone: it was loaded anew, or unloaded. The robot stands until they are back");
+        for (Node* node : {&power_, &left_, &right_, &buzzer_}) node->close();
+    }
     if (health_.is_lost()) {
         if (now < retry_at_) return retry_at_ - now;
         retry_at_ = now + retry_period;

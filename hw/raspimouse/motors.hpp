@@ -1,6 +1,7 @@
 // The mouse's motors, their power and its buzzer, driven on a thread of their own under a guard.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -21,6 +22,8 @@ namespace nezumi::hw {
 /// What both motors have been told, for those who count their pulses.
 struct CommandedWheels {
     CommandedPulses left, right;
+    /// Counted up by who finds that the driver's nodes have gone: what the motors were told is forgotten as well.
+    std::atomic<int> driver_losses = 0;
 };
 
 /// What the control loop wants of motors and buzzer.
@@ -74,6 +77,7 @@ private:
     MotorCommand newest_;
     std::uint64_t commands_ = 0;
 
+    int driver_losses_ = 0;
     MotorState state_;
     MotorState goal_;
     std::uint64_t served_ = 0;

@@ -33,7 +33,7 @@ public:
     std::vector<std::string> take_faults() override;
     void set_wheel_speeds(Wheels speeds) override;
     void coast() override;
-    void set_motor_power(bool on);
+    void set_motor_power(bool on) override;
     void aim_servo(std::size_t /*index*/, double /*angle*/, double /*speed*/) override {}
     void set_leds(const std::vector<bool>& on) override;
     void set_buzzer(int hertz) override;

@@ -2,6 +2,7 @@
 #include "hw/raspimouse/pulse_counter.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace nezumi::hw {
 namespace {
@@ -28,12 +29,18 @@ bool PulseCounter::agree(const Mark& earlier, const Mark& later) {
     return counted(earlier.reading, later.reading) <= most(sum(between(earlier.commanded, later.commanded)));
 }
 
+// Signed counters count downwards as well.
+bool PulseCounter::agree_either_way(const Mark& earlier, const Mark& later) {
+    return agree(earlier, later) ||
+           counted(later.reading, earlier.reading) <= most(sum(between(earlier.commanded, later.commanded)));
+}
+
 void PulseCounter::count(double pulses, const PulseTotals& meanwhile) {
     const double commanded = sum(meanwhile);
     double forward = direction_ > 0 ? pulses : 0;
     if (commanded > 0) {
         forward = std::round(pulses * meanwhile.forward / commanded);
-        if (meanwhile.backward > 0 != meanwhile.forward > 0) direction_ = meanwhile.forward > 0 ? 1 : -1;
+        if ((meanwhile.backward > 0) != (meanwhile.forward > 0)) direction_ = meanwhile.forward > 0 ? 1 : -1;
     }
     pulses_ += std::llround(2 * forward - pulses);
 }
@@ -46,6 +53,11 @@ PulseCounter::Verdict PulseCounter::take(std::uint16_t reading, const PulseTotal
         return Verdict::taken;
     }
     const PulseTotals meanwhile = between(last_.commanded, commanded);
+    if (std::exchange(begins_anew_, false)) {
+        count(std::round(sum(meanwhile)), meanwhile);
+        last_ = now;
+        return Verdict::taken;
+    }
     if (agree(last_, now)) {
         // A failed reading is 0 as well: of a counter that stood at 0 it is told by the pulses that are missing.
         if (reading == 0 && last_.reading == 0 && sum(meanwhile) > silent_pulses) return Verdict::zero;
@@ -56,12 +68,13 @@ PulseCounter::Verdict PulseCounter::take(std::uint16_t reading, const PulseTotal
         return Verdict::taken;
     }
     if (reading == 0) return Verdict::zero;
-    doubts_ = doubts_ > 0 && agree(doubted_, now) ? doubts_ + 1 : 1;
+    doubts_ = doubts_ > 0 && agree_either_way(doubted_, now) ? doubts_ + 1 : 1;
     doubted_ = now;
     if (doubts_ < readings_to_believe) return Verdict::doubted;
     count(std::round(sum(meanwhile)), meanwhile);
     last_ = now;
     doubts_ = 0;
+    begins_anew_ = true;
     return Verdict::jumped;
 }
 

@@ -17,7 +17,9 @@ public:
         taken,    ///< the pulses have been counted
         doubted,  ///< left out; the next reading may show what it was
         zero,     ///< the reading failed: a 0 that can't be
-        jumped,   ///< it counts from elsewhere now; the pulses of the jump are those that were commanded
+        /// It counts from elsewhere now, and the pulses of the jump are those that were commanded. The next reading is
+        /// taken as it is: the node may be opened again before it.
+        jumped,
     };
 
     /// Takes a reading, and what was commanded until then. The first sets the beginning.
@@ -34,12 +36,14 @@ private:
         PulseTotals commanded;
     };
     static bool agree(const Mark& earlier, const Mark& later);
+    static bool agree_either_way(const Mark& earlier, const Mark& later);
     void count(double pulses, const PulseTotals& meanwhile);
 
     bool started_ = false;
-    Mark last_;       // the last one taken
-    Mark doubted_;    // the last one doubted
-    int doubts_ = 0;  // readings in a row that agree with each other, not with last_
+    bool begins_anew_ = false;  // the next reading counts from anywhere
+    Mark last_;                 // the last one taken
+    Mark doubted_;              // the last one doubted
+    int doubts_ = 0;            // readings in a row that agree with each other, not with last_
     std::int64_t pulses_ = 0;
     int direction_ = 1;  // of the last pulses
 };

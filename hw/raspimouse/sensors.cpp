@@ -1,6 +1,7 @@
 // How each of the mouse's sensors is read, and what is not believed.
 #include "hw/raspimouse/sensors.hpp"
 
+#include <cerrno>
 #include <utility>
 
 #include "hw/raspimouse/advice.hpp"
@@ -56,28 +57,42 @@ tl::expected<std::optional<SwitchValues>, std::string> Switches::sample(double /
 WheelCounters::WheelCounters(const std::string& folder, std::shared_ptr<CommandedWheels> commanded)
     : Sampler("wheel counters", counter_period),
       commanded_(std::move(commanded)),
-      left_(folder + "/rtcounter_l0", Access::read),
-      right_(folder + "/rtcounter_r0", Access::read) {}
+      left_(folder + "/rtcounter_l0"),
+      right_(folder + "/rtcounter_r0") {}
 
-tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Node& node, PulseCounter& counter,
-                                                                     const CommandedPulses& commanded) {
+double WheelCounters::Wheel::rate() const {
+    const double passed = counted.back().tm - counted.front().tm;
+    return passed > 0 ? static_cast<double>(counted.back().pulses - counted.front().pulses) / passed : 0;
+}
+
+tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& wheel, const CommandedPulses& commanded) {
+    using Verdict = PulseCounter::Verdict;
     const double before = clock_seconds();
-    const auto text = node.read();
-    const double after = clock_seconds();
-    if (!text) return tl::unexpected(with_advice(text.error()));
+    const auto text = wheel.node.read();
+    const double tm = (before + clock_seconds()) / 2;
+    if (!text) {
+        const bool is_gone = text.error().code == ENODEV || text.error().code == ENOENT;
+        if (is_gone && std::exchange(was_there_, false)) ++commanded_->driver_losses;
+        return tl::unexpected(with_advice(text.error()));
+    }
+    was_there_ = true;
     const auto reading = decode_counter(*text);
-    if (!reading) return tl::unexpected(not_understood(node, *text, "a number from 0 to 65535"));
-    const auto verdict = counter.take(*reading, commanded.until((before + after) / 2));
+    if (!reading) return tl::unexpected(not_understood(wheel.node, *text, "a number from 0 to 65535"));
+    const Verdict verdict = wheel.counter.take(*reading, commanded.until(tm));
     // Whoever opens a node last decides whether both kinds of it are signed.
-    if (verdict == PulseCounter::Verdict::jumped) node.close();
+    if (verdict == Verdict::jumped) wheel.node.close();
+    if (verdict == Verdict::taken || verdict == Verdict::jumped) {
+        wheel.counted.push_back({tm, wheel.counter.pulses()});
+        while (wheel.counted.size() > 2 && tm - wheel.counted[1].tm >= rate_window) wheel.counted.pop_front();
+    }
     return verdict;
 }
 
-tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(double now) {
+tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(double /*now*/) {
     using Verdict = PulseCounter::Verdict;
-    const auto left = read(left_, left_counter_, commanded_->left);
+    const auto left = read(left_, commanded_->left);
     if (!left) return tl::unexpected(left.error());
-    const auto right = read(right_, right_counter_, commanded_->right);
+    const auto right = read(right_, commanded_->right);
     if (!right) return tl::unexpected(right.error());
     zeros_ = *left == Verdict::zero || *right == Verdict::zero ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_lose)
@@ -86,17 +101,8 @@ tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(doub
                         "config.txt, and do the addresses 0x10 and 0x11 answer (i2cdetect -y 1)?"));
     const auto in_doubt = [](Verdict verdict) { return verdict == Verdict::zero || verdict == Verdict::doubted; };
     if (in_doubt(*left) || in_doubt(*right)) return std::nullopt;
-
-    const WheelPulses pulses{.left = left_counter_.pulses(), .right = right_counter_.pulses()};
-    counted_.push_back({now, pulses});
-    while (counted_.size() > 2 && now - counted_[1].tm >= rate_window) counted_.pop_front();
-    const Counted& then = counted_.front();
-    const double passed = now - then.tm;
-    WheelValues values{.pulses = pulses, .rates = {}};
-    if (passed > 0)
-        values.rates = {.left = static_cast<double>(pulses.left - then.pulses.left) / passed,
-                        .right = static_cast<double>(pulses.right - then.pulses.right) / passed};
-    return values;
+    return WheelValues{.pulses = {.left = left_.counter.pulses(), .right = right_.counter.pulses()},
+                       .rates = {.left = left_.rate(), .right = right_.rate()}};
 }
 
 }  // namespace nezumi::hw

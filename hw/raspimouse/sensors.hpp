@@ -64,16 +64,22 @@ protected:
 private:
     struct Counted {
         double tm;
-        WheelPulses pulses;
+        std::int64_t pulses;
     };
-    tl::expected<PulseCounter::Verdict, std::string> read(Node& node, PulseCounter& counter,
-                                                          const CommandedPulses& commanded);
+    struct Wheel {
+        explicit Wheel(std::string path) : node(std::move(path), Node::Access::read) {}
+        double rate() const;
+
+        Node node;
+        PulseCounter counter;
+        std::deque<Counted> counted;  // as far back as the window
+    };
+    tl::expected<PulseCounter::Verdict, std::string> read(Wheel& wheel, const CommandedPulses& commanded);
 
     std::shared_ptr<CommandedWheels> commanded_;
-    Node left_, right_;
-    PulseCounter left_counter_, right_counter_;
-    std::deque<Counted> counted_;  // as far back as the window
+    Wheel left_, right_;
     int zeros_ = 0;
+    bool was_there_ = false;
 };
 
 }  // namespace nezumi::hw

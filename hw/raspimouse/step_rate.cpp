@@ -19,7 +19,8 @@ int StepRate::next(double speed, int held, double elapsed) {
     if (std::abs(rate) < lowest && !is_steady) return 0;
 
     const bool same_way = static_cast<long>(held) * rate > 0;
-    const double gain = acceleration_ / metres_per_pulse_ * unevenness * std::clamp(elapsed, 0.0, longest_gap);
+    const double gain = std::min<double>(
+        highest, acceleration_ / metres_per_pulse_ * unevenness * std::clamp(elapsed, 0.0, longest_gap));
     const int most = std::max(at_once, (same_way ? std::abs(held) : 0) + static_cast<int>(gain));
     return std::clamp(rate, -most, most);
 }

@@ -91,7 +91,9 @@ std::string answer(const std::string& line, fakes::MouseNodes& nodes, Behind& be
     std::string command, name, value;
     words >> command >> name >> value;
     if (command == "fault") return nodes.set_fault(name, value) ? "" : "no such node or fault";
-    if (command == "press") {
+    if (command == "heal") {
+        for (const std::string& node : nodes.names()) nodes.set_fault(node, "none");
+    } else if (command == "press") {
         nodes.press(std::stoul(name), value == "1");
     } else if (command == "reload") {
         nodes.reload();

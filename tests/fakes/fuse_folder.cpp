@@ -83,8 +83,9 @@ int serve_folder(const std::string& mount_point, ServedFiles& files, void (*read
     operations.truncate = truncate_file;
     operations.write = write_file;
     std::string program = "fake", foreground = "-f", mount = mount_point;
-    char* arguments[] = {program.data(), foreground.data(), mount.data(), nullptr};
-    return fuse_main(3, arguments, &operations, &served) == 0 ? 0 : 1;
+    std::string option = "-o", threads = "max_threads=32";  // one that hangs is one less
+    char* arguments[] = {program.data(), foreground.data(), option.data(), threads.data(), mount.data(), nullptr};
+    return fuse_main(5, arguments, &operations, &served) == 0 ? 0 : 1;
 }
 
 }  // namespace nezumi::fakes

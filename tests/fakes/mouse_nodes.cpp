@@ -213,7 +213,8 @@ void MouseNodes::press(std::size_t button, bool pressed) {
 MouseNodes::Motion MouseNodes::motion() {
     const std::lock_guard lock(mutex_);
     const double now = clock_now();
-    Motion motion{.power = power_, .tone = tone_, .leds = {leds_.begin(), leds_.end()}, .still_since = std::nullopt};
+    Motion motion{.power = power_, .tone = tone_, .leds = {}, .still_since = std::nullopt};
+    motion.leds.assign(leds_.begin(), leds_.end());
     if (power_) {
         motion.left = left_.rate(now);
         motion.right = right_.rate(now);

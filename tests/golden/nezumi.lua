@@ -612,6 +612,10 @@ function output(name, type, doc, options) end
 ---@field queue? integer so many unread messages are kept; 0: the latest (of in-port)
 ---@field silence? "hold"|"off" when nothing came for 0.5 s: the actuator holds or goes off (of in-port)
 
+---@class (exact) HardwareFields
+---@field driver string "raspimouse"
+---@field start? string a sensor of kind `button`: the run waits until it is pressed
+
 ---@class (exact) RobotModelFields
 ---@field doc? string what it is
 ---@field mass number [kg] of the whole robot
@@ -620,6 +624,7 @@ function output(name, type, doc, options) end
 ---@field sensors? table<string, SensorFields> by name
 ---@field actuators? table<string, ActuatorFields> by name
 ---@field ports? table<string, PortFields> by name
+---@field hardware? HardwareFields the real robot's driver
 
 ---@class (exact) PoseFields
 ---@field x? number [m]

@@ -138,6 +138,17 @@ void check_carriers(FieldCheck& check, const RobotSpec& spec) {
     }
 }
 
+void check_hardware(FieldCheck& check, const RobotSpec& spec) {
+    const std::string& start = spec.hardware.start;
+    std::vector<std::string_view> buttons;
+    for (const SensorSpec& sensor : spec.sensors) {
+        if (sensor.kind == SensorSpec::Kind::button) buttons.push_back(sensor.name);
+    }
+    if (start.empty() || std::find(buttons.begin(), buttons.end(), start) != buttons.end()) return;
+    check.wrong({"hardware", "start"},
+                fmt::format("expected a button, there is none '{}'{}", start, did_you_mean(start, buttons)));
+}
+
 // The robot itself knows which type carries what: it is asked port by port, so that each error has the port's place.
 void check_ports(FieldCheck& check, const RobotSpec& spec) {
     RobotSpec one = spec;
@@ -182,6 +193,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
     fields.done();
     add_wheel_ports(spec);
     if (check.ok()) check_carriers(check, spec);
+    if (check.ok()) check_hardware(check, spec);
     if (check.ok()) check_ports(check, spec);
     return spec;
 }

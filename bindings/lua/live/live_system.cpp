@@ -27,7 +27,11 @@ struct LiveSystem::Running {
 namespace {
 
 Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options) {
-    return read_system_file(file, project, {.seed = options.build.seed, .print = options.print});
+    auto spec = read_system_file(file, project, {.seed = options.build.seed, .print = options.print});
+    if (spec && options.prepare) {
+        if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
+    }
+    return spec;
 }
 
 Expected<ScriptComponent*> script_named(System& system, std::string_view name) {

@@ -26,6 +26,8 @@ struct LiveOptions {
     WorldFactory world;                            ///< may be empty: then there can be no robots
     decltype(Makers::bodies) bodies;               ///< makers of real robots by backend
     decltype(Makers::components) components;       ///< native components by type
+    /// Has a look at what a file says before it is built, and may change it; an error refuses it. May be empty.
+    std::function<Expected<void>(SystemSpec&)> prepare;
     BuildOptions build;
     Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock
     bool watch = false;            ///< reload scripts when they are saved

@@ -74,6 +74,7 @@ public:
     Program& operator=(const Program&) = delete;
 
     void send(int signal) const { kill(child_, signal); }
+    pid_t process() const { return child_; }
 
     /// Waits until `text` has been said on standard error; false when the program ends or `seconds` pass before.
     bool wait_for_error(const std::string& text, double seconds = 30) { return wait_for(error, text, seconds); }

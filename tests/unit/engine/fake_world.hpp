@@ -34,6 +34,7 @@ struct FakeHull {
     std::vector<Wheels> all_speeds;
     bool coasting = false;
     bool powered = true;
+    int power_calls = 0;
     std::vector<bool> leds;
     int led_calls = 0;
     int hertz = 0;
@@ -92,7 +93,10 @@ public:
         hull_.coasting = false;
     }
     void coast() override { hull_.coasting = true; }
-    void set_motor_power(bool on) override { hull_.powered = on; }
+    void set_motor_power(bool on) override {
+        hull_.powered = on;
+        ++hull_.power_calls;
+    }
     void aim_servo(std::size_t index, double angle, double speed) override {
         hull_.servos[index] = angle;
         hull_.servo_speeds[index] = speed;

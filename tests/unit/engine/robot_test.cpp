@@ -237,6 +237,36 @@ TEST_CASE("a real robot's commands time out by the clock", "[engine][robot][safe
     CHECK(run.hull.speeds.left < 0.1);
 }
 
+TEST_CASE("a real robot's motors have power while it is ACTIVE, and until it has braked",
+          "[engine][robot][safety][hardware]") {
+    RealRun run;
+    CHECK(run.hull.power_calls == 0);
+    run.drive(0.01);
+    CHECK(run.hull.powered);
+    CHECK(run.hull.power_calls == 1);
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    REQUIRE(run.robot->deactivate(run.system.now()));
+    run.drive(0.01);
+    CHECK(run.hull.speeds != Wheels{});
+    CHECK(run.hull.powered);
+    for (int i = 0; i < 100; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds == Wheels{});
+    CHECK_FALSE(run.hull.powered);
+    run.robot->emergency_stop();
+    run.drive(0.01);
+    run.robot->rearm();
+    run.drive(0.01);
+    CHECK_FALSE(run.hull.powered);  // it is not ACTIVE
+    REQUIRE(run.robot->activate(run.system.now()));
+    run.drive(0.01);
+    CHECK(run.hull.powered);
+    run.robot->emergency_stop();
+    for (int i = 0; i < 100; ++i) run.drive(0.01);
+    CHECK_FALSE(run.hull.powered);
+    run.robot->rearm();
+    CHECK(run.hull.powered);
+}
+
 TEST_CASE("wheels that coast roll freely until the first command after activation", "[engine][robot]") {
     RobotSpec spec = fake_mouse();
     spec.drive.coasts_until_commanded = true;

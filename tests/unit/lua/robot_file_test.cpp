@@ -154,6 +154,15 @@ TEST_CASE("a robot's limits hold on hardware too, unless it has others there", "
     CHECK(robot.drive.hardware_limits == Limits{2.0, 1, 2, 12});
 }
 
+TEST_CASE("a robot file names the driver of the real robot, and the button that starts it", "[lua][robot_file]") {
+    CHECK(shipped("raspimouse.lua").hardware.driver == "raspimouse");
+    CHECK(shipped("raspimouse.lua").hardware.start.empty());
+    const RobotSpec robot =
+        robot_of(with("sensors = { go = { kind = 'button' } }, hardware = { driver = 'x', start = 'go' }"));
+    CHECK(robot.hardware.driver == "x");
+    CHECK(robot.hardware.start == "go");
+}
+
 TEST_CASE("a sensor's place is given from the hull's centre", "[lua][robot_file]") {
     const RobotSpec robot = robot_of(with(
         "sensors = { a = { kind = 'range', at = { 0.05, 0.01, -0.02 } }, b = { kind = 'range', at = { 0.05, 0 } } }"));

@@ -37,6 +37,14 @@ TEST_CASE("a robot's unknown field is told with the nearest one, at its place", 
           "r.lua:2:58: robot_model: unknown field 'ports.p.queue': expected type, from, doc, rate, quantity");
 }
 
+TEST_CASE("a start button that the robot does not have is told", "[lua][robot_file]") {
+    CHECK(error(with("sensors = { go = { kind = 'button' }, eye = { kind = 'range' } },\n"
+                     "hardware = { driver = 'x', start = 'gu' }")) ==
+          "r.lua:3:28: robot_model: hardware.start: expected a button, there is none 'gu' (did you mean 'go'?)");
+    CHECK(error(with("sensors = { eye = { kind = 'range' } }, hardware = { driver = 'x', start = 'eye' }"))
+              .find("expected a button, there is none 'eye'") != std::string::npos);
+}
+
 TEST_CASE("a robot's value of the wrong kind is told with its field", "[lua][robot_file]") {
     CHECK(error("return robot_model { mass = 0, body = { size = { 1, 1, 1 } }, drive = { radius = 1, track = 1 } }") ==
           "r.lua:1:22: robot_model: field 'mass' expected a positive number, got 0");

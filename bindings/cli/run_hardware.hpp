@@ -1,0 +1,46 @@
+// `nezumi run --hw`: which robots of a system are the real ones, and when they may start.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/cli/run_loop.hpp"
+#include "bindings/lua/live/live_system.hpp"
+#include "engine/system/system_spec.hpp"
+
+namespace nezumi::cli {
+
+/// The slowest tick [Hz] that drives a real robot: its guard counts on the next one.
+inline constexpr double slowest_hardware_rate = 10;
+
+struct Hardware {
+    std::vector<std::string> robots;  ///< that are real; empty: all that the file does not keep simulated
+    std::string dev_root = "/dev";
+    std::string sys_root = "/sys";
+};
+
+/// Gives the real robots of a system the drivers that their models name. An error, at the line that is wrong, when
+/// there is no such robot, when a model has no driver, when no robot is left that is real, or when the tick is too
+/// slow.
+Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& robots);
+
+/// Has systems made with real robots, at real time.
+void use_hardware(LiveOptions& live, const Hardware& hardware);
+
+/// Where a real robot's model names a start button, nothing moves before it has been pressed.
+class StartButtons {
+public:
+    /// Pauses `loop` when there is something to wait for, and tells so. Both must outlive this.
+    StartButtons(RunLoop& loop, std::function<void(std::string)> say);
+
+private:
+    void after_tick();
+
+    RunLoop& loop_;
+    std::function<void(std::string)> say_;
+    std::vector<std::string> waiting_;  // robots whose button has not been pressed
+};
+
+}  // namespace nezumi::cli

@@ -1,0 +1,109 @@
+// `--hw`: which robots are real, and what is refused before anything moves.
+#include "bindings/cli/run_hardware.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::cli;
+
+namespace {
+
+SystemSpec two_mice() {
+    SystemSpec spec;
+    spec.file = "two.lua";
+    spec.models["mouse"].hardware.driver = "raspimouse";
+    spec.models["toy"];
+    for (const char* name : {"first", "second"}) {
+        RobotEntry robot;
+        robot.name = name;
+        robot.model = "mouse";
+        robot.place = {"two.lua", 1};
+        spec.entries.emplace_back(robot);
+    }
+    return spec;
+}
+
+RobotEntry& robot(SystemSpec& spec, std::size_t index) { return std::get<RobotEntry>(spec.entries[index]); }
+
+std::string refused(SystemSpec spec, const std::vector<std::string>& robots = {}) {
+    const auto chosen = choose_drivers(spec, robots);
+    return chosen ? "" : describe(chosen.error());
+}
+
+}  // namespace
+
+TEST_CASE("--hw gives each robot the driver of its model, and leaves the simulated ones alone", "[cli][hw]") {
+    SystemSpec all = two_mice();
+    REQUIRE(choose_drivers(all, {}));
+    CHECK(robot(all, 0).backend == "raspimouse");
+    CHECK(robot(all, 1).backend == "raspimouse");
+
+    SystemSpec one = two_mice();
+    REQUIRE(choose_drivers(one, {"second"}));
+    CHECK(robot(one, 0).backend.empty());
+    CHECK(robot(one, 1).backend == "raspimouse");
+
+    SystemSpec kept = two_mice();
+    robot(kept, 0).backend = "sim";
+    robot(kept, 1).backend = "other";
+    REQUIRE(choose_drivers(kept, {}));
+    CHECK(robot(kept, 0).backend == "sim");
+    CHECK(robot(kept, 1).backend == "other");
+}
+
+TEST_CASE("what --hw can't make real is said at its line", "[cli][hw]") {
+    CHECK(refused(two_mice(), {"frist"}) == "--hw: there is no robot 'frist' in two.lua (did you mean 'first'?)");
+    SystemSpec toy = two_mice();
+    robot(toy, 1).model = "toy";
+    CHECK(
+        refused(toy) ==
+        "two.lua:1: robot 'second': its model 'toy' names no driver: add hardware = { driver = ... } to the model, or "
+        "keep the robot simulated by backend = \"sim\"");
+    CHECK(refused(toy, {"first"}).empty());
+    SystemSpec kept = two_mice();
+    robot(kept, 0).backend = "sim";
+    CHECK(refused(kept, {"first"}) ==
+          "two.lua:1: robot 'first': --hw=first wants the real one, and backend = \"sim\" keeps it simulated");
+    robot(kept, 1).backend = "sim";
+    CHECK(refused(kept) == "--hw: two.lua has no robot that could be real");
+    SystemSpec slow = two_mice();
+    slow.rate = 9.9;
+    slow.rate_place = {"two.lua", 3};
+    CHECK(refused(slow) ==
+          "two.lua:3: --hw: 9.9 ticks a second are too few to drive a real robot: expected 10 or more");
+    slow.rate = 10;
+    CHECK(refused(slow).empty());
+}
+
+TEST_CASE("options that real robots don't know are refused", "[cli][hw]") {
+    const auto said = [](std::vector<std::string> words) {
+        words.insert(words.begin(), {"run", "behaviors/systems/stop_at_wall.lua"});
+        const Outcome outcome = run_nezumi(std::move(words));
+        CHECK(outcome.status == 2);
+        return outcome.error;
+    };
+    CHECK(said({"--hw", "--speed", "2"}) == "nezumi: --hw: real robots know only real time: leave out --speed\n");
+    CHECK(said({"--hw", "--batch"}) == "nezumi: --hw: real robots know only real time: leave out --batch\n");
+    CHECK(said({"--hw", "--replay", "x"}) == "nezumi: --hw: real robots know only real time: leave out --replay\n");
+    CHECK(said({"--hw=mouse,,", "--headless"}) ==
+          "nezumi: --hw: expected names of robots as in --hw=mouse, got 'mouse,,'\n");
+    CHECK(said({"--dev-root", "x"}) == "nezumi: --dev-root is for real robots: give --hw as well\n");
+    CHECK(said({"--sys-root", "x"}) == "nezumi: --sys-root is for real robots: give --hw as well\n");
+    CHECK(said({"--hw=moose", "--headless"}) ==
+          "nezumi: --hw: there is no robot 'moose' in behaviors/systems/stop_at_wall.lua (did you mean 'mouse'?)\n");
+}
+
+TEST_CASE("without its motors a real robot's run ends at once, and says what to do", "[cli][hw][safety]") {
+    const Scratch scratch;
+    const std::string folder = scratch.path("").string();
+    const Outcome outcome =
+        run_nezumi({"run", "behaviors/systems/stop_at_wall.lua", "--hw", "--headless", "--dev-root", folder});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.error.find(
+              "motors: " + folder +
+              "/rtmotoren0: no such file or directory: is the driver loaded? Try: sudo modprobe rtmouse\n") !=
+          std::string::npos);
+}

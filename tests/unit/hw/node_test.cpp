@@ -1,0 +1,90 @@
+// Device nodes: kept open, taken up again, their errors in words.
+#include "hw/device/node.hpp"
+
+#include <catch2/catch.hpp>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "hw/device/health.hpp"
+#include "hw/raspimouse/advice.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::hw;
+
+namespace {
+
+std::string content(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("a plain file in a node's place has the last write alone", "[hw][device]") {
+    const Scratch folder;
+    const auto file = folder.write("rtmotor_raw_l0", "");
+    Node node(file.string(), Node::Access::write);
+    REQUIRE(node.write("-400"));
+    REQUIRE(node.write("7"));
+    CHECK(content(file) == "7");
+}
+
+TEST_CASE("a node is read from its beginning each time", "[hw][device]") {
+    const Scratch folder;
+    const auto file = folder.write("rtcounter_l0", "12\n");
+    Node node(file.string(), Node::Access::read);
+    CHECK(node.read() == "12\n");
+    CHECK(node.read() == "12\n");
+    std::ofstream(file) << "13\n";
+    CHECK(node.read() == "13\n");
+}
+
+TEST_CASE("a node that was missing is taken up when it is there", "[hw][device]") {
+    const Scratch folder;
+    Node node(folder.path("rtled0").string(), Node::Access::write);
+    const auto missing = node.write("1");
+    REQUIRE_FALSE(missing);
+    CHECK(missing.error().code == ENOENT);
+    CHECK(describe(missing.error()) == folder.path("rtled0").string() + ": no such file or directory");
+    folder.write("rtled0", "");
+    CHECK(node.write("1"));
+}
+
+TEST_CASE("a node that says nothing or is a folder is an error", "[hw][device]") {
+    const Scratch folder;
+    Node empty(folder.write("empty", "").string(), Node::Access::read);
+    CHECK(empty.read().error().code == EIO);
+    folder.write("folder/file", "");
+    Node node(folder.path("folder").string(), Node::Access::read);
+    CHECK(node.read().error().code == EISDIR);
+}
+
+TEST_CASE("what can be done about a node is part of its error", "[hw][device]") {
+    CHECK(with_advice({"/dev/rtled0", ENOENT}) ==
+          "/dev/rtled0: no such file or directory: is the driver loaded? Try: sudo modprobe rtmouse");
+    CHECK(
+        with_advice({"/dev/rtled0", EACCES}) ==
+        "/dev/rtled0: permission denied: this user may not use it. Try: sudo chmod a+rw /dev/rt*, or write a udev rule "
+        "for it");
+    CHECK(with_advice({"/dev/rtled0", EIO}) ==
+          "/dev/rtled0: input/output error: look at the robot's power and cables, and at what dmesg says");
+}
+
+TEST_CASE("a loss is told once, and so is the return", "[hw][device]") {
+    Health health("LEDs");
+    health.works();
+    CHECK(health.take().empty());
+    health.lost("gone");
+    health.lost("still gone");
+    CHECK(health.is_lost());
+    CHECK(health.take() == std::vector<std::string>{"LEDs: gone"});
+    health.works();
+    health.works();
+    CHECK(health.take() == std::vector<std::string>{"LEDs: back again"});
+    health.lost("gone again");
+    CHECK(health.take() == std::vector<std::string>{"LEDs: gone again"});
+}

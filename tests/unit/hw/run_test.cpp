@@ -1,0 +1,171 @@
+// `nezumi run --hw` on the fake mouse: what ends or stalls the program, and how soon the wheels stand.
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <fstream>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/hw/fake_mouse_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::hw;
+
+namespace {
+
+// Drives ahead; at 2 s by the engine's clock it may do something else.
+const std::string behavior = R"(
+local out = output("out", "TimedVelocity2D", "velocity")
+param("at_2_s", "")
+function on_execute()
+  out:write { vx = 0.15 }
+  if now() < 2 then return end
+  if config.at_2_s == "loop" then while true do end end
+  if config.at_2_s == "fail" then error("no luck") end
+end
+)";
+
+// The program drives the fake mouse, from standstill to a steady 0.15 m/s.
+struct HardwareRun {
+    explicit HardwareRun(const std::string& config = "", const std::string& model = "raspimouse",
+                         const std::vector<std::string>& more = {}) {
+        fake.folder.write("behaviors/ahead.lua", behavior);
+        fake.folder.write("behaviors/waiting_mouse.lua", waiting_model());
+        fake.folder.write("system.lua", "robot 'mouse' { model = '" + model +
+                                            "' }\n"
+                                            "behavior 'driver' { script = 'ahead', config = { at_2_s = '" +
+                                            config +
+                                            "' } }\n"
+                                            "connect('driver.out', 'mouse.target_velocity_in')\n");
+        std::vector<std::string> words{"run", "system.lua", "--hw", "--headless", "--dev-root", fake.dev()};
+        words.insert(words.end(), more.begin(), more.end());
+        program.emplace(words, fake.folder.path("").string());
+    }
+    // A program with a thread that hangs in the kernel does not end.
+    ~HardwareRun() {
+        fake.say("heal");
+        program.reset();
+    }
+    HardwareRun(const HardwareRun&) = delete;
+    HardwareRun& operator=(const HardwareRun&) = delete;
+    // The shipped model, with a start button.
+    static std::string waiting_model() {
+        std::ifstream file(mouse_file());
+        std::string text((std::istreambuf_iterator<char>(file)), {});
+        const std::string plain = "driver = \"raspimouse\"";
+        text.replace(text.find(plain), plain.size(), plain + ", start = \"switch0\"");
+        const std::string table = "\"ir_table.csv\"";
+        text.replace(text.find(table), table.size(), "{ { 0.01, 1394 }, { 0.3, 8 } }");
+        return text;
+    }
+    void get_going() {
+        INFO(program->error);
+        REQUIRE(FakeMouse::wait_until([&] { return fake.motion().left > 390; }, 20));
+        sleep_for(0.1);
+    }
+    // How long after `cause` the wheels stood [s].
+    double time_to_stand(const std::function<void()>& cause) {
+        const double begin = clock_seconds();
+        cause();
+        REQUIRE(FakeMouse::wait_until([&] { return !fake.moves(); }, 3));
+        return fake.motion().still_since - begin;
+    }
+    pid_t guard() const {
+        std::ifstream children("/proc/" + std::to_string(program->process()) + "/task/" +
+                               std::to_string(program->process()) + "/children");
+        pid_t child = 0;
+        children >> child;
+        return child;
+    }
+
+    FakeMouse fake;
+    std::optional<Program> program;
+};
+
+}  // namespace
+
+TEST_CASE("the wheels stand within 50 ms of the program's death", "[hw][run][fakes][safety][wallclock]") {
+    const int signal = GENERATE(SIGKILL, SIGSEGV, SIGABRT);
+    HardwareRun run;
+    run.get_going();
+    const double time = run.time_to_stand([&] { run.program->send(signal); });
+    INFO("signal " << signal);
+    CHECK(time < 0.05);
+    CHECK_FALSE(run.fake.motion().power);
+    WARN("stopped " << time * 1e3 << " ms after signal " << signal);
+}
+
+TEST_CASE("the wheels stand within 50 ms of the guard's death, and the run says so",
+          "[hw][run][fakes][safety][wallclock]") {
+    const int signal = GENERATE(SIGTERM, SIGKILL, SIGSEGV);
+    HardwareRun run;
+    run.get_going();
+    REQUIRE(run.guard() > 0);
+    const double time = run.time_to_stand([&] { kill(run.guard(), signal); });
+    CHECK(time < 0.05);
+    CHECK(run.program->wait_for_error("guard of the motors: its process has ended", 5));
+    sleep_for(0.3);
+    CHECK_FALSE(run.fake.moves());
+    CHECK_FALSE(run.fake.motion().power);
+    WARN("stopped " << time * 1e3 << " ms after signal " << signal << " to the guard");
+}
+
+TEST_CASE("the wheels stand within 250 ms of a stall of program or guard, and turn again after it",
+          "[hw][run][fakes][safety][wallclock]") {
+    HardwareRun run;
+    run.get_going();
+    const bool is_guard = GENERATE(false, true);
+    const pid_t process = is_guard ? run.guard() : run.program->process();
+    const double time = run.time_to_stand([&] { kill(process, SIGSTOP); });
+    CHECK(time < 0.25);
+    kill(process, SIGCONT);
+    CHECK(run.program->wait_for_error("guard of the motors: ", 5));
+    CHECK(FakeMouse::wait_until([&] { return run.fake.moves(); }, 3));
+    WARN("stopped " << time * 1e3 << " ms after SIGSTOP" << (is_guard ? " of the guard" : ""));
+}
+
+TEST_CASE("a motor's node that hangs does not keep the robot driving", "[hw][run][fakes][safety][wallclock]") {
+    HardwareRun run("fail");
+    run.get_going();
+    run.fake.fault("rtmotor_raw_r0", "hang");  // the first write after that is the braking
+    REQUIRE(run.program->wait_for_error("no luck", 10));
+    CHECK(run.time_to_stand([] {}) < 0.25);
+}
+
+TEST_CASE("an endless script is ended, and its robot brakes", "[hw][run][fakes][safety][wallclock]") {
+    HardwareRun run("loop");
+    run.get_going();
+    REQUIRE(run.program->wait_for_error("driver", 10));
+    const double time = run.time_to_stand([] {});
+    CHECK(time < 0.15 / 0.52 + 0.15);
+}
+
+TEST_CASE("a run that ends brakes and takes the motors' power", "[hw][run][fakes][wallclock]") {
+    HardwareRun run;
+    run.get_going();
+    const double time = run.time_to_stand([&] { run.program->send(SIGTERM); });
+    CHECK(time < 0.15 / 0.52 + 0.2);
+    CHECK(run.program->wait() == 0);
+    CHECK_FALSE(run.fake.motion().power);
+}
+
+TEST_CASE("a second program on the same mouse is refused, and the first drives on",
+          "[hw][run][fakes][safety][wallclock]") {
+    HardwareRun run;
+    run.get_going();
+    const Outcome second = run_nezumi({"run", "system.lua", "--hw", "--headless", "--dev-root", run.fake.dev()},
+                                      run.fake.folder.path("").string());
+    CHECK(second.status == 2);
+    CHECK(second.error.find("drives this robot's motors: end it first, then try again") != std::string::npos);
+    sleep_for(0.1);
+    CHECK(run.fake.moves());
+}
+
+TEST_CASE("nothing moves before the start button is pressed", "[hw][run][fakes][safety][wallclock]") {
+    HardwareRun run("", "waiting_mouse");
+    REQUIRE(run.program->wait_for_error("mouse WAITS: PRESS switch0 ON THE ROBOT", 20));
+    sleep_for(0.5);
+    CHECK_FALSE(run.fake.moves());
+    run.fake.say("press 0 1");
+    CHECK(run.program->wait_for_error("mouse starts", 5));
+    run.fake.say("press 0 0");
+    run.get_going();
+}

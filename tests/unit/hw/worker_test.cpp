@@ -1,0 +1,109 @@
+// Devices' threads: woken, left behind when they hang, and what the loop gets from them.
+#include "hw/device/worker.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "hw/device/sampler.hpp"
+
+using namespace nezumi::hw;
+
+namespace {
+
+void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+bool soon(const std::function<bool()>& is_so) {
+    for (int i = 0; i < 5000 && !is_so(); ++i) sleep_for(0.001);
+    return is_so();
+}
+
+// Counts how often it was called, and hangs when it is told to.
+struct CountingJob final : Job {
+    double run() override {
+        ++runs;
+        while (hang) sleep_for(0.001);
+        return 1000;
+    }
+    void end() override { ended = true; }
+    std::atomic<int> runs = 0;
+    std::atomic<bool> hang = false, ended = false;
+};
+
+// Answers with a number that grows, or not.
+struct Thermometer final : Sampler<int> {
+    Thermometer() : Sampler("thermometer", 0.001) {}
+    tl::expected<std::optional<int>, std::string> sample(double) override {
+        while (hang) sleep_for(0.001);
+        if (broken) return tl::unexpected(std::string("its wire is cut: solder it"));
+        return ++value;
+    }
+    int value = 0;
+    std::atomic<bool> broken = false, hang = false;
+};
+
+}  // namespace
+
+TEST_CASE("a device's thread works when it is woken, and once more at the end", "[hw][device]") {
+    const auto job = std::make_shared<CountingJob>();
+    {
+        const Worker worker(job);
+        CHECK(soon([&] { return job->runs == 1; }));
+        worker.wake();
+        CHECK(soon([&] { return job->runs == 2; }));
+        CHECK_FALSE(job->ended);
+    }
+    CHECK(job->ended);
+}
+
+TEST_CASE("a device's thread that hangs is left behind with all that it uses", "[hw][device][wallclock]") {
+    auto job = std::make_shared<CountingJob>();
+    job->hang = true;
+    const double before = clock_seconds();
+    { const Worker worker(job); }
+    CHECK(clock_seconds() - before < Worker::patience + 0.5);
+    CHECK(job->hangs(clock_seconds()));
+    CHECK_FALSE(job->ended);
+    job->hang = false;
+    CHECK(soon([&] { return job.use_count() == 1; }));
+}
+
+TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][device][wallclock]") {
+    const auto device = std::make_shared<Thermometer>();
+    const Worker worker(device);
+    REQUIRE(soon([&] { return device->newest(clock_seconds()) && device->newest(clock_seconds())->value > 3; }));
+    const auto sample = device->newest(clock_seconds());
+    REQUIRE(sample);
+    CHECK(clock_seconds() - sample->tm < 0.2);
+    CHECK_FALSE(device->newest(clock_seconds() + 1));
+    CHECK(device->take_faults().empty());
+}
+
+TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw][device][wallclock]") {
+    const auto device = std::make_shared<Thermometer>();
+    const Worker worker(device);
+    device->broken = true;
+    std::vector<std::string> told;
+    const auto listen = [&] {
+        device->newest(clock_seconds());
+        for (std::string& line : device->take_faults()) told.push_back(std::move(line));
+        return !told.empty();
+    };
+    REQUIRE(soon(listen));
+    sleep_for(0.7);
+    listen();
+    CHECK(told == std::vector<std::string>{"thermometer: its wire is cut: solder it"});
+    told.clear();
+    device->broken = false;
+    REQUIRE(soon(listen));
+    CHECK(told == std::vector<std::string>{"thermometer: back again"});
+    told.clear();
+    device->hang = true;
+    REQUIRE(soon(listen));
+    CHECK(told == std::vector<std::string>{"thermometer: no answer for 0.3 s: restart its driver, or the robot"});
+    device->hang = false;
+    told.clear();
+    REQUIRE(soon(listen));
+    CHECK(told == std::vector<std::string>{"thermometer: back again"});
+}
