@@ -24,6 +24,8 @@ public:
 
     /// Takes a reading, and what was commanded until then. The first sets the beginning.
     Verdict take(std::uint16_t reading, const PulseTotals& commanded);
+    /// The next reading may count from anywhere: the counter was away. Its pulses are those commanded meanwhile.
+    void begin_anew() { begins_anew_ = started_; }
     /// Pulses since the first reading, forward positive.
     std::int64_t pulses() const { return pulses_; }
 

@@ -72,6 +72,7 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
     const double tm = (before + clock_seconds()) / 2;
     if (!text) {
         const bool is_gone = text.error().code == ENODEV || text.error().code == ENOENT;
+        if (is_gone) wheel.counter.begin_anew();
         if (is_gone && std::exchange(was_there_, false)) ++commanded_->driver_losses;
         return tl::unexpected(with_advice(text.error()));
     }

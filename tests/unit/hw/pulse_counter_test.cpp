@@ -124,6 +124,19 @@ TEST_CASE("a counter that counts from elsewhere is believed at its third word", 
     CHECK(wheel.counter.pulses() == 465);
 }
 
+TEST_CASE("a counter that was away counts from anywhere", "[hw][mouse][odometry]") {
+    Wheel wheel;
+    REQUIRE(wheel.read() == Verdict::taken);
+    wheel.drive(500, 10);
+    wheel.zero = -50;  // loaded anew: it would fit what it said last
+    for (int i = 0; i < 10; ++i) wheel.turn(500);
+    wheel.counter.begin_anew();
+    CHECK(wheel.read() == Verdict::taken);
+    CHECK(wheel.counter.pulses() == 100);
+    wheel.drive(500, 10);
+    CHECK(wheel.counter.pulses() == 150);
+}
+
 TEST_CASE("a counter that has become signed is noticed when it counts downwards", "[hw][mouse][odometry]") {
     Wheel wheel;
     wheel.zero = 30000;

@@ -61,7 +61,10 @@ TEST_CASE("a device's thread that hangs is left behind with all that it uses", "
     auto job = std::make_shared<CountingJob>();
     job->hang = true;
     const double before = clock_seconds();
-    { const Worker worker(job); }
+    {
+        const Worker worker(job);
+        REQUIRE(soon([&] { return job->runs == 1; }));
+    }
     CHECK(clock_seconds() - before < Worker::patience + 0.5);
     CHECK(job->hangs(clock_seconds()));
     CHECK_FALSE(job->ended);
