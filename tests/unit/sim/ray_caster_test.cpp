@@ -18,9 +18,9 @@ Shape cylinder(Vec3 centre, double radius, double height) {
     return {Shape::Kind::cylinder, centre, Rotation::Identity(), {radius, radius, height / 2}};
 }
 
-// The first place along the ray where `inside` holds, in steps of 0.1 mm: slow, and independent of the formulas.
+// The first place along the ray where `inside` holds, in steps of 0.5 mm: slow, and independent of the formulas.
 double march(const Shape& shape, Vec3 from, Vec3 direction, double range) {
-    for (double t = 0; t <= range; t += 1e-4) {
+    for (double t = 0; t <= range; t += 5e-4) {
         const Vec3 p = rotate_back(shape.rotation, from + direction * t - shape.centre);
         const bool inside = shape.kind == Shape::Kind::box
                                 ? std::abs(p.x()) <= shape.half.x() && std::abs(p.y()) <= shape.half.y() &&
@@ -78,7 +78,7 @@ TEST_CASE("rays agree with marching along them", "[sim][ray]") {
             if (actual < nothing)
                 CHECK(march(shape, from + direction * (actual - 1e-3), direction * 0.01, 0.4) < nothing);
         } else {
-            CHECK(actual == Approx(expected).margin(2e-4));
+            CHECK(actual == Approx(expected).margin(6e-4));
             ++hits;
         }
     }
