@@ -222,6 +222,6 @@ TEST_CASE("the page about the seminar's systems does what it says", "[cli][docs]
 
 TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("tutorial.md"); }
 
-TEST_CASE("the page about behaviours does what it says", "[cli][docs]") { follow("behaviors.md"); }
+TEST_CASE("the page about behaviours does what it says", "[cli][docs][watchdog]") { follow("behaviors.md"); }
 
 TEST_CASE("the page about the Raspberry Pi Mouse does what it says", "[cli][docs]") { follow("raspimouse.md"); }
