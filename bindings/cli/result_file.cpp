@@ -26,7 +26,7 @@ Error problem_with(const std::string& file) {
 // Gives the file a name that nothing has; "" when it can't be renamed, as in a folder that is not ours.
 std::string rename_aside(const std::string& path) {
     for (int number = 1; number <= most_set_aside; ++number) {
-        const std::string name = path + (number == 1 ? "~" : fmt::format("~{}", number));
+        std::string name = path + (number == 1 ? "~" : fmt::format("~{}", number));
         if (renameat2(AT_FDCWD, path.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) == 0) return name;
         if (errno != EEXIST) return "";
     }
