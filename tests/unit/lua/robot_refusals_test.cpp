@@ -40,7 +40,7 @@ TEST_CASE("a robot's unknown field is told with the nearest one, at its place", 
 TEST_CASE("a start button that the robot does not have is told", "[lua][robot_file]") {
     CHECK(error(with("sensors = { go = { kind = 'button' }, eye = { kind = 'range' } },\n"
                      "hardware = { driver = 'x', start = 'gu' }")) ==
-          "r.lua:3:28: robot_model: hardware.start: expected a button, there is none 'gu' (did you mean 'go'?)");
+          "r.lua:3:28: robot_model: field 'hardware.start' expected a button, there is none 'gu' (did you mean 'go'?)");
     CHECK(error(with("sensors = { eye = { kind = 'range' } }, hardware = { driver = 'x', start = 'eye' }"))
               .find("expected a button, there is none 'eye'") != std::string::npos);
 }
