@@ -219,6 +219,7 @@ std::vector<std::string> Objects::port_members() {
 
 std::vector<std::string> Objects::port_methods() {
     std::vector<std::string> all;
+    all.reserve(called.size());
     for (const Called& each : called) all.emplace_back(each.name);
     return all;
 }
