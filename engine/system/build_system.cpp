@@ -55,10 +55,10 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, c
 // What a robot may do: of a real one no more than its description allows the hardware.
 Limits limits_of(const RobotEntry& entry, const DriveSpec& drive) {
     Limits limits = drive.limits;
-    limits.speed = entry.speed.value_or(limits.speed);
-    limits.yaw_rate = entry.yaw_rate.value_or(limits.yaw_rate);
-    limits.acceleration = entry.acceleration.value_or(limits.acceleration);
-    limits.yaw_acceleration = entry.yaw_acceleration.value_or(limits.yaw_acceleration);
+    limits.speed = entry.limits.speed.value_or(limits.speed);
+    limits.yaw_rate = entry.limits.yaw_rate.value_or(limits.yaw_rate);
+    limits.acceleration = entry.limits.acceleration.value_or(limits.acceleration);
+    limits.yaw_acceleration = entry.limits.yaw_acceleration.value_or(limits.yaw_acceleration);
     if (backend_of(entry.backend) == simulated) return limits;
     const Limits& hardware = drive.hardware_limits;
     return {.speed = std::min({limits.speed, drive.limits.speed, hardware.speed}),

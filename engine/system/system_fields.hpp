@@ -8,11 +8,6 @@
 
 namespace nezumi {
 
-/// What a system file sets of a robot's limits; the rest is the model's. Units as in `Limits`.
-struct LimitChanges {
-    std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
-};
-
 template <>
 struct Describe<LimitChanges> {
     static constexpr std::string_view name = "limits";
@@ -27,14 +22,10 @@ struct Describe<RobotEntry> {
     static constexpr std::tuple fields{
         Setting{"model", &RobotEntry::model, "", "a robot's file, for example \"raspimouse\"", {.required = true}},
         Setting{"pose", &RobotEntry::pose, "", "where it starts"},
-        Extra{"limits", "LimitsFields", "", "in the place of the model's"},
+        Setting{"limits", &RobotEntry::limits, "", "in the place of the model's"},
         Setting{"backend", &RobotEntry::backend, "", "\"sim\", or the name of a driver"},
         Setting{"active", &RobotEntry::active, "", "whether it is activated at the start"},
         Internal{&RobotEntry::name},
-        Internal{&RobotEntry::speed},
-        Internal{&RobotEntry::yaw_rate},
-        Internal{&RobotEntry::acceleration},
-        Internal{&RobotEntry::yaw_acceleration},
         Internal{&RobotEntry::place},
     };
 };

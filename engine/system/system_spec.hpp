@@ -14,13 +14,18 @@
 
 namespace nezumi {
 
+/// What a system file sets of a robot's limits; the rest is the model's. Units as in `Limits`.
+struct LimitChanges {
+    std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
+    bool operator==(const LimitChanges&) const = default;
+};
+
 /// `robot NAME { model, pose, limits, backend }`.
 struct RobotEntry {
     std::string name;
     std::string model;  ///< key of `SystemSpec::models`
     Pose2D pose;
-    /// What the file sets of the limits; the rest is the model's.
-    std::optional<double> speed, yaw_rate, acceleration, yaw_acceleration;
+    LimitChanges limits;
     std::string backend;  ///< key of `Makers::bodies`; "": "sim"
     bool active = true;
     Place place;

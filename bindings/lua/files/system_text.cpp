@@ -23,11 +23,6 @@ std::string with(std::string table, std::string_view name, const std::string& va
     return fmt::format("{}{}{} = {} }}", table, table == "{" ? " " : ", ", name, value);
 }
 
-std::string table_of(const RobotEntry& robot) {
-    const LimitChanges limits{robot.speed, robot.yaw_rate, robot.acceleration, robot.yaw_acceleration};
-    return with(write_record(robot), "limits", write_record(limits));
-}
-
 template <Recorded T>
 std::string table_of(const T& entry) {
     return write_record(entry);

@@ -123,12 +123,6 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
     entry.name = name;
     entry.place = call.place;
     read_record(fields, entry);
-    LimitChanges limits;
-    detail::read_setting(fields, "limits", "", {}, limits);
-    entry.speed = limits.speed;
-    entry.yaw_rate = limits.yaw_rate;
-    entry.acceleration = limits.acceleration;
-    entry.yaw_acceleration = limits.yaw_acceleration;
     fields.done();
     if (check.ok()) {
         if (auto loaded = load_model(call, entry.model); !loaded) {

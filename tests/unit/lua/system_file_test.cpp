@@ -49,14 +49,14 @@ TEST_CASE("a robot takes its model, pose, limits, driver and whether it starts",
     CHECK(m.model == "raspimouse.lua");
     CHECK(spec.models.contains("raspimouse.lua"));
     CHECK(m.pose == Pose2D{{1, -2.5}, std::numbers::pi});
-    CHECK(m.speed == 2.0);
-    CHECK(m.yaw_rate == 8.0);
-    CHECK(m.acceleration == 1.0);
-    CHECK(m.yaw_acceleration == 3.0);
+    CHECK(m.limits.speed == 2.0);
+    CHECK(m.limits.yaw_rate == 8.0);
+    CHECK(m.limits.acceleration == 1.0);
+    CHECK(m.limits.yaw_acceleration == 3.0);
     CHECK(m.backend == "raspimouse");
     CHECK_FALSE(m.active);
     CHECK_FALSE(entry<RobotEntry>(system_of("robot 'm' { model = 'raspimouse', limits = { speed = 1 } }"), 0)
-                    .yaw_rate.has_value());
+                    .limits.yaw_rate.has_value());
 }
 
 TEST_CASE("a behaviour takes values of every type, sets and a rate", "[lua][system_file]") {
