@@ -31,7 +31,7 @@ Expected<std::unique_ptr<LiveSystem>> RunJournal::load(const RunOptions& options
     if (!loaded) return loaded;
     journal_ = std::move(*journal);
     live_ = loaded->get();
-    journal_->begin(*live_, NEZUMI_VERSION, false);
+    journal_->begin(*live_, NEZUMI_VERSION, options.hardware.has_value());
     return loaded;
 }
 

@@ -169,3 +169,11 @@ TEST_CASE("nothing moves before the start button is pressed", "[hw][run][fakes][
     run.fake.say("press 0 0");
     run.get_going();
 }
+
+TEST_CASE("the journal of a run on hardware tells what was done, and is not replayed", "[hw][run][fakes][wallclock]") {
+    HardwareRun run("", "raspimouse", {"--duration", "1", "--journal", "acts"});
+    REQUIRE(run.program->wait() == 0);
+    const Outcome again = run_nezumi({"run", "system.lua", "--replay", "acts"}, run.fake.folder.path("").string());
+    CHECK(again.status == 2);
+    CHECK(again.error == "acts is the journal of a run on hardware: it tells what was done, and can't be replayed\n");
+}
