@@ -35,7 +35,7 @@ std::string refused(SystemSpec spec, const std::vector<std::string>& robots = {}
 
 }  // namespace
 
-TEST_CASE("--hw gives each robot the driver of its model, and leaves the simulated ones alone", "[cli][hw]") {
+TEST_CASE("each robot gets the driver of its model by --hw, and simulated ones are left alone", "[cli][hw]") {
     SystemSpec all = two_mice();
     REQUIRE(choose_drivers(all, {}));
     CHECK(robot(all, 0).backend == "raspimouse");

@@ -151,8 +151,8 @@ TEST_CASE("a component that can't be activated is in ERROR, and the others go on
 
 TEST_CASE("what a system file sets of the limits replaces the model's, the rest stays", "[engine][build]") {
     Plan plan;
-    plan.robot("fast").speed = 2.0;
-    plan.robot("slow").yaw_acceleration = 1.0;
+    plan.robot("fast").limits.speed = 2.0;
+    plan.robot("slow").limits.yaw_acceleration = 1.0;
     const auto system = plan.build();
     CHECK(system->find_robot("fast")->guard().limits() ==
           Limits{.speed = 2.0, .yaw_rate = 6, .acceleration = 2, .yaw_acceleration = 12});
@@ -270,8 +270,8 @@ TEST_CASE("a real robot does no more than its description allows the hardware", 
         .speed = 0.2, .yaw_rate = 9, .acceleration = 0.5, .yaw_acceleration = 4};
     RobotEntry& mouse = plan.robot("mouse");
     mouse.backend = "mouse_driver";
-    mouse.speed = 2.0;         // only in simulation may a system raise a limit
-    mouse.acceleration = 0.1;  // to lower one is always allowed
+    mouse.limits.speed = 2.0;         // only in simulation may a system raise a limit
+    mouse.limits.acceleration = 0.1;  // to lower one is always allowed
     const auto system = plan.build();
     CHECK(system->find_robot("mouse")->guard().limits() ==
           Limits{.speed = 0.2, .yaw_rate = 6, .acceleration = 0.1, .yaw_acceleration = 4});

@@ -175,5 +175,6 @@ TEST_CASE("the journal of a run on hardware tells what was done, and is not repl
     REQUIRE(run.program->wait() == 0);
     const Outcome again = run_nezumi({"run", "system.lua", "--replay", "acts"}, run.fake.folder.path("").string());
     CHECK(again.status == 2);
-    CHECK(again.error == "acts is the journal of a run on hardware: it tells what was done, and can't be replayed\n");
+    CHECK(again.error ==
+          "nezumi: acts is the journal of a run on hardware: it tells what was done, and can't be replayed\n");
 }
