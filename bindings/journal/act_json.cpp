@@ -63,8 +63,45 @@ Json number(double value) {
     return Json{{"number", std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"}};
 }
 
+Json write_plain(const PlainData& data);
+Json write_parameter(const ParameterValue& value);
+Json write_entry(const Entry& entry);
+
 template <class T>
-Json write(const T& value);
+Json write(const T& value) {
+    if constexpr (std::is_same_v<T, Entry>) {
+        return write_entry(value);
+    } else if constexpr (std::is_same_v<T, AnyPayload>) {
+        return Json{
+            {message_type_names[value.index()], std::visit([](const auto& each) { return write(each); }, value)}};
+    } else if constexpr (std::is_same_v<T, ParameterValue>) {
+        return write_parameter(value);
+    } else if constexpr (std::is_same_v<T, PlainData>) {
+        return write_plain(value);
+    } else if constexpr (Described<T>) {
+        Json fields = Json::object();
+        for_each_field(value, [&](const auto& field, const auto& member) {
+            if constexpr (IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
+                if (member) fields[std::string(field.name)] = write(*member);
+            } else {
+                fields[std::string(field.name)] = write(member);
+            }
+        });
+        return fields;
+    } else if constexpr (std::is_same_v<T, Octets>) {
+        return text_to_json(std::string(value.begin(), value.end()));
+    } else if constexpr (Sequence<T>) {
+        Json elements = Json::array();
+        for (const auto& element : value) elements.push_back(write(static_cast<typename T::value_type>(element)));
+        return elements;
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        return text_to_json(value);
+    } else if constexpr (std::is_floating_point_v<T>) {
+        return number(static_cast<double>(value));
+    } else {
+        return value;
+    }
+}
 
 Json write_plain(const PlainData::Value& value) {
     return std::visit(
@@ -107,42 +144,6 @@ Json write_entry(const Entry& entry) {
     SystemSpec spec;
     spec.entries.push_back(entry);
     return Json{{"lua", text_to_json(write_system_text(spec, "An entry."))}, {"file", place_of(entry).file}};
-}
-
-template <class T>
-Json write(const T& value) {
-    if constexpr (std::is_same_v<T, Entry>) {
-        return write_entry(value);
-    } else if constexpr (std::is_same_v<T, AnyPayload>) {
-        return Json{
-            {message_type_names[value.index()], std::visit([](const auto& each) { return write(each); }, value)}};
-    } else if constexpr (std::is_same_v<T, ParameterValue>) {
-        return write_parameter(value);
-    } else if constexpr (std::is_same_v<T, PlainData>) {
-        return write_plain(value);
-    } else if constexpr (Described<T>) {
-        Json fields = Json::object();
-        for_each_field(value, [&](const auto& field, const auto& member) {
-            if constexpr (IsOptional<std::remove_cvref_t<decltype(member)>>::value) {
-                if (member) fields[std::string(field.name)] = write(*member);
-            } else {
-                fields[std::string(field.name)] = write(member);
-            }
-        });
-        return fields;
-    } else if constexpr (std::is_same_v<T, Octets>) {
-        return text_to_json(std::string(value.begin(), value.end()));
-    } else if constexpr (Sequence<T>) {
-        Json elements = Json::array();
-        for (const auto& element : value) elements.push_back(write(static_cast<typename T::value_type>(element)));
-        return elements;
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        return text_to_json(value);
-    } else if constexpr (std::is_floating_point_v<T>) {
-        return number(static_cast<double>(value));
-    } else {
-        return value;
-    }
 }
 
 // Reading. Each returns what is wrong, "" for nothing.
