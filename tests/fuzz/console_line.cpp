@@ -8,6 +8,7 @@
 #include "bindings/console/client.hpp"
 #include "bindings/console/protocol.hpp"
 #include "bindings/terminal/tty_input.hpp"
+#include "engine/base/visible.hpp"
 
 using namespace nezumi;
 

@@ -30,7 +30,8 @@ void check(const RobotEntry& robot, const SystemSpec& spec) {
     require(spec.models.contains(robot.model));
     require(std::isfinite(robot.pose.position.x) && std::isfinite(robot.pose.position.y) &&
             std::isfinite(robot.pose.heading));
-    for (const auto& limit : {robot.speed, robot.yaw_rate, robot.acceleration, robot.yaw_acceleration})
+    const LimitChanges& limits = robot.limits;
+    for (const auto& limit : {limits.speed, limits.yaw_rate, limits.acceleration, limits.yaw_acceleration})
         require(!limit || *limit > 0);
 }
 
