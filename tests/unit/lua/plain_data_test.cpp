@@ -19,7 +19,7 @@ PlainData take(const std::string& text, std::vector<Dropped>* dropped = nullptr)
     REQUIRE(protected_call(L, 0, LUA_MULTRET, {}));
     const int count = lua_gettop(L);
     std::vector<Dropped> ignored;
-    auto data = take_plain(L, count, {}, std::vector<std::string>(static_cast<std::size_t>(count), "v"),
+    auto data = take_plain(L, count, Budget{5.0}, std::vector<std::string>(static_cast<std::size_t>(count), "v"),
                            dropped != nullptr ? *dropped : ignored);
     CHECK(lua_gettop(L) == count);
     REQUIRE(data);
