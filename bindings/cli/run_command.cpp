@@ -105,7 +105,7 @@ public:
         loop.end_when(stop_signals.received());
         loop.end_at(options_.duration);
         journal_.follow(loop);
-        StartButtons start_buttons(loop, [this](std::string text) { say(std::move(text)); });
+        StartButtons start_buttons(loop, [this](const std::string& text) { say(text); });
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
@@ -152,7 +152,7 @@ private:
         return live;
     }
 
-    void say(std::string line) {
+    void say(const std::string& line) {
         if (!console_ || !console_->say(line)) screen_.say(line);
     }
 

@@ -26,7 +26,7 @@ bool has_terminal() {
     return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 && tcgetpgrp(STDIN_FILENO) == getpgrp();
 }
 
-RunConsole::RunConsole(RunLoop& loop, std::string name)
+RunConsole::RunConsole(RunLoop& loop, const std::string& name)
     : loop_(loop), name_(visible(name)), server_(std::make_unique<ConsoleServer>(loop.live(), loop)) {}
 
 RunConsole::~RunConsole() { close(); }

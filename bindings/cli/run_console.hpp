@@ -18,7 +18,7 @@ bool has_terminal();
 class RunConsole final : public Attendant {
 public:
     /// The loop must outlive it. `name` is what it is called by those who attach.
-    RunConsole(RunLoop& loop, std::string name);
+    RunConsole(RunLoop& loop, const std::string& name);
     ~RunConsole() override;
     RunConsole(const RunConsole&) = delete;
     RunConsole& operator=(const RunConsole&) = delete;

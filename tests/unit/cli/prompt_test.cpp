@@ -213,6 +213,7 @@ TEST_CASE("Ctrl-C with nothing to drop says how to leave, and a second one soon 
     SECTION("an input in between") {
         it.type("1 + 1\r");
         CHECK(it.wait_for_row("2"));
+        REQUIRE(it.wait_for_prompt("nezumi>"));  // before, Ctrl-C has an input to drop
         it.type(ctrl_c);
         CHECK(it.wait_for_row("Ctrl-C again, or Ctrl-D, ends the run"));
     }
@@ -231,6 +232,7 @@ TEST_CASE("Ctrl-C with nothing to drop says how to leave, and a second one soon 
     }
     it.type("1 + 2\r");
     CHECK(it.wait_for_row("3"));
+    REQUIRE(it.wait_for_prompt("nezumi>"));
     it.type(std::string(ctrl_c) + ctrl_c);
     CHECK(it.wait() == 0);
     CHECK(it.is_as_before());
