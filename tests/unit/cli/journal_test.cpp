@@ -114,3 +114,18 @@ TEST_CASE("a journal whose hash is another one fails its replay", "[cli][journal
     CHECK(again.status == 2);
     CHECK_THAT(again.error, Contains("the run is another one than the journal's: its hash"));
 }
+
+TEST_CASE("a journal that was cut off is replayed as far as it goes, which is said", "[cli][journal]") {
+    Journaled it;
+    REQUIRE(it.run({"--headless", "--speed", "max", "--duration", "1", "--journal", it.journal}).status == 0);
+    std::ostringstream text;
+    text << std::ifstream(it.journal).rdbuf();
+    const std::string whole = text.str();
+    const std::string cut = whole.substr(0, whole.size() - last_line(whole).size()) + R"({"at":[1,)";
+    it.folder.write("run.journal", cut);
+    const Outcome again = it.run({"--replay", it.journal});
+    CHECK(again.status == 0);
+    const auto torn = std::to_string(std::count(cut.begin(), cut.end(), '\n') + 1);
+    CHECK_THAT(again.error, Contains(it.journal + ":" + torn + ": the last line is torn, and left out\n"));
+    CHECK_THAT(again.error, Contains(it.journal + ": has no end: that run was cut off, and so is this one\n"));
+}

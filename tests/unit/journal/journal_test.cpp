@@ -222,3 +222,29 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
           "J is the journal of a run on hardware: it tells what was done, and can't be replayed");
     CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": can't be read as a journal");
 }
+
+TEST_CASE("a journal whose lines are not those of a run is refused at the line", "[journal]") {
+    Small it(counter);
+    it.tick(3);
+    REQUIRE(it.live->act(SetParameter{"it", "step", std::int64_t{2}}, {Actor::Kind::console}));
+    it.tick(3);
+    it.end();
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Rearm","with":{},"failed":true})").empty());
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop","with":{},"failed":true})") ==
+          "J:2: Stop failed then, and does not now");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop"})") == "J:2: an act must have do and with");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"out_of_time":5})") ==
+          "J:2: 'out_of_time' must have component, call and message");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"end":"stopped","hash":"0000000000000000"})") ==
+          "J:3: nothing may follow the end");
+    CHECK(it.error_with(3, R"({"at":[1,6,1],"end":"soon","hash":"0000000000000000"})") ==
+          "J:3: 'end' must be duration, stopped or error");
+    CHECK(it.error_with(3, R"({"at":[2,0,1],"end":"stopped","hash":"0000000000000000"})") ==
+          "J:3: tick 0 of start 2 never comes: the run is at tick 3 of start 1");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"test"})") ==
+          "J:1: expected system, working_folder, installed, seed, seed_wins and files");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"test","system":"s","working_folder":"w","seed":0,)"
+                           R"("seed_wins":false,"installed":[1]})") == "J:1: 'installed' must be a list of folders");
+    const fs::path cut = it.folder.write("cut.journal", "{");
+    CHECK(replay(cut).error == cut.string() + ":1: is no journal: its first line is not whole");
+}
