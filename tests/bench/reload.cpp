@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/reload/live_reload.hpp"
+#include "bindings/lua/live/live_system.hpp"
 #include "tests/bench/report.hpp"
 
 using namespace nezumi;
@@ -41,12 +41,13 @@ int main() {
     const std::string file = (folder / "it.lua").string();
     std::ofstream(file) << script(0);
 
-    System system{{}, {}};
-    auto loaded = ScriptComponent::load("it", read_source(file).value(), {});
-    Component* component = loaded->get();
-    if (!system.add(std::move(*loaded)) || !component->activate(system.now())) return 1;
-    Reloader reloader(system);
-    auto live = std::make_unique<LiveReload>(system, reloader, std::vector<std::string>{});
+    const fs::path system_file = folder / "system.lua";
+    std::ofstream(system_file) << "behavior 'it' { script = 'it' }\n";
+    LiveOptions options;
+    options.watch = true;
+    auto live = LiveSystem::load(system_file, std::move(options)).value();
+    live->activate();
+    const auto& out = *live->system().find("it")->find_out_port("out");
 
     std::mt19937 random(1);
     std::vector<double> latencies;
@@ -58,8 +59,7 @@ int main() {
     while (latencies.size() < 100) {
         std::this_thread::sleep_until(next);
         const auto begin = Clock::now();
-        live->between_ticks();
-        system.tick();
+        live->tick();
         const auto end = Clock::now();
         longest = std::max(longest, std::chrono::duration<double, std::milli>(end - begin).count());
         next += std::chrono::milliseconds(10);
@@ -69,7 +69,7 @@ int main() {
             std::ofstream(file + ".new") << script(++value);
             fs::rename(file + ".new", file);
             saved = Clock::now();
-        } else if (wait < 0 && std::get<std::int32_t>(component->find_out_port("out")->value()) == value) {
+        } else if (wait < 0 && std::get<std::int32_t>(out.value()) == value) {
             latencies.push_back(std::chrono::duration<double, std::milli>(begin - saved).count());
             wait = 5 + static_cast<int>(random() % 10);
         }

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 
+#include "sim/simulated_body.hpp"
 #include "sim/world.hpp"
 #include "tests/bench/bare_ode.hpp"
 #include "tests/bench/report.hpp"
@@ -157,7 +158,7 @@ double time_mouse(int ticks) {
     double nearest = 1;
     const double begin = bench::thread_seconds();
     for (int i = 0; i < ticks; ++i) {
-        (*body)->read_ranges(distances);
+        static_cast<sim::SimulatedBody&>(**body).read_ranges(distances);
         for (const double distance : distances) nearest = std::min(nearest, distance);
         (*body)->set_wheel_speeds({nearest < 0 ? 0 : 0.05, 0.2});
         world.step(2);
