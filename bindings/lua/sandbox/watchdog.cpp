@@ -44,6 +44,7 @@ namespace {
 constexpr std::int64_t tick_ns = 5'000'000;
 constexpr int deep_recursion = 20'000;  // calls within calls
 constexpr std::int64_t shortest_grace_ns = 50'000'000, longest_grace_ns = 1'000'000'000;
+constexpr std::int64_t longest_hook_pause_ns = 20'000'000;
 constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): each thread has its own
@@ -68,6 +69,14 @@ NEZUMI_IN_SIGNAL std::int64_t grace_ns(double budget_seconds) {
     const auto half = static_cast<std::int64_t>(budget_seconds * 0.5e9);
     if (half < shortest_grace_ns) return shortest_grace_ns;
     return half < longest_grace_ns ? half : longest_grace_ns;
+}
+
+// Whether that is used up. A virtual machine counts as the thread's own what its host gave to others, so the clock
+// alone proves nothing: the thread must also have been found at it again and again, up to four ticks apart (how finely
+// systems look at such timers).
+NEZUMI_IN_SIGNAL bool grace_is_over(const CallRecord& call, std::int64_t now) {
+    const std::int64_t grace = grace_ns(call.budget_seconds);
+    return now - call.expired_at > grace && call.looks_since_expiry > grace / (4 * tick_ns);
 }
 
 NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
@@ -105,18 +114,18 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
         call->budget_seconds = expired->budget_seconds;
         if (call->expired == 0) call->expired_at = now;
         call->expired = 1;
+        ++call->looks_since_expiry;
         // Setting a hook visits every function that is being called, which may take longer than the time between two
         // ticks: then the script would never get to the instruction that raises the error.
         if (now >= call->next_hook) {
             lua_sethook(call->running, watch_hook, LUA_MASKCOUNT, 1);
             const std::int64_t done = time_in_signal();
-            call->next_hook = done + 8 * (done - now);
+            call->next_hook = done + std::min(8 * (done - now), longest_hook_pause_ns);
         }
         if (call == expired) break;
     }
     errno = saved_errno;
-    if (expired != nullptr && now - innermost->expired_at > grace_ns(innermost->budget_seconds) && was_in_lua(context))
-        leave_lua(innermost);
+    if (expired != nullptr && grace_is_over(*innermost, now) && was_in_lua(context)) leave_lua(innermost);
 }
 
 enum class Watch : unsigned char { not_yet, by_timer, by_polling };

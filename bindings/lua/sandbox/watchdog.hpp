@@ -53,6 +53,7 @@ public:
     std::int64_t budget_ns;                  ///< so long after that, the budget is used up
     const std::atomic<bool>* const stop;     ///< when this is set, the budget is used up at once; may be null
     std::int64_t expired_at = 0;             ///< [ns] when the timer found it used up
+    int looks_since_expiry = 0;              ///< how often the timer has found it used up
     double budget_seconds;                   ///< for the message
     std::int64_t pattern_steps = pattern_step_budget;
     const char* stack_base;  ///< where the C stack was at the thread's outermost call
