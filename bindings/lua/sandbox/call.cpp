@@ -87,8 +87,7 @@ CallError error_of_memory(const LuaState& state, const CallRecord& call) {
     return {{message, to_place(call.memory_place)}, false};
 }
 
-}  // namespace
-
+// The message handler of every call.
 int handle_error(lua_State* lua) {
     CallRecord& call = *current_call;
     if (call.expired != 0) {
@@ -104,6 +103,8 @@ int handle_error(lua_State* lua) {
     return 1;
 }
 
+// What went wrong, from the error value that a failed lua_pcall left on top of the stack, which is popped. `status` is
+// its result; `call` is the record of the call that failed.
 CallError take_error(lua_State* lua, int status, const CallRecord& call) {
     const LuaState& state = LuaState::of(lua);
     CallError error;
@@ -124,12 +125,15 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
     return error;
 }
 
+// What is said of a call that had to be left in the middle of Lua's own code.
 CallError lost_error(double budget_seconds) {
     return {{"ran for more than " + shown(budget_seconds) +
              " s inside Lua itself, where it could not be stopped: the script is lost, load it again"},
             true,
             budget_seconds};
 }
+
+}  // namespace
 
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {
     const int function = lua_gettop(lua) - arguments;

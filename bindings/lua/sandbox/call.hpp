@@ -40,14 +40,4 @@ CallResult protect(lua_State* lua, Budget budget, Body&& body) {
     return protected_call(lua, 1, LUA_MULTRET, budget);
 }
 
-/// What went wrong, from the error value that a failed lua_pcall or lua_resume left on top of the stack, which is
-/// popped. `status` is theirs; `call` is the record of the call that failed.
-CallError take_error(lua_State* lua, int status, const CallRecord& call);
-
-/// What is said of a call that had to be left in the middle of Lua's own code.
-CallError lost_error(double budget_seconds);
-
-/// The message handler that goes with `take_error`.
-int handle_error(lua_State* lua);
-
 }  // namespace nezumi

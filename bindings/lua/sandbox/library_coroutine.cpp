@@ -1,4 +1,4 @@
-// `coroutine`: coroutines that the watchdog follows, and that can be sliced.
+// `coroutine`: coroutines that the watchdog follows.
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
@@ -19,42 +19,33 @@ void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(corou
 constexpr int failed = -1;
 
 // Runs `coroutine`, with `arguments` values on top of its stack, until it yields, returns or fails. Returns how many
-// results lie on top of the caller's stack, or `failed` with the error there. Where a slice ends in it, the caller
-// yields as well, and `go_on` takes up from there.
-int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on) {
+// results lie on top of the caller's stack, or `failed` with the error there.
+int run(lua_State* lua, lua_State* coroutine, int arguments) {
     CallRecord& call = *current_call;
-    for (;;) {
-        if (call.keep_hook) keep_watching(coroutine);
-        int results = 0;
-        call.running = coroutine;
-        const int status = lua_resume(coroutine, lua, arguments, &results);
-        call.running = lua;
-        if (call.expired != 0) {
-            if (status == LUA_OK || status == LUA_YIELD) {
-                lua_pop(coroutine, results);
-            } else {
-                poison(coroutine);
-            }
-            raise_expiry(lua);
-        }
-        if (status == LUA_YIELD && call.slice_over) {
-            if (lua_isyieldable(lua) != 0) return lua_yieldk(lua, 0, 0, go_on);
-            call.slice_over = false;
-            arguments = 0;
-            continue;
-        }
+    keep_watching(coroutine);
+    int results = 0;
+    call.running = coroutine;
+    const int status = lua_resume(coroutine, lua, arguments, &results);
+    call.running = lua;
+    if (call.expired != 0) {
         if (status == LUA_OK || status == LUA_YIELD) {
-            if (lua_checkstack(lua, results + 1) == 0) {
-                lua_pop(coroutine, results);
-                lua_pushliteral(lua, "too many results to resume");
-                return failed;
-            }
-            lua_xmove(coroutine, lua, results);
-            return results;
+            lua_pop(coroutine, results);
+        } else {
+            poison(coroutine);
         }
+        raise_expiry(lua);
+    }
+    if (status != LUA_OK && status != LUA_YIELD) {
         lua_xmove(coroutine, lua, 1);
         return failed;
     }
+    if (lua_checkstack(lua, results + 1) == 0) {
+        lua_pop(coroutine, results);
+        lua_pushliteral(lua, "too many results to resume");
+        return failed;
+    }
+    lua_xmove(coroutine, lua, results);
+    return results;
 }
 
 // Moves the arguments of the caller over; returns false, with an error on the caller's stack, where that can't be.
@@ -74,22 +65,18 @@ int finish_resume(lua_State* lua, int results) {
     return results == failed ? 2 : results + 1;
 }
 
-int go_on_resume(lua_State* lua, int, lua_KContext) {
-    return finish_resume(lua, run(lua, lua_tothread(lua, 1), 0, go_on_resume));
-}
-
 int resume(lua_State* lua) {
     lua_State* coroutine = check_coroutine(lua, 1);
     const int arguments = lua_gettop(lua) - 1;
     if (!give_arguments(lua, coroutine, arguments)) return finish_resume(lua, failed);
-    return finish_resume(lua, run(lua, coroutine, arguments, go_on_resume));
+    return finish_resume(lua, run(lua, coroutine, arguments));
 }
 
 // Ends what is open in a coroutine that is not running. Returns whether that went well; else an error is on its stack.
 bool reset(lua_State* lua, lua_State* coroutine) {
     check_c_stack(lua);
     current_call->running = coroutine;
-    if (current_call->keep_hook) keep_watching(coroutine);
+    keep_watching(coroutine);
     const int status = lua_resetthread(coroutine);
     current_call->running = lua;
     poll_budget(lua);
@@ -105,16 +92,11 @@ int finish_wrapped(lua_State* lua, lua_State* coroutine, int results) {
     return lua_error(lua);
 }
 
-int go_on_wrapped(lua_State* lua, int, lua_KContext) {
-    lua_State* coroutine = lua_tothread(lua, lua_upvalueindex(1));
-    return finish_wrapped(lua, coroutine, run(lua, coroutine, 0, go_on_wrapped));
-}
-
 int call_wrapped(lua_State* lua) {
     lua_State* coroutine = lua_tothread(lua, lua_upvalueindex(1));
     const int arguments = lua_gettop(lua);
     if (!give_arguments(lua, coroutine, arguments)) return lua_error(lua);
-    return finish_wrapped(lua, coroutine, run(lua, coroutine, arguments, go_on_wrapped));
+    return finish_wrapped(lua, coroutine, run(lua, coroutine, arguments));
 }
 
 int create(lua_State* lua) {
@@ -171,23 +153,16 @@ int close(lua_State* lua) {
     return 2;
 }
 
-// The bottom of a sliced call is a coroutine to Lua, and none to the script.
-bool is_sliced_bottom(lua_State* lua) { return current_call->sliced_bottom == lua; }
-
-int yield(lua_State* lua) {
-    if (is_sliced_bottom(lua)) return luaL_error(lua, "attempt to yield from outside a coroutine");
-    return lua_yield(lua, lua_gettop(lua));
-}
+int yield(lua_State* lua) { return lua_yield(lua, lua_gettop(lua)); }
 
 int is_yieldable(lua_State* lua) {
     lua_State* coroutine = lua_isnone(lua, 1) ? lua : check_coroutine(lua, 1);
-    lua_pushboolean(lua, lua_isyieldable(coroutine) != 0 && !is_sliced_bottom(coroutine) ? 1 : 0);
+    lua_pushboolean(lua, lua_isyieldable(coroutine));
     return 1;
 }
 
 int running(lua_State* lua) {
-    const bool is_main = lua_pushthread(lua) == 1 || is_sliced_bottom(lua);
-    lua_pushboolean(lua, is_main ? 1 : 0);
+    lua_pushboolean(lua, lua_pushthread(lua));
     return 2;
 }
 

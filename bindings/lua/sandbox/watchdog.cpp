@@ -43,6 +43,7 @@ namespace {
 
 constexpr std::int64_t tick_ns = 5'000'000;
 constexpr int deep_recursion = 20'000;  // calls within calls
+constexpr int hook_interval = 1000;     // instructions between two looks at the clock where it is polled
 constexpr std::int64_t shortest_grace_ns = 50'000'000, longest_grace_ns = 1'000'000'000;
 constexpr std::int64_t longest_hook_pause_ns = 20'000'000;
 constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
@@ -83,6 +84,23 @@ NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
     timespec time{};
     NEZUMI_CLOCK_GETTIME(CLOCK_THREAD_CPUTIME_ID, &time);
     return nanoseconds(time);
+}
+
+// The hook that stops a script. Removes itself when there is nothing to do.
+void watch_hook(lua_State* lua, lua_Debug*) {
+    CallRecord* const call = current_call;
+    if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
+    if (call->polled_limit != 0 && (thread_time() > call->polled_limit || is_set(call->stop))) call->expired = 1;
+    if (call->expired != 0) {
+        // From here on every instruction ends here: neither handlers nor closers of variables run on.
+        if (lua_gethookcount(lua) != 1) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, 1);
+        raise_expiry(lua);
+    }
+    if (call->polled_limit == 0) {
+        lua_sethook(lua, nullptr, 0, 0);
+    } else if (lua_gethookcount(lua) != hook_interval) {  // left by a call that was stopped
+        lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
+    }
 }
 
 // Out of Lua from within its own code, over the frames of C and C++ functions that its own errors jump over as well.
@@ -218,11 +236,10 @@ CallRecord::CallRecord(lua_State* lua, Budget budget)
     if (watch == Watch::by_polling) {
         polled_limit = thread_time() + budget_ns;
         if (outer != nullptr && outer->polled_limit != 0) polled_limit = std::min(polled_limit, outer->polled_limit);
-        keep_hook = true;
-        keep_watching(lua);
     }
     std::atomic_signal_fence(std::memory_order_seq_cst);
     current_call = this;
+    keep_watching(lua);
 }
 
 CallRecord::~CallRecord() {
@@ -237,28 +254,8 @@ void finish_escape(CallRecord& outermost) {
 }
 
 void keep_watching(lua_State* lua) {
-    if (lua_gethook(lua) != watch_hook) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
-}
-
-void watch_hook(lua_State* lua, lua_Debug*) {
-    CallRecord* const call = current_call;
-    if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
-    if (call->polled_limit != 0 && (thread_time() > call->polled_limit || is_set(call->stop))) call->expired = 1;
-    if (call->expired != 0) {
-        // From here on every instruction ends here: neither handlers nor closers of variables run on.
-        if (lua_gethookcount(lua) != 1) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, 1);
-        raise_expiry(lua);
-    }
-    if (call->slicing && lua_isyieldable(lua) != 0 && std::chrono::steady_clock::now() >= call->slice_end) {
-        call->slice_over = true;
-        lua_yield(lua, 0);
-        return;
-    }
-    if (!call->keep_hook) {
-        lua_sethook(lua, nullptr, 0, 0);
-    } else if (lua_gethookcount(lua) != hook_interval) {  // left by a call that was stopped
-        lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
-    }
+    if (current_call->polled_limit == 0 || lua_gethook(lua) == watch_hook) return;
+    lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
 }
 
 void raise_expiry(lua_State* lua) {

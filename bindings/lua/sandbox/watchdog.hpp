@@ -8,7 +8,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <csetjmp>
 #include <csignal>
 #include <cstddef>
@@ -30,7 +29,7 @@ inline constexpr Budget headless_budget{2.0};  ///< in runs without a clock, whe
 /// Steps that the pattern functions may take in one call into Lua.
 inline constexpr std::int64_t pattern_step_budget = 5'000'000;
 
-/// One call into Lua, on the C++ stack of the thread that makes it. Made by `protected_call` and `SlicedCall` only.
+/// One call into Lua, on the C++ stack of the thread that makes it. Made by `protected_call` only.
 class CallRecord {
 public:
     CallRecord(lua_State* lua, Budget budget);
@@ -58,12 +57,8 @@ public:
     std::int64_t pattern_steps = pattern_step_budget;
     const char* stack_base;  ///< where the C stack was at the thread's outermost call
 
-    bool keep_hook = false;              ///< the hook stays although the budget is not used up
-    bool slicing = false;                ///< the call yields by itself when `slice_end` has passed
-    lua_State* sliced_bottom = nullptr;  ///< the coroutine that a sliced call runs as
-    bool slice_over = false;             ///< a coroutine yields because the slice is over, not by its own will
-    std::chrono::steady_clock::time_point slice_end{};
-    std::int64_t polled_limit = 0;  ///< [ns] of CPU time, where there is no timer; 0: there is one
+    /// [ns] of CPU time, where there is no timer and the hook stays to look at the clock; 0: there is one
+    std::int64_t polled_limit = 0;
 
     /// The way out of Lua's own code, where no hook runs: set by the thread's outermost call, while `can_escape`.
     std::jmp_buf escape;
@@ -74,7 +69,6 @@ public:
     bool memory_refused_deep = false;  ///< within a deep recursion, last
     ScriptPlace memory_place;          ///< where, last
     ScriptPlace error_place;           ///< where an error was raised
-    int caught_status = LUA_OK;        ///< how a sliced call failed
     std::size_t error_prefix = 0;      ///< bytes of the message that say that place
 };
 
@@ -118,13 +112,7 @@ void charge_calls(std::int64_t nanoseconds);
 /// nothing around it may need a destructor. When the call's state was lost during a pause, leaves it by a jump.
 [[noreturn]] void end_call(lua_State* lua);
 
-/// The hook that stops or slices. Removes itself when there is nothing to do.
-void watch_hook(lua_State* lua, lua_Debug* activation);
-
-/// Instructions between two looks at the clock while a call is sliced.
-inline constexpr int hook_interval = 1000;
-
-/// Sets that hook, at that interval, unless it is set: for calls whose record says `keep_hook`.
+/// Has `lua` look at the clock as it runs if this thread has no timer.
 void keep_watching(lua_State* lua);
 
 /// Whether nesting through C functions has used up what scripts may use of this thread's C stack, 1 MB.

@@ -31,6 +31,23 @@ TEST_CASE("values go in and out of coroutines", "[lua][coroutine]") {
                   "end)))") == "100001");
 }
 
+TEST_CASE("a coroutine may yield wherever Lua itself may", "[lua][coroutine]") {
+    Box box;
+    box.run("function step() return coroutine.yield('out') end");
+    const char* const body = GENERATE(
+        as<const char*>{}, "return select(2, pcall(step))", "return select(2, xpcall(step, print))",
+        "return select(4, pcall(pcall, pcall, step))",
+        "return setmetatable({}, { __index = function() return step() end }).x",
+        "return setmetatable({}, { __add = function() return step() end }) + 1",
+        "local n do local x <close> = setmetatable({}, { __close = function() n = step() end }) end return n",
+        "for _, n in pairs(setmetatable({}, { __pairs = function() return next, { step() } end })) do return n end");
+    CAPTURE(body);
+    CHECK(box.run("local c = coroutine.wrap(function() " + std::string(body) + " end) return c(), c(2)") == "out 2");
+    CHECK(box.run("return pcall(coroutine.yield)") == "false attempt to yield from outside a coroutine");
+    CHECK(box.run("return coroutine.wrap(function() return pcall(table.sort, { 1, 2 }, step) end)()") ==
+          "false attempt to yield across a C-call boundary");
+}
+
 TEST_CASE("a coroutine knows its status", "[lua][coroutine]") {
     Box box;
     CHECK(box.run("local c c = coroutine.create(function() coroutine.yield(coroutine.status(c)) end) local before = "

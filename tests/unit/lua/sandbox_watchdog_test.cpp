@@ -1,4 +1,6 @@
 // Scripts that try not to end.
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
 #include <thread>
 
@@ -169,6 +171,30 @@ void give_call(Box& box, lua_State* other) {
     lua_pushlightuserdata(box.lua(), other);
     lua_pushcclosure(box.lua(), call_other, 1);
     lua_setglobal(box.lua(), "call_other");
+}
+
+TEST_CASE("where the system gives a thread no timer, scripts are stopped all the same", "[lua][watchdog]") {
+    const char* const text = GENERATE(
+        as<const char*>{}, "while true do end", "while true do pcall(function() while true do end end) end",
+        "coroutine.wrap(function() while true do end end)()",
+        "local c = coroutine.create(function() local x <close> = setmetatable({}, { __close = function() while "
+        "true do end end }) coroutine.yield() end) coroutine.resume(c) coroutine.close(c)");
+    CAPTURE(text);
+    rlimit timers{};
+    REQUIRE(getrlimit(RLIMIT_SIGPENDING, &timers) == 0);
+    std::string stopped, lives_on, inner;
+    std::thread([&] {
+        const rlimit none{0, timers.rlim_max};  // each timer needs a signal that may wait
+        setrlimit(RLIMIT_SIGPENDING, &none);
+        Box box;
+        lives_on = box.run("return 'the state lives on'");
+        setrlimit(RLIMIT_SIGPENDING, &timers);
+        stopped = box.run_for_a_moment(text);
+        inner = box.run("return coroutine.wrap(function() return 'in' end)()");
+    }).join();
+    CHECK(stopped == "box.lua:1: " + too_long);
+    CHECK(lives_on == "the state lives on");
+    CHECK(inner == "in");
 }
 
 TEST_CASE("a call within a call has its own budget, within the outer one's", "[lua][watchdog]") {
