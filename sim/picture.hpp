@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "engine/world/floor_color.hpp"
 
 namespace nezumi::sim {
-
-/// A colour as 0xRRGGBB.
-using Rgb = std::uint32_t;
 
 struct Picture {
     int width = 0;

@@ -16,7 +16,13 @@ Robot::Robot(std::string name, const RobotSpec& spec, const Limits& limits)
       spec_(spec),
       guard_(limits),
       odometry_(spec.drive.radius, spec.drive.radius, spec.drive.track, spec.drive.encoder_pulses()),
-      actuators_(spec) {}
+      actuators_(spec) {
+    for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
+        const auto& needs = spec.drive.needs;
+        if (std::find(needs.begin(), needs.end(), spec.sensors[i].name) != needs.end())
+            needed_.push_back({.sensor = i});
+    }
+}
 
 Robot::~Robot() {
     if (body_ != nullptr) body_->set_wheel_speeds({});
@@ -58,7 +64,30 @@ Expected<void> Robot::add_servo_speeds() {
 Expected<void> Robot::on_activated() {
     guard_.stop();
     coasting_ = spec_.drive.coasts_until_commanded;
+    for (Needed& needed : needed_) needed = {.sensor = needed.sensor};
     return {};
+}
+
+// Whether all sensors that it needs say something, or have a moment ago.
+bool Robot::hears_what_it_needs(const Time& now) {
+    bool hears = true;
+    std::vector<std::string_view> lost, back;
+    for (Needed& needed : needed_) {
+        if (needed.sensor < readings_.size() && readings_[needed.sensor].is_there) {
+            needed.heard_at = readings_[needed.sensor].tm;
+            needed.was_heard = true;
+        }
+        if (!needed.heard_at) needed.heard_at = now.seconds;
+        const bool is_silent = now.seconds - *needed.heard_at >= longest_blindness;
+        hears = hears && needed.was_heard && !is_silent;
+        if (is_silent != std::exchange(needed.is_told, is_silent))
+            (is_silent ? lost : back).push_back(spec_.sensors[needed.sensor].name);
+    }
+    if (!lost.empty())
+        log(LogLevel::warn, fmt::format("stands: without {} it may not drive, and there is no word from {}",
+                                        fmt::join(lost, ", "), lost.size() == 1 ? "it" : "them"));
+    if (!back.empty()) log(LogLevel::info, fmt::format("there is word again from {}", fmt::join(back, ", ")));
+    return hears;
 }
 
 bool Robot::is_due_at(double port_rate, const Time& now) const {
@@ -252,7 +281,8 @@ void Robot::take_pose() {
 void Robot::drive(const Time& now) {
     const double period = period_until(now, std::exchange(drove_at_, now.seconds));
     const bool stalled = is_real() && period >= std::max(shortest_stall, 3 / tick_rate());
-    if (stalled || at_rest_) {
+    const bool may = state() != LifeState::active || (hears_what_it_needs(now) && body_->may_drive());
+    if (stalled || at_rest_ || !may) {
         // What came meanwhile was meant for where the robot was before.
         guard_.stop();
         if (velocity_in_ != nullptr) forget_velocities();

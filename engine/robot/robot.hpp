@@ -58,6 +58,8 @@ public:
     /// paused.
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
 
+    /// A sensor that the robot needs, and that has said nothing for as long [s], keeps it from driving.
+    static constexpr double longest_blindness = 0.3;
     /// A loop that stood still for as long [s], or for three ticks where these are longer, has stalled.
     static constexpr double shortest_stall = 0.2;
 
@@ -73,6 +75,13 @@ private:
         // Where the message tells the pose: that of its sensors in the body frame, and the servo that turns them.
         Pose3D pose;
         std::optional<std::size_t> servo;
+    };
+    // A sensor without which it does not drive.
+    struct Needed {
+        std::size_t sensor;
+        std::optional<double> heard_at{};  // [s], or when it was first missed
+        bool was_heard = false;            // since the activation
+        bool is_told = false;              // that it is silent
     };
     // An out-port of the wheels.
     template <class T>
@@ -102,6 +111,7 @@ private:
     void take_pose();
     void drive(const Time& now);
     void set_motor_power(bool on);
+    bool hears_what_it_needs(const Time& now);
     void power_while_active(const Velocity2D& velocity, const Time& now);
     bool has_come_to_rest(const Time& now);
 
@@ -114,6 +124,7 @@ private:
     std::optional<double> sensed_at_, drove_at_;  // [s]
     std::set<std::string> told_faults_;
 
+    std::vector<Needed> needed_;
     std::vector<SensorPort> sensor_ports_;
     std::vector<WheelPort<Velocity2D>> velocity_ports_;
     std::vector<WheelPort<Pose2D>> pose_ports_;

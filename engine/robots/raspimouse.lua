@@ -30,6 +30,7 @@ return robot_model {
     limits = { speed = 0.5, yaw_rate = 6, acceleration = 2.0, yaw_acceleration = 12 },
     -- A stepping motor that loses steps stalls: be gentle until it is calibrated.
     hardware_limits = { speed = 0.2, yaw_rate = 2, acceleration = 0.52, yaw_acceleration = 4 },
+    needs = infrareds,
   },
 
   sensors = {

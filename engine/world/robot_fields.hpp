@@ -86,6 +86,13 @@ struct Describe<DriveSpec> {
                 "",
                 "on the real robot, until it is calibrated",
                 {.fallback = "`limits`"}},
+        Setting{"needs", &DriveSpec::needs, "",
+                "sensors without which it does not drive: one that has been silent for 0.3 s stops it"},
+        Setting{"port",
+                &DriveSpec::port,
+                "",
+                "of the real robot's left motor and its right",
+                {.fallback = "the driver's own"}},
     };
 };
 
@@ -165,6 +172,11 @@ struct Describe<SensorSpec> {
                 "",
                 "light of the simulated room, from 0 (dark) to 100",
                 {.range = NumberRange::not_negative, .of = ambient_only}},
+        Setting{"port",
+                &SensorSpec::port,
+                "",
+                "which device of the real robot it is",
+                {.fallback = "the driver's own choice"}},
         Internal{&SensorSpec::name},
         Internal{&SensorSpec::response},
         Internal{&SensorSpec::has_response},
@@ -200,6 +212,11 @@ struct Describe<ActuatorSpec> {
         Setting{"minimum", &ActuatorSpec::minimum, "rad", "", {.of = servo_only}},
         Setting{"maximum", &ActuatorSpec::maximum, "rad", "equal to `minimum`: unlimited", {.of = servo_only}},
         Setting{"at", &ActuatorSpec::at, "m", "its axis, from the hull's centre", {.level = true, .of = servo_only}},
+        Setting{"port",
+                &ActuatorSpec::port,
+                "",
+                "which device of the real robot it is",
+                {.fallback = "the driver's own choice"}},
         Internal{&ActuatorSpec::name},
     };
 };
@@ -258,7 +275,7 @@ struct Describe<HardwareSpec> {
     static constexpr std::string_view name = "hardware";
     static constexpr std::string_view doc = "How the real robot is reached: what `nezumi run --hw` drives.";
     static constexpr std::tuple fields{
-        Setting{"driver", &HardwareSpec::driver, "", "\"raspimouse\"", {.required = true}},
+        Setting{"driver", &HardwareSpec::driver, "", "\"raspimouse\" or \"ev3\"", {.required = true}},
         Setting{"start",
                 &HardwareSpec::start,
                 "",

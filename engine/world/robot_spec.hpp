@@ -40,6 +40,8 @@ struct DriveSpec {
     bool coasts_until_commanded = false;  ///< the wheels roll freely until the first command after activation
     Limits limits{};                      ///< in simulation
     Limits hardware_limits{};             ///< on hardware, until it is calibrated
+    std::vector<std::string> needs;       ///< sensors without which it stands
+    std::vector<std::string> port;        ///< of the real left motor and the right; empty: the driver's own
 
     /// Pulses a wheel turn that a body counts in: a continuous encoder in steps of less than 0.4 urad.
     double encoder_pulses() const { return pulses_per_turn > 0 ? pulses_per_turn : 1 << 24; }
@@ -116,6 +118,7 @@ struct SensorSpec {
     std::string on;             ///< the actuator that carries it, or "" for the hull
     ResponseTable response;     ///< range: from distance to value
     bool has_response = false;  ///< without a response the value is the distance itself
+    std::string port;           ///< which device of the real robot it is; "": the driver's own choice
 };
 
 /// One actuator beside the wheels.
@@ -128,6 +131,7 @@ struct ActuatorSpec {
     double speed = 0;                 ///< servo: [rad/s] that it turns at unless told otherwise; 0: as fast as it can
     double minimum = 0, maximum = 0;  ///< servo: [rad]; equal: unlimited
     Point3D at{};                     ///< servo: [m] its axis in the body frame
+    std::string port;                 ///< which device of the real robot it is; "": the driver's own choice
 };
 
 /// One port of the robot and what it stands for.

@@ -82,6 +82,9 @@ public:
     /// What has failed since the last call: one line for each with what to do about it, told once. The rest goes on.
     virtual std::vector<std::string> take_faults() { return {}; }
 
+    /// Whether its supply lets it drive. Where it does not the robot brakes and stands, and `take_faults` says why.
+    virtual bool may_drive() const { return true; }
+
     /// Surface speed [m/s] of each wheel to hold from now on, already limited.
     virtual void set_wheel_speeds(Wheels speeds) = 0;
     /// Lets the wheels roll freely until the next `set_wheel_speeds`.

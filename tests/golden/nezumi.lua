@@ -572,6 +572,8 @@ function output(name, type, doc, options) end
 ---@field coasts_until_commanded? boolean the wheels roll freely until the first command after activation
 ---@field limits? LimitsFields each can be set again per robot in the system file
 ---@field hardware_limits? LimitsFields on the real robot, until it is calibrated
+---@field needs? string|string[] sensors without which it does not drive: one that has been silent for 0.3 s stops it
+---@field port? string|string[] of the real robot's left motor and its right
 
 ---@class (exact) SensorFields
 ---@field kind "range"|"button"|"touch"|"gyro"|"color"|"reflect"|"ambient" what it measures
@@ -592,6 +594,7 @@ function output(name, type, doc, options) end
 ---@field max_rate? number [rad/s] it can follow; 0: any (of gyro)
 ---@field travel? number [m] until it closes (of touch)
 ---@field level? number light of the simulated room, from 0 (dark) to 100 (of ambient)
+---@field port? string which device of the real robot it is
 
 ---@class (exact) ActuatorFields
 ---@field kind "leds"|"buzzer"|"servo"|"screen"|"speaker"
@@ -601,6 +604,7 @@ function output(name, type, doc, options) end
 ---@field minimum? number [rad] (of servo)
 ---@field maximum? number [rad] equal to `minimum`: unlimited (of servo)
 ---@field at? number[] [m] its axis, from the hull's centre (of servo)
+---@field port? string which device of the real robot it is
 
 ---@class (exact) PortFields
 ---@field type string a message type
@@ -613,7 +617,7 @@ function output(name, type, doc, options) end
 ---@field silence? "hold"|"off" when nothing came for 0.5 s: the actuator holds or goes off (of in-port)
 
 ---@class (exact) HardwareFields
----@field driver string "raspimouse"
+---@field driver string "raspimouse" or "ev3"
 ---@field start? string a sensor of kind `button`: the run waits until it is pressed
 
 ---@class (exact) RobotModelFields

@@ -138,6 +138,16 @@ void check_carriers(FieldCheck& check, const RobotSpec& spec) {
     }
 }
 
+void check_needs(FieldCheck& check, const RobotSpec& spec) {
+    std::vector<std::string_view> names;
+    for (const SensorSpec& sensor : spec.sensors) names.push_back(sensor.name);
+    for (const std::string& need : spec.drive.needs) {
+        if (std::find(names.begin(), names.end(), need) == names.end())
+            check.wrong({"drive", "needs"},
+                        fmt::format("expected sensors, there is none '{}'{}", shown(need), did_you_mean(need, names)));
+    }
+}
+
 void check_hardware(FieldCheck& check, const RobotSpec& spec) {
     const std::string& start = spec.hardware.start;
     std::vector<std::string_view> buttons;
@@ -193,6 +203,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
     fields.done();
     add_wheel_ports(spec);
     if (check.ok()) check_carriers(check, spec);
+    if (check.ok()) check_needs(check, spec);
     if (check.ok()) check_hardware(check, spec);
     if (check.ok()) check_ports(check, spec);
     return spec;

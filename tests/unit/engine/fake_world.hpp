@@ -34,6 +34,7 @@ struct FakeHull {
     std::vector<Wheels> all_speeds;
     bool coasting = false;
     bool powered = true;
+    bool may_drive = true;
     int power_calls = 0;
     std::vector<bool> leds;
     int led_calls = 0;
@@ -86,6 +87,7 @@ public:
         return readings_;
     }
     std::vector<std::string> take_faults() override { return std::exchange(hull_.faults, {}); }
+    bool may_drive() const override { return hull_.may_drive; }
     double servo_angle(std::size_t index) const override { return hull_.servos[index]; }
     void set_wheel_speeds(Wheels speeds) override {
         hull_.speeds = speeds;

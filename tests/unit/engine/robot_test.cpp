@@ -162,8 +162,8 @@ namespace {
 
 // A real mouse at 100 ticks a second of a clock that goes as the test says.
 struct RealRun {
-    explicit RealRun(double rate = 100)
-        : spec(fake_mouse()),
+    explicit RealRun(double rate = 100, RobotSpec its_spec = fake_mouse())
+        : spec(std::move(its_spec)),
           system({.rate = rate, .real_time = true, .clock = [this] { return clock; }},
                  [this](const LogLine& line) { log.push_back(line.component + ": " + line.text); }) {
         auto made = Robot::make("mouse", spec, spec.drive.limits);
@@ -235,6 +235,48 @@ TEST_CASE("a real robot's commands time out by the clock", "[engine][robot][safe
     run.clock += 0.02;
     run.system.tick();
     CHECK(run.hull.speeds.left < 0.1);
+}
+
+TEST_CASE("a robot stands while a sensor that it needs says nothing", "[engine][robot][safety][hardware]") {
+    RobotSpec spec = fake_mouse();
+    REQUIRE_FALSE(spec.sensors.empty());
+    spec.drive.needs = {spec.sensors[0].name};
+    RealRun run(100, spec);
+    run.hull.readings[0] = {.is_there = false};
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds == Wheels{});  // it has not said anything yet
+    CHECK(run.log.empty());
+    run.hull.readings.clear();
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds.left == Approx(0.1));
+    run.hull.readings[0] = {.is_there = false};
+    for (int i = 0; i < 28; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds.left == Approx(0.1));
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds == Wheels{});
+    const std::string name = spec.sensors[0].name;
+    CHECK(run.log == Names{"mouse: stands: without " + name + " it may not drive, and there is no word from it"});
+    run.hull.readings.clear();
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds.left == Approx(0.1));
+    CHECK(run.log.back() == "mouse: there is word again from " + name);
+    // A reading that is always the same old one is none.
+    run.hull.measured_late = 0.3;
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds == Wheels{});
+}
+
+TEST_CASE("a robot whose supply lets it not drive brakes, and drives again", "[engine][robot][safety][hardware]") {
+    RealRun run;
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    run.hull.may_drive = false;
+    run.drive(0.01);
+    CHECK(run.hull.speeds.left == Approx(0.08));
+    for (int i = 0; i < 10; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds == Wheels{});
+    run.hull.may_drive = true;
+    for (int i = 0; i < 20; ++i) run.drive(0.01);
+    CHECK(run.hull.speeds.left == Approx(0.1));
 }
 
 TEST_CASE("a real robot's motors have power while it is ACTIVE, and until it has braked",

@@ -28,13 +28,19 @@ TEST_CASE("a robot's unknown field is told with the nearest one, at its place", 
     CHECK(error(with("sensors = { front = {\n kind = 'range', yow = 1 } }")) ==
           "r.lua:3:18: robot_model: unknown field 'sensors.front.yow' (did you mean 'yaw'?)");
     CHECK(error(with("sensors = { front = { kind = 'button', range = 1 } }")) ==
-          "r.lua:2:40: robot_model: unknown field 'sensors.front.range': expected kind, at, yaw, on");
+          "r.lua:2:40: robot_model: unknown field 'sensors.front.range': expected kind, at, yaw, on, port");
     CHECK(error(with("sensors = { { kind = 'range' } }")) ==
           "r.lua:2:13: robot_model: unknown field 'sensors[1]': expected NAME = { ... }");
     CHECK(error(with("ports = { p = { type = 'TimedPose2D', form = 'odometry' } }")) ==
           "r.lua:2:39: robot_model: unknown field 'ports.p.form' (did you mean 'from'?)");
     CHECK(error(with("ports = { p = { type = 'TimedPose2D', from = 'odometry', queue = 3 } }")) ==
           "r.lua:2:58: robot_model: unknown field 'ports.p.queue': expected type, from, doc, rate, quantity");
+}
+
+TEST_CASE("a sensor that the robot needs and does not have is told", "[lua][robot_file]") {
+    CHECK(error("return robot_model { mass = 1, sensors = { eye = { kind = 'range' } },\ndrive = { radius = 0.02, "
+                "track = 0.1, needs = { 'eyes' } } }") ==
+          "r.lua:2:39: robot_model: field 'drive.needs' expected sensors, there is none 'eyes' (did you mean 'eye'?)");
 }
 
 TEST_CASE("a start button that the robot does not have is told", "[lua][robot_file]") {
@@ -110,7 +116,7 @@ TEST_CASE("a robot's missing field is told with what belongs there", "[lua][robo
           "whole robot");
     CHECK(error("return robot_model { mass = 1 }") ==
           "r.lua:1: robot_model: field 'drive' is missing: expected { radius =, track =, pulses_per_turn =, skid =, "
-          "coasts_until_commanded =, limits =, hardware_limits = }: wheels, skids and limits");
+          "coasts_until_commanded =, limits =, hardware_limits =, needs =, port = }: wheels, skids and limits");
     CHECK(
         error("return robot_model { mass = 1, body = { size = { 1, 1, 1 } }, drive = { radius = 1 } }") ==
         "r.lua:1:63: robot_model: field 'drive.track' is missing: expected a positive number in m: between the wheels");

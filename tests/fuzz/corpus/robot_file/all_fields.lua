@@ -1,6 +1,6 @@
 return robot_model {
   doc = "all", mass = 1, body = { shape = "cylinder", radius = 0.1, height = 0.1, at = { 0, 0, 0.06 } },
-  drive = { radius = 0.02, track = 0.1, skid = 0.05, pulses_per_turn = 360, coasts_until_commanded = true, limits = { speed = 1 } },
+  drive = { radius = 0.02, track = 0.1, skid = 0.05, pulses_per_turn = 360, coasts_until_commanded = true, limits = { speed = 1 }, needs = { "a" } },
   sensors = {
     a = { kind = "range", at = { 0.1, 0, 0 }, yaw = 0, range = 1, minimum = 0.03, cone = 0.3, rays = 5, noise = 0.1,
           response = function(d) return 1 / d end, max_value = 10, nothing = 0 },
