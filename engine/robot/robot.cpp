@@ -107,9 +107,7 @@ void Robot::take_parameters() {
 }
 
 void Robot::tell_faults() {
-    for (std::string& fault : body_->take_faults()) {
-        if (told_faults_.insert(fault).second) log(LogLevel::warn, std::move(fault));
-    }
+    for (std::string& fault : body_->take_faults()) log(LogLevel::warn, std::move(fault));
 }
 
 // A pose in the body frame, now that a servo has turned it.

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -122,7 +121,6 @@ private:
     Odometry odometry_;
     Actuators actuators_;
     std::optional<double> sensed_at_, drove_at_;  // [s]
-    std::set<std::string> told_faults_;
 
     std::vector<Needed> needed_;
     std::vector<SensorPort> sensor_ports_;

@@ -67,14 +67,18 @@ TEST_CASE("a message carries the time at which its oldest sensor was read", "[en
     CHECK(run.robot->find_out_port("ir_metre")->tm() == 0.02);
 }
 
-TEST_CASE("what fails in a body is told once, and the rest goes on", "[engine][sensor]") {
+TEST_CASE("what a body says of its devices is told each time that it says so, and the rest goes on",
+          "[engine][sensor]") {
     FakeRun run;
-    run.hull().faults = {"no light sensors: is the overlay loaded?", "the battery is low"};
-    run.system.tick();
-    run.hull().faults = {"the battery is low"};
-    run.ticks(2);
-    CHECK(run.log ==
-          std::vector<std::string>{"mouse: no light sensors: is the overlay loaded?", "mouse: the battery is low"});
+    const std::vector<std::string> told{"light sensors: no answer", "light sensors: back again",
+                                        "light sensors: no answer"};
+    for (const std::string& fault : told) {
+        run.hull().faults = {fault};
+        run.system.tick();
+    }
+    std::vector<std::string> expected;
+    for (const std::string& fault : told) expected.push_back("mouse: " + fault);
+    CHECK(run.log == expected);
     CHECK(run.robot->state() == LifeState::active);
     CHECK(run.robot->find_out_port("ir")->count() == 3);
 }
