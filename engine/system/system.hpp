@@ -111,7 +111,6 @@ public:
     void tick();
     /// At rest only devices have their turns in a tick, and robots brake and stand: what a pause of real robots is.
     void set_at_rest(bool at_rest);
-    bool is_at_rest() const { return at_rest_; }
     /// The tick that comes next: what conditions and the console call now.
     const Time& now() const { return now_; }
     const Settings& settings() const { return settings_; }

@@ -2,6 +2,7 @@
 #include "tests/unit/console/session_rig.hpp"
 
 using namespace nezumi;
+using Catch::Contains;
 
 TEST_CASE("the arrow keys move a joystick's stick, and both its ports follow", "[console][session][joystick]") {
     SessionRig it("component \"stick\" { type = \"Joystick\" }", {});
@@ -28,4 +29,24 @@ TEST_CASE("the arrow keys move a joystick's stick, and both its ports follow", "
     it.session->key(Key::escape);
     shows("{ 0.0, 0.0 }", "{ 0.0, 0.0 }");
     CHECK(it.component("stick").find_out_port("pos")->count() > 80);
+}
+
+TEST_CASE("driving ends when a reload takes the port away, or gives it another type", "[console][session][joystick]") {
+    const auto changed = GENERATE(as<std::string>{}, "function on_execute() end",
+                                  "local out = output(\"out\", \"TimedShort\", \"a number\")");
+    CAPTURE(changed);
+    SessionRig it;
+    CHECK(it.type("drive 'controller.out'") == "driving controller.out: arrow keys, space stops, Esc ends");
+    CHECK(it.keys);
+    it.session->key(Key::up);
+    it.turn(2);
+    it.folder.write("behaviors/counter.lua", changed);
+    CHECK_THAT(it.type("reload()"), Contains("controller: version 2 runs"));
+    it.shown.clear();
+    it.turn();
+    CHECK(it.shown == "what was driven is gone");
+    CHECK_FALSE(it.keys);
+    it.session->key(Key::up);
+    it.turn(2);
+    CHECK(it.shown == "what was driven is gone");  // said once
 }

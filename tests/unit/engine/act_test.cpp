@@ -72,6 +72,20 @@ TEST_CASE("a value that does not fit the port, or is not finite, is refused", "[
     CHECK(error_of(run.system, Hold{"mouse.velocity_in", Velocity2D{.vx = std::nan("")}}) ==
           "mouse.velocity_in: a number of the value is not finite");
     CHECK(run.system.holder("mouse.velocity_in") == nullptr);
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        CHECK(error_of(run.system, Disturb{"mouse", bad, {}, {}}) == "disturb: a speed is not finite");
+        CHECK(error_of(run.system, Disturb{"mouse", 0.1, bad, {}}) == "disturb: a speed is not finite");
+        CHECK(error_of(run.system, Disturb{"mouse", {}, {}, bad}) == "disturb: a speed is not finite");
+    }
+    CHECK(error_of(run.system, Disturb{"mouse", 0.1, {}, -0.5}).empty());
+}
+
+TEST_CASE("a robot without buttons can't be pressed", "[engine][act]") {
+    RobotSpec spec = fake_mouse();
+    spec.sensors.pop_back();
+    std::erase_if(spec.ports, [](const PortSpec& port) { return port.name == "buttons"; });
+    FakeRun run(spec);
+    CHECK(error_of(run.system, Press{"mouse", "button"}) == "mouse has no buttons");
 }
 
 TEST_CASE("a hold is that of who made it, until another takes it", "[engine][act]") {
