@@ -71,7 +71,7 @@ OdeWorld::~OdeWorld() {
 
 void OdeWorld::add_border(const ArenaSpec& arena) {
     if (!arena.size || !arena.border) return;
-    const double x = arena.size->x, y = arena.size->y, t = arena.border_thickness, h = arena.border_height;
+    const double x = arena.size->x, y = arena.size->y, t = arena.border->thickness, h = arena.border->height;
     for (const double side : {1.0, -1.0}) {
         add_box({.at = {side * (x + t) / 2, 0, h / 2}, .size = {t, y + 2 * t, h}, .color = border_color}, "wall");
         add_box({.at = {0, side * (y + t) / 2, h / 2}, .size = {x, t, h}, .color = border_color}, "wall");

@@ -32,12 +32,6 @@ struct WallSpec {
 
 BoxSpec box_of(const WallSpec& wall);
 
-/// The walls around an arena.
-struct BorderSpec {
-    double thickness = ArenaSpec{}.border_thickness;  ///< [m]
-    double height = ArenaSpec{}.border_height;        ///< [m]
-};
-
 /// "#rrggbb" stays, a colour's name becomes its "#rrggbb"; of any other text, what was expected.
 std::string adopt_color(std::string& text);
 /// Letters, digits and underscores; of any other text, what was expected.
@@ -175,10 +169,7 @@ struct Describe<ArenaSpec> {
                 "m",
                 "inner length and width, the middle at the origin; without: unbounded",
                 {.range = NumberRange::positive}},
-        Extra{"border", "boolean|BorderFields", "", "walls around `size`", {.fallback = "true"}},
-        Internal{&ArenaSpec::border},
-        Internal{&ArenaSpec::border_thickness},
-        Internal{&ArenaSpec::border_height},
+        Setting{"border", &ArenaSpec::border, "", "walls around `size`", {.fallback = "true"}},
         Internal{&ArenaSpec::boxes},
         Internal{&ArenaSpec::cylinders},
         Internal{&ArenaSpec::markers},

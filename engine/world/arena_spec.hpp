@@ -48,19 +48,20 @@ struct FloorSpec {
     Place place;
 };
 
+/// The walls around an arena.
+struct BorderSpec {
+    double thickness = 0.02;  ///< [m]
+    double height = 0.1;      ///< [m]
+    bool operator==(const BorderSpec&) const = default;
+};
+
 struct ArenaSpec {
-    std::optional<Point2D> size;     ///< [m] inner length and width, centred on the origin; none: unbounded
-    bool border = true;              ///< walls around `size`
-    double border_thickness = 0.02;  ///< [m]
-    double border_height = 0.1;      ///< [m]
+    std::optional<Point2D> size;  ///< [m] inner length and width, centred on the origin; none: unbounded
+    std::optional<BorderSpec> border = BorderSpec{};  ///< walls around `size`
     std::vector<BoxSpec> boxes;
     std::vector<CylinderSpec> cylinders;
     std::vector<MarkerSpec> markers;
     std::optional<FloorSpec> floor;
 };
-
-/// The boxes of a CSV map: a header row and rows `x,y,z,lx,ly,lz,yaw` (centre [m], size [m], yaw [rad]). `file` is
-/// named in errors, which say the line, the column's name and what was found.
-Expected<std::vector<BoxSpec>> read_csv_map(std::string_view text, const std::string& file);
 
 }  // namespace nezumi

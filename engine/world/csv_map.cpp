@@ -67,10 +67,6 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
     return map;
 }
 
-Expected<std::vector<BoxSpec>> read_csv_map(std::string_view text, const std::string& file) {
-    return read_map(text, file).map([](CsvMap map) { return std::move(map.boxes); });
-}
-
 std::string describe(const CsvMap& map, const std::string& file) {
     std::string text = fmt::format("{}: {} box{}", file, map.boxes.size(), map.boxes.size() == 1 ? "" : "es");
     if (map.skipped > 0)

@@ -76,7 +76,7 @@ Result run_world(std::size_t count, int ticks, bool rays) {
     for (std::size_t i = 0; i < 24; ++i) directions[i] = {std::cos(spec.sensors[i].yaw), std::sin(spec.sensors[i].yaw)};
     ArenaSpec arena;
     arena.size = Point2D{bench::swarm_side(count), bench::swarm_side(count)};
-    arena.border_thickness = 0.1;
+    arena.border->thickness = 0.1;
 
     Result result;
     double begin = bench::thread_seconds();

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string_view>
 
-#include "engine/world/arena_spec.hpp"
+#include "engine/world/csv_map.hpp"
 #include "engine/world/robot_spec.hpp"
 
 using namespace nezumi;
@@ -42,8 +42,8 @@ void check(const ResponseTable& table) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    if (const auto map = read_csv_map(text, "any.csv")) {
-        for (const BoxSpec& box : *map) check(box);
+    if (const auto map = read_map(text, "any.csv")) {
+        for (const BoxSpec& box : map->boxes) check(box);
     } else {
         check(map.error());
     }

@@ -168,14 +168,7 @@ Expected<void> SystemWords::arena(const WordCall& call, const FileValue& value) 
     Fields fields(check, value);
     ArenaSpec given;
     read_record(fields, given);
-    BorderSpec border;
-    const FileValue* border_value = fields.field("border");
-    if (border_value != nullptr && border_value->table() != nullptr) {
-        detail::read_setting(fields, "border", "", {}, border);
-    } else {
-        fields.boolean("border", given.border);
-    }
-    const bool has_size = fields.has("size"), has_border = border_value != nullptr;
+    const bool has_size = fields.has("size"), has_border = fields.has("border");
     const std::vector<FileValue>& elements = fields.elements();
     fields.done(hint_for_arena);
     if (has_size && size_place_)
@@ -193,8 +186,6 @@ Expected<void> SystemWords::arena(const WordCall& call, const FileValue& value) 
     }
     if (has_border) {
         spec_.arena.border = given.border;
-        spec_.arena.border_thickness = border.thickness;
-        spec_.arena.border_height = border.height;
         border_place_ = call.place;
     }
     return {};

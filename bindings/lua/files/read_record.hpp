@@ -66,6 +66,14 @@ void read_setting(Fields& fields, std::string_view name, std::string_view unit, 
         Fields inner = fields.inner(name);
         read_record(inner, out, {.is_whole = false});
         inner.done();
+    } else if constexpr (SwitchedRecord<T>) {
+        const FileValue* value = fields.field(name);
+        if (value != nullptr && value->table() != nullptr) {
+            read_setting(fields, name, unit, rule, out.emplace());
+        } else if (bool is_there = false; fields.boolean(name, is_there)) {
+            out.reset();
+            if (is_there) out.emplace();
+        }
     } else if constexpr (IsOptional<T>::value) {
         if (!fields.has(name)) return;
         typename T::value_type read = out.value_or(typename T::value_type{});

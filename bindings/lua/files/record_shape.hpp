@@ -46,6 +46,10 @@ struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 
+/// A structure that is there or not: a table with its fields, true for all as it is by itself, or false.
+template <class T>
+concept SwitchedRecord = IsOptional<T>::value && Recorded<typename T::value_type>;
+
 template <class T>
 struct IsVector : std::false_type {};
 template <class T>
@@ -82,6 +86,8 @@ std::string values_of(const Rule& rule) {
         for_each_setting<T>(
             [&](const auto& field) { text += (text.empty() ? "{ " : ", ") + std::string(field.name) + " ="; });
         return text + " }";
+    } else if constexpr (SwitchedRecord<T>) {
+        return "true, false or " + values_of<typename T::value_type>(rule);
     } else if constexpr (IsOptional<T>::value) {
         return values_of<typename T::value_type>(rule);
     } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
@@ -114,6 +120,8 @@ std::string type_of(const Rule& rule) {
         return "table<string, table<string, ParameterValue>>";
     } else if constexpr (Recorded<T>) {
         return class_of(Describe<T>::name);
+    } else if constexpr (SwitchedRecord<T>) {
+        return "boolean|" + type_of<typename T::value_type>(rule);
     } else if constexpr (IsOptional<T>::value) {
         return type_of<typename T::value_type>(rule);
     } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {

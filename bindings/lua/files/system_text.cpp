@@ -16,13 +16,6 @@ std::string thing(const T& spec) {
     return fmt::format("{} {}", Describe<T>::name, write_record(spec));
 }
 
-// A field that its description leaves to whoever writes.
-std::string with(std::string table, std::string_view name, const std::string& value) {
-    if (value == "{}") return table;
-    table.resize(table.size() - (table == "{}" ? 1 : 2));
-    return fmt::format("{}{}{} = {} }}", table, table == "{" ? " " : ", ", name, value);
-}
-
 template <Recorded T>
 std::string table_of(const T& entry) {
     return write_record(entry);
@@ -30,9 +23,7 @@ std::string table_of(const T& entry) {
 
 std::string arena(const ArenaSpec& arena) {
     std::vector<std::string> parts;
-    const std::string border =
-        arena.border ? write_record(BorderSpec{arena.border_thickness, arena.border_height}) : "false";
-    const std::string own = with(write_record(arena), "border", border);
+    const std::string own = write_record(arena);
     if (own != "{}") parts.push_back(own.substr(2, own.size() - 4));
     for (const BoxSpec& box : arena.boxes) parts.push_back(thing(box));
     for (const CylinderSpec& cylinder : arena.cylinders) parts.push_back(thing(cylinder));

@@ -29,6 +29,9 @@ std::string write_setting(const T& value, const T& from, const Rule& rule) {
         for (const auto& [name, each] : value)
             text += (text.empty() ? "{ " : ", ") + lua_key(name) + " = " + write_setting(each, {}, rule);
         return text.empty() ? "{}" : text + " }";
+    } else if constexpr (SwitchedRecord<T>) {
+        const std::string text = value ? write_record(*value) : "false";
+        return text == "{}" ? "true" : text;
     } else if constexpr (IsOptional<T>::value) {
         return write_setting(value.value(), from.value_or(typename T::value_type{}), rule);
     } else {

@@ -17,7 +17,7 @@ CsvMap map_of(std::string_view text) {
 std::vector<BoxSpec> boxes(std::string_view text) { return map_of(text).boxes; }
 
 std::string error(std::string_view text) {
-    const auto read = read_csv_map(text, "map.csv");
+    const auto read = read_map(text, "map.csv");
     return read ? "no error" : describe(read.error());
 }
 

@@ -142,9 +142,7 @@ TEST_CASE("an arena holds boxes, walls, cylinders, markers and a size", "[lua][s
 TEST_CASE("an arena has a border unless it says otherwise", "[lua][system_file]") {
     CHECK(system_of("arena { size = { 1, 1 } }").arena.border);
     const auto spec = system_of("arena { size = { 1, 1 }, border = { height = 0.3, thickness = 0.05 } }");
-    CHECK(spec.arena.border);
-    CHECK(spec.arena.border_height == 0.3);
-    CHECK(spec.arena.border_thickness == 0.05);
+    CHECK(spec.arena.border == BorderSpec{.thickness = 0.05, .height = 0.3});
     CHECK_FALSE(system_of("arena { box { at = { 0, 0 }, size = { 1, 1, 1 } } }").arena.size.has_value());
     CHECK(system_of("arena { box { at = { 0, 0 }, size = { 1, 1, 1 }, pitch = -0.2 } }").arena.boxes[0].pitch == -0.2);
 }

@@ -72,7 +72,7 @@ TEST_CASE("however much lies in each other, a step ends, and it is told once", "
 TEST_CASE("a robot that leaves the arena is told once", "[sim][world]") {
     ArenaSpec arena;
     arena.size = Point2D{1, 1};
-    arena.border_height = 0.003;
+    arena.border->height = 0.003;
     TryWorld w(arena);
     w.add(mouse_spec(), 0, 0, 0, "mouse");
     w.add(mouse_spec(), 0, 0.3, 0, "other");

@@ -309,7 +309,7 @@ TEST_CASE("nobody starts or is put outside of an arena with a border", "[sim][ro
     for (const bool border : {true, false}) {
         ArenaSpec arena;
         arena.size = Point2D{2, 2};
-        arena.border = border;
+        if (!border) arena.border.reset();
         TryWorld w(arena);
         w.add(mouse_spec(), 0, 0);
         const RobotSpec other = mouse_spec();
