@@ -364,7 +364,7 @@ private:
 
 }  // namespace
 
-PictureOf look_at(const LiveSystem& live, const Paths& paths, std::string title) {
+PictureOf look_at(const LiveSystem& live, const Trajectories& trajectories, std::string title) {
     const System& system = live.system();
     PictureOf picture{.title = std::move(title), .seconds = system.now().seconds, .floor = live.spec().arena.floor};
     const World* world = system.world();
@@ -373,7 +373,8 @@ PictureOf look_at(const LiveSystem& live, const Paths& paths, std::string title)
     for (const Robot* robot : system.robots()) {
         if (robot->is_real()) continue;  // it is elsewhere
         picture.robots.push_back({robot->name(), robot->spec().body, robot->spec().drive,
-                                  world->truth(robot->id()).pose, world->rays(robot->id()), paths.of(robot->id())});
+                                  world->truth(robot->id()).pose, world->rays(robot->id()),
+                                  trajectories.of(robot->name())});
     }
     return picture;
 }

@@ -46,7 +46,7 @@ Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const S
 }
 
 void Recorder::begin_layout() {
-    layouts_.push_back({rows_, table_.order(), "time" + table_.header()});
+    layouts_.push_back({rows_, table_.order(), table_.header()});
     width_ = table_.width();
     if (layouts_.size() > 1) return;
     buffer_ += layouts_.back().header + "\n";
@@ -57,12 +57,10 @@ void Recorder::begin_layout() {
 void Recorder::add_rows(const System& system) {
     const std::lock_guard lock(*mutex_);
     if (sealed_ || error_) return;
-    const double seconds = static_cast<double>(system.now().tick - 1) / system.settings().rate;
+    const std::string time = fmt::format("{}", static_cast<double>(system.now().tick - 1) / system.settings().rate);
     table_.read([&](const std::vector<std::string>& cells) {
         if (layouts_.empty() || table_.width() > width_) begin_layout();
-        buffer_ += fmt::format("{}", seconds);
-        for (const std::size_t id : layouts_.back().ids) buffer_.append(",").append(cells[id]);
-        buffer_ += '\n';
+        buffer_ += TraceTable::row(time, layouts_.back().ids, cells) + "\n";
         ++rows_;
     });
     if (buffer_.size() >= flush_at || Clock::now() - flushed_ > longest_unwritten) flush();
@@ -84,16 +82,14 @@ Expected<void> Recorder::align_rows() {
     out << layouts_.back().header << '\n';
     read_csv_row(in, row);  // the header of the beginning
     std::size_t layout = 0;
-    std::vector<std::string_view> by_id;
+    std::vector<std::string> by_id;
     for (std::uint64_t number = 0; out && read_csv_row(in, row); ++number) {
         if (layout + 1 < layouts_.size() && layouts_[layout + 1].row == number) ++layout;
         const auto cells = split_csv_row(row).value_or(std::vector<std::string_view>{""});
         by_id.assign(table_.width(), {});
         const auto& ids = layouts_[layout].ids;
         for (std::size_t i = 0; i < ids.size() && i + 1 < cells.size(); ++i) by_id[ids[i]] = cells[i + 1];
-        out << cells.front();
-        for (const std::size_t id : layouts_.back().ids) out << ',' << by_id[id];
-        out << '\n';
+        out << TraceTable::row(cells.front(), layouts_.back().ids, by_id) << '\n';
     }
     out.close();
     std::error_code code;

@@ -183,16 +183,16 @@ private:
             if (recorder_->error()) loop.quit();
         }
         if (options_.picture.empty()) return;
-        if (starts_ != live_->starts()) paths_.clear();
+        if (starts_ != live_->starts()) trajectories_.clear();
         starts_ = live_->starts();
-        paths_.look(live_->system());
+        trajectories_.add(live_->system(), live_->trace());
     }
 
     void take_results() {
         if (recorder_) recorder_->seal();
         hash_ = live_->trace_hash();
         if (!options_.picture.empty())
-            picture_ = look_at(*live_, paths_, std::filesystem::path(options_.file).stem().string());
+            picture_ = look_at(*live_, trajectories_, std::filesystem::path(options_.file).stem().string());
     }
 
     // The run is none: no file is left that could be taken for its result.
@@ -233,7 +233,7 @@ private:
     RunJournal journal_;  // its files outlive the system
     std::unique_ptr<LiveSystem> live_;
     std::optional<Recorder> recorder_;
-    Paths paths_;
+    Trajectories trajectories_;
     int starts_ = 0;
     std::optional<PictureOf> picture_;
     std::uint64_t hash_ = 0;

@@ -37,7 +37,7 @@ public:
             }
         }
         if (kept.recorder) kept.recorder->add_rows(system);
-        kept.paths.look(system);
+        kept.trajectories.add(system, kept.live.trace());
     }
 
     Kept finish(const std::string& title) override {
@@ -55,7 +55,7 @@ public:
             // Without robots there is nothing to be seen.
             if (!world.begun || world.live.system().robots().empty()) continue;
             take(world.picture,
-                 draw_picture(look_at(world.live, world.paths, title), (folder_ / world.picture).string()));
+                 draw_picture(look_at(world.live, world.trajectories, title), (folder_ / world.picture).string()));
         }
         return kept;
     }
@@ -66,7 +66,7 @@ private:
         std::string picture;
         LiveSystem& live;
         std::optional<Recorder> recorder{};
-        Paths paths{};
+        Trajectories trajectories{};
         bool begun = false;  // it has ticked
     };
 

@@ -4,14 +4,28 @@
 #include <cmath>
 
 namespace nezumi::cli {
+namespace {
 
-void Paths::look(const System& system) {
-    if (system.world() == nullptr) return;
-    paths_.resize(system.robots().size());
+Point2D latest_of(const Channel& position) {
+    double coordinates[2] = {};
+    std::size_t count = 0;
+    position.visit_latest([&](const LeafPath&, const Leaf& leaf) { coordinates[count++] = std::get<double>(leaf); });
+    return {coordinates[0], coordinates[1]};
+}
+
+}  // namespace
+
+void Trajectories::add(const System& system, Trace& trace) {
     for (const Robot* robot : system.robots()) {
-        if (robot->is_real()) continue;
-        auto& [points, apart] = paths_[robot->id() < paths_.size() ? robot->id() : paths_.size() - 1];
-        const Point2D here = system.world()->truth(robot->id()).pose.position;
+        if (robot->is_real()) continue;  // nobody knows where it is
+        auto known = by_robot_.find(robot->name());
+        if (known == by_robot_.end()) {
+            const auto position = trace.follow(robot->name() + ".truth.pose.position");
+            if (!position) continue;
+            known = by_robot_.emplace(robot->name(), Trajectory{*position}).first;
+        }
+        auto& [position, points, apart] = known->second;
+        const Point2D here = latest_of(*position);
         if (!points.empty() && std::hypot(here.x - points.back().x, here.y - points.back().y) < apart) continue;
         points.push_back(here);
         if (points.size() < kMostPoints) continue;
@@ -21,9 +35,10 @@ void Paths::look(const System& system) {
     }
 }
 
-const std::vector<Point2D>& Paths::of(std::size_t robot) const {
+const std::vector<Point2D>& Trajectories::of(std::string_view robot) const {
     static const std::vector<Point2D> none;
-    return robot < paths_.size() ? paths_[robot].points : none;
+    const auto known = by_robot_.find(robot);
+    return known != by_robot_.end() ? known->second.points : none;
 }
 
 }  // namespace nezumi::cli

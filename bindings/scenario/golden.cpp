@@ -48,13 +48,9 @@ void Golden::add(double now) {
 }
 
 std::string Golden::text() const {
-    std::string out = "time" + table_.header() + "\n";
+    std::string out = table_.header() + "\n";
     const std::vector<std::size_t> order = table_.order();
-    for (const Row& row : rows_) {
-        out += row.time;
-        for (const std::size_t id : order) out += "," + cell(row, id);
-        out += '\n';
-    }
+    for (const Row& row : rows_) out += TraceTable::row(row.time, order, row.cells) + "\n";
     return out;
 }
 

@@ -94,10 +94,20 @@ std::vector<std::size_t> TraceTable::order() const {
 }
 
 std::string TraceTable::header() const {
-    std::string text;
+    std::string text = "time";
     for (const std::size_t id : order()) {
         const bool plain = names_[id].find_first_of(",\"\n\r") == std::string::npos;
         text += "," + (plain ? names_[id] : csv_quoted(names_[id]));
+    }
+    return text;
+}
+
+std::string TraceTable::row(std::string_view time, const std::vector<std::size_t>& ids,
+                            const std::vector<std::string>& cells) {
+    std::string text(time);
+    for (const std::size_t id : ids) {
+        text += ',';
+        if (id < cells.size()) text += cells[id];
     }
     return text;
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/trace/channel.hpp"
@@ -25,8 +26,11 @@ public:
     void read(const std::function<void(const std::vector<std::string>& cells)>& add);
     /// The columns' ids in the order of the channels and their values. An id, once given, stays.
     std::vector<std::size_t> order() const;
-    /// ",mouse.out.vx,mouse.out.vy": the columns' names in this order, as CSV.
+    /// "time,mouse.out.vx,mouse.out.vy": the columns' names in this order, as CSV, behind that of the time.
     std::string header() const;
+    /// "0.01,0.2,0": a row below a header of these ids. A cell is empty whose column came after the row.
+    static std::string row(std::string_view time, const std::vector<std::size_t>& ids,
+                           const std::vector<std::string>& cells);
     /// How many ids there are: more than before when columns have been added.
     std::size_t width() const { return cells_.size(); }
     /// From now on no columns are added.

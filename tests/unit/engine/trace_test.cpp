@@ -260,7 +260,7 @@ TEST_CASE("a table has a row for each message of a tick, the last one with the l
     });
     REQUIRE(b.parameters().declare({.name = "word", .initial = std::string("a, \"b\"")}));
     TraceTable table({&it.follow("b.speed"), &it.follow("a.out"), &it.follow("b.config")});
-    CHECK(table.header() == ",b.speed.vx,b.speed.vy,b.speed.va,a.out,b.config.word");
+    CHECK(table.header() == "time,b.speed.vx,b.speed.vy,b.speed.va,a.out,b.config.word");
     it.tick();
     const std::string word = R"("a, ""b""")";
     CHECK(read(table) == Rows{",,,10," + word, ",,,11," + word, ",,,12," + word});
@@ -270,4 +270,5 @@ TEST_CASE("a table has a row for each message of a tick, the last one with the l
     REQUIRE(it.system.remove("a"));
     it.tick();
     CHECK(read(table) == Rows{"0.25,0,0,," + word});
+    CHECK(TraceTable::row("0.01", {2, 0, 3}, {"a", "b", "c"}) == "0.01,c,a,");
 }
