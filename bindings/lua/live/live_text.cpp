@@ -81,6 +81,11 @@ std::string bounds_text(const ParameterSpec& spec) {
 // A message of several lines would tear a list.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+// "  (limited to 0.3 m/s and 2 rad/s)"; "" when there is nothing to say of it.
+std::string note_text(const Port& port) {
+    return port.note().empty() ? "" : fmt::format("  ({})", first_line(port.note()));
+}
+
 // "\n  about version 1.2, vendor Acme": what a script says of itself; "" when it says nothing.
 std::string about_text(const Component& component) {
     const auto* script = dynamic_cast<const ScriptComponent*>(&component);
@@ -120,11 +125,9 @@ std::string payload_text(const AnyPayload& value, std::size_t width) {
 }
 
 std::string port_text(const System& system, const Component& component, const Port& port) {
-    std::string text = fmt::format("{}.{}  {}  {}  {}  {}{}", component.name(), port.name(), port.type_name(),
-                                   payload_text(port.value()), age_text(port_age(system, port)),
-                                   peers_text(system, port), override_text(system, component, port));
-    if (!port.note().empty()) text += fmt::format("  ({})", first_line(port.note()));
-    return text;
+    return fmt::format("{}.{}  {}  {}  {}  {}{}{}", component.name(), port.name(), port.type_name(),
+                       payload_text(port.value()), age_text(port_age(system, port)), peers_text(system, port),
+                       override_text(system, component, port), note_text(port));
 }
 
 std::string component_title(const Component& component) {
@@ -154,6 +157,7 @@ std::string component_text(const System& system, const Component& component) {
                             override_text(system, component, port));
         if (port.override() == Override::held || port.override() == Override::frozen)
             text += " at " + payload_text(port.override_value(), 60);
+        text += note_text(port);
     };
     for (const auto& port : component.in_ports()) line(*port);
     for (const auto& port : component.out_ports()) line(*port);

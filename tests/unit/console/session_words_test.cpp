@@ -349,7 +349,8 @@ TEST_CASE("stop() and rearm() are words", "[console][session][act]") {
     CHECK(it.type("rearm()") == "! rearm: nothing is stopped: rearm() follows stop()");
     CHECK(it.type("run(1) stop() run(1) return mouse.truth.velocity.vx < 0.001").find("true") == 0);
     CHECK(it.said("emergency stop (console): rearm() lets the robots drive again"));
-    CHECK_THAT(it.type("mouse.target_velocity_in"), Contains("commands are ignored until rearm()"));
+    for (const char* look : {"mouse.target_velocity_in", "ls(mouse)"})
+        CHECK_THAT(it.type(look), Contains("  (emergency stop: commands are ignored until rearm())"));
     CHECK(it.type("rearm() run(1) return mouse.truth.velocity.vx > 0.2").find("true") == 0);
 }
 
