@@ -109,11 +109,11 @@ private:
         std::set<std::string> folders;  // on the way to others
     };
 
-    void watch_chain(const fs::path& file) {
-        watch(file.parent_path(), file.filename().string(), true);
-        for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
-            watch(folder.parent_path(), folder.filename().string(), false);
-        }
+    // From the root down: of a folder that is made anew in this moment, the one above it tells.
+    void watch_chain(const fs::path& path, bool is_file = true) {
+        const fs::path folder = path.parent_path();
+        if (folder.has_relative_path()) watch_chain(folder, false);
+        watch(folder, path.filename().string(), is_file);
     }
     void watch(const fs::path& folder, const std::string& name, bool is_file) {
         const int wd = ::inotify_add_watch(fd_, folder.c_str(),
@@ -142,8 +142,9 @@ private:
     std::map<int, Folder> folders_;
 };
 
-FileWatcher::FileWatcher()
-    : stamps_(std::make_unique<Stamps>()),
+FileWatcher::FileWatcher(double look_every)
+    : look_every_(look_every),
+      stamps_(std::make_unique<Stamps>()),
       wake_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
       thread_([this] { run(); }) {}
 
@@ -196,7 +197,7 @@ void FileWatcher::run() {
     Clock::time_point last_look = Clock::now();
     while (!quit_) {
         pollfd fds[2] = {{wake_, POLLIN, 0}, {notices->fd(), POLLIN, 0}};
-        const auto wait = pending ? nanoseconds(kQuiet) : nanoseconds(kLook);
+        const auto wait = pending ? nanoseconds(kQuiet) : nanoseconds(look_every_);
         const timespec timeout{wait.count() / 1'000'000'000, wait.count() % 1'000'000'000};
         const int ready = ::ppoll(fds, notices->fd() >= 0 ? 2 : 1, &timeout, nullptr);
         eventfd_t ignored = 0;
@@ -215,7 +216,7 @@ void FileWatcher::run() {
         }
         const Clock::time_point now = Clock::now();
         const bool is_quiet = pending && (ready == 0 || now - first > nanoseconds(kLongestGathering));
-        if (!is_quiet && now - last_look < nanoseconds(kLook)) continue;
+        if (!is_quiet && now - last_look < nanoseconds(look_every_)) continue;
         if (std::exchange(renew_first, false)) renew();
         last_look = now;
         look(std::exchange(pending, false));

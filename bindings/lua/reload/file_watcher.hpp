@@ -20,7 +20,10 @@ public:
     /// A file and the hash (`ScriptFile::hash`) of the content that is known of it.
     using Files = std::map<std::string, std::uint64_t>;
 
-    FileWatcher();
+    /// How often it looks for itself [s].
+    static constexpr double kLook = 0.5;
+
+    explicit FileWatcher(double look_every = kLook);
     ~FileWatcher();
     FileWatcher(const FileWatcher&) = delete;
     FileWatcher& operator=(const FileWatcher&) = delete;
@@ -37,8 +40,6 @@ public:
 
     /// How long after a notice it waits for the next one of the same save [s].
     static constexpr double kQuiet = 0.002;
-    /// How often it looks for itself [s].
-    static constexpr double kLook = 0.5;
 
 private:
     class Notices;
@@ -47,7 +48,8 @@ private:
     void run();
     void look(bool noticed);
 
-    std::mutex mutex_;  // over the next three
+    const double look_every_;  // [s]
+    std::mutex mutex_;         // over the next three
     Files known_;
     bool renewed_ = false;
     std::vector<std::string> changes_;
