@@ -1,4 +1,4 @@
-// Three bytes are four letters.
+// Three bytes are four letters. No library that the program links when it starts does this.
 #include "bindings/journal/base64.hpp"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A look at what somebody owns, without a hand on it.
+// A read-only view of a vector of unique pointers.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Log lines: who said what, when in simulated time, how loud.
+// Log lines: severity, time, component and text.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,10 @@ std::string_view to_text(LogLevel level);
 
 struct LogLine {
     LogLevel level = LogLevel::info;
-    double seconds = 0;     ///< simulated time
+    double seconds = 0;     ///< [s] time of the system: simulated, or of the clock where robots are real
     std::string component;  ///< its name, or "" for the system itself
     std::string text;
-    int start = 1;  ///< of the system: 1, and one more with each restart
+    int start = 1;  ///< number of the system's start: 1, and one more with each restart
 };
 
 /// Where log lines go. Called from the thread that ticks.

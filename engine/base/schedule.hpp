@@ -7,12 +7,12 @@
 
 namespace nezumi {
 
-/// How many physics steps make a tick, or an error that names the nearest rates when the tick is no whole number of
-/// steps.
+/// How many physics steps of `physics_step` [s] make a tick at `rate` [Hz]. When that is no whole number, an error that
+/// names the nearest rates.
 Expected<int> steps_per_tick(double rate, double physics_step);
 
-/// Whether component `rate` [Hz] is due in tick `k` of ticks at `tick_rate` [Hz]: when floor(k * rate / tick_rate)
-/// grows.
+/// Whether what runs at `rate` [Hz] is due in tick `k`, from 0, where `tick_rate` [Hz] ticks are a second: when
+/// floor(k * rate / tick_rate) grows.
 bool is_due(std::int64_t k, double rate, double tick_rate);
 
 }  // namespace nezumi

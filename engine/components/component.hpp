@@ -19,6 +19,7 @@
 
 namespace nezumi {
 
+/// The states of OpenRTM's life cycle.
 enum class LifeState { inactive, active, error };
 
 /// "INACTIVE", "ACTIVE", "ERROR".
@@ -45,8 +46,8 @@ public:
     virtual int version() const { return 1; }
     /// What sent it to ERROR, or went wrong last.
     const Error& last_error() const { return last_error_; }
-    /// The hook or command that ran out of its time, once one did: what came after depends on the machine. A reload
-    /// that did is refused instead.
+    /// The error of the latest hook or command that ran out of time; none if all were in time. What came after it
+    /// depends on the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
 
     /// A call of a hook or command, counted from 1, that ran out of its time. Those of `on_reload` do not count.
@@ -54,10 +55,10 @@ public:
         std::int64_t call = 0;
         Error error;
     };
-    /// Those since this was last called, at most the first 16.
+    /// Those since this function was last called: the first 16 of them.
     std::vector<OutOfTime> take_out_of_time() { return std::exchange(new_out_of_time_, {}); }
     bool has_new_out_of_time() const { return !new_out_of_time_.empty(); }
-    /// That call is to end so, whatever it takes: a replay does not ask the clock.
+    /// For a replay, which must not ask the clock: this call will end with this error, however long it takes.
     void run_out_of_time_at(OutOfTime call) { foreseen_.push_back(std::move(call)); }
     /// Executions since the start.
     std::int64_t executions() const { return executions_; }
@@ -95,7 +96,7 @@ public:
     /// "state". Returns whether it has such a member.
     virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) const { return false; }
 
-    /// Ticks a second in which it is due; 0: every tick.
+    /// Executions a second [Hz], at most the tick's rate; 0: one in every tick.
     double rate = 0;
     /// Where the system file names it.
     Place place;
@@ -121,9 +122,9 @@ public:
     /// written.
     void abort(Error error);
 
-    /// Time as the hook that runs sees it.
+    /// The tick of the hook that runs, or of the one that ran last.
     const Time& now() const { return now_; }
-    /// [s] between this execution and the one before; a period at the first.
+    /// [s] between this execution and the one before; at the first one period of its rate.
     double dt() const { return dt_; }
     /// The hook that runs now.
     Hook hook() const { return hook_; }

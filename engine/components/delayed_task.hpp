@@ -32,8 +32,8 @@ public:
                              [work = std::forward<Work>(work)]() mutable { return run(work); });
     }
 
-    /// The result, once it is due: waits for it when `wait` is set (simulation); else (hardware) it comes as soon as it
-    /// is ready, whatever the latency.
+    /// The result, or nothing when it is not there yet. With `wait` (simulation) it is there when it is due, and this
+    /// waits for it; without (hardware) as soon as it is ready, whatever the latency.
     std::optional<Expected<Result>> take(const Time& now, bool wait) {
         if (!busy()) return std::nullopt;
         if (wait ? now.seconds < due_ - half_a_step : !is_ready()) return std::nullopt;

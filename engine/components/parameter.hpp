@@ -28,7 +28,7 @@ struct ParameterSpec {
     ParameterValue initial;     ///< the default
     std::optional<double> min;  ///< inclusive, per element of an array
     std::optional<double> max;  ///< inclusive, per element of an array
-    double step = 0;            ///< for widgets only; 0: none
+    double step = 0;            ///< of widgets only, binds no value; 0: none
     std::string widget;         ///< "slider", "spin", "text", "checkbox", "radio", ... as in OpenRTM; may be empty
     std::string unit;
     std::string doc;
@@ -56,7 +56,7 @@ public:
     struct Parameter {
         ParameterSpec spec;
         ParameterValue value;
-        bool set = false;  ///< somebody gave it a value; otherwise it follows the default
+        bool set = false;  ///< somebody gave it a value; else it follows the default, also of a later version
     };
 
     /// Adds a parameter at its default. An error when the declaration is wrong or the name is taken.

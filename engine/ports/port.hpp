@@ -48,7 +48,8 @@ public:
         assert(pending_ > 0);
         pending_slots_[pending_ - 1].tm = tm;
     }
-    /// What `next_pending` gives first in a tick begins as a copy of this. Before anything is published.
+    /// The first slot that `next_pending` gives in a tick begins as a copy of this, so that what never changes need not
+    /// be written again. Only before anything is written.
     void prepare(const T& value) {
         assert(sequence_ == 0 && pending_ == 0);
         for (auto* slots : {&pending_slots_, &latched_slots_, &earlier_slots_}) slots->assign(1, {value});
@@ -101,9 +102,7 @@ public:
         held_ = std::make_unique<T>(read());
         override_ = Override::frozen;
     }
-    /// The value that it is held at; nullptr when it is not.
     AnyPayload override_value() const override { return *held_; }
-    const T* held() const { return override_ == Override::held ? held_.get() : nullptr; }
     std::uint64_t hash_latched(std::uint64_t seed) const override {
         for (const Message<T>& message : messages()) seed = mix_payload(seed, message.data);
         return seed;

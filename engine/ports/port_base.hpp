@@ -23,7 +23,8 @@ struct Time {
     double seconds = 0;
 };
 
-/// How long [s] a robot waits for a velocity, and anybody for a sender that declares no rate.
+/// [s] without a velocity command after which a robot stops, and without a message after which a port is stale whose
+/// sender declares no rate.
 inline constexpr double silence = 0.5;
 
 enum class Direction { in, out };
@@ -65,13 +66,13 @@ public:
     /// Messages that passed since the start.
     std::uint64_t count() const { return count_; }
 
-    /// From now on this value, once a tick, and nothing else. It must be of the port's type.
+    /// Sends this value once a tick from now on, and nothing else. It must be of the port's type.
     virtual void hold(AnyPayload value) = 0;
     /// From now on nothing gets through.
     void drop() { override_ = Override::dropped; }
-    /// From now on the present value, once a tick, and nothing else.
+    /// Sends the present value once a tick from now on, and nothing else.
     virtual void freeze() = 0;
-    /// What `hold` or `freeze` sends; one of them must be on.
+    /// The value that `hold` or `freeze` sends; the port must be held or frozen.
     virtual AnyPayload override_value() const = 0;
     /// Ends `hold`, `drop` and `freeze`.
     void release() { override_ = Override::none; }
@@ -99,7 +100,8 @@ public:
     /// Publishes what was written since the last time; what has no stamp of its own gets that of `now`. Returns whether
     /// there was anything.
     virtual bool latch(const Time& now) = 0;
-    /// Gives the message that was written last a stamp of its own [s]: when a device measured it.
+    /// Stamps the message that was written last with a time of its own [s]: when a device measured it. Something must
+    /// be written that is not published yet.
     virtual void stamp(double tm) = 0;
     /// Forgets what was written and not yet published.
     virtual void discard() = 0;
@@ -124,9 +126,9 @@ public:
     void set_rate(double hertz) { rate_ = hertz; }
     /// How long [s] without a message until it is stale: three periods where a rate is declared.
     double stale_after() const { return rate_ > 0 ? std::max(shortest_stale, 3 / rate_) : silence; }
-    /// Whether it was silent for so long.
+    /// Whether nothing was published for longer than that before `now` [s], or never.
     bool is_stale(double now) const { return latched_tick_ < 0 || now - latched_at_ > stale_after() + rounding; }
-    /// How often it has published.
+    /// Number of publications since the start.
     std::uint64_t sequence() const { return sequence_; }
     /// Mixes the last publication into a hash.
     virtual std::uint64_t hash_latched(std::uint64_t seed) const = 0;
@@ -167,10 +169,10 @@ public:
     std::size_t queue() const { return capacity_; }
     /// The tick in which something arrived last; -1 before.
     std::int64_t arrival_tick() const { return arrival_tick_; }
-    /// The same in seconds, 0 before.
+    /// The time of that tick [s]; 0 before.
     double arrived_at() const { return arrived_at_; }
     bool connected() const { return connections_ > 0; }
-    /// Whether nothing came for longer than its senders' rates let expect, or nothing can come.
+    /// Whether nothing came for longer than `stale_after` before `now` [s], or never, or it is not connected.
     bool is_stale(double now) const {
         return !connected() || arrival_tick_ < 0 || now - arrived_at_ > stale_after() + rounding;
     }
