@@ -10,10 +10,13 @@
 #include <charconv>
 #include <memory>
 
+#include "engine/base/whole_file.hpp"
+
 namespace nezumi::sim {
 namespace {
 
-constexpr std::int64_t most_pixels = 64'000'000;  // 8000 x 8000
+constexpr std::int64_t most_pixels = 64'000'000;                 // 8000 x 8000
+constexpr std::size_t largest_picture = std::size_t{256} << 20;  // bytes
 constexpr Rgb grey = 0x8a8f98;
 
 }  // namespace
@@ -22,8 +25,13 @@ Expected<Picture> read_picture(const std::string& file) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
-    const auto refuse = [&] { return failure(fmt::format("'{}' can't be read as a PNG: {}", file, image.message)); };
-    if (png_image_begin_read_from_file(&image, file.c_str()) == 0) return refuse();
+    const auto refuse_as = [&](std::string_view why) {
+        return failure(fmt::format("'{}' can't be read as a PNG: {}", file, why));
+    };
+    const auto refuse = [&] { return refuse_as(image.message); };
+    const auto text = read_whole(file, file, largest_picture);
+    if (!text) return refuse_as(text.error().message);
+    if (png_image_begin_read_from_memory(&image, text->data(), text->size()) == 0) return refuse();
     if (std::int64_t{image.width} * image.height > most_pixels) {
         return failure(fmt::format("'{}' has {} x {} pixels: expected at most {} million", file, image.width,
                                    image.height, most_pixels / 1'000'000));

@@ -11,6 +11,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/json_text.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -39,7 +40,7 @@ int check(const CheckOptions& options) {
     std::vector<Error> errors = found.errors;
     for (const Error& error : found.errors) refuse(error);
     for (const std::filesystem::path& file : found.files) {
-        if (auto readable = read_text_file(file, file.string()); !readable) {
+        if (auto readable = read_whole(file, file.string()); !readable) {
             errors.push_back(readable.error());
             status = refuse(readable.error());
             continue;

@@ -17,6 +17,7 @@
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
 #include "bindings/scenario/scenario_file.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -28,7 +29,7 @@ constexpr int most_errors = 50;  // of one system: each costs a build
 // The text of a script as messages here call it: by its path, so that an editor finds it.
 Expected<SourceText> read_shown(const fs::path& path, const Project& project) {
     const std::string name = project.shown(path);
-    auto text = read_text_file(path, name);
+    auto text = read_whole(path, name);
     if (!text) return Unexpected(text.error());
     return SourceText{path.string(), name, std::move(*text)};
 }
@@ -143,7 +144,7 @@ std::string near_file(const fs::path& path) {
 std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) {
     const Project project = Project::of(file, options.installed);
     const std::string shown = project.shown(file);
-    const auto text = read_text_file(file, shown);
+    const auto text = read_whole(file, shown);
     if (!text) return {text.error()};
     const SourceText source{file.string(), shown, *text};
     switch (kind_of_file(file, *text)) {

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bindings/journal/act_json.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace {
@@ -16,15 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Expected<std::string> read_whole(const fs::path& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
-    std::error_code problem;
-    if (!file || fs::is_directory(path, problem)) return failure("can't be read as a journal", {path.string()});
-    std::string text;
-    char buffer[65536];
-    for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) text.append(buffer, n);
-    return text;
-}
+constexpr std::size_t largest_journal = std::size_t{4} << 30;  // bytes
 
 std::optional<std::uint64_t> hash_of(const Json& json) {
     std::uint64_t hash = 0;
@@ -100,7 +92,7 @@ Unexpected Replay::wrong(int line, const std::string& what) const {
 }
 
 Expected<std::unique_ptr<Replay>> Replay::read(const fs::path& file, const std::string& version) {
-    const auto text = read_whole(file);
+    const auto text = read_whole(file, file.string(), largest_journal);
     if (!text) return Unexpected(text.error());
     std::unique_ptr<Replay> replay(new Replay(file));
     int number = 0;

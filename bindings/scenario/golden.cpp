@@ -97,7 +97,7 @@ Expected<void> Golden::finish(bool update) const {
         const auto written = write_whole(file_, text());
         return written ? written : failure(fmt::format("golden '{}': {}", name_, written.error().message), place_);
     }
-    const auto text = read_text_file(file_, name_);
+    const auto text = read_whole(file_, name_);
     if (!text) {
         return failure(
             fmt::format("golden '{}': {}; nezumi test --update-goldens writes it", name_, text.error().message),

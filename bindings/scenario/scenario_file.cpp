@@ -13,6 +13,7 @@
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "bindings/scenario/word_scan.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace {
@@ -61,7 +62,7 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
         if (errors != nullptr && errors->empty()) errors->push_back(error);
         return Unexpected(std::move(error));
     };
-    auto text = read_text_file(path, file->shown_);
+    auto text = read_whole(path, file->shown_);
     if (!text) return give_up(text.error());
     file->text_ = std::move(*text);
     auto data = DataFile::create(file->project_, {.seed = options.seed, .print = options.print});

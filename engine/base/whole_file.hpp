@@ -1,12 +1,28 @@
-// Files that are written whole or not at all.
+// Files that are read and written whole or not at all.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "engine/base/error.hpp"
 
 namespace nezumi {
+
+/// What text that a person wrote has at most [bytes].
+inline constexpr std::size_t largest_text = std::size_t{16} << 20;
+
+/// The whole of a regular file. It waits for nobody: a FIFO, a device, a socket or a folder is refused with what it is,
+/// as is a file that is not there, may not be read, or has more than `largest` bytes. The error's place is `shown`.
+Expected<std::string> read_whole(const std::filesystem::path& file, const std::string& shown,
+                                 std::size_t largest = largest_text);
+
+/// "a folder", "a FIFO", "a socket", "a device": what is there and is no regular file; "" for a file, or nothing.
+std::string_view other_than_file(const std::filesystem::path& path);
+
+/// Writes all of it to an open file, however many calls that takes. Returns 0, or the errno of the one that failed.
+int write_all(int file, std::string_view text);
 
 /// Writes `text` under a name of its own beside `file` ("FILE.new") and gives it its name when all of it is there:
 /// whatever goes wrong, what was there before is still there, and nothing else. A link is followed; a device or a pipe

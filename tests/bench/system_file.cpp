@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bindings/lua/files/system_file.hpp"
+#include "engine/base/whole_file.hpp"
 #include "tests/bench/report.hpp"
 
 using namespace nezumi;
@@ -22,7 +23,7 @@ void read(benchmark::State& state, const std::string& text) {
 }
 
 void tutorial(benchmark::State& state) {
-    read(state, *read_text_file(root / "behaviors/systems/stop_at_wall.lua", "stop_at_wall.lua"));
+    read(state, *read_whole(root / "behaviors/systems/stop_at_wall.lua", "stop_at_wall.lua"));
 }
 BENCHMARK(tutorial)->Unit(benchmark::kMillisecond);
 

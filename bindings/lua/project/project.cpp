@@ -7,6 +7,8 @@
 #include <set>
 #include <system_error>
 
+#include "engine/base/whole_file.hpp"
+
 namespace nezumi {
 namespace fs = std::filesystem;
 namespace {
@@ -102,16 +104,20 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
     }
     const fs::path file = file_name(kind, name);
     std::vector<std::string> places;
+    std::string other;
     for (const fs::path& folder : folders) {
         const fs::path candidate = (folder / file).lexically_normal();
         // Nobody means the file itself: a system may be called like the behaviour that it is for.
         if (candidate == naming) continue;
         if (files_->is_file(candidate)) return candidate;
         const std::string place = shown(candidate);
-        if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+        if (std::find(places.begin(), places.end(), place) != places.end()) continue;
+        if (const auto what = other_than_file(candidate); !what.empty() && what != "a folder")
+            other += fmt::format("; {} is {}, expected a file", place, what);
+        places.push_back(place);
     }
-    return failure(fmt::format("there is no {} '{}'{}; looked for {}", word(kind), name,
-                               nearest_name(folders, kind, name), fmt::join(places, ", ")));
+    return failure(fmt::format("there is no {} '{}'{}; looked for {}{}", word(kind), name,
+                               nearest_name(folders, kind, name), fmt::join(places, ", "), other));
 }
 
 Expected<std::string> Project::read(const fs::path& path) const { return files_->read(path, shown(path)); }

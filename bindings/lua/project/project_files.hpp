@@ -16,15 +16,11 @@ public:
     /// Whether there is a plain file. A device or a pipe may never end: what a name stands for is none of these.
     virtual bool is_file(const std::filesystem::path& path) const = 0;
     virtual bool is_folder(const std::filesystem::path& path) const = 0;
-    /// The whole of a file, as `read_text_file`.
+    /// The whole of a file, as `read_whole`.
     virtual Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const = 0;
 };
 
 /// The disk.
 const ProjectFiles& disk();
-
-/// The whole of a file on the disk, or why it can't be read: not there, a folder, no permission, larger than 16 MB.
-/// The error's place is the file, as `shown` shows it.
-Expected<std::string> read_text_file(const std::filesystem::path& path, const std::string& shown);
 
 }  // namespace nezumi

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bindings/lua/project/project.hpp"
+#include "engine/base/whole_file.hpp"
 #include "engine/ports/payload.hpp"
 
 namespace nezumi {
@@ -19,7 +20,7 @@ ScriptFile::ScriptFile(const SourceText& source)
 
 Expected<SourceText> read_source(const std::string& path) {
     std::string shown(file_name(path));
-    auto text = read_text_file(path, shown);
+    auto text = read_whole(path, shown);
     if (!text) return Unexpected(text.error());
     return SourceText{path, std::move(shown), std::move(*text)};
 }

@@ -11,11 +11,9 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <set>
 #include <utility>
-
-#include "bindings/lua/project/script_source.hpp"
 
 namespace nezumi {
 namespace {
@@ -23,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLongestGathering = 0.02;  // [s] of a burst of saves
+constexpr double kLongestGathering = 0.02;             // [s] of a burst of saves
+constexpr std::chrono::milliseconds kLongestEnd{200};  // for a file that is just being read
 
 std::chrono::nanoseconds nanoseconds(double seconds) {
     return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
@@ -58,10 +57,6 @@ bool is_link(const std::string& path) {
 }
 
 }  // namespace
-
-struct FileWatcher::Stamps {
-    std::map<std::string, Stamp> of;
-};
 
 // The folders of a list of files, watched from the moment it is made.
 class FileWatcher::Notices {
@@ -142,73 +137,118 @@ private:
     std::map<int, Folder> folders_;
 };
 
-FileWatcher::FileWatcher(double look_every)
-    : look_every_(look_every),
-      stamps_(std::make_unique<Stamps>()),
-      wake_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
-      thread_([this] { run(); }) {}
+// What the thread does and knows.
+class FileWatcher::Watch {
+public:
+    Watch(Shared& shared, double look_every, const Reader& read)
+        : shared_(shared), look_every_(look_every), read_(read) {}
+    void run();
+
+private:
+    void watch_anew();
+    void look(bool noticed);
+    // A file that has been missing or unreadable for a while.
+    struct Trouble {
+        Clock::time_point since;
+        bool told = false;
+    };
+    void look_at(const std::string& path, std::uint64_t known, bool noticed);
+    void lose(const std::string& path, const std::string& why);
+
+    Shared& shared_;
+    const double look_every_;  // [s]
+    const Reader& read_;
+    std::optional<Notices> notices_;
+    std::map<std::string, Stamp> stamps_;
+    std::map<std::string, Trouble> troubles_;
+};
+
+FileWatcher::Shared::Shared() : wake(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
+
+FileWatcher::Shared::~Shared() {
+    if (wake >= 0) ::close(wake);
+}
+
+FileWatcher::FileWatcher(double look_every, Reader read)
+    : shared_(std::make_shared<Shared>()), thread_([shared = shared_, look_every, read = std::move(read)] {
+          Watch(*shared, look_every, read).run();
+          const std::lock_guard lock(shared->mutex);
+          shared->ended = true;
+          shared->end.notify_all();
+      }) {}
 
 FileWatcher::~FileWatcher() {
-    quit_ = true;
-    ::eventfd_write(wake_, 1);
-    thread_.join();
-    ::close(wake_);
+    shared_->quit = true;
+    ::eventfd_write(shared_->wake, 1);
+    std::unique_lock lock(shared_->mutex);
+    const bool ended = shared_->end.wait_for(lock, kLongestEnd, [this] { return shared_->ended; });
+    lock.unlock();
+    if (ended) {
+        thread_.join();
+    } else {
+        thread_.detach();
+    }
 }
 
 void FileWatcher::watch(const Files& files) {
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock(shared_->mutex);
         Files known = files;
         for (auto& [path, hash] : known) {
-            if (const auto before = known_.find(path); before != known_.end()) hash = before->second;
+            if (const auto before = shared_->known.find(path); before != shared_->known.end()) hash = before->second;
         }
-        if (known == known_) return;
-        known_ = std::move(known);
-        renewed_ = true;
+        if (known == shared_->known) return;
+        shared_->known = std::move(known);
+        shared_->renewed = true;
     }
-    ::eventfd_write(wake_, 1);
+    ::eventfd_write(shared_->wake, 1);
 }
 
 std::vector<std::string> FileWatcher::take_changes() {
-    const std::lock_guard lock(mutex_);
-    has_changes_ = false;
-    std::sort(changes_.begin(), changes_.end());
-    changes_.erase(std::unique(changes_.begin(), changes_.end()), changes_.end());
-    return std::exchange(changes_, {});
+    const std::lock_guard lock(shared_->mutex);
+    shared_->has_news = !shared_->losses.empty();
+    std::vector<std::string> changes = std::exchange(shared_->changes, {});
+    std::sort(changes.begin(), changes.end());
+    changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
+    return changes;
 }
 
-void FileWatcher::run() {
-    Notices* notices = nullptr;
-    std::unique_ptr<Notices> owned;
-    const auto renew = [&] {
-        Files files;
-        {
-            const std::lock_guard lock(mutex_);
-            renewed_ = false;
-            files = known_;
-        }
-        owned = std::make_unique<Notices>(files);
-        notices = owned.get();
-    };
-    renew();
+std::vector<FileWatcher::Loss> FileWatcher::take_losses() {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->has_news = !shared_->changes.empty();
+    return std::exchange(shared_->losses, {});
+}
+
+void FileWatcher::Watch::watch_anew() {
+    Files files;
+    {
+        const std::lock_guard lock(shared_.mutex);
+        shared_.renewed = false;
+        files = shared_.known;
+    }
+    notices_.emplace(files);
+}
+
+void FileWatcher::Watch::run() {
+    watch_anew();
     bool pending = false;
     bool renew_first = false;
     Clock::time_point first{};
     Clock::time_point last_look = Clock::now();
-    while (!quit_) {
-        pollfd fds[2] = {{wake_, POLLIN, 0}, {notices->fd(), POLLIN, 0}};
+    while (!shared_.quit) {
+        pollfd fds[2] = {{shared_.wake, POLLIN, 0}, {notices_->fd(), POLLIN, 0}};
         const auto wait = pending ? nanoseconds(kQuiet) : nanoseconds(look_every_);
         const timespec timeout{wait.count() / 1'000'000'000, wait.count() % 1'000'000'000};
-        const int ready = ::ppoll(fds, notices->fd() >= 0 ? 2 : 1, &timeout, nullptr);
+        const int ready = ::ppoll(fds, notices_->fd() >= 0 ? 2 : 1, &timeout, nullptr);
         eventfd_t ignored = 0;
-        ::eventfd_read(wake_, &ignored);
+        ::eventfd_read(shared_.wake, &ignored);
         bool renewed = false;
         {
-            const std::lock_guard lock(mutex_);
-            renewed = renewed_;
+            const std::lock_guard lock(shared_.mutex);
+            renewed = shared_.renewed;
         }
-        const Notices::Kind kind = notices->read();
-        if (kind == Notices::Kind::other) others_ = true;
+        const Notices::Kind kind = notices_->read();
+        if (kind == Notices::Kind::other) shared_.others = true;
         if (kind == Notices::Kind::folder || renewed) renew_first = true;
         if (kind >= Notices::Kind::file || renewed) {
             if (!pending) first = Clock::now();
@@ -217,33 +257,49 @@ void FileWatcher::run() {
         const Clock::time_point now = Clock::now();
         const bool is_quiet = pending && (ready == 0 || now - first > nanoseconds(kLongestGathering));
         if (!is_quiet && now - last_look < nanoseconds(look_every_)) continue;
-        if (std::exchange(renew_first, false)) renew();
+        if (std::exchange(renew_first, false)) watch_anew();
         last_look = now;
         look(std::exchange(pending, false));
     }
 }
 
-void FileWatcher::look(bool noticed) {
+void FileWatcher::Watch::look(bool noticed) {
     Files files;
     {
-        const std::lock_guard lock(mutex_);
-        files = known_;
+        const std::lock_guard lock(shared_.mutex);
+        files = shared_.known;
     }
-    for (const auto& [path, hash] : files) {
-        const Stamp stamp(path);
-        if (!noticed && stamps_->of[path] == stamp) continue;
-        stamps_->of[path] = stamp;
-        const auto text = read_source(path);
-        if (!text) continue;  // it is on its way back, or gone for good
-        const std::uint64_t found = ScriptFile(*text).hash;
-        if (found == hash) continue;
-        const std::lock_guard lock(mutex_);
-        const auto known = known_.find(path);
-        if (known == known_.end() || known->second == found) continue;
-        known->second = found;
-        changes_.push_back(path);
-        has_changes_ = true;
-    }
+    for (const auto& [path, hash] : files) look_at(path, hash, noticed);
+}
+
+void FileWatcher::Watch::look_at(const std::string& path, std::uint64_t known, bool noticed) {
+    const Stamp stamp(path);
+    // What can't be read may be readable again without another look from outside.
+    const auto [before, is_new] = stamps_.try_emplace(path, stamp);
+    if (!noticed && !is_new && before->second == stamp && !troubles_.contains(path)) return;
+    before->second = stamp;
+    const auto text = read_(path);
+    if (!text) return lose(path, text.error().message);
+    troubles_.erase(path);
+    const std::uint64_t found = ScriptFile(*text).hash;
+    if (found == known) return;
+    const std::lock_guard lock(shared_.mutex);
+    const auto same = shared_.known.find(path);
+    if (same == shared_.known.end() || same->second == found) return;
+    same->second = found;
+    shared_.changes.push_back(path);
+    shared_.has_news = true;
+}
+
+// Many ways of saving take a file away for a moment.
+void FileWatcher::Watch::lose(const std::string& path, const std::string& why) {
+    const Clock::time_point now = Clock::now();
+    Trouble& trouble = troubles_.try_emplace(path, Trouble{.since = now}).first->second;
+    if (trouble.told || now - trouble.since < nanoseconds(look_every_)) return;
+    trouble.told = true;
+    const std::lock_guard lock(shared_.mutex);
+    shared_.losses.push_back({path, why});
+    shared_.has_news = true;
 }
 
 }  // namespace nezumi

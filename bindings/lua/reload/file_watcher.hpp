@@ -2,13 +2,17 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "bindings/lua/project/script_source.hpp"
 
 namespace nezumi {
 
@@ -19,11 +23,19 @@ class FileWatcher {
 public:
     /// A file and the hash (`ScriptFile::hash`) of the content that is known of it.
     using Files = std::map<std::string, std::uint64_t>;
+    using Reader = std::function<Expected<SourceText>(const std::string& path)>;
+    /// A file that can't be read any more.
+    struct Loss {
+        std::string path;
+        std::string why;
+    };
 
     /// How often it looks for itself [s].
     static constexpr double kLook = 0.5;
 
-    explicit FileWatcher(double look_every = kLook);
+    /// `read` is called from another thread, and may outlive the watcher when a call does not return.
+    explicit FileWatcher(double look_every = kLook, Reader read = read_source);
+    /// Waits for its thread, but not for a file system that does not answer.
     ~FileWatcher();
     FileWatcher(const FileWatcher&) = delete;
     FileWatcher& operator=(const FileWatcher&) = delete;
@@ -31,33 +43,44 @@ public:
     /// The files to watch from now on. Of those watched already, what is known stays known.
     void watch(const Files& files);
 
-    /// Whether there is something to take: no more than a look at a flag.
-    bool has_changes() const { return has_changes_.load(std::memory_order_relaxed); }
+    /// Whether there is something to take, changes or losses: no more than a look at a flag.
+    bool has_news() const { return shared_->has_news.load(std::memory_order_relaxed); }
     /// The files that have changed since the last time, in order. A file that went is none of them.
     std::vector<std::string> take_changes();
+    /// The files that went, or are there and can't be read, for at least as long as it is
+    /// from look to look: each once, and again only when it
+    /// could be read in between.
+    std::vector<Loss> take_losses();
     /// Whether another file of Lua was saved in one of the folders since the last time.
-    bool take_others() { return others_.exchange(false); }
+    bool take_others() { return shared_->others.exchange(false); }
 
     /// How long after a notice it waits for the next one of the same save [s].
     static constexpr double kQuiet = 0.002;
 
 private:
     class Notices;
-    struct Stamps;
+    class Watch;
+    // Of both threads. It goes with the one that ends last.
+    struct Shared {
+        Shared();
+        ~Shared();
+        Shared(const Shared&) = delete;
+        Shared& operator=(const Shared&) = delete;
 
-    void run();
-    void look(bool noticed);
+        std::mutex mutex;  // over the next six
+        std::condition_variable end;
+        bool ended = false;
+        Files known;
+        bool renewed = false;
+        std::vector<std::string> changes;
+        std::vector<Loss> losses;
+        std::atomic<bool> has_news{false};
+        std::atomic<bool> others{false};
+        std::atomic<bool> quit{false};
+        int wake;  // an eventfd
+    };
 
-    const double look_every_;  // [s]
-    std::mutex mutex_;         // over the next three
-    Files known_;
-    bool renewed_ = false;
-    std::vector<std::string> changes_;
-    std::atomic<bool> has_changes_{false};
-    std::atomic<bool> others_{false};
-    std::atomic<bool> quit_{false};
-    std::unique_ptr<Stamps> stamps_;  // the thread's
-    int wake_ = -1;                   // an eventfd
+    std::shared_ptr<Shared> shared_;
     std::thread thread_;
 };
 

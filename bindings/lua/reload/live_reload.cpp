@@ -8,8 +8,11 @@
 
 namespace nezumi {
 
-LiveReload::LiveReload(const System& system, Reloader& reloader, std::vector<std::string> other_files, Act act)
-    : system_(system), reloader_(reloader), other_files_(std::move(other_files)), act_(std::move(act)) {
+LiveReload::LiveReload(const System& system, Reloader& reloader, const std::vector<std::string>& other_files, Act act)
+    : system_(system), reloader_(reloader), act_(std::move(act)) {
+    for (const std::string& path : other_files) {
+        if (const auto text = read_source(path)) other_files_.try_emplace(path, ScriptFile(*text).hash);
+    }
     watch_again();
 }
 
@@ -20,9 +23,7 @@ LiveReload::~LiveReload() {
 void LiveReload::watch_again() {
     FileWatcher::Files files;
     for (const ScriptFile& file : reloader_.files()) files.try_emplace(file.path, file.hash);
-    for (const std::string& path : other_files_) {
-        if (const auto text = read_source(path)) files.try_emplace(path, ScriptFile(*text).hash);
-    }
+    files.insert(other_files_.begin(), other_files_.end());
     watcher_.watch(files);
 }
 
@@ -40,11 +41,18 @@ void LiveReload::take_changes() {
     }
     std::vector<std::string> scripts;
     for (std::string& path : watcher_.take_changes()) {
-        if (std::find(other_files_.begin(), other_files_.end(), path) != other_files_.end()) {
+        if (other_files_.contains(path)) {
             system_.log(LogLevel::warn, fmt::format("{} has changed: restart() to use it", path));
         } else {
             scripts.push_back(std::move(path));
         }
+    }
+    for (const FileWatcher::Loss& loss : watcher_.take_losses()) {
+        const std::vector<ScriptFile> files = reloader_.files();
+        const auto file =
+            std::find_if(files.begin(), files.end(), [&](const auto& each) { return each.path == loss.path; });
+        const std::string& shown = file != files.end() ? file->shown : loss.path;
+        system_.log(LogLevel::warn, fmt::format("{}: {}: what was loaded from it goes on", shown, loss.why));
     }
     // A module that was missing or wrong may have come: what failed without it is tried again.
     if (watcher_.take_others() || !scripts.empty()) scripts.insert(scripts.end(), failed_.begin(), failed_.end());

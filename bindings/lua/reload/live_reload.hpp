@@ -19,8 +19,8 @@ public:
     using Act = std::function<Expected<void>(const std::vector<std::string>& files)>;
 
     /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose change is
-    /// only told. All must outlive it.
-    LiveReload(const System& system, Reloader& reloader, std::vector<std::string> other_files, Act act);
+    /// only told. A file that can't be read any more is told once. System and reloader must outlive it.
+    LiveReload(const System& system, Reloader& reloader, const std::vector<std::string>& other_files, Act act);
     ~LiveReload();
     LiveReload(const LiveReload&) = delete;
     LiveReload& operator=(const LiveReload&) = delete;
@@ -28,7 +28,7 @@ public:
     /// To be called between two ticks. Costs a look at a flag when nothing has changed.
     void between_ticks() {
         reloader_.after_tick();
-        if (watcher_.has_changes() || rehearsed_.load(std::memory_order_acquire) || !failed_.empty()) take_changes();
+        if (watcher_.has_news() || rehearsed_.load(std::memory_order_acquire) || !failed_.empty()) take_changes();
     }
     /// After a reload that did not come from here, or after components came or went: what is to be watched.
     void watch_again();
@@ -43,7 +43,7 @@ private:
 
     const System& system_;
     Reloader& reloader_;
-    std::vector<std::string> other_files_;
+    FileWatcher::Files other_files_;
     Act act_;
     FileWatcher watcher_;
     std::vector<std::string> failed_;     // changed files whose reload was refused: their modules may be the reason

@@ -124,7 +124,7 @@ std::vector<std::string> Reloader::changed_files() const {
         const auto [known, is_new] = changed.try_emplace(file.path, false);
         if (is_new) {
             const auto now = read_(file.path);
-            known->second = now && ScriptFile(*now).hash != file.hash;
+            known->second = !now || ScriptFile(*now).hash != file.hash;
         }
         if (known->second && !contains(paths, file.path)) paths.push_back(file.path);
     };

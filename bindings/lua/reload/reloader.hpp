@@ -31,7 +31,7 @@ public:
     Expected<ReloadReport> reload_files(const std::vector<std::string>& paths);
     /// Reloads a component, and the others of its file, from this text.
     Expected<ReloadReport> reload(ScriptComponent& component, const SourceText& source);
-    /// The scripts and modules whose files have changed since they were loaded.
+    /// The scripts and modules whose files have changed since they were loaded, or can't be read.
     std::vector<std::string> changed_files() const;
     /// Takes a component, and those that came to their version with it, back to the version before, state included.
     Expected<ReloadReport> rollback(ScriptComponent& component);

@@ -13,6 +13,7 @@
 #include "bindings/lua/stubs/field_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
+#include "engine/base/whole_file.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -126,7 +127,7 @@ TEST_CASE("the documentation's tables are those of the descriptions", "[cli][fie
     std::string all;
     for (const auto& entry : fs::directory_iterator(root / "docs")) {
         if (entry.path().extension() != ".md") continue;
-        const auto page = read_text_file(entry.path(), entry.path().string());
+        const auto page = read_whole(entry.path(), entry.path().string());
         REQUIRE(page.has_value());
         const auto fresh = with_field_tables(*page, all_records());
         INFO((fresh ? "run this test with NEZUMI_RENEW=1 in the environment to bring the page up to date"

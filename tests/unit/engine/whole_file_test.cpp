@@ -1,9 +1,12 @@
-// Files that are written whole or not at all.
+// Files that are read and written whole or not at all.
 #include "engine/base/whole_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -78,4 +81,39 @@ TEST_CASE("a link, a mode and a device stay what they are", "[engine][base]") {
     CHECK(write_whole("/dev/null", "text"));
     CHECK(describe(write_whole("/dev/full", "text").error()) == "/dev/full: can't be written: No space left on device");
     CHECK(std::filesystem::exists("/dev/full"));
+}
+
+TEST_CASE("a file is read whole, or one plain message says why not", "[engine][base]") {
+    const Scratch scratch;
+    const auto error = [&](const char* name) { return describe(read_whole(scratch.path(name), name).error()); };
+    CHECK(error("nothing") == "nothing: there is no such file");
+    CHECK(error("") == "is a folder, expected a file");
+    scratch.write("big", std::string(largest_text + 1, ' '));
+    CHECK(error("big") == "big: is larger than 16 MB");
+    CHECK(read_whole(scratch.path("big"), "big", largest_text + 1).has_value());
+    scratch.write("text", std::string("a\0b\r\n", 5));
+    CHECK(*read_whole(scratch.path("text"), "text") == std::string("a\0b\r\n", 5));
+    if (geteuid() == 0) return;  // who may read everything
+    REQUIRE(chmod(scratch.path("text").c_str(), 0) == 0);
+    CHECK(error("text") == "text: can't be read: Permission denied");
+}
+
+TEST_CASE("what is no file is refused at once as what it is", "[engine][base]") {
+    const Scratch scratch;
+    const auto error = [&](const std::filesystem::path& path) { return read_whole(path, "it").error().message; };
+    REQUIRE(mkfifo(scratch.path("pipe").c_str(), 0600) == 0);
+    CHECK(error(scratch.path("pipe")) == "is a FIFO, expected a file");
+    std::filesystem::create_symlink("pipe", scratch.path("link"));
+    CHECK(error(scratch.path("link")) == "is a FIFO, expected a file");
+    CHECK(error("/dev/zero") == "is a device, expected a file");
+    const int listener = socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    scratch.path("socket").string().copy(address.sun_path, sizeof address.sun_path - 1);
+    REQUIRE(bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+    CHECK(error(scratch.path("socket")) == "is a socket, expected a file");
+    close(listener);
+    CHECK(other_than_file(scratch.path("")) == "a folder");
+    CHECK(other_than_file(scratch.path("none")).empty());
+    CHECK(other_than_file(scratch.write("file", "")).empty());
 }

@@ -5,6 +5,7 @@
 
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "engine/base/whole_file.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -15,7 +16,7 @@ const std::filesystem::path root = source_root();
 
 // The Lua examples of a page.
 std::vector<std::string> examples(const std::string& page) {
-    const auto text = read_text_file(root / "docs" / page, page);
+    const auto text = read_whole(root / "docs" / page, page);
     REQUIRE(text.has_value());
     std::vector<std::string> found;
     for (std::size_t at = 0; (at = text->find("```lua\n", at)) != std::string::npos;) {

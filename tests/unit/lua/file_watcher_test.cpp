@@ -1,6 +1,7 @@
 // Every way in which editors and tools save a file is noticed, and what is no change is not.
 #include "bindings/lua/reload/file_watcher.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -8,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <future>
+#include <memory>
 #include <thread>
 
 #include "bindings/lua/project/script_source.hpp"
@@ -57,7 +60,7 @@ struct Watched : Folder {
     // Until nothing that has happened can still be under way.
     void settle() const { std::this_thread::sleep_for(std::chrono::milliseconds(60)); }
     bool notices(double seconds = 20) {
-        soon([this] { return watcher.has_changes(); }, seconds);
+        soon([this] { return watcher.has_news(); }, seconds);
         changed = watcher.take_changes();
         return !changed.empty();
     }
@@ -230,6 +233,58 @@ TEST_CASE("another file of Lua in a watched folder is told apart", "[lua][watche
     write(it.path / "project" / "behaviors" / "module.lua", "new");
     CHECK(soon([&] { return it.watcher.take_others(); }));
     it.settle();
-    CHECK_FALSE(it.watcher.has_changes());
+    CHECK_FALSE(it.watcher.has_news());
     CHECK_FALSE(it.watcher.take_others());
+}
+
+TEST_CASE("a file that can't be read any more is told once, and again when it could be in between", "[lua][watcher]") {
+    Folder it;
+    write(it.file, "version 1");
+    FileWatcher watcher(0.2);
+    watcher.watch({{it.file.string(), ScriptFile({"", "", "version 1"}).hash}});
+    int version = 1;
+    const auto loses_it = [&](const Text& why) {
+        std::vector<FileWatcher::Loss> losses;
+        CHECK(soon([&] { return !(losses = watcher.take_losses()).empty(); }));
+        REQUIRE(losses.size() == 1);
+        CHECK(losses[0].path == it.file.string());
+        CHECK(losses[0].why == why);
+        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        CHECK(watcher.take_losses().empty());
+        fs::remove_all(it.file);
+        write(it.file, "version " + std::to_string(++version));
+        CHECK(soon([&] { return !watcher.take_changes().empty(); }));
+    };
+    fs::remove(it.file);
+    REQUIRE(::mkfifo(it.file.c_str(), 0600) == 0);
+    loses_it("is a FIFO, expected a file");
+    fs::remove(it.file);
+    loses_it("there is no such file");
+    fs::remove(it.file);
+    fs::create_directory(it.file);
+    loses_it("is a folder, expected a file");
+    fs::resize_file(it.file, 17 << 20);
+    loses_it("is larger than 16 MB");
+}
+
+TEST_CASE("a file system that does not answer does not hold up the end", "[lua][watcher][wallclock]") {
+    struct Waiting {
+        std::promise<void> asked, answer, left;
+    };
+    const auto waiting = std::make_shared<Waiting>();
+    auto begin = Clock::now();
+    {
+        FileWatcher watcher(FileWatcher::kLook, [waiting](const Text&) -> Expected<SourceText> {
+            waiting->asked.set_value();
+            waiting->answer.get_future().wait();
+            waiting->left.set_value();
+            return failure("at last");
+        });
+        watcher.watch({{"/it.lua", 1}});
+        waiting->asked.get_future().wait();
+        begin = Clock::now();
+    }
+    CHECK(Clock::now() - begin < std::chrono::seconds(1));
+    waiting->answer.set_value();
+    waiting->left.get_future().wait();  // and what its thread still does harms nobody
 }

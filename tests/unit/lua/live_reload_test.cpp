@@ -1,6 +1,7 @@
 // Saving a file changes the running robot; a bad save is told and changes nothing; no tick waits for either.
 #include "bindings/lua/reload/live_reload.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -111,6 +112,33 @@ TEST_CASE("a broken save is told, and the next good one runs", "[lua][reload]") 
                         [](const Text& line) { return line.find("still running") != Text::npos; }) == 1);
     write(it.file, writes("3"));
     CHECK(it.says("version 2 runs in it"));
+}
+
+TEST_CASE("a script that a FIFO takes the place of is told once, and reloads when it is a file again",
+          "[lua][reload]") {
+    Live it(writes("1"));
+    fs::remove(it.file);
+    REQUIRE(::mkfifo(it.file.c_str(), 0600) == 0);
+    CHECK(it.says("it.lua: is a FIFO, expected a file: what was loaded from it goes on"));
+    it.log.clear();
+    it.run(120);
+    CHECK(it.log.empty());
+    CHECK(it.value() == 1);
+    const auto refused = it.reloader.reload_files(it.reloader.changed_files());
+    REQUIRE_FALSE(refused);
+    CHECK(describe(refused.error()) == "it.lua: is a FIFO, expected a file; still running version 1");
+    fs::remove(it.file);
+    write(it.file, writes("2"));
+    CHECK(it.says("version 2 runs in it"));
+}
+
+TEST_CASE("a system file that goes is told once", "[lua][reload]") {
+    Live it(writes("1"));
+    fs::remove(it.system_file);
+    CHECK(it.says("system.lua: there is no such file: what was loaded from it goes on"));
+    it.log.clear();
+    it.run(120);
+    CHECK(it.log.empty());
 }
 
 TEST_CASE("a file that never ends its loading delays no tick", "[lua][reload][watchdog]") {

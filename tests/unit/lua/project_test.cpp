@@ -1,6 +1,8 @@
 // Names that become files: the order of places, and what is said when there is none.
 #include "bindings/lua/project/project.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -109,15 +111,15 @@ TEST_CASE("files below the working directory are shown relative to it, others wh
     CHECK(project.shown("../a.lua") == (fs::current_path().parent_path() / "a.lua").string());
 }
 
-TEST_CASE("a file that can't be read is one plain message", "[lua][project]") {
+TEST_CASE("what has the name and is no file is told as what it is", "[lua][project]") {
     const Scratch scratch;
-    scratch.write("big", std::string((16 << 20) + 1, ' '));
-    const auto error = [&](const char* name) { return describe(read_text_file(scratch.path(name), name).error()); };
-    CHECK(error("nothing") == "nothing: there is no such file");
-    CHECK(error("") == "is a folder, expected a file");
-    CHECK(error("big") == "big: is larger than 16 MB");
-    scratch.write("text", std::string("a\0b\r\n", 5));
-    CHECK(*read_text_file(scratch.path("text"), "text") == std::string("a\0b\r\n", 5));
+    fs::create_directories(scratch.path("behaviors/folder.lua"));
+    REQUIRE(mkfifo(scratch.path("behaviors/pipe.lua").c_str(), 0600) == 0);
+    const Project project = Project::of(scratch.path("a.lua"));
+    const auto there = [&](const char* name) { return scratch.path("behaviors/").string() + name; };
+    CHECK_THAT(found(project, scratch, FileKind::script, "pipe", "a.lua"),
+               Catch::EndsWith("; " + there("pipe.lua") + " is a FIFO, expected a file"));
+    CHECK_THAT(found(project, scratch, FileKind::script, "folder", "a.lua"), Catch::EndsWith(there("folder.lua")));
 }
 
 TEST_CASE("what is named is not offered as the nearest name", "[lua][project]") {
