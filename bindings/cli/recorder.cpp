@@ -15,8 +15,8 @@ namespace nezumi::cli {
 namespace {
 
 constexpr std::size_t flush_at = 16384;  // bytes
-// What a crash may cost.
-constexpr std::chrono::milliseconds longest_unwritten{100};
+// A crash may cost 0.1 s: this, a tick and the time to write.
+constexpr std::chrono::milliseconds longest_unwritten{50};
 // For a tick that is just adding its rows.
 constexpr std::chrono::seconds longest_wait{1};
 

@@ -1,13 +1,13 @@
-// Lines are collected and written whole, so that a process that is killed leaves a journal of whole lines.
+// Lines are written whole, on a thread of their own: a process that is killed leaves a journal of whole lines, and a
+// slow disk delays no tick.
 #include "bindings/journal/journal.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <variant>
 
 #include "bindings/journal/act_json.hpp"
@@ -48,10 +48,7 @@ Expected<std::unique_ptr<Journal>> Journal::create(const std::filesystem::path& 
     return std::unique_ptr<Journal>(new Journal(file.string(), descriptor, files));
 }
 
-Journal::~Journal() {
-    flush();
-    close(descriptor_);
-}
+Journal::~Journal() { flush(); }
 
 void Journal::begin(LiveSystem& live, const std::string& version, bool hardware) {
     live_ = &live;
@@ -72,9 +69,9 @@ void Journal::begin(LiveSystem& live, const std::string& version, bool hardware)
 }
 
 void Journal::serve() {
-    const auto now = Clock::now();
-    if (now - marked_ >= mark_period) mark();
-    if (now - flushed_ >= flush_period) flush();
+    if (Clock::now() - marked_ < period) return;
+    mark();
+    flush();
 }
 
 void Journal::mark() {
@@ -91,6 +88,7 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
     if (!message.empty()) last["message"] = text_to_json(message);
     waiting_ += line(last);
     flush();
+    fail_with(writer_.close());
 }
 
 void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {
@@ -112,19 +110,14 @@ void Journal::ran_out_of_time(const ActTime& when, const std::string& component,
                         {"line", call.error.place.line}}}});
 }
 
+void Journal::fail_with(int problem) {
+    if (problem == 0 || error_) return;
+    error_ = Error{fmt::format("the journal can't be written: {}", std::strerror(problem)), {name_}};
+}
+
 void Journal::flush() {
-    flushed_ = Clock::now();
-    std::size_t at = 0;
-    while (at < waiting_.size() && !error_) {
-        const ssize_t written = write(descriptor_, waiting_.data() + at, waiting_.size() - at);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) {
-            error_ = Error{fmt::format("the journal can't be written: {}", std::strerror(errno)), {name_}};
-        } else {
-            at += static_cast<std::size_t>(written);
-        }
-    }
-    waiting_.clear();
+    writer_.put(std::exchange(waiting_, {}));
+    fail_with(writer_.problem());
 }
 
 }  // namespace nezumi

@@ -6,7 +6,7 @@
 //      "failed":true   it was refused, but a script's hook or command has run
 //      "files":{...}   what it read; null: what is no longer there
 //   {"at":...,"out_of_time":{"component":"x","call":12,...}}   the clock ended that call into a script
-//   {"at":...,"hash":"..."}                 now and then: the trace hash there
+//   {"at":...,"hash":"..."}                 20 times a second: how far it came, and the trace hash there
 //   {"at":...,"end":"duration","hash":...}  last: how it ended, and the hash that the run printed
 #pragma once
 
@@ -20,6 +20,7 @@
 #include "bindings/journal/recorded_files.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/base/file_writer.hpp"
 
 namespace nezumi {
 
@@ -32,9 +33,9 @@ enum class RunEnd {
 
 class Journal final : public ActObserver {
 public:
-    /// How long a line may wait before it is written, and how often the hash is noted.
-    static constexpr std::chrono::milliseconds flush_period{100};
-    static constexpr std::chrono::milliseconds mark_period{1000};
+    /// How long a line may wait before it is written, and how often the tick and the hash are noted: a crash may cost
+    /// 0.1 s, this and the time to write.
+    static constexpr std::chrono::milliseconds period{50};
 
     /// Begins a file anew. `files` is what the system will be read through, and must outlive the journal. The system
     /// may go before it, but not act then.
@@ -49,7 +50,7 @@ public:
     void serve();
     /// Notes the hash as it is now.
     void mark();
-    /// The last line. Nothing is followed any more.
+    /// The last line, after which all is written. Nothing is followed any more.
     void end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash);
     /// What kept it from being written, once something did.
     const std::optional<Error>& error() const { return error_; }
@@ -61,15 +62,15 @@ private:
     using Clock = std::chrono::steady_clock;
 
     Journal(std::string name, int descriptor, RecordingFiles& files)
-        : name_(std::move(name)), descriptor_(descriptor), files_(files) {}
+        : name_(std::move(name)), writer_(descriptor), files_(files) {}
     void flush();
+    void fail_with(int problem);
 
     std::string name_;
-    int descriptor_;
+    FileWriter writer_;
     RecordingFiles& files_;
     LiveSystem* live_ = nullptr;
     std::string waiting_;  // whole lines
-    Clock::time_point flushed_{};
     Clock::time_point marked_{};
     ActTime last_mark_;
     std::optional<Error> error_;

@@ -1,21 +1,20 @@
 // A file that is written beside the ticks.
-#include <catch2/catch.hpp>
+#include "engine/base/file_writer.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <catch2/catch.hpp>
 #include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <sstream>
 #include <string>
 
-#include "bindings/cli/file_writer.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
-using cli::FileWriter;
 
 namespace {
 
@@ -27,7 +26,7 @@ std::string text_of_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("whoever writes waits for no disk, and all of it is there at the end", "[cli][record]") {
+TEST_CASE("whoever writes waits for no disk, and all of it is there at the end", "[engine][base]") {
     // A pipe that nobody reads yet is a disk that stalls.
     int ends[2];
     REQUIRE(pipe(ends) == 0);
@@ -50,7 +49,7 @@ TEST_CASE("whoever writes waits for no disk, and all of it is there at the end",
     close(ends[0]);
 }
 
-TEST_CASE("what waits to be written has a limit, and nothing of it gets lost", "[cli][record]") {
+TEST_CASE("what waits to be written has a limit, and nothing of it gets lost", "[engine][base]") {
     const Scratch scratch;
     const auto path = scratch.path("it");
     {
@@ -62,7 +61,7 @@ TEST_CASE("what waits to be written has a limit, and nothing of it gets lost", "
     CHECK(text_of_file(path) == expected);
 }
 
-TEST_CASE("a disk that is full ends the writing and keeps nobody waiting", "[cli][record]") {
+TEST_CASE("a disk that is full ends the writing and keeps nobody waiting", "[engine][base]") {
     FileWriter writer(open("/dev/full", O_WRONLY), 10);
     for (int i = 0; i < 100; ++i) writer.put(std::string(100, 'x'));
     CHECK(writer.close() == ENOSPC);

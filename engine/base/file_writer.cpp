@@ -1,26 +1,15 @@
 // One producer, one thread that writes, a queue between them.
-#include "bindings/cli/file_writer.hpp"
+#include "engine/base/file_writer.hpp"
 
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <string_view>
 #include <utility>
 
-namespace nezumi::cli {
-namespace {
+#include "engine/base/whole_file.hpp"
 
-int write_whole(int file, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = write(file, text.data(), text.size());
-        if (written < 0 && errno != EINTR) return errno;
-        if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
-}  // namespace
+namespace nezumi {
 
 FileWriter::FileWriter(int file, std::size_t most_waiting) : most_waiting_(most_waiting), file_(file) {
     // Signals are for the thread that runs the loop: they end its waiting.
@@ -28,7 +17,7 @@ FileWriter::FileWriter(int file, std::size_t most_waiting) : most_waiting_(most_
     sigset_t before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    thread_ = std::thread([this] { write_all(); });
+    thread_ = std::thread([this] { run(); });
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
@@ -68,7 +57,7 @@ int FileWriter::close() {
     return problem_;
 }
 
-void FileWriter::write_all() {
+void FileWriter::run() {
     std::unique_lock lock(mutex_);
     for (;;) {
         news_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
@@ -76,7 +65,7 @@ void FileWriter::write_all() {
         const std::string text = std::move(waiting_.front());
         waiting_.pop_front();
         lock.unlock();
-        const int problem = write_whole(file_, text);
+        const int problem = write_all(file_, text);
         lock.lock();
         waiting_bytes_ -= text.size();
         if (problem == 0) {
@@ -90,4 +79,4 @@ void FileWriter::write_all() {
     }
 }
 
-}  // namespace nezumi::cli
+}  // namespace nezumi

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-namespace nezumi::cli {
+namespace nezumi {
 
 class FileWriter {
 public:
@@ -29,7 +29,7 @@ public:
     int close();
 
 private:
-    void write_all();
+    void run();
 
     mutable std::mutex mutex_;
     std::condition_variable news_;   // for the thread
@@ -45,4 +45,4 @@ private:
     std::thread thread_;
 };
 
-}  // namespace nezumi::cli
+}  // namespace nezumi
