@@ -15,6 +15,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/problems.hpp"
+#include "bindings/cli/real_time.hpp"
 #include "bindings/cli/recorder.hpp"
 #include "bindings/cli/run_console.hpp"
 #include "bindings/cli/run_hardware.hpp"
@@ -57,10 +58,10 @@ std::string summary(const RunLoop& loop, std::chrono::duration<double> wall) {
     const double simulated = loop.advanced();
     std::string text = fmt::format("{:.2f} s simulated in {:.2f} s", simulated, wall.count());
     if (wall.count() > 0) text += fmt::format(", {:.2f} times real time", simulated / wall.count());
-    const RunLoop::Lateness lateness = loop.lateness();
-    if (lateness.late > 0)
-        text += fmt::format("; late ticks: {}, the worst by {:.1f} ms", lateness.late, lateness.worst * 1e3);
-    if (lateness.skipped > 0) text += fmt::format("; ticks left out: {}", lateness.skipped);
+    const Lateness lateness = loop.lateness();
+    if (lateness.ticks() > 0) text += fmt::format("; ticks began late by {}", to_text(lateness));
+    if (lateness.late() > 0) text += fmt::format("; late ticks: {}", lateness.late());
+    if (lateness.skipped() > 0) text += fmt::format("; ticks left out: {}", lateness.skipped());
     return text;
 }
 
@@ -112,6 +113,10 @@ public:
         if (auto open = options_.replay.empty() ? open_console() : Expected<void>(); !open)
             return Unexpected(open.error());
         if (recorder_ || !options_.picture.empty()) loop.after_tick([this, &loop] { keep_trace(loop); });
+        if (options_.real_time) {
+            real_time_.emplace();
+            say(real_time_->told());
+        }
 
         const auto begin = Pacer::Clock::now();
         loop.run();
@@ -203,6 +208,7 @@ private:
     }
 
     Expected<int> finish(const std::string& how) {
+        real_time_.reset();
         if (recorder_) {
             if (auto ok = recorder_->finish(); !ok) return Unexpected(ok.error());
         }
@@ -239,6 +245,7 @@ private:
     std::uint64_t hash_ = 0;
     std::optional<RunLoop> loop_;
     std::optional<RunConsole> console_;
+    std::optional<RealTime> real_time_;
 };
 
 }  // namespace

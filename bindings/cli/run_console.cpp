@@ -85,7 +85,9 @@ void RunConsole::show_status() {
     const double seconds = loop_.live().system().now().seconds;
     const double wall = std::chrono::duration<double>(now - shown_).count();
     const std::string how = paused ? "paused" : fmt::format("{:.2f}x", (loop_.advanced() - simulated_) / wall);
-    server_->show_status(fmt::format("{}  {:.1f} s  {}", name_, seconds, how), !paused);
+    const Lateness lateness = loop_.lateness();
+    const std::string late = lateness.ticks() > 0 ? "  late by " + to_text(lateness) : "";
+    server_->show_status(fmt::format("{}  {:.1f} s  {}{}", name_, seconds, how, late), !paused);
     shown_ = now;
     simulated_ = loop_.advanced();
     was_paused_ = paused;

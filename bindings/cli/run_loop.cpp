@@ -35,13 +35,9 @@ void RunLoop::pace_anew() {
     if (std::isfinite(options_.speed)) pacer_ = std::make_unique<Pacer>(live_.system().settings().rate, options_.speed);
 }
 
-RunLoop::Lateness RunLoop::lateness() const {
+Lateness RunLoop::lateness() const {
     Lateness all = before_;
-    if (pacer_ == nullptr) return all;
-    all.late += pacer_->late();
-    all.skipped += pacer_->skipped();
-    all.latest = pacer_->lateness();
-    all.worst = std::max(all.worst, pacer_->worst_lateness());
+    if (pacer_ != nullptr) all.add(pacer_->lateness());
     return all;
 }
 

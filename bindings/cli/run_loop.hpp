@@ -11,6 +11,7 @@
 #include "bindings/cli/problems.hpp"
 #include "bindings/console/clock_control.hpp"
 #include "bindings/lua/live/live_system.hpp"
+#include "engine/system/lateness.hpp"
 #include "engine/system/pacer.hpp"
 
 namespace nezumi::cli {
@@ -38,14 +39,6 @@ public:
     static constexpr double kSlice = 0.002;
     /// How long they wait at most for their next one, and the longest turn [s].
     static constexpr double kLongestWait = 0.05;
-
-    /// How ticks have kept to the clock.
-    struct Lateness {
-        std::uint64_t late = 0;     ///< ticks that began later than a tenth of a period after they were due
-        std::uint64_t skipped = 0;  ///< ticks that were left out after stalls
-        double latest = 0;          ///< [s] how late the latest tick began
-        double worst = 0;           ///< [s]
-    };
 
     struct Options {
         double speed = 1;                    ///< a factor of real time, or `as_fast_as_possible`

@@ -84,6 +84,8 @@ std::vector<Option> run_options(RunWords& words) {
          "console commands come from standard input; time moves only by their step and run, as fast as possible "
          "unless --speed is given. As --headless otherwise"},
         {"--speed", &words.speed, "times real time (default 1), or max: without waiting", "N|max"},
+        {"--realtime", &words.real_time,
+         "ask the kernel for ticks in time beside other programs: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
         {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n)", "N"},
         {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
@@ -109,7 +111,8 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     RunOptions options{.file = words.file,
                        .headless = words.headless || words.batch || !words.replay.empty(),
                        .batch = words.batch,
-                       .trace_hash = words.trace_hash};
+                       .trace_hash = words.trace_hash,
+                       .real_time = words.real_time};
     if (words.speed == "max" || (words.speed.empty() && (words.batch || !words.replay.empty()))) {
         options.speed = as_fast_as_possible;
     } else if (!words.speed.empty()) {
@@ -134,6 +137,11 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
             return wrong("--threads", fmt::format("a whole number from 1 to {}", most_threads), words.threads);
         options.threads = *threads;
     }
+    if (options.real_time && !std::isfinite(options.speed))
+        return failure(
+            "--realtime: ticks that follow no clock have no time to keep: leave it out, or give --speed a number");
+    if (options.real_time && options.threads > 1)
+        return failure("--realtime: one thread ticks, and waits for no other: leave out --threads");
     if (!words.picture.empty() && !is_picture_name(words.picture))
         return wrong("--picture", "a file name that ends in .png or .svg", words.picture);
     options.picture = words.picture;

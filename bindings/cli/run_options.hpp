@@ -22,6 +22,7 @@ struct RunWords {
     bool headless = false;
     bool batch = false;
     bool trace_hash = false;
+    bool real_time = false;
 };
 
 /// They as a command has them. `words` must outlive the parsing.
@@ -36,6 +37,7 @@ struct RunOptions {
     std::optional<std::uint64_t> seed;
     int threads = 1;
     bool trace_hash = false;
+    bool real_time = false;            ///< ask the kernel for ticks in time; `speed` is a number then
     std::string picture;               ///< "" for none; ends in .png or .svg
     std::string record;                ///< "" for none
     std::vector<std::string> ports;    ///< "name.port"; empty: every out-port

@@ -72,12 +72,12 @@ void StatusLine::show(std::size_t columns) {
         const double speed = reached_speed();
         pieces.push_back({fmt::format("  {:.{}f}x", speed, speed < 100 ? 2 : 0), ""});
     }
-    const RunLoop::Lateness lateness = loop_.lateness();
-    if (lateness.late > 0) {
-        pieces.push_back({fmt::format("  {} late (worst {:.1f} ms)", lateness.late, lateness.worst * 1e3), "\x1b[33m"});
-        if (lateness.skipped > 0) pieces.push_back({fmt::format(", {} skipped", lateness.skipped), "\x1b[33m"});
-    }
     add_states(system, pieces);
+    const Lateness lateness = loop_.lateness();
+    if (lateness.ticks() > 0) {
+        pieces.push_back({"  late by " + to_text(lateness), ""});
+        if (lateness.skipped() > 0) pieces.push_back({fmt::format(", {} skipped", lateness.skipped()), "\x1b[33m"});
+    }
 
     std::string line;
     std::size_t room = columns;

@@ -1,7 +1,6 @@
 // Every deadline is counted from the start, not from the tick before.
 #include "engine/system/pacer.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <thread>
 
@@ -27,13 +26,11 @@ void Pacer::wait() {
 }
 
 void Pacer::begin_tick(Clock::time_point now) {
-    const std::chrono::duration<double> behind = now - due();
+    const double behind = std::chrono::duration<double>(now - due()).count();
     const double period = 1.0 / (rate_ * speed_);
-    lateness_ = std::max(0.0, behind.count());
-    worst_ = std::max(worst_, lateness_);
-    if (lateness_ > period / 10) ++late_;
-    if (lateness_ > longest_burst * period) {
-        skipped_ += static_cast<std::uint64_t>(lateness_ / period);
+    lateness_.add(behind, period);
+    if (behind > longest_burst * period) {
+        lateness_.skip(static_cast<std::uint64_t>(behind / period));
         restart(now);
     }
     ++ticks_;

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "engine/system/lateness.hpp"
+
 namespace nezumi {
 
 class Pacer {
@@ -28,24 +30,15 @@ public:
     /// Counts from now on, as after a pause.
     void restart(Clock::time_point now = Clock::now());
 
-    /// Ticks that began later than a tenth of a period after they were due.
-    std::uint64_t late() const { return late_; }
-    /// Ticks that were skipped after stalls.
-    std::uint64_t skipped() const { return skipped_; }
-    /// How late the latest tick began [s].
-    double lateness() const { return lateness_; }
-    /// The worst of all [s].
-    double worst_lateness() const { return worst_; }
+    /// Of all ticks so far.
+    const Lateness& lateness() const { return lateness_; }
 
 private:
     double rate_;
     double speed_;
     Clock::time_point start_;
     std::int64_t ticks_ = 0;  // since start_
-    std::uint64_t late_ = 0;
-    std::uint64_t skipped_ = 0;
-    double lateness_ = 0;
-    double worst_ = 0;
+    Lateness lateness_;
 };
 
 }  // namespace nezumi

@@ -69,11 +69,11 @@ public:
 
     // The tick that has passed was due when it began, less how late it was; after a stall all that follow are due later
     // by that. What comes between its beginning and now, if only the machine, adds to it.
-    void add(const RunLoop::Lateness& lateness) {
+    void add(const Lateness& lateness) {
         const std::chrono::duration<double> passed = Pacer::Clock::now() - begin_;
-        const bool stalled = std::exchange(skipped_, lateness.skipped) != lateness.skipped;
-        if (stalled) stalls_ += lateness.latest;
-        const double late = stalls_ + (stalled ? 0 : lateness.latest);
+        const bool stalled = std::exchange(skipped_, lateness.skipped()) != lateness.skipped();
+        if (stalled) stalls_ += lateness.latest();
+        const double late = stalls_ + (stalled ? 0 : lateness.latest());
         offsets_.push_back(passed.count() - late - static_cast<double>(offsets_.size()) / rate_);
     }
     // The least of some ticks [s]: not all of them were interrupted.

@@ -114,9 +114,9 @@ TEST_CASE("1000 Hz asked is 1000 Hz given, whatever the ticks take", "[engine][p
         ticks.pass(i % 100 == 50 ? 0.002 : 0.0003);
     }
     CHECK(ticks.seconds() == Approx(100.0003).epsilon(1e-9));  // the first one began at 0
-    CHECK(ticks.pacer.late() == 2000);                         // the one after each long tick, and one more
-    CHECK(ticks.pacer.worst_lateness() == Approx(0.001).epsilon(1e-6));
-    CHECK(ticks.pacer.skipped() == 0);
+    CHECK(ticks.pacer.lateness().late() == 2000);              // the one after each long tick, and one more
+    CHECK(ticks.pacer.lateness().worst() == Approx(0.001).epsilon(1e-6));
+    CHECK(ticks.pacer.lateness().skipped() == 0);
 }
 
 TEST_CASE("a rate that is no whole number of nanoseconds does not drift", "[engine][pacer]") {
@@ -141,13 +141,13 @@ TEST_CASE("a stall of up to 5 periods is caught up, a longer one is skipped", "[
     ticks.pass(0.045);  // 4 ticks are missed: they follow at once
     for (int i = 0; i < 4; ++i) CHECK(ticks.next() == 0);
     CHECK(ticks.next() == Approx(0.005));
-    CHECK(ticks.pacer.skipped() == 0);
-    CHECK(ticks.pacer.late() == 4);
+    CHECK(ticks.pacer.lateness().skipped() == 0);
+    CHECK(ticks.pacer.lateness().late() == 4);
 
     ticks.pass(0.105);
     CHECK(ticks.next() == 0);
-    CHECK(ticks.pacer.skipped() == 9);
-    CHECK(ticks.pacer.worst_lateness() == Approx(0.095));
+    CHECK(ticks.pacer.lateness().skipped() == 9);
+    CHECK(ticks.pacer.lateness().worst() == Approx(0.095));
     for (int i = 0; i < 5; ++i) CHECK(ticks.next() == Approx(0.01));  // no burst
 }
 
@@ -158,6 +158,6 @@ TEST_CASE("a paused pacer owes nothing", "[engine][pacer]") {
     ticks.pacer.restart(ticks.now);
     CHECK(ticks.next() == 0);
     CHECK(ticks.next() == Approx(0.01));
-    CHECK(ticks.pacer.skipped() == 0);
-    CHECK(ticks.pacer.late() == 0);
+    CHECK(ticks.pacer.lateness().skipped() == 0);
+    CHECK(ticks.pacer.lateness().late() == 0);
 }
