@@ -54,15 +54,16 @@ void Journal::begin(LiveSystem& live, const std::string& version, bool hardware)
     live_ = &live;
     Json installed = Json::array();
     for (const auto& folder : live.options().installed) installed.push_back(folder.string());
-    waiting_ += line({{"journal", 1},
-                      {"version", version},
-                      {"hardware", hardware},
-                      {"system", live.file().string()},
-                      {"working_folder", files_.working_folder().string()},
-                      {"installed", std::move(installed)},
-                      {"seed", live.options().build.seed},
-                      {"seed_wins", live.options().build.seed_wins},
-                      {"files", files_to_json(files_.take())}});
+    Json first{{"journal", 1},
+               {"version", version},
+               {"hardware", hardware},
+               {"system", live.file().string()},
+               {"working_folder", files_.working_folder().string()},
+               {"installed", std::move(installed)},
+               {"seed", live.options().build.seed},
+               {"seed_wins", live.options().build.seed_wins},
+               {"files", files_to_json(files_.take())}};
+    add([first = std::move(first)] { return line(first); });
     live.observe_acts(this);
     flush();
     marked_ = Clock::now();
@@ -78,7 +79,9 @@ void Journal::mark() {
     marked_ = Clock::now();
     if (live_ == nullptr || live_->when() == last_mark_) return;
     last_mark_ = live_->when();
-    waiting_ += line({{"at", at(last_mark_)}, {"hash", hash_text(live_->trace_hash())}});
+    add([when = last_mark_, hash = live_->trace_hash()] {
+        return line({{"at", at(when)}, {"hash", hash_text(hash)}});
+    });
 }
 
 void Journal::end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash) {
@@ -86,28 +89,32 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
     live_ = nullptr;
     Json last{{"at", at(when)}, {"end", name_of(how)}, {"hash", hash_text(hash)}};
     if (!message.empty()) last["message"] = text_to_json(message);
-    waiting_ += line(last);
+    add([last = std::move(last)] { return line(last); });
     flush();
     fail_with(writer_.close());
 }
 
 void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {
-    const FileTexts files = files_.take();
+    FileTexts files = files_.take();
     if (!is_journaled(act, result.has_value())) return;
-    Json json{{"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act)}};
-    if (!result) json["failed"] = true;
-    if (!files.empty()) json["files"] = files_to_json(files);
-    waiting_ += line(json);
+    add([when, act, who, failed = !result, files = std::move(files)] {
+        Json json{{"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act)}};
+        if (failed) json["failed"] = true;
+        if (!files.empty()) json["files"] = files_to_json(files);
+        return line(json);
+    });
 }
 
 void Journal::ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) {
-    waiting_ += line({{"at", at(when)},
-                      {"out_of_time",
-                       {{"component", component},
-                        {"call", call.call},
-                        {"message", text_to_json(call.error.message)},
-                        {"file", call.error.place.file},
-                        {"line", call.error.place.line}}}});
+    add([when, component, call] {
+        return line({{"at", at(when)},
+                     {"out_of_time",
+                      {{"component", component},
+                       {"call", call.call},
+                       {"message", text_to_json(call.error.message)},
+                       {"file", call.error.place.file},
+                       {"line", call.error.place.line}}}});
+    });
 }
 
 void Journal::fail_with(int problem) {
@@ -116,7 +123,15 @@ void Journal::fail_with(int problem) {
 }
 
 void Journal::flush() {
-    writer_.put(std::exchange(waiting_, {}));
+    constexpr std::size_t usual_line = 200;  // bytes
+    if (!waiting_.empty()) {
+        const std::size_t bytes = usual_line * waiting_.size();
+        writer_.put(bytes, [lines = std::exchange(waiting_, {})] {
+            std::string text;
+            for (const Line& each : lines) text += each();
+            return text;
+        });
+    }
     fail_with(writer_.problem());
 }
 

@@ -13,9 +13,12 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bindings/journal/recorded_files.hpp"
 #include "bindings/lua/live/live_system.hpp"
@@ -63,6 +66,8 @@ private:
 
     Journal(std::string name, int descriptor, RecordingFiles& files)
         : name_(std::move(name)), writer_(descriptor), files_(files) {}
+    using Line = std::function<std::string()>;
+    void add(Line line) { waiting_.push_back(std::move(line)); }
     void flush();
     void fail_with(int problem);
 
@@ -70,7 +75,7 @@ private:
     FileWriter writer_;
     RecordingFiles& files_;
     LiveSystem* live_ = nullptr;
-    std::string waiting_;  // whole lines
+    std::vector<Line> waiting_;  // to be made beside the ticks: an act may hold a picture, or a million numbers
     Clock::time_point marked_{};
     ActTime last_mark_;
     std::optional<Error> error_;

@@ -25,12 +25,17 @@ FileWriter::~FileWriter() { close(); }
 
 void FileWriter::put(std::string text) {
     if (text.empty()) return;
+    const std::size_t bytes = text.size();
+    put(bytes, [text = std::move(text)]() mutable { return std::move(text); });
+}
+
+void FileWriter::put(std::size_t bytes, std::function<std::string()> make) {
     {
         std::unique_lock lock(mutex_);
         space_.wait(lock, [this] { return waiting_bytes_ <= most_waiting_ || problem_ != 0; });
         if (problem_ != 0) return;
-        waiting_bytes_ += text.size();
-        waiting_.push_back(std::move(text));
+        waiting_bytes_ += bytes;
+        waiting_.push_back({bytes, std::move(make)});
     }
     news_.notify_one();
 }
@@ -62,12 +67,13 @@ void FileWriter::run() {
     for (;;) {
         news_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
         if (waiting_.empty()) return;
-        const std::string text = std::move(waiting_.front());
+        const Piece piece = std::move(waiting_.front());
         waiting_.pop_front();
         lock.unlock();
+        const std::string text = piece.make();
         const int problem = write_all(file_, text);
         lock.lock();
-        waiting_bytes_ -= text.size();
+        waiting_bytes_ -= piece.bytes;
         if (problem == 0) {
             last_whole_piece_ = std::exchange(written_, written_ + text.size());
         } else {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -21,6 +22,8 @@ public:
 
     /// Writes this after all that was put before. After an error nothing is written any more.
     void put(std::string text);
+    /// The same for a text of about so many bytes that takes long to be made: its thread makes it.
+    void put(std::size_t bytes, std::function<std::string()> make);
     /// The error that ended the writing (an errno), 0 so far.
     int problem() const;
     /// Where the last piece that was written whole begins, from the first one on [bytes].
@@ -34,7 +37,11 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable news_;   // for the thread
     std::condition_variable space_;  // for who puts
-    std::deque<std::string> waiting_;
+    struct Piece {
+        std::size_t bytes;
+        std::function<std::string()> make;
+    };
+    std::deque<Piece> waiting_;
     std::size_t waiting_bytes_ = 0;
     const std::size_t most_waiting_;
     int file_;

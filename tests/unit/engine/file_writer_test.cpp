@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -66,4 +67,22 @@ TEST_CASE("a disk that is full ends the writing and keeps nobody waiting", "[eng
     for (int i = 0; i < 100; ++i) writer.put(std::string(100, 'x'));
     CHECK(writer.close() == ENOSPC);
     CHECK(writer.problem() == ENOSPC);
+}
+
+TEST_CASE("what takes long to be made is made by the thread that writes, in its place", "[engine][base]") {
+    const Scratch scratch;
+    const auto file = scratch.path("it");
+    std::thread::id maker;
+    {
+        FileWriter writer(open(file.c_str(), O_WRONLY | O_CREAT, 0600));
+        writer.put("first ");
+        writer.put(7, [&] {
+            maker = std::this_thread::get_id();
+            return std::string("second ");
+        });
+        writer.put("third");
+        CHECK(writer.close() == 0);
+    }
+    CHECK(text_of_file(file) == "first second third");
+    CHECK(maker != std::this_thread::get_id());
 }

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "bindings/lua/sandbox/watchdog.hpp"
 #include "tests/unit/journal/random_run.hpp"
 
 using namespace nezumi;
@@ -144,6 +145,23 @@ TEST_CASE("a process that is killed leaves a journal that replays to its last wh
     const bool restarts = text.find(R"("do":"Restart")", last) != std::string::npos;
     CHECK(again.end.start == start + (restarts ? 1 : 0));
     CHECK(again.end.tick == (restarts ? 0 : tick));
+}
+
+TEST_CASE("an act with a million numbers is written beside the ticks", "[journal][wallclock]") {
+    Small it("local port = input('in', 'TimedLongSeq', '') function on_execute() port:read() end");
+    const Act act = Inject{"it.in", std::vector<std::int32_t>(1'000'000, 12345)};
+    double spent = 1;
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        const ActTime when = it.live->when();
+        const std::int64_t before = thread_time();
+        it.journal->acted(when, act, {Actor::Kind::console}, ActResult{});
+        it.journal->serve();
+        spent = std::min(spent, static_cast<double>(thread_time() - before) * 1e-9);
+        it.tick();
+    }
+    it.end();
+    CHECK(spent < 0.01);  // a copy; as text they are 6 MB
+    CHECK(text_of(it.file).size() > 16'000'000);
 }
 
 TEST_CASE("a call that the clock ended ends so in the replay", "[journal][watchdog]") {
