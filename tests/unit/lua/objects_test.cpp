@@ -157,6 +157,12 @@ TEST_CASE("commands run in the component's own state, between ticks", "[lua][obj
     CHECK(it.run("return controller.status") == "ACTIVE");
     CHECK(it.run("controller:add(print)") ==
           "box.lua:1: command 'add': argument 1 is a function, and only plain data can be given");
+    CHECK_THAT(it.run("local t = {} for i = 1, 9999 do t[i] = i end controller:add(t)"),
+               Catch::Contains("arithmetic"));  // it was given to the command
+    CHECK(it.run("local t = {} for i = 1, 10000 do t[i] = i end controller:add(t)") ==
+          "box.lua:1: command 'add' was given 10001 values: at most 10000, so that no tick is late");
+    CHECK(it.run("controller:add(('x'):rep(1048577))") ==
+          "box.lua:1: command 'add' was given 1048577 bytes of text: at most 1048576, so that no tick is late");
     CHECK(it.run("controller.add(1)") == "box.lua:1: add: write `X:add(...)` with a colon, not `X.add(...)`");
 }
 
