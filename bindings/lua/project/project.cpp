@@ -97,10 +97,14 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
         return failure(fmt::format("the name of a {} has a zero byte in it", word(kind)));
     const fs::path naming = (working_ / named_in).lexically_normal();
     std::vector<fs::path> folders{naming.parent_path()};
-    if (!root_.empty()) folders.push_back(root_ / "behaviors");
+    const auto add_behaviors_of = [&](const fs::path& root) {
+        folders.push_back(root / "behaviors");
+        if (kind == FileKind::module) folders.push_back(root / "behaviors/lib");
+    };
+    if (!root_.empty()) add_behaviors_of(root_);
     for (const fs::path& installed : installed_) {
         if (kind == FileKind::model || kind == FileKind::data) folders.push_back(installed / "engine/robots");
-        folders.push_back(installed / "behaviors");
+        add_behaviors_of(installed);
     }
     const fs::path file = file_name(kind, name);
     std::vector<std::string> places;

@@ -51,6 +51,45 @@ void find_error_place(lua_State* lua, CallRecord& call) {
     }
 }
 
+// The deepest level of the stack that there is.
+int last_level(lua_State* lua) {
+    lua_Debug activation;
+    int below = 1;
+    while (lua_getstack(lua, below, &activation) != 0) below *= 2;
+    int there = below / 2;
+    while (below - there > 1) {
+        const int middle = there + (below - there) / 2;
+        (lua_getstack(lua, middle, &activation) != 0 ? there : below) = middle;
+    }
+    return there;
+}
+
+// Whether an activation is one of Lua code; its place then.
+bool is_lua(lua_State* lua, lua_Debug& activation, CallRecord::ScriptPlace& place) {
+    if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) return false;
+    place.set(activation);
+    return true;
+}
+
+// The line of the behaviour that called the module in which an error is: the innermost one of the file in which this
+// coroutine began.
+void find_caller(lua_State* lua, const CallRecord::ScriptPlace& error, CallRecord::ScriptPlace& caller) {
+    caller.line = 0;
+    lua_Debug activation;
+    CallRecord::ScriptPlace found;
+    found.line = 0;
+    for (int level = last_level(lua); level >= 0 && lua_getstack(lua, level, &activation) != 0; --level) {
+        if (is_lua(lua, activation, found)) break;
+    }
+    if (error.line == 0 || found.line == 0 || std::strcmp(found.file, error.file) == 0) return;
+    caller = found;
+    for (int level = 0; level < searched_levels && lua_getstack(lua, level, &activation) != 0; ++level) {
+        if (!is_lua(lua, activation, found) || std::strcmp(found.file, caller.file) != 0) continue;
+        caller = found;
+        return;
+    }
+}
+
 std::string shown(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", number);
@@ -100,6 +139,12 @@ int handle_error(lua_State* lua) {
         if (lua_type(lua, -1) != LUA_TSTRING) lua_settop(lua, 1);
     }
     find_error_place(lua, call);
+    CallRecord::ScriptPlace caller;
+    find_caller(lua, call.error_place, caller);
+    if (lua_type(lua, -1) == LUA_TSTRING && caller.line != 0) {
+        lua_pushfstring(lua, " (called from %s:%d)", caller.file, caller.line);
+        lua_concat(lua, 2);
+    }
     return 1;
 }
 

@@ -96,6 +96,26 @@ TEST_CASE("a name that is nowhere is told with the nearest one and all places", 
           "the name of a robot model has a zero byte in it");
 }
 
+TEST_CASE("modules are found in behaviors/lib too, the project's own before the installed ones", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/a.lua", "");
+    scratch.write("share/behaviors/lib/nezumi/pid.lua", "");
+    const Project project = Project::of(scratch.path("behaviors/a.lua"), {scratch.path("share")});
+    const std::string in = "behaviors/a.lua";
+    CHECK(found(project, scratch, FileKind::module, "nezumi.pid", in) == "share/behaviors/lib/nezumi/pid.lua");
+    CHECK_THAT(found(project, scratch, FileKind::module, "nezumi.pdi", in),
+               Catch::StartsWith("there is no module 'nezumi.pdi' (did you mean 'nezumi.pid'?); looked for "));
+    CHECK_THAT(found(project, scratch, FileKind::script, "nezumi/pid", in), Catch::StartsWith("there is no script"));
+    scratch.write("behaviors/lib/nezumi/pid.lua", "");
+    const std::string own = "behaviors/lib/nezumi/pid.lua";
+    CHECK(found(project, scratch, FileKind::module, "nezumi.pid", in) == own);
+    CHECK(found(project, scratch, FileKind::module, "lib.nezumi.pid", in) == own);
+    // A project's own can be made of the installed one.
+    CHECK(found(project, scratch, FileKind::module, "nezumi.pid", own) == "share/behaviors/lib/nezumi/pid.lua");
+    scratch.write("behaviors/nezumi/pid.lua", "");
+    CHECK(found(project, scratch, FileKind::module, "nezumi.pid", in) == "behaviors/nezumi/pid.lua");
+}
+
 TEST_CASE("a folder is no file", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/x.lua/y", "");

@@ -261,16 +261,50 @@ function on_execute() out:write(a.double(21)) assert(require "b".twice(2) == 4) 
     CHECK(refusal("require 'slip'", context) == "slip.lua:2:25: unknown global 'xx' (did you mean 'x'?)");
     CHECK(refusal("require 'hook'", context) ==
           "hook.lua:1:10: 'on_execute' can't be used in a module: callbacks belong into the component's own file");
-    CHECK(refusal("require 'fails'", context) == "fails.lua:2: attempt to index a nil value (local 't')");
+    CHECK(refusal("require 'fails'", context) ==
+          "fails.lua:2: attempt to index a nil value (local 't') (called from robot_controller.lua:1)");
     CHECK(refusal("require(3)", context) == "robot_controller.lua:1: require expected a module's name, got number");
     CHECK(refusal("require 'cycle1'", context) ==
-          "cycle2.lua:1: require 'cycle1': the modules require each other: cycle1 requires cycle2 requires cycle1");
+          "cycle2.lua:1: require 'cycle1': the modules require each other: cycle1 requires cycle2 requires cycle1 "
+          "(called from robot_controller.lua:1)");
     CHECK(refusal("pcall(require, 'fails') pcall(require, 'fails') param('x', 1)", context) == "");
     CHECK(refusal("require 'a'") == "robot_controller.lua:1: require 'a': there are no modules here");
     Rig late("function on_execute() require 'a' end", context);
     late.activate().tick();
     CHECK(late.error() ==
           "robot_controller.lua:1: require 'a': modules are loaded while the file loads; require it at its top");
+}
+
+TEST_CASE("an error in a module names the line of the behaviour that called it", "[lua][component][modules]") {
+    const ModuleFinder find = [&](std::string_view name, std::string_view) -> Expected<SourceText> {
+        if (name == "inner") return source("return { index = function(t)\n return t.x.y end }", "inner.lua");
+        return source(
+            "local inner = require 'inner'\nlocal M = {}\nfunction M.index(t)\n local y = inner.index(t)\n return y "
+            "end\n"
+            "function M.refuse(t)\n error('expected a table', 2) end\nfunction M.call(f)\n f() end\n"
+            "function M.deep(n)\n if n == 0 then error('the end') end M.deep(n - 1) return 1 end\n"
+            "function M.raise(value)\n error(value) end\nreturn M",
+            "outer.lua");
+    };
+    const auto error_of = [&](const Text& body) {
+        Rig rig("local outer = require 'outer'\nlocal out = output('out', 'TimedLong')\nfunction on_execute()\n" +
+                    body + "\nend",
+                {.find_module = find});
+        rig.activate().tick();
+        return rig.error();
+    };
+    CHECK(error_of("outer.index({})") ==
+          "inner.lua:2: attempt to index a nil value (field 'x') (called from robot_controller.lua:4)");
+    CHECK(error_of("local function f()\n outer.index({}) end\n f()") ==
+          "inner.lua:2: attempt to index a nil value (field 'x') (called from robot_controller.lua:5)");
+    // Whose mistake it is, its line is told alone.
+    CHECK(error_of("outer.refuse(1)") == "robot_controller.lua:4: expected a table");
+    CHECK(error_of("outer.call(function()\n error('mine') end)") == "robot_controller.lua:5: mine");
+    CHECK(error_of("outer.deep(5000)") == "outer.lua:11: the end (called from robot_controller.lua:4)");
+    CHECK(error_of("outer.raise(nil)") == "outer.lua:13: an error of value nil");
+    // A coroutine has a stack of its own; who resumed it is not on it.
+    CHECK(error_of("local co = coroutine.wrap(function()\n outer.index({}) end)\n co()")
+              .find("inner.lua:2: attempt to index a nil value (field 'x')") != Text::npos);
 }
 
 TEST_CASE("math.random follows the run's seed, the component's name and the version", "[lua][component]") {
