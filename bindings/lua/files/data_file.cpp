@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "bindings/lua/modules/native_modules.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/sandbox/strict_globals.hpp"
 #include "bindings/lua/values/bridge.hpp"
@@ -150,6 +151,7 @@ Expected<DataFile::Module> DataFile::find_module(lua_State* lua) {
 
 int DataFile::require(lua_State* lua) {
     auto& file = *static_cast<DataFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    if (push_native_module(lua, 1)) return 1;
     Module found = Module::known;
     bridge(lua, [&] { return file.find_module(lua).map([&](Module module) { found = module; }); });
     lua_settop(lua, 1);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bindings/lua/modules/native_modules.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/script/script_call.hpp"
@@ -74,15 +75,17 @@ int word_require(lua_State* L) {
         if (lua_rawget(L, 2) != LUA_TNIL) return 1;
         lua_pop(L, 1);
     }
-    bridge(L, [&]() -> Expected<void> {
-        if (lua_type(L, 1) != LUA_TSTRING)
-            return failure(fmt::format("require expected a module's name, got {}", luaL_typename(L, 1)));
-        return script.begin_module(L, string_at(L, 1));
-    });
-    const Chunk& chunk = script.module_chunk();
-    if (luaL_loadbufferx(L, chunk.bytecode.data(), chunk.bytecode.size(), "module", "b") != LUA_OK) lua_error(L);
-    lua_call(L, 0, 1);
-    script.end_module();
+    if (!push_native_module(L, 1)) {
+        bridge(L, [&]() -> Expected<void> {
+            if (lua_type(L, 1) != LUA_TSTRING)
+                return failure(fmt::format("require expected a module's name, got {}", luaL_typename(L, 1)));
+            return script.begin_module(L, string_at(L, 1));
+        });
+        const Chunk& chunk = script.module_chunk();
+        if (luaL_loadbufferx(L, chunk.bytecode.data(), chunk.bytecode.size(), "module", "b") != LUA_OK) lua_error(L);
+        lua_call(L, 0, 1);
+        script.end_module();
+    }
     if (lua_isnil(L, -1)) {
         lua_pop(L, 1);
         lua_pushboolean(L, 1);

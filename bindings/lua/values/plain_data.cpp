@@ -85,9 +85,10 @@ struct Taker {
         return names[at.value] + path;
     }
 
-    // The value on top of the stack, which is popped.
+    // The value on top of the stack, which is popped. An object of ours may have plain data to be taken in its place.
     Value take(lua_State* L) {
         Value value;
+        if (lua_type(L, -1) == LUA_TUSERDATA && luaL_callmeta(L, -1, "__plain") != 0) lua_remove(L, -2);
         switch (lua_type(L, -1)) {
             case LUA_TNIL: break;
             case LUA_TTABLE: value = take_table(L); break;

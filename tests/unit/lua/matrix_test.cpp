@@ -1,0 +1,66 @@
+// Matrices within the sandbox: their memory, their place in `state` and in commands, and what a script may try with
+// them. What they compute is tested by tests/scenarios/matrix_module_test.lua.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/lua/reload_rig.hpp"
+#include "tests/unit/lua/rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+const Text head = "local matrix = require 'native.matrix'\n";
+
+Text error_of(const Text& body, ScriptContext context = {}) {
+    Rig rig(head + "function on_execute()\n" + body + "\nend", std::move(context));
+    rig.activate().tick();
+    return rig.status() == "ERROR" ? rig.error() : "";
+}
+
+}  // namespace
+
+TEST_CASE("the memory of matrices counts against the script's", "[lua][matrix]") {
+    CHECK(error_of("state.all = {} for i = 1, 1e6 do state.all[i] = matrix.zeros(64, 64) end",
+                   {.memory_limit = std::size_t{4} << 20}) ==
+          "robot_controller.lua:3: not enough memory: the script reached its limit of 4 MB");
+    CHECK(error_of("for i = 1, 2000 do local m = matrix.zeros(64, 64) end",
+                   {.budget = headless_budget, .memory_limit = std::size_t{4} << 20}) == "");
+}
+
+TEST_CASE("endless calculating is ended by the script's budget", "[lua][matrix][watchdog]") {
+    CHECK(error_of("local m = matrix.identity(64) while true do m = m:solve(m) end", {.budget = {0.1}}) ==
+          "robot_controller.lua:3: ran for more than 0.1 s: is there an endless loop?");
+}
+
+TEST_CASE("a matrix can be tampered with by nobody", "[lua][matrix]") {
+    CHECK(error_of(R"(
+        local m = matrix { { 1, 2 } }
+        assert(not pcall(setmetatable, m, {}) and not pcall(rawset, m, 1, 2) and not pcall(rawget, m, 1))
+        assert(getmetatable(m) == false and getmetatable(m[1]) == false and getmetatable(matrix) == false)
+        assert(not pcall(function() return m < m end) and not pcall(function() return m .. m end))
+        assert(not pcall(m.transpose, matrix) and not pcall(m.solve, m[1], m) and not pcall(m.to_table))
+        assert(not pcall(function() m[1] = m end) and not pcall(function() m[1][1] = m end)))") == "");
+}
+
+TEST_CASE("a matrix in state is the table of its rows after a reload", "[lua][matrix][reload]") {
+    ReloadRig world;
+    const Text text = head +
+                      "local out = output('out', 'TimedString')\nstate.p = matrix(state.p or { { 4, 1 }, { 2, 3 } })\n"
+                      "state.row = state.row or state.p[2]\n"
+                      "function on_execute() state.p = state.p * 2 out:write(tostring(state.p)) end";
+    world.add_text("keeper", text);
+    world.tick(2);
+    CHECK(world.change("keeper.lua", text + "\nassert(state.row[2] == 3 and type(state.row) == 'table')") == "");
+    for (const Text& note : world.notes) CHECK(note.find("plain data") == Text::npos);
+    world.tick(2);
+    CHECK(world.out<Text>("keeper.out") == "{ { 64.0, 16.0 }, { 32.0, 48.0 } }");
+}
+
+TEST_CASE("a command returns a matrix as the table of its rows", "[lua][matrix]") {
+    Rig rig(head + "command('p', function() return matrix { { 1.5 } } end)");
+    rig.activate();
+    const auto result = rig.component->call_command("p", {}, rig.now);
+    REQUIRE(result);
+    REQUIRE(result->tables.size() == 2);
+    CHECK(result->tables[1] == std::vector<std::pair<PlainData::Value, PlainData::Value>>{{std::int64_t{1}, 1.5}});
+}
