@@ -224,4 +224,8 @@ TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("
 
 TEST_CASE("the page about behaviours does what it says", "[cli][docs][watchdog]") { follow("behaviors.md"); }
 
+TEST_CASE("the page about the examples does what it says", "[cli][docs]") { follow("examples.md", source_root()); }
+
+TEST_CASE("the page about modules does what it says", "[cli][docs]") { follow("modules.md"); }
+
 TEST_CASE("the page about the Raspberry Pi Mouse does what it says", "[cli][docs]") { follow("raspimouse.md"); }
