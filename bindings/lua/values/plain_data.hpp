@@ -21,8 +21,8 @@ struct Dropped {
 
 /// Takes copies of the topmost `count` values of the stack, which stay. `names` says what each is called in `dropped`,
 /// which collects in a fixed order what is no plain data: functions, userdata, coroutines, keys that are tables,
-/// metatables (whose table is taken without it). A matrix is taken as the table of its rows. The depth of tables does not matter. An error only when memory or the
-/// budget runs out.
+/// metatables (whose table is taken without it). A matrix is taken as the table of its rows. The depth of tables does
+/// not matter. An error only when memory or the budget runs out.
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped);
 
