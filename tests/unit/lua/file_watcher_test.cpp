@@ -36,8 +36,10 @@ struct Folder {
 
 void write(const fs::path& path, const Text& text) { std::ofstream(path) << text; }
 
+constexpr double longest_wait = 60;  // [s], of a thread that gets a hundredth of a processor
+
 // Whether this becomes so within these seconds.
-bool soon(const std::function<bool()>& is_so, double seconds = 20) {
+bool soon(const std::function<bool()>& is_so, double seconds = longest_wait) {
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     while (!is_so()) {
         if (Clock::now() > end) return false;
@@ -59,10 +61,8 @@ struct Watched : Folder {
     }
     // Until nothing that has happened can still be under way.
     void settle() const { std::this_thread::sleep_for(std::chrono::milliseconds(60)); }
-    bool notices(double seconds = 20) {
-        soon([this] { return watcher.has_news(); }, seconds);
-        changed = watcher.take_changes();
-        return !changed.empty();
+    bool notices(double seconds = longest_wait) {
+        return soon([this] { return !(changed = watcher.take_changes()).empty(); }, seconds);
     }
     // Whether the watched file, and only it, is told.
     bool notices_it() { return notices() && changed == std::vector<Text>{file.string()}; }
