@@ -2,8 +2,8 @@
 --- colour sensor that looks at the floor, two touch sensors, a loudspeaker, a screen.
 
 --- A touch sensor at the front: right is y < 0. Its tip stands out by its travel and is pushed in by what the robot meets.
-local function touch(y)
-  return { kind = "touch", at = { 0.084, y, -0.02 }, travel = 0.004 }
+local function touch(y, port)
+  return { kind = "touch", port = port, at = { 0.084, y, -0.02 }, travel = 0.004 }
 end
 
 return robot_model {
@@ -13,6 +13,7 @@ return robot_model {
   drive = {
     radius = 0.028,         -- m
     track = 0.108,          -- m
+    port = { "outB", "outC" },
     pulses_per_turn = 360,  -- the encoders tell degrees
     skid = 0.06,            -- m
     coasts_until_commanded = true,
@@ -22,8 +23,8 @@ return robot_model {
   },
 
   sensors = {
-    right = touch(-0.025),  -- port 3
-    left  = touch(0.025),   -- port 1
+    right = touch(-0.025, "in3"),
+    left  = touch(0.025, "in1"),
     -- In front, on the medium motor; low enough to see a mouse and the border of an arena.
     ultrasonic = {
       kind = "range",
@@ -45,9 +46,10 @@ return robot_model {
   },
 
   actuators = {
-    -- Port A; the ultrasonic sensor's cable allows no full turn.
+    -- The ultrasonic sensor's cable allows no full turn.
     medium_motor = {
       kind = "servo",
+      port = "outA",
       at = { 0.07, 0.0, -0.01 },
       minimum = -math.pi, maximum = math.pi,
       max_rate = math.rad(1560),           -- a second
@@ -55,13 +57,17 @@ return robot_model {
     },
     speaker = { kind = "speaker" },
     screen  = { kind = "screen" },
+    leds    = { kind = "leds", count = 4 },
   },
+
+  hardware = { driver = "ev3" },
 
   ports = {
     velocity2D = { type = "TimedVelocity2D", to = "drive", doc = "target velocity; until the first one the wheels roll freely" },
     angle      = { type = "TimedDouble", to = "medium_motor", doc = "angle of the medium motor, which turns the ultrasonic sensor [rad]" },
     lcd        = { type = "CameraImage", to = "screen", doc = "picture for the screen" },
     sound      = { type = "TimedString", to = "speaker", queue = 16, doc = "beep, tone,HZ,MS or a text to speak" },
+    leds       = { type = "TimedBooleanSeq", to = "leds", doc = "the brick's lights: left red, left green, right red, right green" },
     pos_update = { type = "TimedPose2D", to = "odometry", doc = "sets the odometry's pose" },
 
     current_vel   = { type = "TimedVelocity2D", from = "velocity", doc = "velocity measured at the wheels, also when a hand rolls them" },

@@ -52,8 +52,8 @@ public:
             health_.lost(value.error());
             return retry_period;
         }
-        health_.works();
         if (*value) {
+            health_.works();
             const std::lock_guard lock(mutex_);
             sample_ = Sample<T>{std::move(**value), (before + after) / 2};
         }

@@ -34,6 +34,7 @@ std::string holder(int file) {
 
 Expected<Lease> Lease::take(const std::string& node) {
     Lease lease(open(node.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+    if (lease.file_ < 0 && errno == EISDIR) lease.file_ = open(node.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lease.file_ < 0) return failure(describe(NodeError{node, errno}));
     if (flock(lease.file_, LOCK_EX | LOCK_NB) == 0) return lease;
     if (errno != EWOULDBLOCK) return failure(describe(NodeError{node, errno}));

@@ -8,11 +8,11 @@
 
 namespace nezumi::hw {
 
-/// An advisory lock (`flock`) on a node of the robot. Processes forked from the holder hold it as well: it is free when
-/// the last of them has closed it or ended.
+/// An advisory lock (`flock`) on a node of the robot, or on a folder of nodes. Processes forked from the holder hold it
+/// as well: it is free when the last of them has closed it or ended.
 class Lease {
 public:
-    /// An error when the node can't be opened for writing, or names the process that holds it.
+    /// An error when it can't be opened, a node for writing, or names the process that holds it.
     static Expected<Lease> take(const std::string& node);
     ~Lease();
     Lease(Lease&& other) noexcept : file_(std::exchange(other.file_, -1)) {}

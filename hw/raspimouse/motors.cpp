@@ -53,13 +53,13 @@ void Motors::command(const MotorCommand& command) {
 std::vector<std::string> Motors::take_faults() {
     if (hangs(clock_seconds())) health_.lost(no_answer);
     std::vector<std::string> all = health_.take();
-    for (Health* health : {&buzzer_health_, &guard_health_}) {
-        for (std::string& line : health->take()) all.push_back(std::move(line));
+    for (std::vector<std::string> lines : {buzzer_health_.take(), guard_.take_faults()}) {
+        for (std::string& line : lines) all.push_back(std::move(line));
     }
     return all;
 }
 
-int Motors::watched_file() const { return guard_->has_ended() ? -1 : guard_->file(); }
+int Motors::watched_file() const { return guard_.file(); }
 
 void Motors::follow(const MotorState& state) {
     const double now = clock_seconds();
@@ -74,7 +74,7 @@ tl::expected<void, NodeError> Motors::stop_all() {
         if (all && !one) all = std::move(one);
     };
     keep_first(power_.write(encode_switch(false)));
-    if (all) guard_->rest();  // without power nothing turns
+    if (all) guard_.rest();  // without power nothing turns
     keep_first(left_.write(encode_number(0)));
     keep_first(right_.write(encode_number(0)));
     follow({});
@@ -82,24 +82,9 @@ tl::expected<void, NodeError> Motors::stop_all() {
 }
 
 bool Motors::has_guard_stopped() {
-    if (!guard_->has_stopped()) return false;
+    if (!guard_.has_stopped()) return false;
     follow({});
-    guard_health_.lost(
-        fmt::format("it has stopped them, as nothing came from the control loop for {} s: the robot drives "
-                    "again with the next commands",
-                    beat_timeout));
     return true;
-}
-
-void Motors::heed_guard(double now) {
-    has_guard_stopped();
-    if (guard_->has_ended()) {
-        if (!std::exchange(guard_ended_, true)) static_cast<void>(stop_all());
-        guard_health_.lost("its process has ended, and without it the motors get no power: start the run again");
-    } else if (guard_->is_late(now)) {
-        if (state_.power) static_cast<void>(stop_all());
-        guard_health_.lost("its process does not answer, and without it the motors get no power");
-    }
 }
 
 MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) {
@@ -113,7 +98,7 @@ MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) 
         goal.power = command.power;
     }
     goal_ = goal;
-    goal.power = goal.power && now - moved_at_ < standing_power && !guard_->has_ended() && !guard_->is_late(now);
+    goal.power = goal.power && now - moved_at_ < standing_power && guard_.is_awake(now);
     return possible(goal);
 }
 
@@ -158,7 +143,8 @@ bool Motors::perform(const MotorState& goal) {
 
 double Motors::run() {
     const double now = clock_seconds();
-    heed_guard(now);
+    has_guard_stopped();
+    if (!guard_.is_awake(now) && state_.power) static_cast<void>(stop_all());
     if (const int losses = commanded_->driver_losses; std::exchange(driver_losses_, losses) != losses) {
         health_.lost(
             "the driver's nodes have gone: it was loaded anew, or unloaded. The robot stands until they are back");
@@ -184,10 +170,9 @@ double Motors::run() {
         return retry_period;
     }
     if (!state_.power) {
-        guard_->rest();
+        guard_.rest();
     } else if (is_new) {
-        guard_->beat(clock_seconds());
-        guard_health_.works();
+        guard_.beat();
     }
     return state_.power ? attention : idle;
 }

@@ -12,7 +12,7 @@
 #include "hw/device/health.hpp"
 #include "hw/device/node.hpp"
 #include "hw/device/worker.hpp"
-#include "hw/guard/guard.hpp"
+#include "hw/guard/guard_watch.hpp"
 #include "hw/raspimouse/commanded_pulses.hpp"
 #include "hw/raspimouse/motor_plan.hpp"
 #include "hw/raspimouse/step_rate.hpp"
@@ -61,17 +61,16 @@ private:
     /// All motors stopped and without power, whatever they were: every node is written, also after one that failed.
     tl::expected<void, NodeError> stop_all();
     bool has_guard_stopped();
-    void heed_guard(double now);
     MotorState wanted(const MotorCommand& command, bool is_new, double now);
     bool perform(const MotorState& goal);
     bool write(const MotorWrite& write);
     void follow(const MotorState& state);
 
-    std::unique_ptr<Guard> guard_;
+    GuardWatch guard_;
     Node power_, left_, right_, buzzer_;
     StepRate left_rate_, right_rate_;
     std::shared_ptr<CommandedWheels> commanded_ = std::make_shared<CommandedWheels>();
-    Health health_{"motors"}, buzzer_health_{"buzzer"}, guard_health_{"guard of the motors"};
+    Health health_{"motors"}, buzzer_health_{"buzzer"};
 
     std::mutex mutex_;  // held for a copy at most
     MotorCommand newest_;
@@ -85,7 +84,6 @@ private:
     double moved_at_ = 0;  // when the wheels were last meant to turn, or power was first wanted
     double retry_at_ = 0;  // while they are lost: when to try again
     bool has_power_command_ = false;
-    bool guard_ended_ = false;
 };
 
 }  // namespace nezumi::hw

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
-#include "hw/device/clock.hpp"
+#include "hw/raspimouse/advice.hpp"
+#include "hw/raspimouse/codec.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -17,6 +17,12 @@ double metres_per_pulse(const DriveSpec& drive) { return 2 * std::numbers::pi * 
 // Of one rim, when both axes speed up as the limits allow.
 double rim_acceleration(const DriveSpec& drive) {
     return drive.hardware_limits.acceleration + drive.hardware_limits.yaw_acceleration * drive.track / 2;
+}
+
+std::vector<std::string> led_nodes(const std::string& folder) {
+    std::vector<std::string> nodes;
+    for (int i = 0; i < 4; ++i) nodes.push_back(fmt::format("{}/rtled{}", folder, i));
+    return nodes;
 }
 
 }  // namespace
@@ -51,12 +57,11 @@ Expected<std::unique_ptr<RobotBody>> MouseBody::make(const RobotSpec& spec, cons
 MouseBody::MouseBody(const RobotSpec& spec, const std::string& folder, std::shared_ptr<Motors> motors)
     : spec_(spec),
       readings_(spec.sensors.size()),
-      offset_(std::numeric_limits<double>::infinity()),
       motors_(std::move(motors)),
       counters_(std::make_shared<WheelCounters>(folder, motors_->commanded())),
       light_sensors_(std::make_shared<LightSensors>(folder)),
       switches_(std::make_shared<Switches>(folder)),
-      lights_(std::make_shared<Lights>(folder)),
+      lights_(std::make_shared<Lights>(led_nodes(folder), encode_switch(true), with_advice)),
       motors_worker_(motors_),
       counters_worker_(counters_),
       light_sensors_worker_(light_sensors_),
@@ -68,31 +73,25 @@ MouseBody::MouseBody(const RobotSpec& spec, const std::string& folder, std::shar
     }
 }
 
-// Nothing was measured later than now.
-double MouseBody::system_time(const Time& now, double tm) const { return std::min(now.seconds, tm - offset_); }
-
 WheelReading MouseBody::read_wheels(const Time& now, double /*period*/) {
-    const double clock = clock_seconds();
-    // The tick began a little before this, never after: the smallest difference is the nearest.
-    offset_ = std::min(offset_, clock - now.seconds);
-    const auto sample = counters_->newest(clock);
+    const auto sample = counters_->newest(clock_.look(now));
     if (!sample) return {};
     const double metres = metres_per_pulse(spec_.drive);
     const WheelValues& wheels = sample->value;
     return {.is_there = true,
-            .tm = system_time(now, sample->tm),
+            .tm = clock_.system_time(now, sample->tm),
             .pulses = wheels.pulses,
             .speeds = {.left = wheels.rates.left * metres, .right = wheels.rates.right * metres}};
 }
 
 std::span<const SensorReading> MouseBody::read_sensors(const Time& now, double /*period*/) {
-    const double clock = clock_seconds();
+    const double clock = clock_.look(now);
     const auto lights = light_sensors_->newest(clock);
     for (std::size_t channel = 0; channel < ranges_.size(); ++channel) {
         SensorReading& reading = readings_[ranges_[channel]];
         reading.is_there = lights.has_value();
         if (!lights) continue;
-        reading.tm = system_time(now, lights->tm);
+        reading.tm = clock_.system_time(now, lights->tm);
         const int value = lights->value[channel];
         if (value == converted_[channel] && reading.physical > 0) continue;
         converted_[channel] = value;
@@ -105,7 +104,7 @@ std::span<const SensorReading> MouseBody::read_sensors(const Time& now, double /
         SensorReading& reading = readings_[buttons_[channel]];
         reading.is_there = switches.has_value();
         if (!switches) continue;
-        reading.tm = system_time(now, switches->tm);
+        reading.tm = clock_.system_time(now, switches->tm);
         reading.value = switches->value[channel] ? 1 : 0;
     }
     return readings_;

@@ -8,9 +8,10 @@
 
 #include "engine/system/build_system.hpp"
 #include "engine/world/world.hpp"
+#include "hw/device/lights.hpp"
 #include "hw/device/roots.hpp"
+#include "hw/device/tick_clock.hpp"
 #include "hw/device/worker.hpp"
-#include "hw/raspimouse/lights.hpp"
 #include "hw/raspimouse/motors.hpp"
 #include "hw/raspimouse/sensors.hpp"
 
@@ -40,14 +41,13 @@ public:
 
 private:
     MouseBody(const RobotSpec& spec, const std::string& folder, std::shared_ptr<Motors> motors);
-    double system_time(const Time& now, double tm) const;
     void send();
 
     const RobotSpec& spec_;
     std::vector<std::size_t> ranges_, buttons_;  // indices into spec_.sensors, by channel
     std::vector<SensorReading> readings_;
     LightValues converted_{};  // what readings_ have been made of
-    double offset_;            // [s] of the clock at the system's time 0
+    TickClock clock_;
     MotorCommand command_;
     bool may_have_power_ = false;
 

@@ -60,11 +60,6 @@ WheelCounters::WheelCounters(const std::string& folder, std::shared_ptr<Commande
       left_(folder + "/rtcounter_l0"),
       right_(folder + "/rtcounter_r0") {}
 
-double WheelCounters::Wheel::rate() const {
-    const double passed = counted.back().tm - counted.front().tm;
-    return passed > 0 ? static_cast<double>(counted.back().pulses - counted.front().pulses) / passed : 0;
-}
-
 tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& wheel, const CommandedPulses& commanded) {
     using Verdict = PulseCounter::Verdict;
     const double before = clock_seconds();
@@ -82,10 +77,7 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
     const Verdict verdict = wheel.counter.take(*reading, commanded.until(tm));
     // Whoever opens a node last decides whether both kinds of it are signed.
     if (verdict == Verdict::jumped) wheel.node.close();
-    if (verdict == Verdict::taken || verdict == Verdict::jumped) {
-        wheel.counted.push_back({tm, wheel.counter.pulses()});
-        while (wheel.counted.size() > 2 && tm - wheel.counted[1].tm >= rate_window) wheel.counted.pop_front();
-    }
+    if (verdict == Verdict::taken || verdict == Verdict::jumped) wheel.rate.take(tm, wheel.counter.pulses());
     return verdict;
 }
 
@@ -103,7 +95,7 @@ tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(doub
     const auto in_doubt = [](Verdict verdict) { return verdict == Verdict::zero || verdict == Verdict::doubted; };
     if (in_doubt(*left) || in_doubt(*right)) return std::nullopt;
     return WheelValues{.pulses = {.left = left_.counter.pulses(), .right = right_.counter.pulses()},
-                       .rates = {.left = left_.rate(), .right = right_.rate()}};
+                       .rates = {.left = left_.rate.rate(), .right = right_.rate.rate()}};
 }
 
 }  // namespace nezumi::hw

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/world/world.hpp"
 #include "hw/device/node.hpp"
 #include "hw/device/sampler.hpp"
+#include "hw/device/wheel_values.hpp"
 #include "hw/raspimouse/codec.hpp"
 #include "hw/raspimouse/motors.hpp"
 #include "hw/raspimouse/pulse_counter.hpp"
@@ -45,34 +44,19 @@ private:
     std::array<Node, 3> nodes_;
 };
 
-/// How far the wheels have turned, and how fast they do.
-struct WheelValues {
-    WheelPulses pulses;  ///< since the start
-    Wheels rates;        ///< [pulses/s]
-};
-
 class WheelCounters final : public Sampler<WheelValues> {
 public:
     WheelCounters(const std::string& folder, std::shared_ptr<CommandedWheels> commanded);
-
-    /// [s] over which a rate is measured: at 0.2 m/s that is 26 pulses.
-    static constexpr double rate_window = 0.05;
 
 protected:
     tl::expected<std::optional<WheelValues>, std::string> sample(double now) override;
 
 private:
-    struct Counted {
-        double tm;
-        std::int64_t pulses;
-    };
     struct Wheel {
         explicit Wheel(std::string path) : node(std::move(path), Node::Access::read) {}
-        double rate() const;
-
         Node node;
         PulseCounter counter;
-        std::deque<Counted> counted;  // as far back as the window
+        PulseRate rate;
     };
     tl::expected<PulseCounter::Verdict, std::string> read(Wheel& wheel, const CommandedPulses& commanded);
 

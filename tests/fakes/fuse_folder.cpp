@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <set>
 
 namespace nezumi::fakes {
 namespace {
@@ -20,6 +21,15 @@ const Served& served() { return *static_cast<Served*>(fuse_get_context()->privat
 ServedFiles& files() { return *served().files; }
 std::string name_of(const char* path) { return path + 1; }
 
+bool is_folder(const std::string& name) {
+    const auto is_in_it = [&](const std::string& other) { return other == name || other.starts_with(name + "/"); };
+    const auto folders = files().folders();
+    if (std::any_of(folders.begin(), folders.end(), is_in_it)) return true;
+    const auto names = files().names();
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& file) { return file != name && is_in_it(file); });
+}
+
 void* start(fuse_conn_info* /*connection*/, fuse_config* config) {
     // Each call comes here: nothing is remembered by the kernel.
     config->direct_io = 1;
@@ -30,21 +40,32 @@ void* start(fuse_conn_info* /*connection*/, fuse_config* config) {
 
 int get_attributes(const char* path, struct stat* status, fuse_file_info* /*info*/) {
     *status = {};
-    if (std::strcmp(path, "/") == 0) {
-        status->st_mode = S_IFDIR | 0755;
-        status->st_nlink = 2;
-        return 0;
+    const std::string name = name_of(path);
+    const int looked = name.empty() ? -ENOENT : files().look(name);
+    if (looked == 0 || (!name.empty() && !is_folder(name))) {
+        status->st_mode = S_IFREG | 0666;
+        status->st_nlink = 1;
+        return looked;
     }
-    status->st_mode = S_IFREG | 0666;
-    status->st_nlink = 1;
-    return files().look(name_of(path));
+    status->st_mode = S_IFDIR | 0755;
+    status->st_nlink = 2;
+    return 0;
 }
 
-int list(const char* /*path*/, void* buffer, fuse_fill_dir_t fill, off_t /*offset*/, fuse_file_info* /*info*/,
+// What is in a folder: its own files, and the folders that the others are in.
+int list(const char* path, void* buffer, fuse_fill_dir_t fill, off_t /*offset*/, fuse_file_info* /*info*/,
          fuse_readdir_flags /*flags*/) {
+    const std::string inside = name_of(path).empty() ? "" : name_of(path) + "/";
+    std::set<std::string> entries;
+    const auto add = [&](const std::string& name) {
+        if (name.starts_with(inside) && name != inside)
+            entries.insert(name.substr(inside.size(), name.find('/', inside.size()) - inside.size()));
+    };
     for (const std::string& name : files().names()) {
-        if (files().look(name) == 0) fill(buffer, name.c_str(), nullptr, 0, fuse_fill_dir_flags{});
+        if (files().look(name) == 0) add(name);
     }
+    for (const std::string& name : files().folders()) add(name);
+    for (const std::string& entry : entries) fill(buffer, entry.c_str(), nullptr, 0, fuse_fill_dir_flags{});
     return 0;
 }
 

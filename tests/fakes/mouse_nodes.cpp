@@ -225,7 +225,7 @@ MouseNodes::Motion MouseNodes::motion() {
     return motion;
 }
 
-std::vector<MouseNodes::Write> MouseNodes::log() const {
+std::vector<Write> MouseNodes::log() const {
     const std::lock_guard lock(mutex_);
     return log_;
 }

@@ -11,6 +11,7 @@
 
 #include "tests/fakes/pwm_channel.hpp"
 #include "tests/fakes/served_files.hpp"
+#include "tests/fakes/write_log.hpp"
 
 namespace nezumi::fakes {
 
@@ -46,11 +47,6 @@ public:
     };
     Motion motion();
 
-    struct Write {
-        double at;  ///< [s] by the monotonic clock
-        std::string node, text;
-        int result;
-    };
     std::vector<Write> log() const;
     void clear_log();
 

@@ -12,7 +12,10 @@ namespace nezumi::fakes {
 class ServedFiles {
 public:
     virtual ~ServedFiles() = default;
+    /// Of all files; one in a folder has its path: "class/leds/red/brightness".
     virtual std::vector<std::string> names() const = 0;
+    /// Folders that are there even while nothing is in them, each after the one that it is in.
+    virtual std::vector<std::string> folders() const { return {}; }
     /// 0 when there is such a file now.
     virtual int look(const std::string& name) = 0;
     /// The handle that the other calls get; by its own count.

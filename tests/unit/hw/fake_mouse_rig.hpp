@@ -1,101 +1,20 @@
-// A fake mouse that runs, and a robot of the engine that drives it: driver, fake device, physics and back.
+// The fake mouse, and a robot of the engine that drives it.
 #pragma once
 
-#include <poll.h>
-#include <sys/mount.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <catch2/catch.hpp>
-#include <csignal>
-#include <cstring>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include "bindings/lua/files/robot_file.hpp"
-#include "engine/system/pacer.hpp"
-#include "engine/system/system.hpp"
-#include "hw/device/clock.hpp"
 #include "hw/raspimouse/mouse_body.hpp"
-#include "tests/unit/lua/scratch_folder.hpp"
-#include "tests/unit/source_root.hpp"
+#include "tests/unit/hw/fake_robot_rig.hpp"
 
 namespace nezumi::hw {
 
-inline void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+inline std::string mouse_file() { return FakeRobot::robot_file("raspimouse"); }
+inline RobotSpec mouse_spec() { return shipped_spec("raspimouse"); }
 
-inline std::string mouse_file() { return source_root() + "/engine/robots/raspimouse.lua"; }
-
-/// The program `fake_mouse` beside the test, with its nodes in `dev()`. Where there is no FUSE, the test is skipped.
-class FakeMouse {
+class FakeMouse : public FakeRobot {
 public:
-    explicit FakeMouse(const std::vector<std::string>& more = {}) {
-        const std::string program =
-            (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "fake_mouse").string();
-        if (access(program.c_str(), X_OK) != 0)
-            throw std::runtime_error("SKIPPED: fake_mouse was not built: is libfuse3-dev installed?");
-        if (access("/dev/fuse", R_OK | W_OK) != 0)
-            throw std::runtime_error("SKIPPED: FUSE is not to be had here: may this user open /dev/fuse?");
-        std::filesystem::create_directory(dev());
-        std::vector<std::string> words{program, dev(), socket_path(), mouse_file()};
-        words.insert(words.end(), more.begin(), more.end());
-        std::vector<char*> pointers;
-        for (std::string& word : words) pointers.push_back(word.data());
-        pointers.push_back(nullptr);
-        int out[2];
-        REQUIRE(pipe(out) == 0);
-        process_ = fork();
-        if (process_ == 0) {
-            dup2(out[1], STDOUT_FILENO);
-            close(out[0]);
-            close(out[1]);
-            execv(pointers[0], pointers.data());
-            _exit(127);
-        }
-        close(out[1]);
-        pollfd said{.fd = out[0], .events = POLLIN, .revents = 0};
-        char ready = 0;
-        const bool is_ready = poll(&said, 1, 10000) == 1 && read(out[0], &ready, 1) == 1;
-        close(out[0]);
-        if (!is_ready) {
-            end();
-            throw std::runtime_error("SKIPPED: FUSE is not to be had here: the fake nodes could not be mounted");
-        }
-        connect();
-    }
-    ~FakeMouse() {
-        close(socket_);
-        end();
-    }
-    FakeMouse(const FakeMouse&) = delete;
-    FakeMouse& operator=(const FakeMouse&) = delete;
+    explicit FakeMouse(const std::vector<std::string>& more = {}) : FakeRobot("fake_mouse", "raspimouse", more) {}
 
-    std::string dev() const { return folder.path("dev").string(); }
+    std::string dev() const { return mount(); }
     DeviceRoots roots() const { return {.dev = dev(), .sys = folder.path("sys").string()}; }
-
-    /// What it answers to a command (tests/fakes/fake_mouse.cpp).
-    std::string say(const std::string& command) {
-        const std::string line = command + "\n";
-        REQUIRE(send(socket_, line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size()));
-        std::string answer;
-        char buffer[4096];
-        while (answer != ".\n" && !answer.ends_with("\n.\n")) {
-            const ssize_t length = recv(socket_, buffer, sizeof buffer, 0);
-            REQUIRE(length > 0);
-            answer.append(buffer, static_cast<std::size_t>(length));
-        }
-        answer.resize(answer.size() - 2);
-        if (!answer.empty()) answer.pop_back();
-        return answer;
-    }
-    void fault(const std::string& node, const std::string& what) { REQUIRE(say("fault " + node + " " + what).empty()); }
 
     struct Motion {
         int left = 0, right = 0;  ///< [pulses/s]
@@ -111,100 +30,10 @@ public:
         return now;
     }
     bool moves() { return motion().still_since == 0; }
-    Pose2D truth() {
-        Pose2D pose;
-        std::istringstream(say("truth")) >> pose.position.x >> pose.position.y >> pose.heading;
-        return pose;
-    }
-    /// All writes that were done, "rtled0 '1'" each.
-    std::vector<std::string> writes() {
-        std::vector<std::string> all;
-        std::istringstream lines(say("log"));
-        for (std::string time, node, text, result; lines >> time >> node >> text >> result;)
-            all.push_back(node + " " + text);
-        return all;
-    }
-    /// Waits until something is the case; false when it is not within these seconds.
-    static bool wait_until(const std::function<bool()>& is_so, double seconds) {
-        const double end = clock_seconds() + seconds;
-        while (!is_so()) {
-            if (clock_seconds() > end) return false;
-            sleep_for(0.001);
-        }
-        return true;
-    }
-
-    const Scratch folder;
-
-private:
-    std::string socket_path() const { return folder.path("socket").string(); }
-    void connect() {
-        socket_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-        sockaddr_un address{};
-        address.sun_family = AF_UNIX;
-        std::strncpy(address.sun_path, socket_path().c_str(), sizeof address.sun_path - 1);
-        REQUIRE(::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
-    }
-    void end() {
-        kill(process_, SIGTERM);  // it unmounts its files, unless one of them hangs
-        if (wait_until([this] { return waitpid(process_, nullptr, WNOHANG) == process_; }, 1)) return;
-        umount2(dev().c_str(), MNT_DETACH);
-        kill(process_, SIGKILL);  // with the connection to the kernel all that hangs in its files ends as well
-        waitpid(process_, nullptr, 0);
-    }
-
-    pid_t process_ = 0;
-    int socket_ = -1;
 };
 
-inline RobotSpec mouse_spec() {
-    auto spec = read_robot_file(mouse_file(), Project::of(mouse_file()));
-    if (!spec) FAIL(describe(spec.error()));
-    return *spec;
-}
-
-/// A system with this one robot at 100 ticks a second of real time, driven by the test.
-struct DrivenMouse {
-    explicit DrivenMouse(FakeMouse& fake_mouse)
-        : fake(fake_mouse),
-          spec(mouse_spec()),
-          system({.rate = 100, .real_time = true}, [this](const LogLine& line) { log.push_back(line.text); }) {
-        auto body = MouseBody::make(spec, fake.roots());
-        if (!body) FAIL(describe(body.error()));
-        auto made = Robot::make("mouse", spec, spec.drive.hardware_limits);
-        REQUIRE(made);
-        robot = made->get();
-        robot->take_body(std::move(*body));
-        REQUIRE(system.add(std::move(*made)));
-        REQUIRE(robot->activate(system.now()));
-    }
-    /// Runs for these seconds, or until something is the case, with this velocity as the command of every tick.
-    bool run(double seconds, Velocity2D velocity = {}, const std::function<bool()>& until = nullptr) {
-        Pacer pacer(100, 1);
-        const double end = system.now().seconds + seconds;
-        while (system.now().seconds < end) {
-            pacer.wait();
-            robot->find_in_port("target_velocity_in")->inject(velocity);
-            system.tick();
-            if (until && until()) return true;
-        }
-        return !until;
-    }
-    template <class T>
-    const T& published(std::string_view port) const {
-        return static_cast<const OutPort<T>*>(robot->find_out_port(port))->read();
-    }
-    /// Whether a port has said something within the last 0.1 s.
-    bool speaks(std::string_view port) const { return system.now().seconds - robot->find_out_port(port)->tm() < 0.1; }
-    bool said(const std::string& part) const {
-        return std::any_of(log.begin(), log.end(), [&](const auto& line) { return line.find(part) != line.npos; });
-    }
-
-    FakeMouse& fake;
-    RobotSpec spec;
-    std::vector<std::string> log;
-    System system;
-    Robot* robot = nullptr;
+struct DrivenMouse : DrivenRobot {
+    explicit DrivenMouse(FakeMouse& fake) : DrivenRobot(mouse_spec(), fake.roots()) {}
 };
 
 }  // namespace nezumi::hw

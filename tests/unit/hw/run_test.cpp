@@ -164,9 +164,9 @@ TEST_CASE("nothing moves before the start button is pressed", "[hw][run][fakes][
     REQUIRE(run.program->wait_for_error("mouse WAITS: PRESS switch0 ON THE ROBOT", 20));
     sleep_for(0.5);
     CHECK_FALSE(run.fake.moves());
-    run.fake.say("press 0 1");
+    run.fake.say("button 0 1");
     CHECK(run.program->wait_for_error("mouse starts", 5));
-    run.fake.say("press 0 0");
+    run.fake.say("button 0 0");
     run.get_going();
 }
 

@@ -1,20 +1,20 @@
 // Each LED is written when it changes, and again when a write failed.
-#include "hw/raspimouse/lights.hpp"
+#include "hw/device/lights.hpp"
+
+#include <utility>
 
 #include "hw/device/sampler.hpp"
-#include "hw/raspimouse/advice.hpp"
-#include "hw/raspimouse/codec.hpp"
 
 namespace nezumi::hw {
 
-Lights::Lights(const std::string& folder) : is_on_(count, false), wanted_(count, false) {
-    for (std::size_t i = 0; i < count; ++i)
-        nodes_.emplace_back(folder + "/rtled" + std::to_string(i), Node::Access::write);
+Lights::Lights(const std::vector<std::string>& nodes, std::string on, Advice advice)
+    : on_(std::move(on)), advice_(advice), is_on_(nodes.size(), false), wanted_(nodes.size(), false) {
+    for (const std::string& node : nodes) nodes_.emplace_back(node, Node::Access::write);
 }
 
 void Lights::set(const std::vector<bool>& on) {
     const std::lock_guard lock(mutex_);
-    for (std::size_t i = 0; i < count && i < on.size(); ++i) wanted_[i] = on[i];
+    for (std::size_t i = 0; i < wanted_.size() && i < on.size(); ++i) wanted_[i] = on[i];
 }
 
 std::vector<std::string> Lights::take_faults() {
@@ -29,10 +29,10 @@ double Lights::run() {
         const std::lock_guard lock(mutex_);
         wanted = wanted_;
     }
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
         if (is_on_[i] == wanted[i]) continue;
-        if (auto ok = nodes_[i].write(encode_switch(wanted[i])); !ok) {
-            health_.lost(with_advice(ok.error()));
+        if (auto ok = nodes_[i].write(wanted[i] ? on_ : "0"); !ok) {
+            health_.lost(advice_(ok.error()));
             return retry_period;
         }
         is_on_[i] = wanted[i];

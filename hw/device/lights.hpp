@@ -1,4 +1,4 @@
-// The mouse's four LEDs, switched on a thread of their own.
+// A robot's LEDs, switched on a thread of their own.
 #pragma once
 
 #include <mutex>
@@ -13,9 +13,11 @@ namespace nezumi::hw {
 
 class Lights final : public Job {
 public:
-    static constexpr std::size_t count = 4;
+    /// What a person can do about a node that does not work.
+    using Advice = std::string (*)(const NodeError& error);
 
-    explicit Lights(const std::string& folder);
+    /// A node for each LED, which takes the text `on` or "0".
+    Lights(const std::vector<std::string>& nodes, std::string on, Advice advice);
 
     /// From the control loop: the newest counts. LEDs that are not named stay as they are.
     void set(const std::vector<bool>& on);
@@ -25,6 +27,8 @@ public:
 
 private:
     std::vector<Node> nodes_;
+    const std::string on_;
+    const Advice advice_;
     std::vector<bool> is_on_;  // as written
     Health health_{"LEDs"};
     std::mutex mutex_;  // held for a copy at most

@@ -1,0 +1,42 @@
+// What wheels' counters say, and how fast they count.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "engine/world/world.hpp"
+
+namespace nezumi::hw {
+
+/// How far the wheels have turned, and how fast they do.
+struct WheelValues {
+    WheelPulses pulses;  ///< since the start
+    Wheels rates;        ///< [pulses/s]
+};
+
+/// The rate of a counter, by the times of its readings.
+class PulseRate {
+public:
+    static constexpr double window = 0.05;  ///< [s] over which it is measured
+
+    /// A reading at `tm` [s].
+    void take(double tm, std::int64_t pulses) {
+        readings_.push_back({tm, pulses});
+        while (readings_.size() > 2 && tm - readings_[1].tm >= window) readings_.pop_front();
+    }
+    /// [pulses/s]; 0 before the second reading.
+    double rate() const {
+        if (readings_.empty()) return 0;
+        const double passed = readings_.back().tm - readings_.front().tm;
+        return passed > 0 ? static_cast<double>(readings_.back().pulses - readings_.front().pulses) / passed : 0;
+    }
+
+private:
+    struct Reading {
+        double tm;
+        std::int64_t pulses;
+    };
+    std::deque<Reading> readings_;  // as far back as the window
+};
+
+}  // namespace nezumi::hw

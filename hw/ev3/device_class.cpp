@@ -1,0 +1,81 @@
+// Looks at the address and the driver of each device in a class's folder.
+#include "hw/ev3/device_class.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+std::string_view without_newline(std::string_view text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
+    return text;
+}
+
+// "" when it can't be read: the device has gone meanwhile.
+std::string read_line(const std::string& path) {
+    Node node(path, Node::Access::read);
+    const auto text = node.read();
+    return text ? std::string(without_newline(*text)) : "";
+}
+
+// "outB" of "ev3-ports:outB", and of "outB" as older systems have it.
+std::string_view port_of(std::string_view address) {
+    const std::size_t colon = address.rfind(':');
+    return colon == std::string_view::npos ? address : address.substr(colon + 1);
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> DeviceClass::find(std::string_view driver, std::string_view port) const {
+    std::error_code error;
+    std::filesystem::directory_iterator devices(folder_, error);
+    if (error)
+        return tl::unexpected(describe(NodeError{folder_, error.value()}) + ": is this an EV3 brick with ev3dev?");
+    std::string other;
+    for (; !error && devices != std::filesystem::directory_iterator(); devices.increment(error)) {
+        const std::string folder = devices->path().string();
+        const std::string there = read_line(folder + "/driver_name"), address = read_line(folder + "/address");
+        const bool is_port = port.empty() || port_of(address) == port;
+        if (is_port && there == driver) return folder;
+        if (is_port && !port.empty()) other = there;
+    }
+    if (port.empty()) return tl::unexpected(fmt::format("no {} is plugged in: look at its cable", driver));
+    if (other.empty())
+        return tl::unexpected(
+            fmt::format("nothing is plugged in at {}, expected a {}: look at its cable", port, driver));
+    return tl::unexpected(
+        fmt::format("a {} is plugged in at {}, expected a {}: change their cables, or say port = ... "
+                    "in the robot file",
+                    shown(other), port, driver));
+}
+
+std::string with_ev3_advice(const NodeError& error) {
+    switch (error.code) {
+        case ENOENT:
+        case ENODEV:
+        case ENXIO: return describe(error) + ": it is unplugged: look at its cable";
+        case EACCES:
+        case EPERM: return describe(error) + ": this user may not use it. Try: sudo adduser $USER ev3dev";
+        default: return describe(error) + ": look at its cable, and at what dmesg says";
+    }
+}
+
+tl::expected<long long, std::string> read_whole_number(Node& node) {
+    const auto text = node.read();
+    if (!text) return tl::unexpected(with_ev3_advice(text.error()));
+    const std::string_view digits = without_newline(*text);
+    long long value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc{} && end == digits.data() + digits.size()) return value;
+    return tl::unexpected(
+        fmt::format("{}: expected a number, got '{}': is it the node of another driver?", node.path(), shown(digits)));
+}
+
+}  // namespace nezumi::hw

@@ -1,0 +1,287 @@
+// The brick's devices to the sensors and actuators of its description, and their units to ours.
+#include "hw/ev3/ev3_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace nezumi::hw {
+namespace {
+
+using Kind = SensorSpec::Kind;
+
+constexpr double degree = std::numbers::pi / 180;
+
+double metres_per_pulse(const DriveSpec& drive) { return 2 * std::numbers::pi * drive.radius / drive.encoder_pulses(); }
+
+// Of one rim, when both axes speed up as the limits allow [pulses/s^2].
+double wheel_acceleration(const DriveSpec& drive) {
+    const Limits& limits = drive.hardware_limits;
+    return (limits.acceleration + limits.yaw_acceleration * drive.track / 2) / metres_per_pulse(drive);
+}
+
+// How the sensor of a kind is read; nothing where the brick has none.
+std::optional<SensorMode> mode_of(Kind kind) {
+    switch (kind) {
+        case Kind::touch: return SensorMode{"lego-ev3-touch", "TOUCH"};
+        case Kind::range: return SensorMode{"lego-ev3-us", "US-DIST-CM"};
+        case Kind::gyro: return SensorMode{"lego-ev3-gyro", "GYRO-G&A", 2};
+        case Kind::color:
+        case Kind::reflect: return SensorMode{"lego-ev3-color", "RGB-RAW", 3};
+        case Kind::ambient: return SensorMode{"lego-ev3-color", "COL-AMBIENT"};
+        case Kind::button: return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+bool is_color(Kind kind) { return kind == Kind::color || kind == Kind::reflect; }
+
+// The devices of a kind: sensors of the spec that are one device have one place.
+std::vector<std::size_t> devices_of(const RobotSpec& spec) {
+    std::vector<std::size_t> first(spec.sensors.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        first[i] = i;
+        for (std::size_t other = 0; other < i; ++other) {
+            const SensorSpec &a = spec.sensors[other], &b = spec.sensors[i];
+            if (is_color(a.kind) && is_color(b.kind) && a.port == b.port) first[i] = first[other];
+        }
+    }
+    return first;
+}
+
+bool has_color(const RobotSpec& spec) {
+    return std::any_of(spec.sensors.begin(), spec.sensors.end(), [](const auto& each) { return is_color(each.kind); });
+}
+
+std::optional<std::size_t> servo_of(const RobotSpec& spec) {
+    for (std::size_t i = 0; i < spec.actuators.size(); ++i) {
+        if (spec.actuators[i].kind == ActuatorSpec::Kind::servo) return i;
+    }
+    return std::nullopt;
+}
+
+Expected<void> check(const RobotSpec& spec) {
+    const auto servos = std::count_if(spec.actuators.begin(), spec.actuators.end(), [](const ActuatorSpec& actuator) {
+        return actuator.kind == ActuatorSpec::Kind::servo;
+    });
+    if (servos > 1)
+        return failure(fmt::format("the driver ev3 has one servo, and model '{}' wants {}", spec.model, servos));
+    if (!spec.drive.port.empty() && spec.drive.port.size() != 2)
+        return failure(fmt::format("drive.port of model '{}': expected two, the left motor's and the right's, got {}",
+                                   spec.model, spec.drive.port.size()));
+    const auto devices = devices_of(spec);
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        for (std::size_t other = 0; other < i; ++other) {
+            const SensorSpec &a = spec.sensors[other], &b = spec.sensors[i];
+            if (devices[i] == devices[other] || !mode_of(a.kind) || !mode_of(b.kind)) continue;
+            const bool same_device = a.kind == b.kind && (a.port.empty() || b.port.empty());
+            if (!same_device && (a.port.empty() || a.port != b.port)) continue;
+            return failure(
+                fmt::format("the driver ev3 can't tell '{}' and '{}' of model '{}' apart: give each a port = "
+                            "\"in1\" to \"in4\" of its own",
+                            a.name, b.name, spec.model));
+        }
+    }
+    return {};
+}
+
+std::vector<std::string> led_nodes(const std::string& sys) {
+    std::vector<std::string> nodes;
+    for (const char* led : {"led0:red", "led0:green", "led1:red", "led1:green"})
+        nodes.push_back(fmt::format("{}/class/leds/{}:brick-status/brightness", sys, led));
+    return nodes;
+}
+
+}  // namespace
+
+double GyroAngle::take(const SensorValues& values) {
+    const int angle = static_cast<int>(values.values[0]);
+    if (values.plugged_in == plugged_in_ && last_) degrees_ -= static_cast<std::int16_t>(angle - *last_);
+    plugged_in_ = values.plugged_in;
+    last_ = angle;
+    return degrees_ * degree;
+}
+
+std::optional<Rgb> floor_seen(const SensorValues& values) {
+    constexpr double white = 300, least = 8;
+    if (*std::max_element(values.values.begin(), values.values.end()) < least) return std::nullopt;
+    Rgb color = 0;
+    for (const double value : values.values)
+        color = color << 8 | static_cast<Rgb>(std::lround(std::clamp(value / white, 0.0, 1.0) * 255));
+    return color;
+}
+
+Expected<std::unique_ptr<RobotBody>> Ev3Body::make(const RobotSpec& spec, const DeviceRoots& roots) {
+    if (auto ok = check(spec); !ok) return Unexpected(ok.error());
+    const std::string motors = roots.sys + "/class/tacho-motor";
+    const auto index = servo_of(spec);
+    std::shared_ptr<ServoMotor> servo;
+    std::vector<std::string> others;
+    if (index) {
+        const ActuatorSpec& actuator = spec.actuators[*index];
+        servo = std::make_shared<ServoMotor>(motors, actuator.port.empty() ? "outA" : actuator.port,
+                                             fmt::format("motor '{}'", actuator.name));
+        if (std::string node = servo->find(); !node.empty()) others.push_back(std::move(node));
+    }
+    std::array<std::string, 2> ports{"outB", "outC"};
+    if (!spec.drive.port.empty()) std::copy(spec.drive.port.begin(), spec.drive.port.end(), ports.begin());
+    auto wheels = WheelMotors::make(motors, ports, wheel_acceleration(spec.drive), others);
+    if (!wheels) return Unexpected(wheels.error());
+    return std::unique_ptr<RobotBody>(
+        new Ev3Body(spec, roots, std::move(*wheels), std::move(servo), index.value_or(spec.actuators.size())));
+}
+
+Ev3Body::Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<WheelMotors> wheels,
+                 std::shared_ptr<ServoMotor> servo, std::size_t servo_index)
+    : spec_(spec),
+      readings_(spec.sensors.size()),
+      channel_of_(spec.sensors.size(), nullptr),
+      servo_index_(servo_index),
+      wheels_(std::move(wheels)),
+      servo_(std::move(servo)),
+      lights_(std::make_shared<Lights>(led_nodes(roots.sys), "255", with_ev3_advice)),
+      screen_(std::make_shared<Screen>(roots.dev + "/fb0", roots.sys + "/class/graphics/fb0")),
+      battery_(std::make_shared<Battery>(roots.sys + "/class/power_supply")),
+      wheels_worker_(wheels_),
+      lights_worker_(lights_),
+      screen_worker_(screen_),
+      battery_worker_(battery_) {
+    if (servo_) servo_worker_.emplace(servo_);
+    add_sensors(roots.sys + "/class/lego-sensor");
+}
+
+void Ev3Body::add_sensors(const std::string& folder) {
+    const auto devices = devices_of(spec_);
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const SensorSpec& sensor = spec_.sensors[i];
+        const auto mode = mode_of(sensor.kind);
+        // The room's light is another mode of the sensor that tells colours.
+        if (!mode || (sensor.kind == Kind::ambient && has_color(spec_))) continue;
+        if (devices[i] == i) {
+            channels_.push_back(std::make_unique<Channel>(
+                std::make_shared<ModeSensor>(fmt::format("sensor '{}'", sensor.name), folder, *mode, sensor.port)));
+            channel_of_[i] = channels_.back().get();
+        } else {
+            channel_of_[i] = channel_of_[devices[i]];
+        }
+    }
+}
+
+WheelReading Ev3Body::read_wheels(const Time& now, double /*period*/) {
+    const auto sample = wheels_->newest(clock_.look(now));
+    if (!sample) return {};
+    const double metres = metres_per_pulse(spec_.drive);
+    const WheelValues& wheels = sample->value;
+    return {.is_there = true,
+            .tm = clock_.system_time(now, sample->tm),
+            .pulses = wheels.pulses,
+            .speeds = {.left = wheels.rates.left * metres, .right = wheels.rates.right * metres}};
+}
+
+// Whether another touch sensor has been there: the robot has one, and this is the one that it lacks.
+bool Ev3Body::is_touch_elsewhere(std::size_t sensor) const {
+    for (std::size_t i = 0; i < channel_of_.size(); ++i) {
+        if (i != sensor && spec_.sensors[i].kind == Kind::touch && channel_of_[i]->device->was_there()) return true;
+    }
+    return false;
+}
+
+void Ev3Body::read(std::size_t sensor, const SensorValues& values) {
+    const SensorSpec& spec = spec_.sensors[sensor];
+    SensorReading& reading = readings_[sensor];
+    const double first = values.values[0];
+    switch (spec.kind) {
+        case Kind::range:
+            reading.physical = std::clamp(first / 100, spec.minimum, spec.range);
+            reading.value = spec.has_response ? spec.response(reading.physical) : reading.physical;
+            break;
+        case Kind::gyro:
+            reading.value = gyro_.take(values);
+            reading.physical = -values.values[1] * degree;
+            break;
+        case Kind::color: {
+            const auto seen = floor_seen(values);
+            reading.value = static_cast<double>(seen ? nearest_floor_color(*seen) : FloorColor::none);
+            break;
+        }
+        case Kind::reflect: {
+            const auto seen = floor_seen(values);
+            reading.value = seen ? brightness(*seen) : 0;
+            break;
+        }
+        case Kind::touch:
+        case Kind::ambient:
+        case Kind::button: reading.value = first; break;
+    }
+}
+
+std::span<const SensorReading> Ev3Body::read_sensors(const Time& now, double /*period*/) {
+    const double clock = clock_.look(now);
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+        SensorReading& reading = readings_[i];
+        reading.is_there = false;
+        if (channel_of_[i] == nullptr) continue;
+        ModeSensor& device = *channel_of_[i]->device;
+        if (const auto sample = device.newest(clock)) {
+            reading.is_there = true;
+            reading.tm = clock_.system_time(now, sample->tm);
+            read(i, sample->value);
+        } else if (spec_.sensors[i].kind == Kind::touch && !device.was_there() && is_touch_elsewhere(i)) {
+            reading = {.is_there = true, .tm = now.seconds};
+        }
+    }
+    return readings_;
+}
+
+double Ev3Body::servo_angle(std::size_t index) const { return servo_ && index == servo_index_ ? servo_->angle() : 0; }
+
+std::vector<std::string> Ev3Body::take_faults() {
+    std::vector<std::string> all = wheels_->take_faults();
+    const auto add = [&](std::vector<std::string> lines) {
+        for (std::string& line : lines) all.push_back(std::move(line));
+    };
+    if (servo_) add(servo_->take_faults());
+    for (const auto& channel : channels_) add(channel->device->take_faults());
+    add(lights_->take_faults());
+    add(screen_->take_faults());
+    add(battery_->take_faults());
+    return all;
+}
+
+void Ev3Body::set_wheel_speeds(Wheels speeds) {
+    const double metres = metres_per_pulse(spec_.drive);
+    wheels_->command(
+        {.drives = may_have_power_, .rates = {.left = speeds.left / metres, .right = speeds.right / metres}});
+    wheels_worker_.wake();
+}
+
+void Ev3Body::coast() {
+    wheels_->command({});
+    wheels_worker_.wake();
+}
+
+void Ev3Body::set_motor_power(bool on) {
+    may_have_power_ = on;
+    if (!on) coast();
+}
+
+void Ev3Body::aim_servo(std::size_t index, double angle, double speed) {
+    if (!servo_ || index != servo_index_) return;
+    servo_->aim(angle, speed);
+    servo_worker_->wake();
+}
+
+void Ev3Body::set_leds(const std::vector<bool>& on) {
+    lights_->set(on);
+    lights_worker_.wake();
+}
+
+void Ev3Body::show(std::size_t /*index*/, const CameraImage& picture) {
+    screen_->show(picture);
+    screen_worker_.wake();
+}
+
+}  // namespace nezumi::hw

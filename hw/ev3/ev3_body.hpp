@@ -1,0 +1,93 @@
+// A real LEGO EV3 with ev3dev as a robot's body.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/system/build_system.hpp"
+#include "engine/world/world.hpp"
+#include "hw/device/lights.hpp"
+#include "hw/device/roots.hpp"
+#include "hw/device/tick_clock.hpp"
+#include "hw/device/worker.hpp"
+#include "hw/ev3/screen.hpp"
+#include "hw/ev3/sensors.hpp"
+#include "hw/ev3/servo_motor.hpp"
+#include "hw/ev3/wheel_motors.hpp"
+
+namespace nezumi::hw {
+
+/// The angle that a gyro has turned by, counter-clockwise [rad], from what it says: whole degrees clockwise, modulo
+/// 65536, from 0 when it is plugged in.
+class GyroAngle {
+public:
+    double take(const SensorValues& values);
+
+private:
+    std::optional<int> last_;
+    int plugged_in_ = 0;
+    double degrees_ = 0;
+};
+
+/// What RGB-RAW says of the floor, 300 for each part on white paper, as a colour; nothing in sight is no colour.
+std::optional<Rgb> floor_seen(const SensorValues& values);
+
+/// Nothing of it waits for a device: each has a thread of its own.
+class Ev3Body final : public RobotBody {
+public:
+    /// A device is found by its kind, and by its `port` where the spec names one ("in3", "outB"); the wheels' motors
+    /// are at outB and outC else, a servo at outA. Of several sensors of a kind each needs a port. An error, with what
+    /// to do, when there are more devices than the brick can have, when a wheel's motor is not there, or when another
+    /// program drives it. What else is missing is told as a fault. `spec` must outlive this.
+    static Expected<std::unique_ptr<RobotBody>> make(const RobotSpec& spec, const DeviceRoots& roots);
+
+    RobotId id() const override { return not_simulated; }
+    WheelReading read_wheels(const Time& now, double period) override;
+    std::span<const SensorReading> read_sensors(const Time& now, double period) override;
+    double servo_angle(std::size_t index) const override;
+    std::vector<std::string> take_faults() override;
+    bool may_drive() const override { return !battery_->is_low(); }
+    void set_wheel_speeds(Wheels speeds) override;
+    void coast() override;
+    void set_motor_power(bool on) override;
+    void aim_servo(std::size_t index, double angle, double speed) override;
+    void set_leds(const std::vector<bool>& on) override;
+    void show(std::size_t index, const CameraImage& picture) override;
+
+private:
+    // A sensor's device; colour and reflected light share one.
+    struct Channel {
+        Channel(std::shared_ptr<ModeSensor> its_device) : device(std::move(its_device)), worker(device) {}
+        std::shared_ptr<ModeSensor> device;
+        Worker worker;
+    };
+    Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<WheelMotors> wheels,
+            std::shared_ptr<ServoMotor> servo, std::size_t servo_index);
+    void add_sensors(const std::string& folder);
+    void read(std::size_t sensor, const SensorValues& values);
+    bool is_touch_elsewhere(std::size_t sensor) const;
+
+    const RobotSpec& spec_;
+    std::vector<SensorReading> readings_;
+    std::vector<Channel*> channel_of_;  // a sensor's; null: none
+    TickClock clock_;
+    bool may_have_power_ = false;
+    std::size_t servo_index_;
+    GyroAngle gyro_;
+
+    std::shared_ptr<WheelMotors> wheels_;
+    std::shared_ptr<ServoMotor> servo_;  // null: the robot has none
+    std::shared_ptr<Lights> lights_;
+    std::shared_ptr<Screen> screen_;
+    std::shared_ptr<Battery> battery_;
+    // Last: they end before what they work on.
+    Worker wheels_worker_, lights_worker_, screen_worker_, battery_worker_;
+    std::optional<Worker> servo_worker_;
+    std::vector<std::unique_ptr<Channel>> channels_;
+};
+
+}  // namespace nezumi::hw

@@ -1,0 +1,90 @@
+// A sensor of the brick in one of its modes, and the battery, each read on a thread of its own.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/device/node.hpp"
+#include "hw/device/sampler.hpp"
+#include "hw/ev3/device_class.hpp"
+
+namespace nezumi::hw {
+
+/// What a sensor is read as.
+struct SensorMode {
+    std::string_view driver;  ///< "lego-ev3-gyro"
+    std::string_view mode;    ///< "GYRO-G&A"
+    std::size_t values = 1;   ///< of `SensorValues::values`
+};
+
+struct SensorValues {
+    std::array<double, 3> values{};  ///< in the mode's unit, with its decimals
+    int plugged_in = 0;              ///< how often it was found: one that was plugged in again counts from 0
+};
+
+/// Keeps its sensor in one mode, as a change takes up to 50 ms and what follows it is stale.
+class ModeSensor final : public Sampler<SensorValues> {
+public:
+    /// `folder` of the class lego-sensor; `port` as "in3", "": any; `name` as a person calls it.
+    ModeSensor(std::string name, const std::string& folder, SensorMode mode, std::string port)
+        : Sampler(std::move(name), period), class_(folder), mode_(mode), port_(std::move(port)) {}
+
+    static constexpr double period = 0.02;  ///< [s] between readings
+    /// [s] after a change of mode that values are not believed: a change takes up to 50 ms, and 20 ms are stale.
+    static constexpr double settling = 0.08;
+    /// A change of mode that the sensor does not answer in time is tried so often before it is told.
+    static constexpr int patience = 3;
+
+    /// Whether it has ever said something. From any thread.
+    bool was_there() const { return was_there_; }
+
+protected:
+    tl::expected<std::optional<SensorValues>, std::string> sample(double now) override;
+
+private:
+    struct Nodes {
+        explicit Nodes(const std::string& folder);
+        Node get_mode, set_mode, decimals;
+        std::array<Node, 3> values;
+    };
+    std::string lost(const std::string& why);
+    tl::expected<bool, std::string> is_in_mode(double now);
+
+    DeviceClass class_;
+    const SensorMode mode_;
+    const std::string port_;
+    std::optional<Nodes> nodes_;
+    double settled_at_ = 0;
+    double scale_ = 1;
+    int failures_ = 0;
+    int plugged_in_ = 0;
+    std::atomic<bool> was_there_ = false;
+};
+
+/// The battery's voltage [V]. Counts as failed while it is low.
+class Battery final : public Sampler<double> {
+public:
+    /// `folder` of the class power_supply.
+    explicit Battery(const std::string& folder);
+
+    /// Low is below the least voltage that it was made for (`voltage_min_design`, or else 6.2 V, that of six alkaline
+    /// cells) for so long [s], until it is `margin` [V] above.
+    static constexpr double low_after = 2, margin = 0.2, least = 6.2;
+
+    /// From any thread.
+    bool is_low() const { return is_low_; }
+
+protected:
+    tl::expected<std::optional<double>, std::string> sample(double now) override;
+
+private:
+    Node voltage_, design_;
+    std::optional<double> low_since_;
+    std::atomic<bool> is_low_ = false;
+};
+
+}  // namespace nezumi::hw

@@ -1,0 +1,50 @@
+// The EV3's medium motor, which turns to an angle, on a thread of its own.
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw/device/health.hpp"
+#include "hw/device/worker.hpp"
+#include "hw/ev3/tacho_motor.hpp"
+
+namespace nezumi::hw {
+
+/// A job. Its angle is 0 where it stood when it was found first. It may be missing: it is told, and taken up when it is
+/// there.
+class ServoMotor final : public Job {
+public:
+    /// `folder` of the class tacho-motor; `name` as a person calls it: "medium motor 'arm'".
+    ServoMotor(const std::string& folder, const std::string& port, std::string name)
+        : motor_(folder, "lego-ev3-m-motor", port), health_(std::move(name)) {}
+
+    /// Looks for it before the thread begins; returns the node for commands, "" when it is not there.
+    std::string find();
+    /// From the control loop: turns to `angle` [rad] at `speed` [rad/s] (0: as fast as it can).
+    void aim(double angle, double speed);
+    /// [rad] as it was read last.
+    double angle() const;
+    std::vector<std::string> take_faults();
+
+    double run() override;
+    void end() override;
+
+private:
+    struct Target {
+        double angle = 0;
+        double speed = 0;
+    };
+    tl::expected<void, std::string> serve();
+    double radians_per_pulse() const;
+
+    TachoMotor motor_;
+    Health health_;
+    mutable std::mutex mutex_;  // held for a copy at most
+    std::optional<Target> target_;
+    bool is_new_ = false;
+    double angle_ = 0;
+};
+
+}  // namespace nezumi::hw

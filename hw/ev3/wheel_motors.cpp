@@ -1,0 +1,189 @@
+// A wheel is told what changes, and again to run before the kernel would stop it, while the control loop wants it.
+#include "hw/ev3/wheel_motors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hw/device/clock.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+constexpr double attention = 0.05;                       // [s] between readings when nobody wakes it
+constexpr double tell_again = TachoMotor::dead_man / 2;  // [s]
+
+}  // namespace
+
+Expected<std::shared_ptr<WheelMotors>> WheelMotors::make(const std::string& folder,
+                                                         const std::array<std::string, 2>& ports, double acceleration,
+                                                         const std::vector<std::string>& others) {
+    std::shared_ptr<WheelMotors> motors(new WheelMotors(folder, ports, acceleration));
+    // Both are looked for before any is written: where one is missing, nothing is touched.
+    for (Wheel& wheel : motors->wheels_) {
+        if (auto ok = wheel.motor.find(); !ok) return failure("motors: " + ok.error());
+    }
+    std::vector<StopWrite> stop;
+    for (const Wheel& wheel : motors->wheels_) stop.push_back({wheel.motor.command_node(), "stop"});
+    for (const std::string& node : others) stop.push_back({node, "stop"});
+    auto guard = Guard::start(folder, std::move(stop));
+    if (!guard) return Unexpected(guard.error());
+    motors->guard_ = std::make_unique<GuardWatch>(std::move(*guard));
+    if (auto ok = motors->prepare(); !ok) return failure("motors: " + ok.error());
+    return motors;
+}
+
+tl::expected<void, std::string> WheelMotors::prepare() {
+    for (Wheel& wheel : wheels_) {
+        wheel.told = Wheel::Told::nothing;
+        if (!wheel.motor.is_found()) {
+            if (auto ok = wheel.motor.find(); !ok) return ok;
+        }
+        if (auto ok = wheel.motor.prepare(); !ok) return ok;
+        wheel.told = Wheel::Told::roll;
+    }
+    return {};
+}
+
+void WheelMotors::command(const Command& command) {
+    const std::lock_guard lock(mutex_);
+    newest_ = command;
+    ++commands_;
+}
+
+std::optional<Sample<WheelValues>> WheelMotors::newest(double now) {
+    if (hangs(now)) health_.lost(no_answer);
+    const std::lock_guard lock(mutex_);
+    if (!sample_ || now - sample_->tm > stale_after) return std::nullopt;
+    return sample_;
+}
+
+std::vector<std::string> WheelMotors::take_faults() {
+    std::vector<std::string> all = health_.take();
+    for (std::string& line : guard_->take_faults()) all.push_back(std::move(line));
+    return all;
+}
+
+bool WheelMotors::turns() const { return wheels_[0].told == Wheel::Told::run || wheels_[1].told == Wheel::Told::run; }
+
+// One by one: a motor that fails must not keep the other running.
+void WheelMotors::stop_all() {
+    for (Wheel& wheel : wheels_) {
+        wheel.told = Wheel::Told::nothing;
+        if (wheel.motor.is_found() && wheel.motor.hold()) wheel.told = Wheel::Told::hold;
+    }
+    guard_->rest();
+}
+
+// From standstill, or a stop that was not asked for, a wheel speeds up no faster than the robot's limits allow.
+double WheelMotors::reachable(const Wheel& wheel, double rate, double elapsed) const {
+    // Ticks come a little unevenly, and a gap in them allows no leap.
+    constexpr double unevenness = 1.5, longest_gap = 0.1;
+    if (!std::isfinite(rate)) return 0;
+    const double held = wheel.told == Wheel::Told::run ? wheel.told_rate : 0;
+    const double most = (held * rate > 0 ? std::abs(held) : 0) +
+                        std::max(1.0, acceleration_ * unevenness * std::clamp(elapsed, 0.0, longest_gap));
+    return std::clamp(rate, -most, most);
+}
+
+tl::expected<void, std::string> WheelMotors::tell(Wheel& wheel, const Command& command, double rate, double now) {
+    using Told = Wheel::Told;
+    const int whole = static_cast<int>(std::lround(rate));
+    const Told wanted = !command.drives ? Told::roll : whole == 0 ? Told::hold : Told::run;
+    if (wanted == wheel.told && (wanted != Told::run || (whole == wheel.told_rate && now - wheel.told_at < tell_again)))
+        return {};
+    wheel.told = Told::nothing;
+    const auto ok = wanted == Told::roll   ? wheel.motor.coast()
+                    : wanted == Told::hold ? wheel.motor.hold()
+                                           : wheel.motor.run(whole);
+    if (!ok) return ok;
+    wheel.told = wanted;
+    wheel.told_rate = whole;
+    wheel.told_at = now;
+    return {};
+}
+
+tl::expected<void, std::string> WheelMotors::perform(const Command& command, double now) {
+    const double elapsed = now - std::exchange(served_at_, now);
+    const std::array rates{command.rates.left, command.rates.right};
+    for (std::size_t i = 0; i < wheels_.size(); ++i) {
+        Wheel& wheel = wheels_[i];
+        if (auto ok = tell(wheel, command, reachable(wheel, rates[i], elapsed), now); !ok) return ok;
+        // The guard may have stopped the motors while this thread stood still: then what was told meanwhile is void.
+        if (guard_->has_stopped()) {
+            stop_all();
+            return {};
+        }
+    }
+    return {};
+}
+
+tl::expected<void, std::string> WheelMotors::read_positions() {
+    std::array<std::int64_t, 2> pulses{};
+    double tm = 0;
+    for (std::size_t i = 0; i < wheels_.size(); ++i) {
+        const double before = clock_seconds();
+        const auto position = wheels_[i].motor.position();
+        if (!position) return tl::unexpected(position.error());
+        const double read_at = (before + clock_seconds()) / 2;
+        pulses[i] = *position;
+        wheels_[i].rate.take(read_at, *position);
+        tm += read_at / 2;
+    }
+    const std::lock_guard lock(mutex_);
+    sample_ = {.value = {.pulses = {.left = pulses[0], .right = pulses[1]},
+                         .rates = {.left = wheels_[0].rate.rate(), .right = wheels_[1].rate.rate()}},
+               .tm = tm};
+    return {};
+}
+
+double WheelMotors::run() {
+    const double now = clock_seconds();
+    if (guard_->has_stopped()) stop_all();
+    const bool is_guarded = guard_->is_awake(now);
+    if (!is_guarded && turns()) stop_all();
+    if (health_.is_lost()) {
+        if (now < retry_at_) return retry_at_ - now;
+        retry_at_ = now + retry_period;
+        if (!prepare()) {
+            stop_all();
+            return retry_period;
+        }
+        health_.works();
+    }
+    Command command;
+    std::uint64_t number = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        command = newest_;
+        number = commands_;
+    }
+    const bool is_new = number != std::exchange(served_, number);
+    if (!is_guarded) command.rates = {};
+    auto ok = is_new ? perform(command, now) : tl::expected<void, std::string>();
+    if (ok) ok = read_positions();
+    if (!ok) {
+        health_.lost(ok.error());
+        stop_all();
+        retry_at_ = clock_seconds() + retry_period;
+        return retry_period;
+    }
+    if (!turns()) {
+        guard_->rest();
+    } else if (is_new) {
+        guard_->beat();
+    }
+    return attention;
+}
+
+// Those that stand already a hand may roll from now on.
+void WheelMotors::end() {
+    const bool turned = turns();
+    stop_all();
+    if (turned) return;
+    for (Wheel& wheel : wheels_) {
+        if (wheel.motor.is_found()) static_cast<void>(wheel.motor.coast());
+    }
+}
+
+}  // namespace nezumi::hw

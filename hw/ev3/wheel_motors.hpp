@@ -1,0 +1,87 @@
+// The two motors that drive an EV3, with their encoders, on a thread of their own under a guard.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/world/world.hpp"
+#include "hw/device/health.hpp"
+#include "hw/device/sampler.hpp"
+#include "hw/device/wheel_values.hpp"
+#include "hw/device/worker.hpp"
+#include "hw/ev3/tacho_motor.hpp"
+#include "hw/guard/guard_watch.hpp"
+
+namespace nezumi::hw {
+
+/// A job: the newest command counts. A wheel that is to stand is held. When a motor fails both stop, each by itself,
+/// and are looked for again every half a second. The kernel stops a motor that is not told again to run in time: that
+/// holds when engine and guard are killed at once as well.
+class WheelMotors final : public Job {
+public:
+    /// What the control loop wants.
+    struct Command {
+        bool drives = false;  ///< else the wheels roll freely
+        Wheels rates;         ///< [pulses/s]
+    };
+
+    /// Takes the lease of the brick's motors and starts the guard, which stops `others` as well: their nodes for
+    /// commands. `folder` is the class's; `ports` of the left motor and the right; `acceleration` [pulses/s^2] that the
+    /// limits allow a wheel. An error, with what to do, when a motor is missing, and nothing has been written, or when
+    /// another program drives them.
+    static Expected<std::shared_ptr<WheelMotors>> make(const std::string& folder,
+                                                       const std::array<std::string, 2>& ports, double acceleration,
+                                                       const std::vector<std::string>& others);
+
+    /// From the control loop, once a tick at least: whoever falls silent is stopped.
+    void command(const Command& command);
+    /// The newest readings at `now`, by `clock_seconds`; none when there are no recent ones.
+    std::optional<Sample<WheelValues>> newest(double now);
+    std::vector<std::string> take_faults();
+
+    double run() override;
+    int watched_file() const override { return guard_->file(); }
+    void end() override;
+
+private:
+    struct Wheel {
+        Wheel(const std::string& folder, const std::string& port) : motor(folder, "lego-ev3-l-motor", port) {}
+        TachoMotor motor;
+        PulseRate rate;
+        enum class Told { nothing, roll, hold, run } told = Told::nothing;
+        int told_rate = 0;
+        double told_at = 0;  // [s] when it was last told to run
+    };
+
+    WheelMotors(const std::string& folder, const std::array<std::string, 2>& ports, double acceleration)
+        : wheels_{Wheel(folder, ports[0]), Wheel(folder, ports[1])}, acceleration_(acceleration) {}
+    tl::expected<void, std::string> prepare();
+    void stop_all();
+    double reachable(const Wheel& wheel, double rate, double elapsed) const;
+    tl::expected<void, std::string> tell(Wheel& wheel, const Command& command, double rate, double now);
+    tl::expected<void, std::string> perform(const Command& command, double now);
+    tl::expected<void, std::string> read_positions();
+    bool turns() const;
+
+    std::array<Wheel, 2> wheels_;  // left, right
+    const double acceleration_;    // [pulses/s^2]
+    std::unique_ptr<GuardWatch> guard_;
+    Health health_{"motors"};
+
+    std::mutex mutex_;  // held for a copy at most
+    Command newest_;
+    std::uint64_t commands_ = 0;
+    std::optional<Sample<WheelValues>> sample_;
+
+    std::uint64_t served_ = 0;
+    double served_at_ = 0;
+    double retry_at_ = 0;  // while they are lost: when to look for them
+};
+
+}  // namespace nezumi::hw

@@ -1,0 +1,116 @@
+// Steps the world at real time on a thread of its own, while FUSE serves the nodes.
+#include "tests/fakes/fake_robot.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <thread>
+#include <utility>
+
+#include "bindings/lua/files/robot_file.hpp"
+#include "sim/world.hpp"
+#include "tests/fakes/command_socket.hpp"
+#include "tests/fakes/fuse_folder.hpp"
+
+namespace nezumi::fakes {
+namespace {
+
+constexpr double physics_step = 0.005;  // [s]
+
+void say_ready() {
+    std::puts("ready");
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+WorldBehind::WorldBehind(RobotSpec spec, const ArenaSpec& arena, Act act, Sense sense)
+    : spec_(std::move(spec)), act_(std::move(act)), sense_(std::move(sense)) {
+    world_ = std::move(*sim::make_world(arena, {.step = physics_step, .seed = 1}, nullptr));
+    body_ = std::move(*world_->add_robot("robot", spec_, {}));
+}
+
+void WorldBehind::run() {
+    auto due = std::chrono::steady_clock::now();
+    for (;;) {
+        due += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+            std::chrono::duration<double>(physics_step));
+        std::this_thread::sleep_until(due);
+        step();
+    }
+}
+
+void WorldBehind::step() {
+    const std::lock_guard lock(mutex_);
+    act_(spec_, *body_);
+    world_->step(1);
+    ++now_.tick;
+    now_.seconds += physics_step;
+    const WheelReading wheels = body_->read_wheels(now_, physics_step);
+    sense_(spec_, *body_, wheels, body_->read_sensors(now_, physics_step));
+}
+
+bool WorldBehind::answer(const std::string& line, std::string& text) {
+    std::istringstream words(line);
+    std::string command, name;
+    words >> command;
+    const std::lock_guard lock(mutex_);
+    if (command == "truth") {
+        const Pose2D pose = world_->truth(body_->id()).pose;
+        text = fmt::format("{} {} {}", pose.position.x, pose.position.y, pose.heading);
+    } else if (command == "disturb") {
+        Push push;
+        double vx = 0, va = 0;
+        if (words >> vx >> va) push = {.vx = vx, .vy = std::nullopt, .va = va};
+        world_->disturb(body_->id(), push);
+    } else if (command == "press") {
+        bool pressed = false;
+        words >> name >> pressed;
+        text = "no such sensor";
+        for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
+            if (spec_.sensors[i].name != name) continue;
+            world_->press(body_->id(), i, pressed);
+            text.clear();
+        }
+    } else {
+        return false;
+    }
+    return true;
+}
+
+int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act act, WorldBehind::Sense sense,
+                  std::function<std::string(const std::string& line)> answer) {
+    if (count < 4) {
+        std::fprintf(stderr, "usage: %s MOUNT_POINT SOCKET ROBOT_FILE [BOX_X]\n", words[0]);
+        return 2;
+    }
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // no mount outlives the test
+    std::signal(SIGPIPE, SIG_IGN);
+    const std::filesystem::path model = words[3];
+    auto spec = read_robot_file(model, Project::of(model));
+    if (!spec) {
+        std::fprintf(stderr, "%s\n", describe(spec.error()).c_str());
+        return 2;
+    }
+    ArenaSpec arena;
+    if (count > 4) arena.boxes.push_back({.at = {std::strtod(words[4], nullptr), 0, 0.15}, .size = {0.1, 2.0, 0.3}});
+    WorldBehind behind(std::move(*spec), arena, std::move(act), std::move(sense));
+    const auto answer_all = [&](const std::string& line) {
+        std::string text;
+        return behind.answer(line, text) ? text : answer(line);
+    };
+    if (!serve_commands(words[2], answer_all)) return 2;
+    std::thread([&] { behind.run(); }).detach();
+    const int status = serve_folder(words[1], files, say_ready);
+    std::fflush(nullptr);
+    _exit(status);  // its threads go on until then
+}
+
+}  // namespace nezumi::fakes

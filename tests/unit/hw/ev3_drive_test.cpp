@@ -1,0 +1,266 @@
+// An EV3 drives on the fake brick: wheels, arm, sensors, lights, screen, and each of them unplugged in motion.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "tests/unit/hw/fake_ev3_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::hw;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+template <class T>
+void send(DrivenEv3& ev3, const char* port, const T& value) {
+    static_cast<InPort<T>*>(ev3.robot->find_in_port(port))->inject(value);
+}
+
+}  // namespace
+
+TEST_CASE("an EV3's wheels roll until its first command, and what a hand turns is measured",
+          "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    ev3.idle(0.3);
+    CHECK(fake.motion().rolls);
+    fake.say("disturb 0.1 0");
+    ev3.idle(0.6);
+    CHECK(ev3.published<Velocity2D>("current_vel").vx == Approx(0.1).margin(0.02));
+    fake.say("disturb");
+    ev3.run(0.3, {});
+    CHECK_FALSE(fake.motion().rolls);
+    INFO(ev3.all_log());
+    CHECK(ev3.log.empty());
+}
+
+TEST_CASE("an EV3 drives a square, and its odometry is right within 1 %", "[hw][ev3][fakes][odometry][wallclock]") {
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    ev3.run(0.3);
+    constexpr double side = 0.2;  // [m]
+    const auto pose = [&] { return ev3.published<Pose2D>("odometry"); };
+    for (int corner = 0; corner < 4; ++corner) {
+        const Pose2D from = pose();
+        REQUIRE(ev3.run(5, {.vx = 0.2}, [&] {
+            return std::hypot(pose().position.x - from.position.x, pose().position.y - from.position.y) > side - 0.02;
+        }));
+        ev3.run(0.4);
+        const double heading = (corner + 1) * std::numbers::pi / 2;
+        REQUIRE(ev3.run(5, {.va = 1}, [&] { return pose().heading > heading - 0.06; }));
+        ev3.run(0.4);
+    }
+    const Pose2D truth = fake.truth();
+    const double missed = std::hypot(pose().position.x - truth.position.x, pose().position.y - truth.position.y);
+    CHECK(missed < 0.01 * 4 * side);
+    CHECK(std::abs(std::remainder(pose().heading - truth.heading, 2 * std::numbers::pi)) < 0.01 * 2 * std::numbers::pi);
+    CHECK(ev3.published<double>("gyro") == Approx(pose().heading).margin(0.1));
+    WARN("odometry off by " << missed * 1e3 << " mm after a square of " << 4 * side << " m");
+}
+
+TEST_CASE("an EV3's sensors say what is there, in our units", "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake({"0.6"});  // a wall 0.05 m before that
+    DrivenEv3 ev3(fake);
+    fake.say("floor 300 300 300");
+    ev3.run(0.5);
+    INFO(ev3.all_log());
+    CHECK(ev3.published<RangeData>("ultrasonic").ranges.at(0) == Approx(0.55 - 0.07).margin(0.02));
+    CHECK(ev3.published<std::string>("color") == "white");
+    CHECK(ev3.published<double>("light_reflect") == Approx(100).margin(1));
+    CHECK(ev3.published<std::vector<bool>>("touch") == std::vector<bool>{false, false});
+    fake.say("press right 1");
+    fake.say("floor 30 25 20");
+    ev3.run(1, {.va = 1}, [&] { return ev3.published<Pose2D>("odometry").heading > 0.5; });
+    CHECK(ev3.published<std::vector<bool>>("touch") == std::vector<bool>{true, false});
+    CHECK(ev3.published<std::string>("color") == "black");
+    CHECK(ev3.published<double>("gyro") == Approx(0.5).margin(0.1));
+    CHECK(ev3.published<double>("gyro_rate") == Approx(1).margin(0.15));
+    CHECK_FALSE(ev3.speaks("light_ambient"));  // another mode of the sensor that tells colours
+    CHECK(ev3.log.empty());
+}
+
+TEST_CASE("an EV3's arm gets its target once, with its speed, and turns there", "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    ev3.run(0.2);
+    send(ev3, "angle", 90 * degree);
+    ev3.run(0.5);
+    const double underway = ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y;
+    CHECK(underway == Approx(0.5 * 1.6).margin(0.35));  // at 1.6 rad/s
+    ev3.run(1);
+    CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * degree).margin(0.03));
+    const auto writes = fake.writes();
+    const auto count = [&](const std::string& write) { return std::count(writes.begin(), writes.end(), write); };
+    CHECK(count("outA/position_sp '90'") == 1);
+    CHECK(count("outA/speed_sp '92'") == 1);
+    CHECK(count("outA/command 'run-to-abs-pos'") == 1);
+    // It stays where it is when its cable has been out, and counts on.
+    fake.say("unplug outA");
+    ev3.run(0.6);
+    CHECK(ev3.said("motor 'medium_motor': "));
+    fake.say("plug outA");
+    ev3.run(0.8);
+    CHECK(ev3.said("motor 'medium_motor': back again"));
+    CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * degree).margin(0.03));
+}
+
+TEST_CASE("an EV3 shows lights and pictures", "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    send(ev3, "leds", std::vector<bool>{true, false, false, true});
+    send(ev3, "lcd", CameraImage{.width = 1, .height = 1, .bpp = 8, .format = "gray8", .fDiv = 0, .pixels = {0x80}});
+    ev3.run(0.5);
+    CHECK(fake.motion().leds == "1001");
+    const std::string frame = fake.say("frame");
+    REQUIRE(frame.size() == 2 * 712 * 128);
+    CHECK(frame.substr(0, 8) == "ffffff00");
+    CHECK(frame.substr(2 * (712 * 64 + 4 * 89), 8) == "80808000");
+    CHECK(ev3.log.empty());
+}
+
+TEST_CASE("an EV3 whose battery is low stands, is told once, and drives again when it has been charged",
+          "[hw][ev3][fakes][safety][wallclock]") {
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    ev3.run(0.5, {.vx = 0.1});
+    fake.say("battery 6100000");
+    ev3.run(1.2, {.vx = 0.1});
+    CHECK(fake.moves());  // motors that start pull it down for a moment
+    REQUIRE(ev3.run(3, {.vx = 0.1}, [&] { return !fake.moves(); }));
+    CHECK(ev3.log == std::vector<std::string>{"battery: is low, below 6.2 V: the robot stands until it is charged, or "
+                                              "its cells are changed"});
+    fake.say("battery 6300000");
+    ev3.run(1, {.vx = 0.1});
+    CHECK_FALSE(fake.moves());
+    fake.say("battery 6500000");
+    CHECK(ev3.run(2, {.vx = 0.1}, [&] { return fake.moves(); }));
+}
+
+namespace {
+
+struct Unplugged {
+    const char* port;
+    const char* fault;  // "unplug", or a fault of the node that follows
+    const char* node;
+    const char* said;
+    bool drives;
+    std::vector<const char*> silent;
+};
+
+}  // namespace
+
+TEST_CASE("each device of an EV3 that is unplugged or fails in motion is told once, and taken up again",
+          "[hw][ev3][fakes][safety][wallclock]") {
+    const auto fault = GENERATE(
+        Unplugged{"outB", "unplug", "", "motors: outB: ", false, {"odometry", "current_vel"}},
+        Unplugged{"outC", "unplug", "", "motors: outC: ", false, {"odometry", "current_vel"}},
+        Unplugged{"outC", "eio", "outC/command", "motors: outC: ", false, {}},
+        Unplugged{"outB", "hang", "outB/speed_sp", "motors: no answer for 0.3 s", false, {"odometry", "current_vel"}},
+        Unplugged{"in2", "unplug", "", "sensor 'gyro': ", true, {"gyro", "gyro_rate"}},
+        Unplugged{"in4", "unplug", "", "sensor 'ultrasonic': ", true, {"ultrasonic"}},
+        Unplugged{"in4", "garbage", "in4/value0", "expected a number, got 'what?'", true, {"ultrasonic"}},
+        Unplugged{"in5", "unplug", "", "sensor 'color': ", true, {"color", "light_reflect"}},
+        Unplugged{"in5", "hang", "in5/value1", "sensor 'color': no answer", true, {"color", "light_reflect"}},
+        Unplugged{"in3", "unplug", "", "sensor 'right': ", true, {"touch"}},
+        Unplugged{"in1", "eio", "in1/value0", "sensor 'left': ", true, {"touch"}});
+    INFO(fault.port << " " << fault.fault);
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    // A command that changes all the time: the motors' nodes are written.
+    const auto drive = [&](double seconds, const std::function<bool()>& until = nullptr) {
+        const double end = ev3.system.now().seconds + seconds;
+        for (int i = 0; ev3.system.now().seconds < end; ++i) {
+            ev3.run(0.025, {.vx = 0.1, .va = i % 2 == 0 ? 0.2 : -0.2});
+            if (until && until()) return true;
+        }
+        return !until;
+    };
+    fake.say("press right 1");
+    fake.say("press left 1");
+    REQUIRE(drive(10, [&] {
+        return fake.moves() && ev3.speaks("gyro") && ev3.speaks("ultrasonic") && ev3.speaks("color") &&
+               ev3.published<std::vector<bool>>("touch") == std::vector<bool>{true, true};
+    }));
+    REQUIRE(ev3.log.empty());
+    const bool is_cable = std::string_view(fault.fault) == "unplug";
+    if (is_cable) {
+        CHECK(fake.say(std::string("unplug ") + fault.port).empty());
+    } else {
+        fake.fault(fault.node, fault.fault);
+    }
+    drive(0.8);
+    drive(3, [&] { return !ev3.log.empty() && fake.moves() == fault.drives; });
+    INFO(ev3.all_log());
+    CHECK(fake.moves() == fault.drives);
+    CHECK(ev3.log.size() == 1);
+    CHECK(ev3.said(fault.said));
+    for (const char* port :
+         {"odometry", "current_vel", "gyro", "gyro_rate", "ultrasonic", "color", "light_reflect", "touch"}) {
+        INFO(port);
+        const bool is_silent = std::any_of(fault.silent.begin(), fault.silent.end(),
+                                           [&](const char* each) { return std::string_view(each) == port; });
+        if (std::string_view(fault.fault) != "eio" || fault.drives) CHECK(ev3.speaks(port) == !is_silent);
+    }
+    if (is_cable) {
+        CHECK(fake.say(std::string("plug ") + fault.port).empty());
+    } else {
+        fake.say("heal");
+    }
+    CHECK(drive(3, [&] {
+        return fake.moves() && std::all_of(fault.silent.begin(), fault.silent.end(),
+                                           [&](const char* port) { return ev3.speaks(port); });
+    }));
+}
+
+TEST_CASE("an EV3 with one touch sensor says two values, and the one that it lacks is told",
+          "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake;
+    fake.say("unplug in1");
+    DrivenEv3 ev3(fake);
+    ev3.run(5, {}, [&] { return !ev3.log.empty(); });
+    CHECK(ev3.log == std::vector<std::string>{
+                         "sensor 'left': nothing is plugged in at in1, expected a lego-ev3-touch: look at its cable"});
+    fake.say("press right 1");
+    ev3.run(0.2);
+    CHECK(ev3.published<std::vector<bool>>("touch") == std::vector<bool>{true, false});
+    fake.say("plug in1");
+    fake.say("press left 1");
+    ev3.run(1);
+    CHECK(ev3.published<std::vector<bool>>("touch") == std::vector<bool>{true, true});
+    // From now on there are two: without one of them nothing is known.
+    fake.say("unplug in1");
+    ev3.run(0.6);
+    CHECK_FALSE(ev3.speaks("touch"));
+}
+
+TEST_CASE("a sensor that another program has switched to another mode is switched back, and says nothing meanwhile",
+          "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake({"0.6"});
+    DrivenEv3 ev3(fake);
+    ev3.run(0.5);
+    CHECK(fake.say("mode in4 US-DIST-IN").empty());
+    double least = 1;
+    ev3.run(0.6, {}, [&] {
+        least = std::min(least, ev3.published<RangeData>("ultrasonic").ranges.at(0));
+        return false;
+    });
+    CHECK(least > 0.4);  // inches would be 0.19
+    CHECK(ev3.speaks("ultrasonic"));
+    CHECK(ev3.log.empty());
+}
+
+TEST_CASE("a sensor that does not answer a change of mode in time is tried again before it is told",
+          "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake;
+    fake.fault("in2/mode", "timeout");
+    DrivenEv3 ev3(fake);
+    ev3.run(0.06);
+    CHECK(ev3.log.empty());
+    ev3.run(0.5);
+    REQUIRE(ev3.log.size() == 1);
+    CHECK(ev3.said("sensor 'gyro': "));
+    CHECK(ev3.said("connection timed out: look at its cable, and at what dmesg says"));
+    fake.say("heal");
+    CHECK(ev3.run(2, {}, [&] { return ev3.speaks("gyro"); }));
+}
