@@ -481,6 +481,12 @@ function output(name, type, doc, options) end
 ---@field vendor? string
 ---@field category? string
 
+---@class (exact) TaskOptions
+---@field repeating? boolean begins again at the execution after its end
+
+---@class (exact) WaitOptions
+---@field within? number [s] gives up when so much time has passed
+
 ---@class (exact) BoxFields
 ---@field at number[] [m] centre; without z it stands on the floor
 ---@field size number[] [m] length, width, height
@@ -700,6 +706,33 @@ function about(fields) end
 ---@param fn fun(...: any): any
 ---@param doc? string
 function command(name, fn, doc) end
+
+---Declares what is done one after the other: it starts on activation and runs in slices, from one wait to the next.
+---@param name string
+---@param fn fun()
+---@param options? TaskOptions
+function task(name, fn, options) end
+
+---Starts a task at the next execution; an error while it is under way.
+---@param name string
+function start(name) end
+
+---Ends a task, its `<close>` variables included. Returns whether it was under way.
+---@param name string
+---@return boolean
+function cancel(name) end
+
+---Waits so long, in a task only. Returns the time that has passed [s].
+---@param seconds number
+---@return number
+function wait(seconds) end
+
+---Waits until `condition()` is true, in a task only: looks at once and then once an execution. Returns false when it was
+---not within the time that is given.
+---@param condition fun(): any
+---@param options? WaitOptions
+---@return boolean
+function wait_until(condition, options) end
 
 ---@class Thing
 

@@ -160,17 +160,18 @@ int command(lua_State* L) {
     });
 }
 
-Expected<Answer> state_of(const Component& component) {
-    PlainData state;
+// What a script shows as plain data; other components show an empty table.
+Expected<Answer> data_of(const Component& component, std::string_view word) {
+    PlainData data;
     if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
-        auto copy = script->copy_state();
+        auto copy = word == "state" ? script->copy_state() : script->describe_tasks();
         if (!copy) return Unexpected(copy.error());
-        state = std::move(*copy);
+        data = std::move(*copy);
     } else {
-        state.values.emplace_back(PlainData::TableRef{0});
-        state.tables.emplace_back();
+        data.values.emplace_back(PlainData::TableRef{0});
+        data.tables.emplace_back();
     }
-    return Answer{LockedValue{component.name() + ".state", std::move(state)}};
+    return Answer{LockedValue{fmt::format("{}.{}", component.name(), word), std::move(data)}};
 }
 
 Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::string_view word) {
@@ -188,7 +189,7 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
     if (word == "type") return Answer{component.type()};
     if (word == "status") return now_in(at);
     if (word == "version") return Answer{std::int64_t{component.version()}};
-    if (word == "state") return state_of(component);
+    if (word == "state" || word == "tasks") return data_of(component, word);
     if (word == "sets") {
         std::vector<std::string> names;
         for (const auto& [name, values] : component.sets) names.push_back(name);

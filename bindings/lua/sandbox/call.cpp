@@ -90,6 +90,12 @@ void find_caller(lua_State* lua, const CallRecord::ScriptPlace& error, CallRecor
     }
 }
 
+// What is known of an error on top of the stack of `lua` where it was raised.
+void note_error(lua_State* lua, CallRecord& call) {
+    find_error_place(lua, call);
+    find_caller(lua, call.error_place, call.error_caller);
+}
+
 std::string shown(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", number);
@@ -138,11 +144,9 @@ int handle_error(lua_State* lua) {
         lua_call(lua, 1, 1);
         if (lua_type(lua, -1) != LUA_TSTRING) lua_settop(lua, 1);
     }
-    find_error_place(lua, call);
-    CallRecord::ScriptPlace caller;
-    find_caller(lua, call.error_place, caller);
-    if (lua_type(lua, -1) == LUA_TSTRING && caller.line != 0) {
-        lua_pushfstring(lua, " (called from %s:%d)", caller.file, caller.line);
+    if (call.slice_status == LUA_OK) note_error(lua, call);
+    if (lua_type(lua, -1) == LUA_TSTRING && call.error_caller.line != 0) {
+        lua_pushfstring(lua, " (called from %s:%d)", call.error_caller.file, call.error_caller.line);
         lua_concat(lua, 2);
     }
     return 1;
@@ -157,7 +161,7 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
         error = {{"ran for more than " + shown(call.budget_seconds) + " s: is there an endless loop?",
                   to_place(call.expiry_place.line != 0 ? call.expiry_place : call.memory_place)},
                  true};
-    } else if (status == LUA_ERRMEM) {
+    } else if (status == LUA_ERRMEM || call.slice_status == LUA_ERRMEM) {
         error = error_of_memory(state, call);
     } else {
         // What could not be handled is not the message whose place was found.
@@ -179,6 +183,11 @@ CallError lost_error(double budget_seconds) {
 }
 
 }  // namespace
+
+void note_slice_error(lua_State* coroutine, int status) {
+    note_error(coroutine, *current_call);
+    current_call->slice_status = status;
+}
 
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {
     const int function = lua_gettop(lua) - arguments;

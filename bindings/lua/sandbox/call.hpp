@@ -40,4 +40,7 @@ CallResult protect(lua_State* lua, Budget budget, Body&& body) {
     return protected_call(lua, 1, LUA_MULTRET, budget);
 }
 
+/// Keeps the place of the error on top of a coroutine that has failed in a slice: it will be raised again elsewhere.
+void note_slice_error(lua_State* coroutine, int status);
+
 }  // namespace nezumi

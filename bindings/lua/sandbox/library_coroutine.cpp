@@ -1,5 +1,7 @@
-// `coroutine`: coroutines that the watchdog follows.
+// `coroutine`: coroutines that the watchdog follows, and that run in slices.
+#include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/library.hpp"
+#include "bindings/lua/sandbox/slices.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 
@@ -16,25 +18,35 @@ lua_State* check_coroutine(lua_State* lua, int index) {
 bool is_poisoned(lua_State* coroutine) { return *static_cast<void**>(lua_getextraspace(coroutine)) == nullptr; }
 void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(coroutine)) = nullptr; }
 
-constexpr int failed = -1;
-
-// Runs `coroutine`, with `arguments` values on top of its stack, until it yields, returns or fails. Returns how many
-// results lie on top of the caller's stack, or `failed` with the error there.
-int run(lua_State* lua, lua_State* coroutine, int arguments) {
+// lua_resume, watched. Raises the error of an expired budget.
+int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& results) {
     CallRecord& call = *current_call;
     keep_watching(coroutine);
-    int results = 0;
+    const bool could_pause = call.can_pause;
+    call.can_pause = could_pause && (lua_isyieldable(lua) != 0 || coroutine == call.slice);
     call.running = coroutine;
     const int status = lua_resume(coroutine, lua, arguments, &results);
     call.running = lua;
-    if (call.expired != 0) {
-        if (status == LUA_OK || status == LUA_YIELD) {
-            lua_pop(coroutine, results);
-        } else {
-            poison(coroutine);
-        }
-        raise_expiry(lua);
+    call.can_pause = could_pause;
+    if (call.expired == 0) return status;
+    if (status == LUA_OK || status == LUA_YIELD) {
+        lua_pop(coroutine, results);
+    } else {
+        poison(coroutine);
     }
+    raise_expiry(lua);
+    return status;
+}
+
+constexpr int failed = -1;
+
+// Runs `coroutine`, with `arguments` values on top of its stack, until it yields, returns or fails. Returns how many
+// results lie on top of the caller's stack, or `failed` with the error there. Where a slice ends in it, the caller
+// pauses as well, and `go_on` takes up from there.
+int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on) {
+    int results = 0;
+    const int status = resume_watched(lua, coroutine, arguments, results);
+    if (status == LUA_YIELD && current_call->pausing) return lua_yieldk(lua, 0, 0, go_on);
     if (status != LUA_OK && status != LUA_YIELD) {
         lua_xmove(coroutine, lua, 1);
         return failed;
@@ -65,11 +77,15 @@ int finish_resume(lua_State* lua, int results) {
     return results == failed ? 2 : results + 1;
 }
 
+int go_on_resume(lua_State* lua, int, lua_KContext) {
+    return finish_resume(lua, run(lua, lua_tothread(lua, 1), 0, go_on_resume));
+}
+
 int resume(lua_State* lua) {
     lua_State* coroutine = check_coroutine(lua, 1);
     const int arguments = lua_gettop(lua) - 1;
     if (!give_arguments(lua, coroutine, arguments)) return finish_resume(lua, failed);
-    return finish_resume(lua, run(lua, coroutine, arguments));
+    return finish_resume(lua, run(lua, coroutine, arguments, go_on_resume));
 }
 
 // Ends what is open in a coroutine that is not running. Returns whether that went well; else an error is on its stack.
@@ -92,11 +108,16 @@ int finish_wrapped(lua_State* lua, lua_State* coroutine, int results) {
     return lua_error(lua);
 }
 
+int go_on_wrapped(lua_State* lua, int, lua_KContext) {
+    lua_State* coroutine = lua_tothread(lua, lua_upvalueindex(1));
+    return finish_wrapped(lua, coroutine, run(lua, coroutine, 0, go_on_wrapped));
+}
+
 int call_wrapped(lua_State* lua) {
     lua_State* coroutine = lua_tothread(lua, lua_upvalueindex(1));
     const int arguments = lua_gettop(lua);
     if (!give_arguments(lua, coroutine, arguments)) return lua_error(lua);
-    return finish_wrapped(lua, coroutine, run(lua, coroutine, arguments));
+    return finish_wrapped(lua, coroutine, run(lua, coroutine, arguments, go_on_wrapped));
 }
 
 int create(lua_State* lua) {
@@ -153,16 +174,23 @@ int close(lua_State* lua) {
     return 2;
 }
 
-int yield(lua_State* lua) { return lua_yield(lua, lua_gettop(lua)); }
+// What runs in slices is a coroutine to Lua, and none to the script.
+bool is_slice(lua_State* lua) { return current_call->slice == lua; }
+
+int yield(lua_State* lua) {
+    if (is_slice(lua)) return luaL_error(lua, "attempt to yield from outside a coroutine");
+    return lua_yield(lua, lua_gettop(lua));
+}
 
 int is_yieldable(lua_State* lua) {
     lua_State* coroutine = lua_isnone(lua, 1) ? lua : check_coroutine(lua, 1);
-    lua_pushboolean(lua, lua_isyieldable(coroutine));
+    lua_pushboolean(lua, lua_isyieldable(coroutine) != 0 && !is_slice(coroutine) ? 1 : 0);
     return 1;
 }
 
 int running(lua_State* lua) {
-    lua_pushboolean(lua, lua_pushthread(lua));
+    const bool is_main = lua_pushthread(lua) == 1 || is_slice(lua);
+    lua_pushboolean(lua, is_main ? 1 : 0);
     return 2;
 }
 
@@ -176,3 +204,43 @@ const Entries& coroutine() {
 }
 
 }  // namespace nezumi::library
+
+namespace nezumi {
+
+SliceEnd run_slice(lua_State* lua, lua_State* coroutine) {
+    CallRecord& call = *current_call;
+    check_c_stack(lua);
+    luaL_checkstack(lua, 1, nullptr);
+    call.slice = coroutine;
+    call.can_pause = true;
+    int results = 0;
+    const int status = library::resume_watched(lua, coroutine, 0, results);
+    call.slice = nullptr;
+    call.can_pause = call.pausing = false;
+    if (status == LUA_YIELD) return SliceEnd::paused;
+    if (status == LUA_OK) {
+        lua_pop(coroutine, results);
+        return SliceEnd::returned;
+    }
+    note_slice_error(coroutine, status);
+    lua_xmove(coroutine, lua, 1);
+    return SliceEnd::failed;
+}
+
+bool can_pause(lua_State* lua) { return current_call->can_pause && lua_isyieldable(lua) != 0; }
+
+int pause(lua_State* lua, lua_KContext context, lua_KFunction go_on) {
+    current_call->pausing = true;
+    return lua_yieldk(lua, 0, context, go_on);
+}
+
+bool close_slices(lua_State* lua, lua_State* coroutine) {
+    if (library::is_poisoned(coroutine)) return true;
+    const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with an error that is known
+    luaL_checkstack(lua, 1, nullptr);
+    if (library::reset(lua, coroutine) || has_failed) return true;
+    lua_xmove(coroutine, lua, 1);
+    return false;
+}
+
+}  // namespace nezumi

@@ -64,12 +64,18 @@ public:
     std::jmp_buf escape;
     volatile bool can_escape = false;
 
+    lua_State* slice = nullptr;  ///< the coroutine that runs a slice of its work, if one does
+    bool can_pause = false;      ///< what runs in it may end the slice
+    bool pausing = false;        ///< it has, and all coroutines in between yield
+
     ScriptPlace expiry_place;          ///< where the script was when it was stopped
     bool memory_refused = false;       ///< the state's limit was reached
     bool memory_refused_deep = false;  ///< within a deep recursion, last
     ScriptPlace memory_place;          ///< where, last
     ScriptPlace error_place;           ///< where an error was raised
+    ScriptPlace error_caller;          ///< the behaviour's line that called the module in which that was, if one did
     std::size_t error_prefix = 0;      ///< bytes of the message that say that place
+    int slice_status = LUA_OK;         ///< how a slice failed, whose error is raised again and has its place already
 };
 
 /// The innermost call of this thread, or null. Constant-initialised, hence a plain load.

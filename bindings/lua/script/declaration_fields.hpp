@@ -33,6 +33,28 @@ struct Describe<PortDeclaration> {
 };
 
 template <>
+struct Describe<TaskOptions> {
+    static constexpr std::string_view name = "task_options";
+    static constexpr std::string_view doc = "Options of a task.";
+    static constexpr std::tuple fields{
+        Setting{"repeating", &TaskOptions::repeating, "", "begins again at the execution after its end"},
+    };
+};
+
+template <>
+struct Describe<WaitOptions> {
+    static constexpr std::string_view name = "wait_options";
+    static constexpr std::string_view doc = "Options of a wait for a condition.";
+    static constexpr std::tuple fields{
+        Setting{"within",
+                &WaitOptions::within,
+                "s",
+                "gives up when so much time has passed",
+                {.range = NumberRange::not_negative, .fallback = "never"}},
+    };
+};
+
+template <>
 struct Describe<ScriptAbout> {
     static constexpr std::string_view name = "about";
     static constexpr std::string_view doc = "Says who made this component, and what it is.";

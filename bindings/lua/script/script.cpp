@@ -97,9 +97,9 @@ Expected<void> Script::run_top_level(const SourceText& source) {
             return Unexpected(*module_error_);
         return Unexpected(to_error(ran.error()));
     }
-    if (ports_.empty() && commands_.empty() && parameters_.all().empty() &&
+    if (ports_.empty() && commands_.empty() && parameters_.all().empty() && tasks_.empty() &&
         std::all_of(hooks_.begin(), hooks_.end(), [](int function) { return function == LUA_NOREF; })) {
-        return failure("the file declares nothing: no port, parameter, command or callback", {file_.shown});
+        return failure("the file declares nothing: no port, parameter, command, task or callback", {file_.shown});
     }
     lua_gc(L, LUA_GCCOLLECT);  // what loading left behind; nothing of the script runs in it
     seen_parameters_ = parameters_.version();
@@ -202,6 +202,20 @@ Expected<void> Script::declare_about(ScriptAbout about) {
     if (about_.given) return failure("about is given twice");
     about_ = std::move(about);
     return {};
+}
+
+Expected<void> Script::declare_task(Task task) {
+    if (auto ok = check_loading("task"); !ok) return ok;
+    if (auto ok = check_name("task", task.name, false); !ok) return ok;
+    if (auto ok = check_count(tasks_.all().size(), "task", task.name, "tasks"); !ok) return ok;
+    return tasks_.declare(std::move(task));
+}
+
+Expected<void> Script::check_tasks_run(std::string_view word) const {
+    if (phase_ == Phase::loading) return failure(fmt::format("{} can't be called while the file loads", word));
+    if (owner_->state() == LifeState::active) return {};
+    return failure(
+        fmt::format("{}: tasks run while the component is ACTIVE, it is {}", word, to_text(owner_->state())));
 }
 
 Expected<std::size_t> Script::check_hook(std::string_view name, std::string_view type) const {
@@ -312,16 +326,43 @@ Expected<void> Script::begin_call() {
     return {};
 }
 
+// Arguments: the script, the hook. Its function may be missing.
+int Script::call_with_tasks(lua_State* L) {
+    auto& script = *static_cast<Script*>(lua_touserdata(L, 1));
+    const auto hook = static_cast<Hook>(lua_tointeger(L, 2));
+    lua_settop(L, 0);
+    if (hook == Hook::on_execute) {
+        script.tasks_.run(L, script.seconds());
+    } else {
+        script.tasks_.end(L, script.seconds());
+    }
+    const int function = script.hooks_[static_cast<std::size_t>(hook)];
+    if (function == LUA_NOREF) return 0;
+    lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+    lua_call(L, 0, 0);
+    return 0;
+}
+
 Expected<void> Script::call(Hook hook) {
-    if (hook == Hook::on_activated) was_activated_ = true;
+    if (hook == Hook::on_activated) {
+        was_activated_ = true;
+        tasks_.start_all(seconds());
+    }
     const int function = hooks_[static_cast<std::size_t>(hook)];
-    if (function == LUA_NOREF) return {};
+    const bool with_tasks = !tasks_.empty() && hook != Hook::on_activated && hook != Hook::on_error;
+    if (function == LUA_NOREF && !with_tasks) return {};
     if (auto ok = begin_call(); !ok) return ok;
     lua_State* L = lua_->lua();
-    lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+    if (with_tasks) {
+        lua_pushcfunction(L, call_with_tasks);
+        lua_pushlightuserdata(L, this);
+        lua_pushinteger(L, static_cast<lua_Integer>(hook));
+    } else {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+    }
     Budget budget = context_.budget;
     if (hook == Hook::on_aborting && has_used_its_tick()) budget.seconds *= kReserve;
-    if (auto ok = protected_call(L, 0, 0, budget); !ok) {
+    if (auto ok = protected_call(L, with_tasks ? 2 : 0, 0, budget); !ok) {
         failed_seconds_ = ok.error().used_seconds;
         return Unexpected(to_error(ok.error()));
     }

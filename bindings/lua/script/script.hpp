@@ -17,6 +17,7 @@
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/script/script_chunk.hpp"
+#include "bindings/lua/script/tasks.hpp"
 #include "bindings/lua/values/plain_data.hpp"
 #include "engine/components/component.hpp"
 
@@ -104,6 +105,8 @@ public:
     std::list<PortSlot>& slots() { return slots_; }
     const std::vector<CommandDeclaration>& commands() const { return commands_; }
     const ScriptAbout& about() const { return about_; }
+    Tasks& tasks() { return tasks_; }
+    const Tasks& tasks() const { return tasks_; }
     bool has(Hook hook) const { return hooks_[static_cast<std::size_t>(hook)] != LUA_NOREF; }
     /// The component's while this version is live; before, as the file declares them.
     Parameters& parameters();
@@ -119,7 +122,8 @@ public:
 
     /// The part of a budget that is kept for `on_aborting`: the hooks of a tick have one budget, not one each.
     static constexpr double kReserve = 0.1;
-    /// Calls a callback; nothing when the script has none.
+    /// Calls a callback; nothing when the script has none. Tasks start with `on_activated`, run a slice before
+    /// `on_execute`, and end before the others.
     Expected<void> call(Hook hook);
     /// Whether the call that failed last used more than the reserve: then only that is left of the tick's budget.
     bool has_used_its_tick() const { return failed_seconds_ > context_.budget.seconds * kReserve; }
@@ -158,6 +162,9 @@ public:
     Expected<void> declare_parameter(ParameterSpec spec);
     Expected<void> declare_command(CommandDeclaration declaration);
     Expected<void> declare_about(ScriptAbout about);
+    Expected<void> declare_task(Task task);
+    /// Tasks can be started and cancelled now.
+    Expected<void> check_tasks_run(std::string_view word) const;
     /// The hook that may be defined by this global now, with a value of this Lua type.
     Expected<std::size_t> check_hook(std::string_view name, std::string_view type) const;
     void set_hook(std::size_t hook, int function, int line);
@@ -182,6 +189,7 @@ private:
     Expected<void> check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const;
     // What comes before each call: shows parameters that have changed, and counts anew.
     Expected<void> begin_call();
+    static int call_with_tasks(lua_State* L);
     Expected<Chunk> compile(const SourceText& source, ScriptKind kind) const;
     Error to_error(const CallError& error) const;
     std::string hint(std::string_view message) const;
@@ -197,6 +205,7 @@ private:
     std::list<PortSlot> slots_;
     std::vector<CommandDeclaration> commands_;
     ScriptAbout about_;
+    Tasks tasks_;
     Parameters parameters_;
     std::array<int, 9> hooks_{};  // registry references, by Hook
     std::array<int, 9> hook_lines_{};

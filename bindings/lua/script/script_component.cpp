@@ -91,7 +91,8 @@ Expected<PlainData> ScriptComponent::copy_state() const {
 }
 
 bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& visit) const {
-    if (member != "state") return false;
+    if (member == "tasks") visit_plain(describe_tasks(), visit);
+    if (member != "state") return member == "tasks";
     if (const auto state = copy_state()) visit_plain(*state, visit);
     return true;
 }
@@ -126,6 +127,7 @@ Expected<void> ScriptComponent::adopt(Version& next, const Time& now) {
     make_ports(next);
     fill_slots(next);
     next.script->bind(*this);
+    if (state() == LifeState::active) next.script->tasks().start_all(now.seconds);
     auto ok = run(Hook::on_reload, [&] { return next.script->call_on_reload(version_); });
     if (ok) next.parameters = next.script->take_parameters();  // with what on_reload set
     return ok;
@@ -151,6 +153,8 @@ void ScriptComponent::commit(Version next, int reload) {
     constexpr std::size_t most_memory = std::size_t{32} << 20;  // [bytes]
     Version old = replace(std::move(next));
     old.replaced_by = reload;
+    if (state() == LifeState::active && !script_->tasks().empty())
+        log(LogLevel::info, fmt::format("tasks begin anew: {}", script_->tasks().names()));
     past_.push_back(std::move(old));
     std::size_t memory = 0;
     std::size_t kept = 0;
@@ -170,6 +174,8 @@ void ScriptComponent::go_back(bool keep_settings) {
     make_ports(back);
     fill_slots(back);
     probation_left_ = 0;
+    // Its tasks go on where they stood, unless all have been ended since.
+    if (state() == LifeState::active && back.activation != activation_) back.script->tasks().start_all(now().seconds);
     replace(std::move(back));
 }
 
@@ -205,6 +211,7 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
     Version old;
     old.script = std::move(script_);
     old.number = version_;
+    old.activation = activation_;
     old.parameters = std::move(parameters_);
     old.in_ports = std::move(in_ports_);
     old.out_ports = std::move(out_ports_);

@@ -28,6 +28,8 @@ public:
     Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now) override;
     /// A copy of the script's `state`, for a look at it; what is no plain data is left out.
     Expected<PlainData> copy_state() const;
+    /// Its tasks by name, for a look at them: `status`, `since`, and of those that wait `waiting` and `line`.
+    PlainData describe_tasks() const { return script_->tasks().describe(now().seconds); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
 
     // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
@@ -41,6 +43,7 @@ public:
         std::vector<std::unique_ptr<OutPortBase>> out_ports;
         std::vector<std::string> warnings;  ///< what could not be taken over from the version before
         int replaced_by = 0;                ///< number of the reload that replaced it
+        int activation = 0;                 ///< the how manieth it was active in: its tasks are of that one
     };
 
     /// Loads another version, which takes over the state and the parameters of the one that runs. Touches nothing. The
@@ -77,7 +80,10 @@ public:
     std::optional<Relapse> take_relapse() { return std::exchange(relapse_, std::nullopt); }
 
 protected:
-    Expected<void> on_activated() override { return script_->call(Hook::on_activated); }
+    Expected<void> on_activated() override {
+        ++activation_;
+        return script_->call(Hook::on_activated);
+    }
     Expected<void> on_execute() override {
         return probation_left_ > 0 ? execute_on_probation() : script_->call(Hook::on_execute);
     }
@@ -100,6 +106,7 @@ private:
     int version_ = 0;
     int newest_ = 0;             // the highest number that a version had
     std::vector<Version> past_;  // oldest first
+    int activation_ = 0;         // counts them
     int probation_left_ = 0;     // executions
     bool time_is_fatal_ = false;
     std::optional<Relapse> relapse_;

@@ -11,6 +11,7 @@
 #include "bindings/lua/script/script_call.hpp"
 #include "bindings/lua/script/script_config.hpp"
 #include "bindings/lua/script/script_declarations.hpp"
+#include "bindings/lua/script/task_words.hpp"
 
 namespace nezumi {
 namespace {
@@ -119,7 +120,7 @@ int global_newindex(lua_State* L) {
     return 0;
 }
 
-// `dt` costs those who read it, and nobody else.
+// `dt` costs those who read it, and nobody else, as do the words of tasks.
 int global_index(lua_State* L) {
     Script& script = script_of(L);
     if (lua_type(L, 2) == LUA_TSTRING && string_at(L, 2) == "dt") {
@@ -127,6 +128,14 @@ int global_index(lua_State* L) {
         return 1;
     }
     push_text(L, 2);
+    // Most scripts have no tasks, and do without the memory of their words.
+    if (is_task_word(string_at(L, -1))) {
+        lua_pushglobaltable(L);
+        set_task_words(L, script);
+        lua_pushvalue(L, 2);
+        lua_rawget(L, -2);
+        return 1;
+    }
     const int function = script.hook_function(string_at(L, -1));
     if (function == LUA_REFNIL) {
         lua_pushnil(L);
@@ -175,13 +184,14 @@ void install_words(lua_State* L, Script& script, const PlainData* state) {
 }
 
 const std::vector<std::string_view>& script_words() {
-    static const std::vector<std::string_view> words{"about", "command", "config", "dt",      "input", "log",
-                                                     "now",   "output",  "param",  "require", "state"};
+    static const std::vector<std::string_view> words{"about", "cancel", "command", "config",    "dt",      "input",
+                                                     "log",   "now",    "output",  "param",     "require", "start",
+                                                     "state", "task",   "wait",    "wait_until"};
     return words;
 }
 
 const std::vector<std::string_view>& later_script_words() {
-    static const std::vector<std::string_view> words{"cancel", "probe", "start", "task", "wait", "wait_until"};
+    static const std::vector<std::string_view> words{"probe"};
     return words;
 }
 

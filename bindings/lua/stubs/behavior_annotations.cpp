@@ -46,6 +46,33 @@ function about(fields) end
 ---@param doc? string
 function command(name, fn, doc) end
 
+---Declares what is done one after the other: it starts on activation and runs in slices, from one wait to the next.
+---@param name string
+---@param fn fun()
+---@param options? TaskOptions
+function task(name, fn, options) end
+
+---Starts a task at the next execution; an error while it is under way.
+---@param name string
+function start(name) end
+
+---Ends a task, its `<close>` variables included. Returns whether it was under way.
+---@param name string
+---@return boolean
+function cancel(name) end
+
+---Waits so long, in a task only. Returns the time that has passed [s].
+---@param seconds number
+---@return number
+function wait(seconds) end
+
+---Waits until `condition()` is true, in a task only: looks at once and then once an execution. Returns false when it was
+---not within the time that is given.
+---@param condition fun(): any
+---@param options? WaitOptions
+---@return boolean
+function wait_until(condition, options) end
+
 )lua";
 
 }  // namespace nezumi::detail

@@ -7,7 +7,7 @@
 namespace nezumi {
 namespace {
 
-constexpr std::array<MemberName, 26> members{{
+constexpr std::array<MemberName, 27> members{{
     {.name = "activate", .called = true, .usage = "()"},
     {.name = "buzzer", .robot = true, .yields = true},
     {.name = "collided", .robot = true},
@@ -28,6 +28,7 @@ constexpr std::array<MemberName, 26> members{{
     {.name = "sets"},
     {.name = "state"},
     {.name = "status"},
+    {.name = "tasks"},
     {.name = "teleport", .robot = true, .called = true, .yields = true, .most = 1, .usage = "(pose)"},
     {.name = "touching", .robot = true, .yields = true},
     {.name = "truth", .robot = true},
@@ -37,7 +38,7 @@ constexpr std::array<MemberName, 26> members{{
 }};
 
 // Members of later versions.
-constexpr std::array<std::string_view, 2> kept_free{"probes", "tasks"};
+constexpr std::array<std::string_view, 1> kept_free{"probes"};
 
 std::vector<std::string_view> taken_names(bool of_robots) {
     std::vector<std::string_view> names(kept_free.begin(), kept_free.end());

@@ -90,7 +90,7 @@ TEST_CASE("every slip of a behaviour is found, and nothing of it is run", "[cli]
                 "behaviors/a.lua:4: parameter 'x' (number): inf is not a finite number, in its default",
                 "behaviors/a.lua:5: command 'go': expected a function, got number"});
     CHECK(wrong("behaviors/a.lua", "") ==
-          Lines{"behaviors/a.lua: the file declares nothing: no port, parameter, command or callback"});
+          Lines{"behaviors/a.lua: the file declares nothing: no port, parameter, command, task or callback"});
     CHECK(wrong("behaviors/a.lua", "function on_execute() error('never called') end") == Lines{});
 }
 

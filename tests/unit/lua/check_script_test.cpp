@@ -28,7 +28,7 @@ TEST_CASE("a check tells every slip that reading finds, in order of place", "[lu
 TEST_CASE("what only loading finds is told when nothing else is wrong", "[lua][check]") {
     CHECK(check("input('in', 'TimedShrt')") == Lines{"a.lua:1: input 'in': unknown type 'TimedShrt' (did you mean "
                                                      "'TimedShort'?); `nezumi types` lists them all"});
-    CHECK(check("") == Lines{"a.lua: the file declares nothing: no port, parameter, command or callback"});
+    CHECK(check("") == Lines{"a.lua: the file declares nothing: no port, parameter, command, task or callback"});
     CHECK(check("input('in', 'TimedShort')").empty());
 }
 

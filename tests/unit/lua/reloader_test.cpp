@@ -154,7 +154,7 @@ TEST_CASE("a version that can't be had leaves the old one untouched and says wha
     CHECK(world.change("it.lua", "function on_execute( end") ==
           "it.lua:1: <name> or '...' expected near 'end'" + still);
     CHECK(world.change("it.lua", "") ==
-          "it.lua: the file declares nothing: no port, parameter, command or callback" + still);
+          "it.lua: the file declares nothing: no port, parameter, command, task or callback" + still);
     CHECK(world.change("it.lua", counter("1").substr(0, 90)).find(still) != Text::npos);
     CHECK(world.change("it.lua", counter("1") + "taget = 1") ==
           "it.lua:9:1: unknown global 'taget' (declare it first: local taget)" + still);

@@ -13,7 +13,7 @@ std::string starts(const std::string& text, std::size_t length) { return text.su
 
 TEST_CASE("a file that declares nothing is refused as empty", "[lua][refusals]") {
     const std::string empty =
-        "robot_controller.lua: the file declares nothing: no port, parameter, command or callback";
+        "robot_controller.lua: the file declares nothing: no port, parameter, command, task or callback";
     CHECK(refusal("") == empty);
     CHECK(refusal("-- nothing yet\n") == empty);
     CHECK(refusal("local x = 1") == empty);

@@ -1,0 +1,194 @@
+// What the words of tasks check and do. A wait leaves the slice, and its second half runs in a later one.
+#include "bindings/lua/script/task_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bindings/lua/files/read_options.hpp"
+#include "bindings/lua/sandbox/slices.hpp"
+#include "bindings/lua/script/declaration_fields.hpp"
+#include "bindings/lua/script/script_call.hpp"
+
+namespace nezumi {
+namespace {
+
+// Errors of options are told at the word's line, which whoever raises them adds.
+FieldCheck options_of(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
+
+Expected<std::string> task_name(lua_State* L, std::string_view word) {
+    if (lua_type(L, 1) == LUA_TSTRING) return Arguments{L}.text(1, "");
+    return failure(fmt::format("{} expected a task's name, got {}", word, Arguments{L}.kind(1)));
+}
+
+// task(name, fn, { repeating = })
+int word_task(lua_State* L) {
+    Script& script = script_of(L);
+    int function = LUA_NOREF;
+    if (lua_type(L, 2) == LUA_TFUNCTION && lua_gettop(L) <= 3) {
+        lua_pushvalue(L, 2);
+        function = luaL_ref(L, LUA_REGISTRYINDEX);
+    }
+    declare(L, script, [&]() -> Expected<void> {
+        if (auto ok = Arguments{L}.at_most("task", 3, "(name, function, options)"); !ok) return ok;
+        auto name = task_name(L, "task");
+        if (!name) return Unexpected(name.error());
+        Task task{.name = std::move(*name), .function = function, .place = caller(L)};
+        const std::string title = fmt::format("task '{}'", shown(task.name));
+        if (function == LUA_NOREF)
+            return failure(fmt::format("{}: expected a function, got {}", title, Arguments{L}.kind(2)));
+        if (auto ok = check_parameters(L, 2, 0); !ok) return failure(fmt::format("{}: {}", title, ok.error().message));
+        if (auto ok = read_options(L, 3, options_of(title), task.options); !ok) return ok;
+        return script.declare_task(std::move(task));
+    });
+    return 0;
+}
+
+// start(name)
+int word_start(lua_State* L) {
+    Script& script = script_of(L);
+    return bridge(L, [&]() -> Expected<void> {
+        if (auto ok = Arguments{L}.at_most("start", 1, "(name)"); !ok) return ok;
+        const auto name = task_name(L, "start");
+        if (!name) return Unexpected(name.error());
+        if (auto ok = script.check_tasks_run("start"); !ok) return ok;
+        return script.tasks().start(*name, script.seconds());
+    });
+}
+
+Expected<void> check_can_wait(lua_State* L, const Tasks& tasks, std::string_view word) {
+    if (tasks.current() == nullptr)
+        return failure(fmt::format("{} can only be called in a task: task(\"name\", function() ... end)", word));
+    if (can_pause(L)) return {};
+    return failure(fmt::format(
+        "{} can't be called here: a function that Lua's library calls (as table.sort does) can't wait", word));
+}
+
+int never_goes_on(lua_State*, int, lua_KContext) { return 0; }
+
+// cancel(name); a task that cancels itself ends here.
+int word_cancel(lua_State* L) {
+    Script& script = script_of(L);
+    Task* task = nullptr;
+    bridge(L, [&]() -> Expected<void> {
+        if (auto ok = Arguments{L}.at_most("cancel", 1, "(name)"); !ok) return ok;
+        const auto name = task_name(L, "cancel");
+        if (!name) return Unexpected(name.error());
+        if (auto ok = script.check_tasks_run("cancel"); !ok) return ok;
+        auto found = script.tasks().find_active(*name);
+        if (!found) return Unexpected(found.error());
+        task = *found;
+        if (task == nullptr || task != script.tasks().current()) return {};
+        return check_can_wait(L, script.tasks(), "cancel");
+    });
+    if (task != nullptr && task == script.tasks().current()) {
+        task->ends = true;
+        return pause(L, 0, never_goes_on);
+    }
+    if (task != nullptr) script.tasks().cancel(L, *task, script.seconds());
+    lua_pushboolean(L, task != nullptr ? 1 : 0);
+    return 1;
+}
+
+void begin_wait(lua_State* L, Script& script, double seconds, bool for_condition) {
+    Task& task = *script.tasks().current();
+    task.waiter = L;
+    task.line = caller(L).line;
+    task.seconds = seconds;
+    task.for_condition = for_condition;
+    task.since = script.seconds();
+}
+
+// A coroutine that waits in a task may be resumed by that task only, when its time has come.
+Expected<void> check_turn(lua_State* L, const Script& script) {
+    const Task* task = script.tasks().current();
+    if (task != nullptr && task->waiter == L) return {};
+    return failure("a coroutine that waits in a task can't be resumed by others");
+}
+
+int go_on_wait(lua_State* L, int, lua_KContext) {
+    Script& script = script_of(L);
+    bridge(L, [&] { return check_turn(L, script); });
+    lua_pushnumber(L, script.seconds() - script.tasks().current()->since);
+    return 1;
+}
+
+// wait(seconds) -> seconds
+int word_wait(lua_State* L) {
+    Script& script = script_of(L);
+    bridge(L, [&]() -> Expected<void> {
+        if (auto ok = Arguments{L}.at_most("wait", 1, "(seconds)"); !ok) return ok;
+        const auto seconds = Arguments{L}.number(1, "seconds");
+        if (!seconds) return failure("wait " + seconds.error().message);
+        if (!std::isfinite(*seconds) || *seconds < 0)
+            return failure(fmt::format("wait expected seconds of at least 0, got {}", *seconds));
+        if (auto ok = check_can_wait(L, script.tasks(), "wait"); !ok) return ok;
+        begin_wait(L, script, *seconds, false);
+        return {};
+    });
+    return pause(L, 0, go_on_wait);
+}
+
+// The condition is at index 1.
+int look(lua_State* L, int, lua_KContext) {
+    Script& script = script_of(L);
+    bridge(L, [&] { return check_turn(L, script); });
+    lua_settop(L, 1);
+    lua_pushvalue(L, 1);
+    lua_call(L, 0, 1);
+    const bool holds = lua_toboolean(L, -1) != 0;
+    const Task& task = *script.tasks().current();
+    if (!holds && !has_passed(task.seconds, task.since, script.seconds())) return pause(L, 0, look);
+    lua_pushboolean(L, holds ? 1 : 0);
+    return 1;
+}
+
+// wait_until(condition, { within = }) -> whether it holds
+int word_wait_until(lua_State* L) {
+    Script& script = script_of(L);
+    bridge(L, [&]() -> Expected<void> {
+        if (auto ok = Arguments{L}.at_most("wait_until", 2, "(condition, options)"); !ok) return ok;
+        if (lua_type(L, 1) != LUA_TFUNCTION)
+            return failure(fmt::format("wait_until expected a function, got {}", Arguments{L}.kind(1)));
+        if (auto ok = check_parameters(L, 1, 0); !ok) return failure("wait_until: " + ok.error().message);
+        WaitOptions options;
+        if (auto ok = read_options(L, 2, options_of("wait_until"), options); !ok) return ok;
+        if (auto ok = check_can_wait(L, script.tasks(), "wait_until"); !ok) return ok;
+        begin_wait(L, script, options.within, true);
+        return {};
+    });
+    return look(L, LUA_OK, 0);
+}
+
+struct Word {
+    const char* name;
+    lua_CFunction function;
+};
+constexpr Word words[] = {{"task", word_task},
+                          {"start", word_start},
+                          {"cancel", word_cancel},
+                          {"wait", word_wait},
+                          {"wait_until", word_wait_until}};
+
+}  // namespace
+
+bool is_task_word(std::string_view name) {
+    return std::any_of(std::begin(words), std::end(words), [&](const Word& word) { return word.name == name; });
+}
+
+void set_task_words(lua_State* L, Script& script) {
+    // Past the metatable, which takes new globals for slips.
+    for (const Word& word : words) {
+        lua_pushstring(L, word.name);
+        lua_pushlightuserdata(L, &script);
+        lua_pushcclosure(L, word.function, 1);
+        lua_rawset(L, -3);
+    }
+}
+
+}  // namespace nezumi
