@@ -835,6 +835,12 @@ function robot_model(fields) end
 ---@field freeze fun(self: Port) the present value again and again, until release
 ---@field release fun(self: Port)
 
+---@class TaskView
+---@field status "inactive"|"ready"|"waiting"|"finished"|"cancelled"|"failed"
+---@field since number [s] since when
+---@field waiting? string what it is waiting for, and how long yet
+---@field line? integer where it waits
+
 ---@class Component
 ---@field name string
 ---@field type string
@@ -845,6 +851,7 @@ function robot_model(fields) end
 ---@field ports table<string, Port>
 ---@field config table<string, ParameterValue>
 ---@field state table
+---@field tasks table<string, TaskView>
 ---@field set string?
 ---@field sets table
 ---@field commands table

@@ -28,6 +28,12 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field freeze fun(self: Port) the present value again and again, until release
 ---@field release fun(self: Port)
 
+---@class TaskView
+---@field status "inactive"|"ready"|"waiting"|"finished"|"cancelled"|"failed"
+---@field since number [s] since when
+---@field waiting? string what it is waiting for, and how long yet
+---@field line? integer where it waits
+
 ---@class Component
 ---@field name string
 ---@field type string
@@ -38,6 +44,7 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field ports table<string, Port>
 ---@field config table<string, ParameterValue>
 ---@field state table
+---@field tasks table<string, TaskView>
 ---@field set string?
 ---@field sets table
 ---@field commands table
