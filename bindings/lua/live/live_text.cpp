@@ -166,6 +166,8 @@ std::string component_text(const System& system, const Component& component) {
     if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
         for (const CommandDeclaration& command : script->commands())
             text += fmt::format("\n  :{}(...)  {}", command.name, first_line(command.doc));
+        for (const Task& task : script->script().tasks().all())
+            text += fmt::format("\n  task {}  {}", task.name, to_text(task, component.now().seconds));
     }
     return text;
 }

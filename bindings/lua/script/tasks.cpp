@@ -36,6 +36,12 @@ std::string_view to_text(Task::Status status) {
     return names[static_cast<int>(status)];
 }
 
+std::string to_text(const Task& task, double now) {
+    std::string text(to_text(task.status));
+    if (task.status == Task::Status::waiting) text += fmt::format(": {} (line {})", waiting_text(task, now), task.line);
+    return text;
+}
+
 Expected<void> Tasks::declare(Task task) {
     if (const Task* other = find(task.name)) {
         return failure(fmt::format("task '{}' is declared twice (first in line {})", task.name, other->place.line));

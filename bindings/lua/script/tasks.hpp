@@ -46,6 +46,8 @@ struct Task {
 };
 
 std::string_view to_text(Task::Status status);
+/// "waiting: 1.5 s, 0.7 s are left (line 12)", "finished".
+std::string to_text(const Task& task, double now);
 
 class Tasks {
 public:
