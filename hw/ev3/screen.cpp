@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/world/floor_color.hpp"
@@ -30,8 +31,8 @@ std::string paint_screen(const CameraImage& picture, const ScreenFormat& format)
     if (picture.bpp != 8 && picture.bpp != 24 && picture.bpp != 32) return "";
     const double scale = std::max(
         {static_cast<double>(picture.width) / format.width, static_cast<double>(picture.height) / format.height});
-    const int width = std::min(format.width, static_cast<int>(picture.width / scale + 0.5)),
-              height = std::min(format.height, static_cast<int>(picture.height / scale + 0.5));
+    const int width = std::min(format.width, static_cast<int>(std::lround(picture.width / scale))),
+              height = std::min(format.height, static_cast<int>(std::lround(picture.height / scale)));
     const int left = (format.width - width) / 2, top = (format.height - height) / 2;
     std::string frame(static_cast<std::size_t>(format.stride) * static_cast<std::size_t>(format.height), '\0');
     for (int y = 0; y < format.height; ++y) {

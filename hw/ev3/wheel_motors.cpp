@@ -93,9 +93,9 @@ tl::expected<void, std::string> WheelMotors::tell(Wheel& wheel, const Command& c
     if (wanted == wheel.told && (wanted != Told::run || (whole == wheel.told_rate && now - wheel.told_at < tell_again)))
         return {};
     wheel.told = Told::nothing;
-    const auto ok = wanted == Told::roll   ? wheel.motor.coast()
-                    : wanted == Told::hold ? wheel.motor.hold()
-                                           : wheel.motor.run(whole);
+    auto ok = wanted == Told::roll   ? wheel.motor.coast()
+              : wanted == Told::hold ? wheel.motor.hold()
+                                     : wheel.motor.run(whole);
     if (!ok) return ok;
     wheel.told = wanted;
     wheel.told_rate = whole;

@@ -20,8 +20,8 @@ double rim_acceleration(const DriveSpec& drive) {
 }
 
 std::vector<std::string> led_nodes(const std::string& folder) {
-    std::vector<std::string> nodes;
-    for (int i = 0; i < 4; ++i) nodes.push_back(fmt::format("{}/rtled{}", folder, i));
+    std::vector<std::string> nodes(4);
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = fmt::format("{}/rtled{}", folder, i);
     return nodes;
 }
 
