@@ -15,8 +15,9 @@
 
 #include "bindings/lua/sandbox/lua_text.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/sandbox/thread_sanitizer.hpp"
 
-#if defined(__SANITIZE_THREAD__)
+#if defined(NEZUMI_THREAD_SANITIZER)
 // ThreadSanitizer holds signals back until the thread calls into libc, which an endless loop never does. This name is
 // the same function, not intercepted.
 extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);

@@ -1,0 +1,10 @@
+// Whether this is built with ThreadSanitizer, which clang and g++ say in different ways: NEZUMI_THREAD_SANITIZER.
+#pragma once
+
+#if defined(__SANITIZE_THREAD__)
+#define NEZUMI_THREAD_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define NEZUMI_THREAD_SANITIZER
+#endif
+#endif
