@@ -161,6 +161,7 @@ void Session::close() {
     Parts& parts = *parts_;
     if (parts.drive.is_on()) parts.drive.end(parts.live);
     static_cast<void>(parts.drive.after_tick(parts.live));  // lets the port go
+    if (parts.quits) parts.clock.quit();
     parts.worker.close([&parts] {
         parts.state.reset();
         parts.objects.reset();
@@ -241,6 +242,13 @@ void Session::replace_stuck() {
 void Session::serve(Worker::Clock::time_point until) {
     begin_next();
     parts_->worker.serve(until);
+    quit_if_asked();
+}
+
+// Whoever asks for the end gets an answer first, unless the rest of the line takes its time.
+void Session::quit_if_asked() {
+    constexpr std::chrono::milliseconds patience{200};
+    if (parts_->quits && (!parts_->job || Worker::Clock::now() - *parts_->quits > patience)) parts_->clock.quit();
 }
 
 bool Session::advance(std::chrono::microseconds slice) {
@@ -282,6 +290,7 @@ void Session::interrupt() {
         parts.job.reset();
     }
     for (const Job& job : jobs) drop(parts, job);
+    quit_if_asked();
 }
 
 void Session::key(Key key) {

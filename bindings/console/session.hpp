@@ -96,6 +96,7 @@ public:
 
 private:
     explicit Session(std::unique_ptr<Parts> parts);
+    void quit_if_asked();
     void begin_next();
     void finish(bool well);
     void replace_stuck();

@@ -84,7 +84,7 @@ Expected<WordEnd> word_restart(Session::Parts& parts, const Arguments&) {
 
 Expected<WordEnd> word_quit(Session::Parts& parts, const Arguments&) {
     parts.jobs.clear();
-    parts.clock.quit();
+    parts.quits = Worker::Clock::now();  // once its line is answered
     return WordEnd::done;
 }
 

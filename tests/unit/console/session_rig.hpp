@@ -70,7 +70,10 @@ struct SessionRig : LiveRig, ClockControl {
     bool is_advancing() const override { return left > 0; }
     void set_speed(double factor) override { factor_ = factor; }
     double speed() const override { return factor_; }
-    void quit() override { quitting = true; }
+    void quit() override {
+        if (!quitting) finished_at_quit = finished;
+        quitting = true;
+    }
     std::vector<LogLine> problems() const override {
         std::vector<LogLine> lines;
         for (const LogLine& line : log) {
@@ -86,6 +89,7 @@ struct SessionRig : LiveRig, ClockControl {
     std::int64_t left = 0;
     double factor_ = 1;
     int finished = 0;
+    int finished_at_quit = 0;
     bool all_well = true;
     std::string shown;
     Bell bell;

@@ -93,6 +93,26 @@ TEST_CASE("exit is quit, with its brackets and without", "[console][session]") {
     CHECK_FALSE(it.quitting);
 }
 
+TEST_CASE("whoever ends a run is answered before, unless the rest of the line goes on", "[console][session]") {
+    SessionRig it;
+    it.type("quit()");
+    CHECK(it.quitting);
+    CHECK(it.finished_at_quit == 1);
+
+    SessionRig endless;
+    endless.session->submit("quit() while true do end");
+    for (int rounds = 0; !endless.quitting && rounds < 100'000; ++rounds) endless.session->advance();
+    CHECK(endless.quitting);
+    CHECK(endless.finished_at_quit == 0);
+    endless.session->interrupt();
+
+    SessionRig gone;
+    gone.session->submit("quit() while true do end");
+    for (int rounds = 0; gone.session->is_busy() && rounds < 20; ++rounds) gone.session->advance();
+    gone.session->close();
+    CHECK(gone.quitting);
+}
+
 TEST_CASE("on hardware only real time is offered", "[console][session]") {
     SessionRig it;
     it.hardware = true;
