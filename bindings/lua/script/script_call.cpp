@@ -11,6 +11,12 @@ Place caller(lua_State* L) {
     return {file, activation.currentline};
 }
 
+int keep_function(lua_State* L) {
+    if (lua_type(L, 2) != LUA_TFUNCTION || lua_gettop(L) > 3) return LUA_NOREF;
+    lua_pushvalue(L, 2);
+    return luaL_ref(L, LUA_REGISTRYINDEX);
+}
+
 bool keep_slip(lua_State* L, Script& script, const Error& error) {
     constexpr std::size_t most = 1000;
     std::vector<Error>* slips = script.context().slips;

@@ -22,6 +22,10 @@ inline void set_word(lua_State* L, Script& script, const char* name, lua_CFuncti
 /// The line of the script that calls the C function that runs; no place when there is none.
 Place caller(lua_State* L);
 
+/// A registry reference to the function at index 2 of a word that takes at most 3 arguments; LUA_NOREF where that is
+/// none, or they are more. May raise a Lua error (memory).
+int keep_function(lua_State* L);
+
 /// Keeps an error as a slip, where all slips of a file are wanted. False where it is to be raised.
 bool keep_slip(lua_State* L, Script& script, const Error& error);
 

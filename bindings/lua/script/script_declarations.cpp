@@ -167,11 +167,7 @@ int word_param(lua_State* L) {
 // command(name, fn, doc)
 int word_command(lua_State* L) {
     Script& script = script_of(L);
-    int function = LUA_NOREF;
-    if (lua_type(L, 2) == LUA_TFUNCTION && lua_gettop(L) <= 3) {
-        lua_pushvalue(L, 2);
-        function = luaL_ref(L, LUA_REGISTRYINDEX);
-    }
+    const int function = keep_function(L);
     declare(L, script, [&]() -> Expected<void> {
         if (auto ok = take_arguments(L, "command", 3, "(name, function, doc)"); !ok) return ok;
         CommandDeclaration command{.name = {}, .doc = {}, .function = function, .place = caller(L)};

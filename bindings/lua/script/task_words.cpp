@@ -29,11 +29,7 @@ Expected<std::string> task_name(lua_State* L, std::string_view word) {
 // task(name, fn, { repeating = })
 int word_task(lua_State* L) {
     Script& script = script_of(L);
-    int function = LUA_NOREF;
-    if (lua_type(L, 2) == LUA_TFUNCTION && lua_gettop(L) <= 3) {
-        lua_pushvalue(L, 2);
-        function = luaL_ref(L, LUA_REGISTRYINDEX);
-    }
+    const int function = keep_function(L);
     declare(L, script, [&]() -> Expected<void> {
         if (auto ok = Arguments{L}.at_most("task", 3, "(name, function, options)"); !ok) return ok;
         auto name = task_name(L, "task");
