@@ -69,7 +69,7 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     GoldenOptions options;
     const bool has_options = lua_type(lua, 3) == LUA_TTABLE;
     if (has_options) {
-        FieldCheck check(fmt::format("'{}'", name), "", {}, nullptr, "option");
+        auto check = FieldCheck::of_options(fmt::format("'{}'", name));
         if (auto ok = read_options(lua, 3, std::move(check), options); !ok) return raise(run, ok.error().message);
     }
     std::vector<const Channel*> channels;

@@ -210,7 +210,7 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
                                       type_at(lua, function)));
     const bool watches = kind == Expectation::Kind::always || kind == Expectation::Kind::never;
     if (has_options) {
-        FieldCheck check(fmt::format("'{}'", terms.name), "", {}, nullptr, "option");
+        auto check = FieldCheck::of_options(fmt::format("'{}'", terms.name));
         if (auto ok = read_options(lua, 3, std::move(check), terms, {.kind = 1U << static_cast<unsigned>(kind)}); !ok)
             return raise(run, ok.error().message);
     } else if (kind == Expectation::Kind::maintain) {

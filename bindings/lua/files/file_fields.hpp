@@ -28,6 +28,8 @@ public:
           call_(std::move(call)),
           source_(source),
           noun_(std::move(noun)) {}
+    /// Of the options of a call from Lua: whoever raises the error says where.
+    static FieldCheck of_options(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
 
     void unknown(const FieldPath& path, std::string_view hint);
     /// "robot 'mouse': field 'pose.x' TEXT".

@@ -36,9 +36,6 @@ Expected<std::string> text_at(lua_State* L, int index, std::string_view what) {
     return std::string(text, size);
 }
 
-// Errors of options are told at the declaration's line, which whoever declares adds.
-FieldCheck options_of(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
-
 // input(name, type, doc, { queue = n }) and output(name, type, doc, { safe = value })
 
 Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction direction) {
@@ -77,7 +74,7 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
         port.safe.push_back(std::move(*safe));
     };
     const unsigned kind = 1U << static_cast<unsigned>(direction);
-    if (auto ok = read_options(L, options, options_of(fmt::format("{} '{}'", word, shown(port.name))), port,
+    if (auto ok = read_options(L, options, FieldCheck::of_options(fmt::format("{} '{}'", word, shown(port.name))), port,
                                {.kind = kind}, read_safe);
         !ok)
         return Unexpected(ok.error());
@@ -150,8 +147,8 @@ Expected<void> declare_parameter(lua_State* L, Script& script) {
         check_kinds(options, spec, kind);
         read_choices(options, spec);
     };
-    if (auto ok = read_options(L, 3, options_of(fmt::format("parameter '{}'", shown(spec.name))), spec, {.kind = kind},
-                               by_hand);
+    if (auto ok = read_options(L, 3, FieldCheck::of_options(fmt::format("parameter '{}'", shown(spec.name))), spec,
+                               {.kind = kind}, by_hand);
         !ok)
         return ok;
     return script.declare_parameter(std::move(spec));
@@ -193,7 +190,7 @@ int word_about(lua_State* L) {
         ScriptAbout about{.version = {}, .vendor = {}, .category = {}, .given = true};
         if (lua_type(L, 1) != LUA_TTABLE)
             return failure(fmt::format("about expected a table, got {}", luaL_typename(L, 1)));
-        if (auto ok = read_options(L, 1, options_of("about"), about); !ok) return ok;
+        if (auto ok = read_options(L, 1, FieldCheck::of_options("about"), about); !ok) return ok;
         return script.declare_about(std::move(about));
     });
     return 0;

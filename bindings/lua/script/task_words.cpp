@@ -18,9 +18,6 @@
 namespace nezumi {
 namespace {
 
-// Errors of options are told at the word's line, which whoever raises them adds.
-FieldCheck options_of(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
-
 Expected<std::string> task_name(lua_State* L, std::string_view word) {
     if (lua_type(L, 1) == LUA_TSTRING) return Arguments{L}.text(1, "");
     return failure(fmt::format("{} expected a task's name, got {}", word, Arguments{L}.kind(1)));
@@ -39,7 +36,7 @@ int word_task(lua_State* L) {
         if (function == LUA_NOREF)
             return failure(fmt::format("{}: expected a function, got {}", title, Arguments{L}.kind(2)));
         if (auto ok = check_parameters(L, 2, 0); !ok) return failure(fmt::format("{}: {}", title, ok.error().message));
-        if (auto ok = read_options(L, 3, options_of(title), task.options); !ok) return ok;
+        if (auto ok = read_options(L, 3, FieldCheck::of_options(title), task.options); !ok) return ok;
         return script.declare_task(std::move(task));
     });
     return 0;
@@ -153,7 +150,7 @@ int word_wait_until(lua_State* L) {
             return failure(fmt::format("wait_until expected a function, got {}", Arguments{L}.kind(1)));
         if (auto ok = check_parameters(L, 1, 0); !ok) return failure("wait_until: " + ok.error().message);
         WaitOptions options;
-        if (auto ok = read_options(L, 2, options_of("wait_until"), options); !ok) return ok;
+        if (auto ok = read_options(L, 2, FieldCheck::of_options("wait_until"), options); !ok) return ok;
         if (auto ok = check_can_wait(L, script.tasks(), "wait_until"); !ok) return ok;
         begin_wait(L, script, options.within, true);
         return {};

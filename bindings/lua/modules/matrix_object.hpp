@@ -1,0 +1,39 @@
+// A matrix as an object of Lua: a userdata with its sizes, then its elements row by row.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <lua.hpp>
+
+namespace nezumi {
+
+using MatrixElements = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
+struct MatrixObject {
+    int rows, columns;
+
+    /// The elements of row `i`, from 0.
+    double* row(int i) { return reinterpret_cast<double*>(this + 1) + static_cast<std::ptrdiff_t>(i) * columns; }
+    MatrixElements all() { return {row(0), rows, columns}; }
+};
+static_assert(sizeof(MatrixObject) % sizeof(double) == 0);
+
+/// The matrix at `index`, or null.
+MatrixObject* matrix_at(lua_State* L, int index);
+
+/// The matrix that a method was called on; raises an error that names the method if there is none.
+MatrixObject& matrix_self(lua_State* L, const char* method);
+
+/// What messages call the value at `index`. May leave a value on the stack.
+const char* kind_at(lua_State* L, int index);
+
+/// The number at `index`, to be an element; raises an error that names row and column, from 1, unless it is finite.
+double element_at(lua_State* L, int index, int row, int column);
+
+/// Pushes a matrix whose elements are to be set.
+MatrixObject& push_matrix(lua_State* L, int rows, int columns);
+
+/// Makes what matrices share, once a state: elements, rows, texts, these methods and operators.
+void make_matrix_metatables(lua_State* L, const luaL_Reg* methods, const luaL_Reg* operators);
+
+}  // namespace nezumi
