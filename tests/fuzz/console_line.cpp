@@ -1,7 +1,6 @@
 // Feeds the console's reader whatever a socket could bring: it takes a line or says why not, and keeps no more than
 // one.
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -9,6 +8,7 @@
 #include "bindings/console/protocol.hpp"
 #include "bindings/terminal/tty_input.hpp"
 #include "engine/base/visible.hpp"
+#include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
 
@@ -16,17 +16,13 @@ namespace {
 
 constexpr std::size_t limit = 200;
 
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
 void check_line(const std::string& line) {
     require(line.size() <= limit && line.find('\n') == std::string::npos);
     if (const auto request = read_request(line)) {
         const auto again = read_request(to_line(*request));
         require(again.has_value() && *again == *request);
     } else {
-        require(!request.error().message.empty() && request.error().message.find('\n') == std::string::npos);
+        require_line(request.error().message);
     }
     if (const auto event = read_event(line)) {
         const auto again = read_event(to_line(*event));

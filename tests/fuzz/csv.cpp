@@ -1,29 +1,16 @@
 // Reads anything as a map and as a response table: what comes out is sound, or an error that names its place.
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <string_view>
 
 #include "engine/world/csv_map.hpp"
 #include "engine/world/robot_spec.hpp"
+#include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-void check(const Error& error) {
-    require(error.place.file == "any.csv" && error.place.line >= 0);
-    require(!error.message.empty() && error.message.size() < 2000);
-    // A message is one line that a terminal can show, whatever bytes the file had.
-    for (const char c : error.message) require(static_cast<unsigned char>(c) >= 0x20);
-}
-
-bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 
 void check(const BoxSpec& box) {
     require(std::isfinite(box.at.x) && std::isfinite(box.at.y) && std::isfinite(box.at.z) && std::isfinite(box.yaw));

@@ -1,7 +1,6 @@
 // Reads whatever a script could write as a message of every type: what is taken comes back the same, or an error says
 // why not.
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -10,6 +9,7 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "engine/ports/payload.hpp"
+#include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
 
@@ -17,17 +17,13 @@ namespace {
 
 constexpr Budget budget{0.02};
 
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
 // Reads the value on top of the stack as a message of this type, and writes what was read.
 void check(lua_State* lua, std::size_t type) {
     const int top = lua_gettop(lua);
     const auto read = read_payload(lua, top, type);
     require(lua_gettop(lua) == top);
     if (!read) {
-        require(!read.error().message.empty());
+        require_line(read.error().message);
         return;
     }
     require(read->index() == type && is_finite(*read));

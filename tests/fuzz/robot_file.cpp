@@ -1,31 +1,16 @@
 // Reads anything as a robot file: what comes out is sound, or an error that is one line with a place.
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <string_view>
 
 #include "bindings/lua/files/robot_file.hpp"
 #include "engine/robot/robot.hpp"
+#include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-bool is_finite(const Point3D& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-bool is_positive(double value) { return std::isfinite(value) && value > 0; }
-
-void check(const Error& error) {
-    require(!error.place.file.empty() && error.place.line >= 0);
-    require(!error.message.empty() && error.message.size() < 2000);
-    for (const char c : error.message) require(static_cast<unsigned char>(c) >= 0x20);
-}
 
 void check(const RobotSpec& robot) {
     require(is_positive(robot.mass) && is_positive(robot.drive.radius) && is_positive(robot.drive.track) &&

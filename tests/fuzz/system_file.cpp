@@ -1,30 +1,16 @@
 // Reads anything as a system file: what comes out is sound, or an error that is one line with a place.
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "bindings/lua/files/system_file.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
+#include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-bool is_finite(const Point3D& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
-void check(const Error& error) {
-    require(!error.place.file.empty() && error.place.line >= 0);
-    require(!error.message.empty() && error.message.size() < 2000);
-    for (const char c : error.message) require(static_cast<unsigned char>(c) >= 0x20);
-}
 
 void check(const RobotEntry& robot, const SystemSpec& spec) {
     require(spec.models.contains(robot.model));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
 
@@ -19,20 +20,6 @@ using namespace nezumi;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
 
 struct Block {
     std::string kind, file;
@@ -99,14 +86,15 @@ public:
         char buffer[4096];
         for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) said.append(buffer, n);
         pclose(pipe);
-        const auto now = lines_of(read(scratch_.path("folder")));
+        const auto now = lines_of(text_of_file(scratch_.path("folder")));
         if (!now.empty()) folder_ = now.front();
         return said;
     }
     fs::path file(const std::string& name) const { return fs::path(folder_) / name; }
     bool has_somewhere(const std::string& text) const {
         for (const auto& entry : fs::recursive_directory_iterator(scratch_.path("home"))) {
-            if (entry.path().extension() == ".lua" && read(entry.path()).find(text) != std::string::npos) return true;
+            if (entry.path().extension() == ".lua" && text_of_file(entry.path()).find(text) != std::string::npos)
+                return true;
         }
         return false;
     }
@@ -129,7 +117,7 @@ void run_console(Terminal& terminal, const Block& block) {
 }
 
 void follow(const std::string& name, const std::string& folder = "") {
-    const std::string page = read(fs::path(source_root()) / "docs" / name);
+    const std::string page = text_of_file(fs::path(source_root()) / "docs" / name);
     REQUIRE_FALSE(page.empty());
     Terminal terminal;
     if (!folder.empty()) terminal.run("cd '" + folder + "'");
@@ -173,7 +161,7 @@ std::vector<std::string> parts_between(const std::string& page, const std::strin
 TEST_CASE("every link within the documentation leads to a file", "[cli][docs]") {
     std::size_t links = 0;
     for (const fs::path& page : pages()) {
-        for (std::string link : parts_between(read(page), "](", ')')) {
+        for (std::string link : parts_between(text_of_file(page), "](", ')')) {
             link = link.substr(0, link.find('#'));
             if (link.empty() || link.find("://") != std::string::npos) continue;
             CAPTURE(page.filename().string(), link);
@@ -187,7 +175,7 @@ TEST_CASE("every link within the documentation leads to a file", "[cli][docs]") 
 TEST_CASE("every source that the pages for developers name is there", "[cli][docs]") {
     std::size_t sources = 0;
     for (const char* page : {"CONTRIBUTING.md", "docs/architecture.md"}) {
-        std::istringstream words(read(root / page));
+        std::istringstream words(text_of_file(root / page));
         for (std::string word; words >> word;) {
             const std::size_t begin = word.find_first_not_of("`(");
             if (begin == std::string::npos) continue;
@@ -203,10 +191,10 @@ TEST_CASE("every source that the pages for developers name is there", "[cli][doc
 }
 
 TEST_CASE("the page about the architecture lists the engine's rooms as the doors have them", "[cli][docs]") {
-    const auto doors = parts_between(read(root / "tests/lint/doors"), "split(\"", '"');
+    const auto doors = parts_between(text_of_file(root / "tests/lint/doors"), "split(\"", '"');
     REQUIRE_FALSE(doors.empty());
     std::string listed;
-    for (const std::string& room : parts_between(read(root / "docs/architecture.md"), "\n| `engine/", '`')) {
+    for (const std::string& room : parts_between(text_of_file(root / "docs/architecture.md"), "\n| `engine/", '`')) {
         if (room != "robots") listed += (listed.empty() ? "" : " ") + room;
     }
     CHECK(listed == doors.front());

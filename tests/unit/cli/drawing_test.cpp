@@ -3,27 +3,20 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "bindings/cli/canvas.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/plot.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
 using namespace nezumi::cli;
 
 namespace {
-
-std::string contents(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 // Width and height as a PNG's header says them.
 std::pair<int, int> size_of_png(const std::string& bytes) {
@@ -42,7 +35,7 @@ TEST_CASE("a picture's scale follows what there is to be seen", "[cli][picture]"
     const std::string file = scratch.path("a.png").string();
     PictureOf picture{.title = "nothing"};
     REQUIRE(draw_picture(picture, file));
-    const auto [width, height] = size_of_png(contents(file));
+    const auto [width, height] = size_of_png(text_of_file(file));
     CHECK(width >= 560);
     CHECK(height >= 240);
 
@@ -51,8 +44,8 @@ TEST_CASE("a picture's scale follows what there is to be seen", "[cli][picture]"
     const double nan = std::numeric_limits<double>::quiet_NaN();
     picture.robots.push_back({.name = "lost", .pose = {{nan, nan}, nan}, .path = {{nan, 0}}});
     REQUIRE(draw_picture(picture, file));
-    CHECK(size_of_png(contents(file)).first < 2000);
-    CHECK(size_of_png(contents(file)).second < 2000);
+    CHECK(size_of_png(text_of_file(file)).first < 2000);
+    CHECK(size_of_png(text_of_file(file)).second < 2000);
 }
 
 TEST_CASE("a picture shows the floor's image, its top where y is largest", "[cli][picture]") {
@@ -93,7 +86,7 @@ TEST_CASE("a plot is drawn whatever its values", "[cli][plot]") {
     plot.limits = {{"at most", 4}};
     plot.moments = {{"failed", 1.5}};
     REQUIRE(draw_plot(plot, file));
-    const std::string svg = contents(file);
+    const std::string svg = text_of_file(file);
     CHECK(svg.find("</svg>") != std::string::npos);
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(svg.find("inf") == std::string::npos);
@@ -110,5 +103,5 @@ TEST_CASE("what can't be written is said and leaves no file", "[cli][picture]") 
     CHECK_FALSE(std::filesystem::exists(there));
     scratch.write("b.png", "mine");
     CHECK(check_can_write(scratch.path("b.png").string()));
-    CHECK(contents(scratch.path("b.png").string()) == "mine");
+    CHECK(text_of_file(scratch.path("b.png").string()) == "mine");
 }

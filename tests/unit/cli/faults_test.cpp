@@ -3,24 +3,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
-
-namespace {
-
-std::string text_of_file(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-}  // namespace
 
 TEST_CASE("out of file descriptors, a run ends as any other or says in one line why there is none", "[cli][run]") {
     const Scratch scratch;

@@ -1,10 +1,9 @@
 // `nezumi run --journal` and `--replay` as a person uses them.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
@@ -104,9 +103,7 @@ TEST_CASE("what can't be journaled or replayed is said in one line", "[cli][jour
 TEST_CASE("a journal whose hash is another one fails its replay", "[cli][journal]") {
     Journaled it;
     REQUIRE(it.run({"--headless", "--speed", "max", "--duration", "1", "--journal", it.journal}).status == 0);
-    std::ostringstream text;
-    text << std::ifstream(it.journal).rdbuf();
-    std::string changed = text.str();
+    std::string changed = text_of_file(it.journal);
     const auto at = changed.rfind("\"hash\":\"") + 8;
     changed.replace(at, 16, "0123456789abcdef");
     it.folder.write("run.journal", changed);
@@ -118,9 +115,7 @@ TEST_CASE("a journal whose hash is another one fails its replay", "[cli][journal
 TEST_CASE("a journal that was cut off is replayed as far as it goes, which is said", "[cli][journal]") {
     Journaled it;
     REQUIRE(it.run({"--headless", "--speed", "max", "--duration", "1", "--journal", it.journal}).status == 0);
-    std::ostringstream text;
-    text << std::ifstream(it.journal).rdbuf();
-    const std::string whole = text.str();
+    const std::string whole = text_of_file(it.journal);
     const std::string cut = whole.substr(0, whole.size() - last_line(whole).size()) + R"({"at":[1,)";
     it.folder.write("run.journal", cut);
     const Outcome again = it.run({"--replay", it.journal});

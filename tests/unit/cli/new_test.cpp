@@ -1,8 +1,6 @@
 // What `nezumi new` writes, and what it refuses to.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,6 +9,7 @@
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
@@ -21,13 +20,6 @@ namespace {
 std::string refusal(const NewBehavior& wanted) {
     const auto texts = write_behavior(wanted);
     return texts ? "nothing" : texts.error().message;
-}
-
-std::string read(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 }  // namespace
@@ -158,7 +150,7 @@ TEST_CASE("new files are written all or none, and nothing is overwritten", "[cli
     REQUIRE_FALSE(refused.has_value());
     CHECK(refused.error().place.file == files.path("b.lua"));
     CHECK(refused.error().message == "exists already, and nothing is overwritten: choose another name or move it away");
-    CHECK(read(files.path("b.lua")) == "mine");
+    CHECK(text_of_file(files.path("b.lua")) == "mine");
     CHECK_FALSE(std::filesystem::exists(files.path("new")));
 
     // A file where a folder is needed shows itself only when the first one is written already.
@@ -167,7 +159,7 @@ TEST_CASE("new files are written all or none, and nothing is overwritten", "[cli
     CHECK_FALSE(std::filesystem::exists(files.path("new")));
 
     CHECK(write_new_files({{files.path("new/deep/a.lua"), "a"}}).has_value());
-    CHECK(read(files.path("new/deep/a.lua")) == "a");
+    CHECK(text_of_file(files.path("new/deep/a.lua")) == "a");
 }
 
 TEST_CASE("a new project passes nezumi check and its robot explores without touching anything", "[cli][new]") {
@@ -177,7 +169,7 @@ TEST_CASE("a new project passes nezumi check and its robot explores without touc
     REQUIRE(files.errors.empty());
     CHECK(files.files.size() == 3);
     for (const auto& file : files.files) CHECK(check_file(file, simulated_systems()).empty());
-    CHECK(read(folder.path("README.md")).find("# mine\n") == 0);
+    CHECK(text_of_file(folder.path("README.md")).find("# mine\n") == 0);
 
     auto live = LiveSystem::load(folder.path("behaviors/systems/room.lua"), simulated_systems());
     REQUIRE(live.has_value());

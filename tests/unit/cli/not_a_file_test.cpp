@@ -7,11 +7,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
@@ -26,9 +25,7 @@ struct Project {
     Project() {
         scratch.write("behaviors/it.lua", "require 'module' function on_execute() end\n");
         scratch.write("behaviors/module.lua", "return 1\n");
-        std::ostringstream robot;
-        robot << std::ifstream("engine/robots/raspimouse.lua").rdbuf();
-        std::string text = robot.str();
+        std::string text = text_of_file("engine/robots/raspimouse.lua");
         text.replace(text.find("ir_table.csv"), 12, "my_table.csv");  // not the installed one
         scratch.write("robot.lua", text);
         fs::copy_file("engine/robots/ir_table.csv", scratch.path("my_table.csv"));

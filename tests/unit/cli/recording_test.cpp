@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
@@ -17,19 +16,6 @@ using namespace nezumi;
 namespace {
 
 const std::string stop_at_wall = "behaviors/systems/stop_at_wall.lua";
-
-std::string contents(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
 
 // A system of one behaviour.
 struct Project {
@@ -51,22 +37,22 @@ TEST_CASE("a disk that gets full costs no row that was whole, and not the older 
                                 csv + " 2>" + said;
     const std::string problem = csv + ": can't be written: File too large: the rows that are whole are kept";
     const auto rows = [&] {
-        auto lines = lines_of(contents(csv));
+        auto lines = lines_of(text_of_file(csv));
         REQUIRE(lines.size() > 100);
         CHECK(lines.back() == "# the recording ends here: can't be written: File too large");
         lines.pop_back();
         for (const std::string& line : lines) CHECK(std::count(line.begin(), line.end(), ',') == 2);
-        CHECK(contents(csv).back() == '\n');
+        CHECK(text_of_file(csv).back() == '\n');
         return lines;
     };
     CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
-    CHECK(contents(said) == problem + "\n");
+    CHECK(text_of_file(said) == problem + "\n");
     const auto first = rows();
-    const std::string older = contents(csv);
+    const std::string older = text_of_file(csv);
     CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
-    CHECK(contents(said) == problem + ", and what was there before is now " + csv + "~\n");
+    CHECK(text_of_file(said) == problem + ", and what was there before is now " + csv + "~\n");
     CHECK(rows() == first);
-    CHECK(contents(csv + "~") == older);
+    CHECK(text_of_file(csv + "~") == older);
 }
 
 TEST_CASE("a recording takes the place of the older one when it is whole", "[cli][run][watchdog]") {
@@ -78,12 +64,12 @@ TEST_CASE("a recording takes the place of the older one when it is whole", "[cli
         return run_nezumi(words).status;
     };
     CHECK(record(stop_at_wall, {"--ports", "no.port"}) == 2);
-    CHECK(contents(csv) == "of an earlier run\n");
+    CHECK(text_of_file(csv) == "of an earlier run\n");
     const Project lost("function on_execute() if now() > 0.5 then while true do end end end\n");
     CHECK(record(lost.file, {}) == 2);  // no run, so no recording
-    CHECK(contents(csv) == "of an earlier run\n");
+    CHECK(text_of_file(csv) == "of an earlier run\n");
     CHECK(record(stop_at_wall, {}) == 0);
-    CHECK(lines_of(contents(csv)).size() == 101);
+    CHECK(lines_of(text_of_file(csv)).size() == 101);
     CHECK_FALSE(std::filesystem::exists(csv + "~"));
 }
 
@@ -106,10 +92,10 @@ end
     usleep(100000);
     program.send(signal);
     CHECK(program.wait() == -signal);
-    const auto lines = lines_of(contents(csv));
+    const auto lines = lines_of(text_of_file(csv));
     REQUIRE(lines.size() == 101);
     CHECK(lines[0] == "time,it.out");
     CHECK(lines[99] == "0.98,99");
     CHECK(lines[100] == "# the recording ends here: the run was ended at once");
-    CHECK(contents(csv + "~") == "time,of an earlier run\n");
+    CHECK(text_of_file(csv + "~") == "time,of an earlier run\n");
 }

@@ -5,22 +5,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
 using cli::ResultFile;
 
 namespace {
-
-std::string text_of(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 ResultFile written(const std::string& file, const std::string& text) {
     auto opened = ResultFile::open(file);
@@ -39,21 +32,21 @@ TEST_CASE("the older file has another name until the new one is whole", "[cli][r
     chmod(file.c_str(), 0640);
     ResultFile result = written(file, "newer");
     CHECK(result.set_aside() == result.path() + "~2");
-    CHECK(text_of(file + "~2") == "older");
+    CHECK(text_of_file(file + "~2") == "older");
     struct stat status {};
     REQUIRE(stat(file.c_str(), &status) == 0);
     CHECK((status.st_mode & 0777) == 0640);
     SECTION("it goes then") {
         result.replace_older();
-        CHECK(text_of(file) == "newer");
+        CHECK(text_of_file(file) == "newer");
         CHECK_FALSE(std::filesystem::exists(file + "~2"));
     }
     SECTION("or comes back") {
         result.discard();
-        CHECK(text_of(file) == "older");
+        CHECK(text_of_file(file) == "older");
         CHECK_FALSE(std::filesystem::exists(file + "~2"));
     }
-    CHECK(text_of(other) == "of somebody else");
+    CHECK(text_of_file(other) == "of somebody else");
 }
 
 TEST_CASE("a link stays a link, and a file that is new leaves nothing", "[cli][record]") {
@@ -63,7 +56,7 @@ TEST_CASE("a link stays a link, and a file that is new leaves nothing", "[cli][r
     ResultFile linked = written(link, "newer");
     linked.replace_older();
     CHECK(std::filesystem::is_symlink(link));
-    CHECK(text_of(file) == "newer");
+    CHECK(text_of_file(file) == "newer");
     ResultFile fresh = written(scratch.path("fresh.csv").string(), "x");
     CHECK(fresh.set_aside().empty());
     fresh.discard();
@@ -78,7 +71,7 @@ TEST_CASE("a file that was cut off ends with its last whole row and a note", "[c
     const std::string file = scratch.path("r.csv").string();
     const auto cut = [&](const std::string& text, std::uint64_t from) {
         written(file, text).cut_to_rows(from, "# note\n");
-        return text_of(file);
+        return text_of_file(file);
     };
     CHECK(cut("time\n1\n2\n3.33", 0) == "time\n1\n2\n# note\n");
     CHECK(cut("time\n1\n2\n3.33", 7) == "time\n1\n2\n# note\n");

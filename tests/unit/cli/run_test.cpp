@@ -2,13 +2,12 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
@@ -16,19 +15,6 @@ using namespace nezumi;
 namespace {
 
 const std::string stop_at_wall = "behaviors/systems/stop_at_wall.lua";
-
-std::string contents(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
 
 /// A project of one behaviour, in a system of its own.
 class Project {
@@ -89,7 +75,7 @@ TEST_CASE("the option --record writes a row for every tick of the duration, and 
     REQUIRE(run_nezumi({"run", stop_at_wall, "--headless", "--speed", "max", "--duration", "2", "--record", file,
                         "--ports", "mouse.ir_sensor_out,controller.out,controller.in"})
                 .status == 0);
-    const auto lines = lines_of(contents(file));
+    const auto lines = lines_of(text_of_file(file));
     REQUIRE(lines.size() == 201);
     CHECK(lines[0] ==
           "time,mouse.ir_sensor_out[1],mouse.ir_sensor_out[2],mouse.ir_sensor_out[3],mouse.ir_sensor_out[4],"
@@ -113,7 +99,7 @@ end
 )");
     const std::string file = project.scratch.path("trace.csv").string();
     REQUIRE(project.run({"--duration", "0.03", "--record", file}).status == 0);
-    CHECK(contents(file) ==
+    CHECK(text_of_file(file) ==
           "time,it.words[1],it.words[2],it.count\n"
           "0,,,\n"
           "0.01,\"say \"\"1\"\",\n\",,1\n"
@@ -132,7 +118,7 @@ end
 )");
     const std::string file = project.scratch.path("trace.csv").string();
     REQUIRE(project.run({"--duration", "0.04", "--record", file}).status == 0);
-    CHECK(contents(file) ==
+    CHECK(text_of_file(file) ==
           "time,it.out,it.half\n0,,0\n0.01,11,0.5\n0.02,21,1\n0.02,22,1\n0.03,31,1.5\n0.03,32,1.5\n0.03,33,1.5\n");
 }
 
@@ -153,7 +139,7 @@ end
     const std::string file = project.scratch.path("trace.csv").string();
     const auto recorded = [&](const std::string& names) {
         REQUIRE(project.run({"--duration", "0.03", "--record", file, "--ports", names}).status == 0);
-        return contents(file);
+        return text_of_file(file);
     };
     CHECK(recorded("it.state.count,it.config.vx,it.speed.vx,it.state.seen") ==
           "time,it.state.count,it.config.vx,it.speed.vx,it.state.seen.near\n"
@@ -182,7 +168,7 @@ TEST_CASE("the same simulated time gives the same files and hash, whether --dura
         words.insert(words.end(), how.begin(), how.end());
         const Outcome outcome = run_nezumi(words, "", scratch.write("commands", input).string());
         REQUIRE(outcome.status == 0);
-        return std::vector<std::string>{outcome.out, contents(csv), contents(png)};
+        return std::vector<std::string>{outcome.out, text_of_file(csv), text_of_file(png)};
     };
     const auto said = results("said", {"--headless", "--speed", "max", "--duration", "3"}, "");
     CHECK(lines_of(said[1]).size() == 301);
@@ -207,9 +193,9 @@ TEST_CASE("the option --picture draws PNG or SVG by the file's ending", "[cli][r
         REQUIRE(run_nezumi({"run", stop_at_wall, "--headless", "--speed", "max", "--duration", "5", "--picture", file})
                     .status == 0);
     }
-    CHECK(contents(png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
-    CHECK(contents(svg).find("<svg ") != std::string::npos);
-    CHECK(contents(svg).find("</svg>") != std::string::npos);
+    CHECK(text_of_file(png).substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    CHECK(text_of_file(svg).find("<svg ") != std::string::npos);
+    CHECK(text_of_file(svg).find("</svg>") != std::string::npos);
 }
 
 TEST_CASE("commands that are cut off cost the exit status", "[cli][run]") {
@@ -233,11 +219,11 @@ TEST_CASE("a signal ends a run in good order: robots stopped, files complete, st
     program.send(signal);
     CHECK(program.wait() == 0);
     CHECK(program.out.substr(0, 12) == "trace hash: ");
-    const auto lines = lines_of(contents(csv));
+    const auto lines = lines_of(text_of_file(csv));
     REQUIRE(lines.size() > 10);
     CHECK(lines[5].substr(lines[5].find(',')) == ",0.1,0,0");
     CHECK(lines.back().substr(lines.back().find(',')) == ",0,0,0");
-    CHECK(contents(png).size() > 1000);
+    CHECK(text_of_file(png).size() > 1000);
 }
 
 TEST_CASE("a second signal ends a run at once", "[cli][run][watchdog]") {

@@ -12,19 +12,13 @@
 #include <vector>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
 using Catch::Matchers::Contains;
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& file) {
-    std::vector<std::string> lines;
-    std::ifstream in(file);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
 
 // A mouse in an arena, and a behaviour that says when it is.
 struct Project {
@@ -94,7 +88,7 @@ TEST_CASE("a run that is killed leaves recording and journal whole up to 0.1 s b
             told = last_told(program.error);
         }
         REQUIRE(told >= 1.5);
-        const auto rows = lines_of(csv);
+        const auto rows = lines_of(text_of_file(csv));
         REQUIRE(rows.size() > 100);
         const auto cells = std::count(rows[0].begin(), rows[0].end(), ',');
         for (const std::string& row : rows) CHECK(std::count(row.begin(), row.end(), ',') == cells);
@@ -104,7 +98,7 @@ TEST_CASE("a run that is killed leaves recording and journal whole up to 0.1 s b
         INFO(replayed.error);
         CHECK(replayed.status == 0);
         CHECK_THAT(replayed.error, Contains("has no end: that run was cut off, and so is this one"));
-        const auto same = lines_of(again);
+        const auto same = lines_of(text_of_file(again));
         REQUIRE(same.size() > 100);
         CHECK(std::atof(same.back().c_str()) > told - 0.1);
         for (std::size_t i = 0; i < std::min(rows.size(), same.size()); ++i) CHECK(rows[i] == same[i]);

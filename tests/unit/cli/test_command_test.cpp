@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
@@ -34,12 +35,6 @@ struct Tried : Scratch {
         return run_nezumi(std::move(words), path("").string());
     }
 };
-
-std::string text_of_file(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

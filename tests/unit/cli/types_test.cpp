@@ -1,9 +1,7 @@
 // What `nezumi types` says, as a table and as annotations for an editor.
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <lua.hpp>
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "bindings/lua/files/system_lua.hpp"
@@ -12,18 +10,12 @@
 #include "bindings/lua/stubs/type_table.hpp"
 #include "bindings/lua/values/member_names.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-std::string read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 struct CloseLua {
     void operator()(lua_State* lua) const { lua_close(lua); }
@@ -77,7 +69,7 @@ TEST_CASE("the table of types has every message type", "[cli][types]") {
 
 TEST_CASE("the annotations are the committed ones", "[cli][types]") {
     // After a change that is meant: nezumi types --lua > tests/golden/nezumi.lua
-    const bool same = annotations(scenario_records()) == read(source_root() + "/tests/golden/nezumi.lua");
+    const bool same = annotations(scenario_records()) == text_of_file(source_root() + "/tests/golden/nezumi.lua");
     CHECK(same);
 }
 

@@ -1,26 +1,15 @@
 // The words of the console, one after the other.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "bindings/lua/files/system_file.hpp"
 #include "tests/unit/console/session_rig.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
-
-namespace {
-
-std::string content(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-}  // namespace
 
 TEST_CASE("step and run return when time has moved", "[console][session]") {
     SessionRig it;
@@ -304,8 +293,8 @@ TEST_CASE("the present wiring and configuration is saved as a system file", "[co
     CHECK(controller.config == ParameterValues{{"stop_d", std::int64_t{99}}});
     it.type("restart() controller:use 'fast'");
     CHECK_THAT(it.type("save '" + file + "'"), Contains("what was there is now " + file + "~"));
-    CHECK_THAT(content(file), Contains("set = \"fast\""));
-    CHECK_THAT(content(file + "~"), Contains("stop_d = 99"));
+    CHECK_THAT(text_of_file(file), Contains("set = \"fast\""));
+    CHECK_THAT(text_of_file(file + "~"), Contains("stop_d = 99"));
     CHECK(it.type("save(3)") == "! save: expected the name of a file, as in save \"system.lua\", got number");
 }
 
@@ -343,7 +332,7 @@ TEST_CASE("a saved system names a floor's picture as a person would", "[console]
     const std::string saved = it.folder.path("deep/er/saved.lua").string();
     it.folder.write("deep/er/.keep", "");
     CHECK_THAT(it.type("save '" + saved + "'"), StartsWith("saved "));
-    CHECK_THAT(content(saved), Contains("image = \"maps/room.png\""));
+    CHECK_THAT(text_of_file(saved), Contains("image = \"maps/room.png\""));
     CHECK(read_system_file(saved, Project::of(saved, {source_root()})).has_value());
 }
 

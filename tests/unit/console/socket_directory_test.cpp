@@ -12,22 +12,11 @@
 #include <fstream>
 #include <string>
 
+#include "tests/unit/lua/scratch_folder.hpp"
+
 using namespace nezumi;
 
 namespace {
-
-class Folder {
-public:
-    Folder() : path_(mkdtemp(name_)) {}
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    char name_[32] = "/tmp/nezumi-meet-XXXXXX";
-    std::filesystem::path path_;
-};
 
 std::string refusal(std::string_view which, const std::filesystem::path& folder) {
     const auto socket = connect_to_system(which, folder);
@@ -37,7 +26,7 @@ std::string refusal(std::string_view which, const std::filesystem::path& folder)
 }  // namespace
 
 TEST_CASE("a system that listens is found, by its name, its process or as the only one", "[console][attach]") {
-    const Folder folder;
+    const Scratch folder;
     const std::string process = std::to_string(getpid());
     CHECK(refusal("", folder.path() / "none") == "nothing is running: start a system with `nezumi run FILE`");
     {
@@ -61,7 +50,7 @@ TEST_CASE("a system that listens is found, by its name, its process or as the on
 }
 
 TEST_CASE("sockets that nobody listens at are removed, other files are not", "[console][attach]") {
-    const Folder folder;
+    const Scratch folder;
     const auto living = Listener::open("living", folder.path());
     REQUIRE(living);
     {
@@ -78,7 +67,7 @@ TEST_CASE("sockets that nobody listens at are removed, other files are not", "[c
 }
 
 TEST_CASE("the folder is made for its user alone, and one that is not is refused", "[console][attach]") {
-    const Folder parent;
+    const Scratch parent;
     const std::filesystem::path folder = parent.path() / "nezumi";
     {
         const auto listener = Listener::open("a", folder);
@@ -105,7 +94,7 @@ TEST_CASE("the folder is made for its user alone, and one that is not is refused
 }
 
 TEST_CASE("a folder's path may be longer than a socket's address", "[console][attach]") {
-    const Folder parent;
+    const Scratch parent;
     const std::filesystem::path deep = parent.path() / std::string(100, 'a') / std::string(100, 'b');
     std::filesystem::create_directories(deep);
     const auto listener = Listener::open(std::string(300, 'n') + "/../x", deep / "nezumi");
@@ -125,7 +114,7 @@ TEST_CASE("the other end's user is known", "[console][attach]") {
 TEST_CASE("the folder lies where sessions of a user have theirs, or in /tmp", "[console][attach]") {
     const char* before = std::getenv("XDG_RUNTIME_DIR");
     const std::string kept = before != nullptr ? before : "";
-    const Folder runtime;
+    const Scratch runtime;
     setenv("XDG_RUNTIME_DIR", runtime.path().c_str(), 1);
     CHECK(console_folder() == runtime.path() / "nezumi");
     const std::string own = "/tmp/nezumi-" + std::to_string(geteuid());

@@ -8,24 +8,13 @@
 #include <catch2/catch.hpp>
 #include <cerrno>
 #include <chrono>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <thread>
 
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
-
-namespace {
-
-std::string text_of_file(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
-
-}  // namespace
 
 TEST_CASE("whoever writes waits for no disk, and all of it is there at the end", "[engine][base]") {
     // A pipe that nobody reads yet is a disk that stalls.

@@ -1,11 +1,10 @@
 // From distance to value: exact at the points, never beyond the bounds.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "engine/world/robot_spec.hpp"
+#include "tests/unit/file_text.hpp"
 
 using namespace nezumi;
 
@@ -14,10 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<ResponseTable::Point> mouse_points() {
-    std::ifstream file("engine/robots/ir_table.csv");
-    std::stringstream text;
-    text << file.rdbuf();
-    const auto points = read_csv_response(text.str(), "ir_table.csv");
+    const auto points = read_csv_response(text_of_file("engine/robots/ir_table.csv"), "ir_table.csv");
     REQUIRE(points.has_value());
     return *points;
 }

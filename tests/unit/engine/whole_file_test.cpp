@@ -9,21 +9,14 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
-#include <sstream>
 #include <string>
 
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 std::ptrdiff_t files_in(const std::filesystem::path& folder) {
     return std::distance(std::filesystem::directory_iterator(folder), {});
@@ -57,10 +50,10 @@ TEST_CASE("a file that can't be written whole is told, and what was there stays"
         CHECK(describe(full.error()) == file.string() + ": can't be written: File too large");
         CHECK_FALSE(write_whole(scratch.path("fresh.txt"), std::string(2000, 'x')));
     }
-    CHECK(text_of(file) == "before");
+    CHECK(text_of_file(file) == "before");
     CHECK(files_in(scratch.path("")) == 1);
     CHECK(write_whole(file, "after"));
-    CHECK(text_of(file) == "after");
+    CHECK(text_of_file(file) == "after");
     CHECK(write_whole(scratch.path("fresh.txt"), ""));
     CHECK(files_in(scratch.path("")) == 2);
     CHECK(describe(write_whole(scratch.path("no/it.txt"), "text").error()) ==
@@ -74,7 +67,7 @@ TEST_CASE("a link, a mode and a device stay what they are", "[engine][base]") {
     chmod(file.c_str(), 0640);
     REQUIRE(write_whole(scratch.path("link.txt"), "after"));
     CHECK(std::filesystem::is_symlink(scratch.path("link.txt")));
-    CHECK(text_of(file) == "after");
+    CHECK(text_of_file(file) == "after");
     struct stat status {};
     REQUIRE(stat(file.c_str(), &status) == 0);
     CHECK((status.st_mode & 0777) == 0640);

@@ -5,24 +5,14 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "hw/device/health.hpp"
 #include "hw/raspimouse/advice.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
 using namespace nezumi::hw;
-
-namespace {
-
-std::string content(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-}  // namespace
 
 TEST_CASE("a plain file in a node's place has the last write alone", "[hw][device]") {
     const Scratch folder;
@@ -30,7 +20,7 @@ TEST_CASE("a plain file in a node's place has the last write alone", "[hw][devic
     Node node(file.string(), Node::Access::write);
     REQUIRE(node.write("-400"));
     REQUIRE(node.write("7"));
-    CHECK(content(file) == "7");
+    CHECK(text_of_file(file) == "7");
 }
 
 TEST_CASE("a node is read from its beginning each time", "[hw][device]") {

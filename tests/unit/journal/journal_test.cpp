@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/journal/random_run.hpp"
 
 using namespace nezumi;
@@ -18,12 +19,6 @@ using Catch::Matchers::Contains;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
@@ -61,7 +56,7 @@ struct Small {
     }
     // The journal with a line replaced, or the error of replaying it.
     std::string error_with(int line, const std::string& other) const {
-        std::istringstream in(text_of(file));
+        std::istringstream in(text_of_file(file));
         std::string changed;
         std::string each;
         for (int number = 1; std::getline(in, each); ++number) changed += (number == line ? other : each) + "\n";
@@ -128,7 +123,7 @@ TEST_CASE("a process that is killed leaves a journal that replays to its last wh
     waitpid(child, nullptr, 0);
 
     // The line that is torn, as a machine that went down would leave it.
-    std::string text = text_of(run.journal_file());
+    std::string text = text_of_file(run.journal_file());
     text.resize(text.rfind('\n') + 1);
     write(run.journal_file(), text + R"({"at":[1,)");
     auto read = Replay::read(run.journal_file(), journal_version);
@@ -161,7 +156,7 @@ TEST_CASE("an act with a million numbers is written beside the ticks", "[journal
     }
     it.end();
     CHECK(spent < 0.01);  // a copy; as text they are 6 MB
-    CHECK(text_of(it.file).size() > 16'000'000);
+    CHECK(text_of_file(it.file).size() > 16'000'000);
 }
 
 TEST_CASE("a call that the clock ended ends so in the replay", "[journal][watchdog]") {
@@ -188,7 +183,7 @@ end
     REQUIRE(it.live->act(Activate{"it"}, {}));
     it.tick(5);
     const std::uint64_t hash = it.end();
-    CHECK_THAT(text_of(it.file), Contains("out_of_time"));
+    CHECK_THAT(text_of_file(it.file), Contains("out_of_time"));
 
     SECTION("although it is endless") {
         const Replayed again = replay(it.file);
@@ -196,7 +191,7 @@ end
         CHECK(hash_text(again.hash) == hash_text(hash));
     }
     SECTION("although it would end by itself there") {
-        std::string text = text_of(it.file);
+        std::string text = text_of_file(it.file);
         for (std::string_view endless : {"while config.endless do", "while true do"}) {
             const auto at = text.find(endless);
             REQUIRE(at != std::string::npos);
@@ -216,7 +211,7 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
     it.tick(3);
     it.end();
     const std::string act = R"({"at":[1,3,0],"who":"console","do":"SetParameter","with":)";
-    CHECK_THAT(text_of(it.file), Contains(act + R"({"component":"it","parameter":"step","value":2}})"));
+    CHECK_THAT(text_of_file(it.file), Contains(act + R"({"component":"it","parameter":"step","value":2}})"));
     CHECK(it.error_with(2, "no line at all") == "J:2: expected a JSON object");
     CHECK(it.error_with(2, R"({"at":[1,3],"hash":"0"})") ==
           "J:2: 'at' must be the start's number, the tick and the act's number");

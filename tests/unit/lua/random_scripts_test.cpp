@@ -5,14 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/robot/robot.hpp"
 #include "sim/world.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/random_script.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
@@ -142,10 +141,8 @@ TEST_CASE("behaviours that once did harm do none", "[lua][random][watchdog]") {
     int count = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(source_root()) / "tests/fuzz/corpus/script")) {
-        std::ostringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
         INFO(entry.path().string());
-        CHECK(trial.run(text.str()).loaded);
+        CHECK(trial.run(text_of_file(entry.path())).loaded);
         ++count;
     }
     CHECK(count >= 6);

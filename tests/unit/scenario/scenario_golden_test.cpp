@@ -1,9 +1,7 @@
 // Goldens: traces that are written once, committed, and compared within a tolerance.
 #include <catch2/catch.hpp>
 
-#include <fstream>
-#include <sstream>
-
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/scenario/scenario_rig.hpp"
 
 using namespace nezumi;
@@ -16,12 +14,6 @@ constexpr const char* drive =
     "  s:golden('it.csv', { tolerance = 1e-6 }, 'mouse.current_pose_out', 'mouse.ir_sensor_out')\n"
     "  s:run(0.1)\n"
     "end)\n";
-
-std::string text_of_file(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 // The rig with a golden that has been written.
 void write_golden(ScenarioRig& rig) {

@@ -1,9 +1,7 @@
 // Sessions: plans, filters, processes, hashes, failing samples, files of failures.
 #include <catch2/catch.hpp>
 
-#include <fstream>
-#include <sstream>
-
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/scenario/scenario_rig.hpp"
 
 using namespace nezumi;
@@ -28,12 +26,6 @@ std::vector<std::string> tell(const SessionEnd& end) {
     std::vector<std::string> all;
     for (const RunReport& report : end.reports) all.push_back(report.name + " " + std::to_string(report.result.hash));
     return all;
-}
-
-std::string text_of_file(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
 }
 
 }  // namespace

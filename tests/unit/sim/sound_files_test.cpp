@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "sim/sound_files.hpp"
+#include "tests/unit/file_text.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
 using namespace nezumi::sim;
@@ -18,24 +19,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    Folder() : path(fs::temp_directory_path() / ("nezumi-sounds-" + std::to_string(getpid()))) {
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-    std::string read(const std::string& name) const {
-        std::ifstream file(path / name, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        return text.str();
-    }
+struct Folder : Scratch {
+    std::string read(const std::string& name) const { return text_of_file(path(name)); }
     // A program that takes the place of espeak-ng.
     std::string program(const std::string& script) const {
-        std::ofstream(path / "speaker") << "#!/bin/sh\n" << script << "\n";
-        chmod((path / "speaker").c_str(), 0755);
-        return (path / "speaker").string();
+        const fs::path file = write("speaker", "#!/bin/sh\n" + script + "\n");
+        fs::permissions(file, fs::perms::owner_all);
+        return file.string();
     }
-    fs::path path;
 };
 
 Sound speech(const std::string& text) { return {Sound::Kind::speech, 0, 0, text}; }
@@ -82,7 +73,7 @@ TEST_CASE("sounds are numbered for each robot, and texts lie beside them as they
     std::vector<std::string> warnings;
     {
         SoundFiles files(
-            folder.path, [&](const std::string& why) { warnings.push_back(why); }, program);
+            folder.path(), [&](const std::string& why) { warnings.push_back(why); }, program);
         files.play("ev3", {Sound::Kind::tone, 440, 0.2, {}});
         files.play("other", speech("hello"));
         files.play("ev3", speech(odd));
@@ -90,14 +81,14 @@ TEST_CASE("sounds are numbered for each robot, and texts lie beside them as they
     }
     CHECK(warnings.empty());
     CHECK(folder.read("ev3-0001.wav") == tone_as_wav(440, 0.2));
-    CHECK_FALSE(fs::exists(folder.path / "ev3-0001.txt"));
+    CHECK_FALSE(fs::exists(folder.path("ev3-0001.txt")));
     CHECK(folder.read("other-0001.txt") == "hello");
     CHECK(folder.read("other-0001.wav") == "hello");
     CHECK(folder.read("ev3-0002.txt") == odd);
     CHECK(folder.read("ev3-0002.wav") == odd);
     CHECK(folder.read("ev3-0003.wav") == "-v");
     CHECK_FALSE(fs::exists("pwned"));
-    CHECK_FALSE(fs::exists(folder.path / "pwned"));
+    CHECK_FALSE(fs::exists(folder.path("pwned")));
 }
 
 TEST_CASE("without a speech program the texts are kept, with one warning", "[sim][sound]") {
@@ -105,14 +96,14 @@ TEST_CASE("without a speech program the texts are kept, with one warning", "[sim
     std::vector<std::string> warnings;
     {
         SoundFiles files(
-            folder.path, [&](const std::string& why) { warnings.push_back(why); }, "no-such-speaker");
+            folder.path(), [&](const std::string& why) { warnings.push_back(why); }, "no-such-speaker");
         files.play("ev3", speech("one"));
         files.play("ev3", speech("two"));
     }
     CHECK(warnings == std::vector<std::string>{"no-such-speaker is not installed: speech becomes text files only "
                                                "(sudo apt install espeak-ng)"});
     CHECK(folder.read("ev3-0002.txt") == "two");
-    CHECK_FALSE(fs::exists(folder.path / "ev3-0002.wav"));
+    CHECK_FALSE(fs::exists(folder.path("ev3-0002.wav")));
 }
 
 TEST_CASE("a speech program that fails costs its sound and no more", "[sim][sound]") {
@@ -120,13 +111,13 @@ TEST_CASE("a speech program that fails costs its sound and no more", "[sim][soun
     std::vector<std::string> warnings;
     {
         SoundFiles files(
-            folder.path, [&](const std::string& why) { warnings.push_back(why); }, folder.program("exit 3"));
+            folder.path(), [&](const std::string& why) { warnings.push_back(why); }, folder.program("exit 3"));
         files.play("ev3", speech("one"));
         files.play("ev3", {Sound::Kind::tone, 440, 0.1, {}});
     }
-    CHECK(warnings == std::vector<std::string>{(folder.path / "speaker").string() + " did not write '" +
-                                               (folder.path / "ev3-0001.wav").string() + "': it ended with status 3"});
-    CHECK(fs::exists(folder.path / "ev3-0002.wav"));
+    CHECK(warnings == std::vector<std::string>{folder.path("speaker").string() + " did not write '" +
+                                               folder.path("ev3-0001.wav").string() + "': it ended with status 3"});
+    CHECK(fs::exists(folder.path("ev3-0002.wav")));
 }
 
 TEST_CASE("a sound never waits for the one before", "[sim][sound][wallclock]") {
@@ -134,7 +125,7 @@ TEST_CASE("a sound never waits for the one before", "[sim][sound][wallclock]") {
     std::vector<std::string> warnings;
     {
         SoundFiles files(
-            folder.path, [&](const std::string& why) { warnings.push_back(why); }, folder.program("sleep 0.5"));
+            folder.path(), [&](const std::string& why) { warnings.push_back(why); }, folder.program("sleep 0.5"));
         const auto begin = std::chrono::steady_clock::now();
         for (int i = 0; i < 3; ++i) files.play("ev3", speech("slow"));
         CHECK(std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(400));
@@ -150,7 +141,7 @@ TEST_CASE("espeak-ng speaks a text into a WAV", "[sim][sound]") {
     const Folder folder;
     std::vector<std::string> warnings;
     {
-        SoundFiles files(folder.path, [&](const std::string& why) { warnings.push_back(why); });
+        SoundFiles files(folder.path(), [&](const std::string& why) { warnings.push_back(why); });
         files.play("ev3", speech("hello \"world\"; $(nothing)\n-x"));
     }
     CHECK(warnings.empty());

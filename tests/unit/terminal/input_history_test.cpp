@@ -3,65 +3,49 @@
 
 #include <catch2/catch.hpp>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "tests/unit/file_text.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
 using namespace nezumi;
 
-namespace {
-
-class Folder {
-public:
-    Folder() : path_(mkdtemp(name_)) {}
-    ~Folder() { std::filesystem::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
-private:
-    char name_[32] = "/tmp/nezumi-history-XXXXXX";
-    std::filesystem::path path_;
-};
-
-}  // namespace
-
 TEST_CASE("inputs of several lines come back as they were typed", "[console][history]") {
-    const Folder folder;
-    const HistoryFile history(folder / "a/b/nezumi/history");
+    const Scratch folder;
+    const HistoryFile history(folder.path("a/b/nezumi/history"));
     CHECK(history.read().empty());
     const std::vector<std::string> inputs{"ls()", "for i = 1, 3 do\n  print(\"\\n\")\nend", "x = \"\\\\\"", "\xC3\xBC"};
     for (const std::string& input : inputs) REQUIRE(history.append(input));
-    CHECK(HistoryFile(folder / "a/b/nezumi/history").read() == inputs);
+    CHECK(HistoryFile(folder.path("a/b/nezumi/history")).read() == inputs);
 }
 
 TEST_CASE("the history is for its user alone", "[console][history]") {
-    const Folder folder;
-    REQUIRE(HistoryFile(folder / "nezumi/history").append("secret"));
+    const Scratch folder;
+    REQUIRE(HistoryFile(folder.path("nezumi/history")).append("secret"));
     struct stat status {};
-    REQUIRE(stat((folder / "nezumi/history").c_str(), &status) == 0);
+    REQUIRE(stat(folder.path("nezumi/history").c_str(), &status) == 0);
     CHECK((status.st_mode & 0777) == 0600);
-    REQUIRE(stat((folder / "nezumi").c_str(), &status) == 0);
+    REQUIRE(stat(folder.path("nezumi").c_str(), &status) == 0);
     CHECK((status.st_mode & 0777) == 0700);
 }
 
 TEST_CASE("a line that was cut off does not swallow the next", "[console][history]") {
-    const Folder folder;
-    std::ofstream(folder / "history") << "whole\ncut o";
-    const HistoryFile history(folder / "history");
+    const Scratch folder;
+    std::ofstream(folder.path("history")) << "whole\ncut o";
+    const HistoryFile history(folder.path("history"));
     REQUIRE(history.append("next"));
     CHECK(history.read() == std::vector<std::string>{"whole", "cut o", "next"});
 }
 
 TEST_CASE("consoles that write at once lose no line, even while the file is cut down", "[console][history]") {
-    const Folder folder;
+    const Scratch folder;
     {
-        std::ofstream long_file(folder / "history");
+        std::ofstream long_file(folder.path("history"));
         for (std::size_t line = 0; line <= 2 * HistoryFile::kept; ++line) long_file << "old " << line << "\n";
     }
     constexpr int writers = 4;
@@ -70,15 +54,15 @@ TEST_CASE("consoles that write at once lose no line, even while the file is cut 
     threads.reserve(writers + 1);
     for (int writer = 0; writer < writers; ++writer) {
         threads.emplace_back([&folder, writer] {
-            const HistoryFile history(folder / "history");
+            const HistoryFile history(folder.path("history"));
             for (int line = 0; line < each; ++line)
                 (void)history.append(std::to_string(writer) + "\n" + std::to_string(line));
         });
     }
-    threads.emplace_back([&folder] { (void)HistoryFile(folder / "history").read(); });
+    threads.emplace_back([&folder] { (void)HistoryFile(folder.path("history")).read(); });
     for (std::thread& thread : threads) thread.join();
 
-    const auto inputs = HistoryFile(folder / "history").read();
+    const auto inputs = HistoryFile(folder.path("history")).read();
     CHECK(inputs.size() <= HistoryFile::kept + writers * each);
     std::vector<int> next(writers, 0);
     for (const std::string& input : inputs) {
@@ -91,18 +75,13 @@ TEST_CASE("consoles that write at once lose no line, even while the file is cut 
 }
 
 TEST_CASE("a history that has grown long is cut to its latest lines when it is read", "[console][history]") {
-    const Folder folder;
+    const Scratch folder;
     const auto write = [&](std::size_t count) {
-        std::ofstream file(folder / "history");
+        std::ofstream file(folder.path("history"));
         for (std::size_t line = 1; line <= count; ++line) file << "line " << line << "\n";
     };
-    const auto lines = [&] {
-        std::ifstream file(folder / "history");
-        std::vector<std::string> all;
-        for (std::string line; std::getline(file, line);) all.push_back(line);
-        return all;
-    };
-    const HistoryFile history(folder / "history");
+    const auto lines = [&] { return lines_of(text_of_file(folder.path("history"))); };
+    const HistoryFile history(folder.path("history"));
     write(2 * HistoryFile::kept);
     CHECK(history.read().size() == 2 * HistoryFile::kept);
     CHECK(lines().size() == 2 * HistoryFile::kept);
@@ -116,11 +95,11 @@ TEST_CASE("a history that has grown long is cut to its latest lines when it is r
 }
 
 TEST_CASE("a history that can't be kept says so", "[console][history]") {
-    const Folder folder;
-    std::ofstream(folder / "file") << "";
-    const auto kept = HistoryFile(folder / "file/nezumi/history").append("x");
+    const Scratch folder;
+    std::ofstream(folder.path("file")) << "";
+    const auto kept = HistoryFile(folder.path("file/nezumi/history")).append("x");
     REQUIRE_FALSE(kept);
     CHECK(kept.error().message ==
-          "can't keep the history in " + (folder / "file/nezumi/history").string() + ": Not a directory");
+          "can't keep the history in " + folder.path("file/nezumi/history").string() + ": Not a directory");
     CHECK(HistoryFile({}).append("nowhere"));
 }

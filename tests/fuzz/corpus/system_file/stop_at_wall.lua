@@ -1,8 +1,0 @@
---- Part 2 of the tutorial: drive with two sliders, stop in front of the wall.
-arena { box { at = { 0.8, 0.0, 0.15 }, size = { 0.1, 1.0, 0.3 } } }
-
-robot    "mouse"      { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }
-behavior "controller" { script = "robot_controller", config = { speed_x = 0.1 } }
-
-connect("mouse.ir_sensor_out", "controller.in")
-connect("controller.out", "mouse.target_velocity_in")
