@@ -25,8 +25,8 @@ public:
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
 
-    /// Of a file in it, or its own.
-    std::filesystem::path path(std::string_view name = "") const { return name.empty() ? root_ : root_ / name; }
+    std::filesystem::path path() const { return root_; }
+    std::filesystem::path path(std::string_view name) const { return root_ / name; }
 
     /// Writes a file, and the folders it is in.
     std::filesystem::path write(std::string_view name, std::string_view text) const {
