@@ -16,10 +16,6 @@
 
 namespace nezumi::sim {
 
-/// A tone as a WAV file's bytes: 22 050 samples a second, 16 bits, mono. It swells and fades in 5 ms, so that it does
-/// not click. 0 Hz is silence.
-std::string tone_as_wav(double hertz, double seconds);
-
 /// Writes `ROBOT-0001.wav`, `ROBOT-0002.wav`, ... into a folder, and beside each speech its text as `ROBOT-0001.txt`.
 /// Works on a thread of its own, which begins with the first sound; nobody waits for it but the destructor, which lets
 /// it write what is left.

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/world/tone.hpp"
 #include "sim/sound_files.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"

@@ -1,0 +1,108 @@
+// posix_spawn, with a time-out.
+#include "engine/base/program.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+namespace nezumi {
+namespace {
+
+bool is_program(const std::filesystem::path& file) {
+    std::error_code none;
+    return access(file.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(file, none);
+}
+
+}  // namespace
+
+bool can_run(const std::string& program) {
+    if (program.find('/') != std::string::npos) return is_program(program);
+    const char* path = std::getenv("PATH");
+    std::string_view folders = path != nullptr ? path : "/usr/bin:/bin";
+    while (true) {
+        const auto colon = std::min(folders.find(':'), folders.size());
+        const std::string folder(folders.substr(0, colon));
+        if (is_program(std::filesystem::path(folder.empty() ? "." : folder) / program)) return true;
+        if (colon == folders.size()) return false;
+        folders.remove_prefix(colon + 1);
+    }
+}
+
+UnnamedFile::UnnamedFile(std::string_view text) : file_(memfd_create("nezumi", MFD_CLOEXEC)) {
+    while (file_ >= 0 && !text.empty()) {
+        const ssize_t written = ::write(file_, text.data(), text.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) break;
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    rewind();
+}
+
+UnnamedFile::~UnnamedFile() {
+    if (file_ >= 0) close(file_);
+}
+
+void UnnamedFile::rewind() const {
+    if (file_ >= 0) lseek(file_, 0, SEEK_SET);
+}
+
+std::string run_program(const ProgramRun& run) {
+    std::vector<std::string> words = run.words;
+    std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    const auto give = [&](int file, int as, int flags) {
+        if (file >= 0)
+            posix_spawn_file_actions_adddup2(&files, file, as);
+        else
+            posix_spawn_file_actions_addopen(&files, as, "/dev/null", flags, 0);
+    };
+    give(run.input, STDIN_FILENO, O_RDONLY);
+    give(run.output, STDOUT_FILENO, O_WRONLY);
+    give(-1, STDERR_FILENO, O_WRONLY);
+    // Ctrl-C is for nezumi, which lets the program finish.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    pid_t child = 0;
+    const int error = posix_spawnp(&child, pointers[0], &files, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    if (error != 0) return std::strerror(error);
+
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(run.longest);
+    const auto is_over = [&] { return Clock::now() > end || (run.give_up != nullptr && *run.give_up); };
+    int status = 0;
+    for (auto nap = std::chrono::milliseconds(1);; nap = std::min(2 * nap, std::chrono::milliseconds(20))) {
+        const pid_t ended = waitpid(child, &status, WNOHANG);
+        if (ended == child) break;
+        if (ended < 0 && errno != EINTR) return std::strerror(errno);
+        if (is_over()) {
+            kill(-child, SIGKILL);  // and what it has started
+            waitpid(child, &status, 0);
+            return fmt::format("it took more than {} s", run.longest);
+        }
+        std::this_thread::sleep_for(nap);
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
+    return WIFEXITED(status) ? fmt::format("it ended with status {}", WEXITSTATUS(status))
+                             : fmt::format("signal {} ended it", WTERMSIG(status));
+}
+
+}  // namespace nezumi
