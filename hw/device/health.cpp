@@ -1,6 +1,7 @@
 // A loss and a return are told at the moment they happen, and not again.
 #include "hw/device/health.hpp"
 
+#include <iterator>
 #include <utility>
 
 namespace nezumi::hw {
@@ -23,6 +24,10 @@ bool Health::is_lost() const {
 std::vector<std::string> Health::take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(lines_, {});
+}
+
+void append(std::vector<std::string>& lines, std::vector<std::string> more) {
+    lines.insert(lines.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 }  // namespace nezumi::hw

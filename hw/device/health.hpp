@@ -31,4 +31,7 @@ private:
     std::vector<std::string> lines_;
 };
 
+/// Adds lines to others.
+void append(std::vector<std::string>& lines, std::vector<std::string> more);
+
 }  // namespace nezumi::hw

@@ -26,6 +26,26 @@ inline constexpr double stale_after = 0.3;
 /// How often [s] a device that failed is tried again.
 inline constexpr double retry_period = 0.5;
 
+/// The newest sample, from the thread that reads to the control loop.
+template <class T>
+class NewestSample {
+public:
+    void put(Sample<T> sample) {
+        const std::lock_guard lock(mutex_);
+        sample_ = std::move(sample);
+    }
+    /// At `now`, by `clock_seconds`; none when there is no recent one.
+    std::optional<Sample<T>> at(double now) const {
+        const std::lock_guard lock(mutex_);
+        if (!sample_ || now - sample_->tm > stale_after) return std::nullopt;
+        return sample_;
+    }
+
+private:
+    mutable std::mutex mutex_;  // held for a copy at most
+    std::optional<Sample<T>> sample_;
+};
+
 /// Who derives from it says how to read the device once.
 template <class T>
 class Sampler : public Job {
@@ -37,9 +57,7 @@ public:
     /// for too long is told as lost.
     std::optional<Sample<T>> newest(double now) {
         if (hangs(now)) health_.lost(no_answer);
-        const std::lock_guard lock(mutex_);
-        if (!sample_ || now - sample_->tm > stale_after) return std::nullopt;
-        return sample_;
+        return newest_.at(now);
     }
 
     std::vector<std::string> take_faults() { return health_.take(); }
@@ -54,8 +72,7 @@ public:
         }
         if (*value) {
             health_.works();
-            const std::lock_guard lock(mutex_);
-            sample_ = Sample<T>{std::move(**value), (before + after) / 2};
+            newest_.put({std::move(**value), (before + after) / 2});
         }
         return before + period_ - after;
     }
@@ -67,8 +84,7 @@ protected:
 private:
     Health health_;
     const double period_;
-    std::mutex mutex_;  // held for a copy at most
-    std::optional<Sample<T>> sample_;
+    NewestSample<T> newest_;
 };
 
 }  // namespace nezumi::hw

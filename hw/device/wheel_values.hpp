@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "engine/world/world.hpp"
+#include "hw/device/sampler.hpp"
+#include "hw/device/tick_clock.hpp"
 
 namespace nezumi::hw {
 
@@ -13,6 +16,14 @@ struct WheelValues {
     WheelPulses pulses;  ///< since the start
     Wheels rates;        ///< [pulses/s]
 };
+
+/// [m] that a rim moves in a pulse.
+double metres_per_pulse(const DriveSpec& drive);
+/// [m/s^2] of one rim, when both axes speed up as the hardware's limits allow.
+double rim_acceleration(const DriveSpec& drive);
+/// What a body reports of its wheels at `now`, by their newest sample.
+WheelReading wheel_reading(const std::optional<Sample<WheelValues>>& sample, const TickClock& clock, const Time& now,
+                           const DriveSpec& drive);
 
 /// The rate of a counter, by the times of its readings.
 class PulseRate {

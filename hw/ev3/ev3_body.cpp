@@ -15,14 +15,6 @@ using Kind = SensorSpec::Kind;
 
 constexpr double degree = std::numbers::pi / 180;
 
-double metres_per_pulse(const DriveSpec& drive) { return 2 * std::numbers::pi * drive.radius / drive.encoder_pulses(); }
-
-// Of one rim, when both axes speed up as the limits allow [pulses/s^2].
-double wheel_acceleration(const DriveSpec& drive) {
-    const Limits& limits = drive.hardware_limits;
-    return (limits.acceleration + limits.yaw_acceleration * drive.track / 2) / metres_per_pulse(drive);
-}
-
 // How the sensor of a kind is read; nothing where the brick has none.
 std::optional<SensorMode> mode_of(Kind kind) {
     switch (kind) {
@@ -128,7 +120,7 @@ Expected<std::unique_ptr<RobotBody>> Ev3Body::make(const RobotSpec& spec, const 
     }
     std::array<std::string, 2> ports{"outB", "outC"};
     if (!spec.drive.port.empty()) std::copy(spec.drive.port.begin(), spec.drive.port.end(), ports.begin());
-    auto wheels = WheelMotors::make(motors, ports, wheel_acceleration(spec.drive), others);
+    auto wheels = WheelMotors::make(motors, ports, rim_acceleration(spec.drive) / metres_per_pulse(spec.drive), others);
     if (!wheels) return Unexpected(wheels.error());
     return std::unique_ptr<RobotBody>(
         new Ev3Body(spec, roots, std::move(*wheels), std::move(servo), index.value_or(spec.actuators.size())));
@@ -172,13 +164,7 @@ void Ev3Body::add_sensors(const std::string& folder) {
 
 WheelReading Ev3Body::read_wheels(const Time& now, double /*period*/) {
     const auto sample = wheels_->newest(clock_.look(now));
-    if (!sample) return {};
-    const double metres = metres_per_pulse(spec_.drive);
-    const WheelValues& wheels = sample->value;
-    return {.is_there = true,
-            .tm = clock_.system_time(now, sample->tm),
-            .pulses = wheels.pulses,
-            .speeds = {.left = wheels.rates.left * metres, .right = wheels.rates.right * metres}};
+    return wheel_reading(sample, clock_, now, spec_.drive);
 }
 
 // Whether another touch sensor has been there: the robot has one, and this is the one that it lacks.
@@ -240,14 +226,11 @@ double Ev3Body::servo_angle(std::size_t index) const { return servo_ && index ==
 
 std::vector<std::string> Ev3Body::take_faults() {
     std::vector<std::string> all = wheels_->take_faults();
-    const auto add = [&](std::vector<std::string> lines) {
-        for (std::string& line : lines) all.push_back(std::move(line));
-    };
-    if (servo_) add(servo_->take_faults());
-    for (const auto& channel : channels_) add(channel->device->take_faults());
-    add(lights_->take_faults());
-    add(screen_->take_faults());
-    add(battery_->take_faults());
+    if (servo_) append(all, servo_->take_faults());
+    for (const auto& channel : channels_) append(all, channel->device->take_faults());
+    append(all, lights_->take_faults());
+    append(all, screen_->take_faults());
+    append(all, battery_->take_faults());
     return all;
 }
 

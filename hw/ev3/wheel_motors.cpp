@@ -45,22 +45,14 @@ tl::expected<void, std::string> WheelMotors::prepare() {
     return {};
 }
 
-void WheelMotors::command(const Command& command) {
-    const std::lock_guard lock(mutex_);
-    newest_ = command;
-    ++commands_;
-}
-
 std::optional<Sample<WheelValues>> WheelMotors::newest(double now) {
     if (hangs(now)) health_.lost(no_answer);
-    const std::lock_guard lock(mutex_);
-    if (!sample_ || now - sample_->tm > stale_after) return std::nullopt;
-    return sample_;
+    return sample_.at(now);
 }
 
 std::vector<std::string> WheelMotors::take_faults() {
     std::vector<std::string> all = health_.take();
-    for (std::string& line : guard_->take_faults()) all.push_back(std::move(line));
+    append(all, guard_->take_faults());
     return all;
 }
 
@@ -130,10 +122,9 @@ tl::expected<void, std::string> WheelMotors::read_positions() {
         wheels_[i].rate.take(read_at, *position);
         tm += read_at / 2;
     }
-    const std::lock_guard lock(mutex_);
-    sample_ = {.value = {.pulses = {.left = pulses[0], .right = pulses[1]},
-                         .rates = {.left = wheels_[0].rate.rate(), .right = wheels_[1].rate.rate()}},
-               .tm = tm};
+    sample_.put({.value = {.pulses = {.left = pulses[0], .right = pulses[1]},
+                           .rates = {.left = wheels_[0].rate.rate(), .right = wheels_[1].rate.rate()}},
+                 .tm = tm});
     return {};
 }
 
@@ -151,14 +142,7 @@ double WheelMotors::run() {
         }
         health_.works();
     }
-    Command command;
-    std::uint64_t number = 0;
-    {
-        const std::lock_guard lock(mutex_);
-        command = newest_;
-        number = commands_;
-    }
-    const bool is_new = number != std::exchange(served_, number);
+    auto [command, is_new] = newest_.take();
     if (!is_guarded) command.rates = {};
     auto ok = is_new ? perform(command, now) : tl::expected<void, std::string>();
     if (ok) ok = read_positions();

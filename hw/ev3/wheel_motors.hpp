@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "engine/base/error.hpp"
 #include "engine/world/world.hpp"
 #include "hw/device/health.hpp"
+#include "hw/device/newest.hpp"
 #include "hw/device/sampler.hpp"
 #include "hw/device/wheel_values.hpp"
 #include "hw/device/worker.hpp"
@@ -40,7 +40,7 @@ public:
                                                        const std::vector<std::string>& others);
 
     /// From the control loop, once a tick at least: whoever falls silent is stopped.
-    void command(const Command& command);
+    void command(const Command& command) { newest_.put(command); }
     /// The newest readings at `now`, by `clock_seconds`; none when there are no recent ones.
     std::optional<Sample<WheelValues>> newest(double now);
     std::vector<std::string> take_faults();
@@ -74,12 +74,8 @@ private:
     std::unique_ptr<GuardWatch> guard_;
     Health health_{"motors"};
 
-    std::mutex mutex_;  // held for a copy at most
-    Command newest_;
-    std::uint64_t commands_ = 0;
-    std::optional<Sample<WheelValues>> sample_;
-
-    std::uint64_t served_ = 0;
+    Newest<Command> newest_;
+    NewestSample<WheelValues> sample_;
     double served_at_ = 0;
     double retry_at_ = 0;  // while they are lost: when to look for them
 };

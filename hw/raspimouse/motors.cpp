@@ -44,18 +44,11 @@ Expected<std::shared_ptr<Motors>> Motors::make(const std::string& folder, double
     return motors;
 }
 
-void Motors::command(const MotorCommand& command) {
-    const std::lock_guard lock(mutex_);
-    newest_ = command;
-    ++commands_;
-}
-
 std::vector<std::string> Motors::take_faults() {
     if (hangs(clock_seconds())) health_.lost(no_answer);
     std::vector<std::string> all = health_.take();
-    for (std::vector<std::string> lines : {buzzer_health_.take(), guard_.take_faults()}) {
-        for (std::string& line : lines) all.push_back(std::move(line));
-    }
+    append(all, buzzer_health_.take());
+    append(all, guard_.take_faults());
     return all;
 }
 
@@ -156,14 +149,7 @@ double Motors::run() {
         if (!stop_all()) return retry_period;
         health_.works();
     }
-    MotorCommand command;
-    std::uint64_t number = 0;
-    {
-        const std::lock_guard lock(mutex_);
-        command = newest_;
-        number = commands_;
-    }
-    const bool is_new = number != std::exchange(served_, number);
+    const auto [command, is_new] = newest_.take();
     if (!perform(wanted(command, is_new, now))) {
         static_cast<void>(stop_all());
         retry_at_ = clock_seconds() + retry_period;

@@ -3,13 +3,13 @@
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "engine/base/error.hpp"
 #include "engine/world/world.hpp"
 #include "hw/device/health.hpp"
+#include "hw/device/newest.hpp"
 #include "hw/device/node.hpp"
 #include "hw/device/worker.hpp"
 #include "hw/guard/guard_watch.hpp"
@@ -48,7 +48,7 @@ public:
                                                   double acceleration);
 
     /// From the control loop, once a tick at least: whoever falls silent is stopped by the guard.
-    void command(const MotorCommand& command);
+    void command(const MotorCommand& command) { newest_.put(command); }
     const std::shared_ptr<CommandedWheels>& commanded() const { return commanded_; }
     std::vector<std::string> take_faults();
 
@@ -72,14 +72,10 @@ private:
     std::shared_ptr<CommandedWheels> commanded_ = std::make_shared<CommandedWheels>();
     Health health_{"motors"}, buzzer_health_{"buzzer"};
 
-    std::mutex mutex_;  // held for a copy at most
-    MotorCommand newest_;
-    std::uint64_t commands_ = 0;
-
+    Newest<MotorCommand> newest_;
     int driver_losses_ = 0;
     MotorState state_;
     MotorState goal_;
-    std::uint64_t served_ = 0;
     double served_at_ = 0;
     double moved_at_ = 0;  // when the wheels were last meant to turn, or power was first wanted
     double retry_at_ = 0;  // while they are lost: when to try again

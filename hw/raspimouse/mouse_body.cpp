@@ -4,20 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "hw/raspimouse/advice.hpp"
 #include "hw/raspimouse/codec.hpp"
 
 namespace nezumi::hw {
 namespace {
-
-double metres_per_pulse(const DriveSpec& drive) { return 2 * std::numbers::pi * drive.radius / drive.encoder_pulses(); }
-
-// Of one rim, when both axes speed up as the limits allow.
-double rim_acceleration(const DriveSpec& drive) {
-    return drive.hardware_limits.acceleration + drive.hardware_limits.yaw_acceleration * drive.track / 2;
-}
 
 std::vector<std::string> led_nodes(const std::string& folder) {
     std::vector<std::string> nodes(4);
@@ -75,13 +67,7 @@ MouseBody::MouseBody(const RobotSpec& spec, const std::string& folder, std::shar
 
 WheelReading MouseBody::read_wheels(const Time& now, double /*period*/) {
     const auto sample = counters_->newest(clock_.look(now));
-    if (!sample) return {};
-    const double metres = metres_per_pulse(spec_.drive);
-    const WheelValues& wheels = sample->value;
-    return {.is_there = true,
-            .tm = clock_.system_time(now, sample->tm),
-            .pulses = wheels.pulses,
-            .speeds = {.left = wheels.rates.left * metres, .right = wheels.rates.right * metres}};
+    return wheel_reading(sample, clock_, now, spec_.drive);
 }
 
 std::span<const SensorReading> MouseBody::read_sensors(const Time& now, double /*period*/) {
@@ -112,10 +98,10 @@ std::span<const SensorReading> MouseBody::read_sensors(const Time& now, double /
 
 std::vector<std::string> MouseBody::take_faults() {
     std::vector<std::string> all = motors_->take_faults();
-    for (std::vector<std::string> faults :
-         {counters_->take_faults(), light_sensors_->take_faults(), switches_->take_faults(), lights_->take_faults()}) {
-        for (std::string& fault : faults) all.push_back(std::move(fault));
-    }
+    append(all, counters_->take_faults());
+    append(all, light_sensors_->take_faults());
+    append(all, switches_->take_faults());
+    append(all, lights_->take_faults());
     return all;
 }
 
