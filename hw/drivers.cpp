@@ -1,16 +1,32 @@
-// One line for each driver of a robot.
+// One line for each driver of a robot or a device.
 #include "hw/drivers.hpp"
 
+#include "engine/devices/joystick.hpp"
 #include "hw/ev3/ev3_body.hpp"
+#include "hw/gamepad/evdev_gamepad.hpp"
 #include "hw/raspimouse/mouse_body.hpp"
 
 namespace nezumi::hw {
+namespace {
+
+ComponentMaker gamepads(const std::string& dev) {
+    return [dev](const ComponentEntry& entry, System& /*system*/) {
+        return std::make_unique<Joystick>(
+            entry.name, [dev](const GamepadSettings& settings) { return open_gamepad(dev, settings); });
+    };
+}
+
+}  // namespace
 
 ByBackend<BodyMaker> drivers(const DeviceRoots& roots) {
     return {
         {"raspimouse",
          [roots](const RobotEntry& /*entry*/, const RobotSpec& spec) { return MouseBody::make(spec, roots); }},
         {"ev3", [roots](const RobotEntry& /*entry*/, const RobotSpec& spec) { return Ev3Body::make(spec, roots); }}};
+}
+
+decltype(Makers::components) device_drivers(const DeviceRoots& roots) {
+    return {{"Joystick", {{"gamepad", gamepads(roots.dev)}}}};
 }
 
 }  // namespace nezumi::hw

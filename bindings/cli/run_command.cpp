@@ -107,6 +107,7 @@ public:
         loop.end_at(options_.duration);
         journal_.follow(loop);
         StartButtons start_buttons(loop, [this](const std::string& text) { say(text); });
+        StopButtons stop_buttons(loop);
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);

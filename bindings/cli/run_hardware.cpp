@@ -7,23 +7,81 @@
 #include <utility>
 #include <variant>
 
+#include "engine/devices/joystick.hpp"
 #include "engine/system/build_system.hpp"
 #include "hw/drivers.hpp"
 
 namespace nezumi::cli {
 namespace {
 
-Expected<void> check_names(const SystemSpec& spec, const std::vector<std::string>& robots) {
+using Drivers = decltype(Makers::components);
+
+// What `--hw` may make real: robots, and components that there is a driver for.
+bool may_be_real(const Entry& entry, const Drivers& drivers) {
+    const auto* component = std::get_if<ComponentEntry>(&entry);
+    return std::holds_alternative<RobotEntry>(entry) || (component != nullptr && drivers.contains(component->type));
+}
+
+Expected<void> check_names(const SystemSpec& spec, const std::vector<std::string>& names, const Drivers& drivers) {
     std::vector<std::string_view> known;
     for (const Entry& entry : spec.entries) {
-        if (const auto* robot = std::get_if<RobotEntry>(&entry)) known.push_back(robot->name);
+        if (may_be_real(entry, drivers)) known.push_back(name_of(entry));
     }
-    for (const std::string& name : robots) {
+    for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        return failure(
-            fmt::format("--hw: there is no robot '{}' in {}{}", shown(name), spec.file, did_you_mean(name, known)));
+        return failure(fmt::format("--hw: there is no robot or device '{}' in {}{}", shown(name), spec.file,
+                                   did_you_mean(name, known)));
     }
     return {};
+}
+
+bool is_among(const std::string& name, const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Whether the file lets it be real; an error where it was asked for by its name.
+template <class AnEntry>
+Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::vector<std::string>& names) {
+    const bool is_named = is_among(entry.name, names);
+    if (!names.empty() && !is_named) return false;
+    if (entry.backend != simulated) return true;
+    if (!is_named) return false;
+    return failure(fmt::format("{} '{}': --hw={} wants the real one, and backend = \"sim\" keeps it simulated", kind,
+                               entry.name, entry.name),
+                   entry.place);
+}
+
+// Whether it became a real one.
+Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vector<std::string>& names) {
+    const auto free = is_free("robot", robot, names);
+    if (!free || !*free || !robot.backend.empty()) return free;
+    const auto model = spec.models.find(robot.model);
+    robot.backend = model == spec.models.end() ? "" : model->second.hardware.driver;
+    if (!robot.backend.empty()) return true;
+    return failure(fmt::format("robot '{}': its model '{}' names no driver: add hardware = {{ driver = ... }} to the "
+                               "model, or keep the robot simulated by backend = \"sim\"",
+                               robot.name, robot.model),
+                   robot.place);
+}
+
+// What a robot carries is as real as the robot.
+bool is_on_simulated(const ComponentEntry& component, const SystemSpec& spec) {
+    return std::any_of(spec.entries.begin(), spec.entries.end(), [&](const Entry& entry) {
+        const auto* robot = std::get_if<RobotEntry>(&entry);
+        return robot != nullptr && robot->name == component.on &&
+               (robot->backend.empty() || robot->backend == simulated);
+    });
+}
+
+Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const std::vector<std::string>& names,
+                      const Drivers& drivers) {
+    const auto type = drivers.find(component.type);
+    if (type == drivers.end() || is_on_simulated(component, spec)) return false;
+    // With its robot it is meant as well.
+    const auto free =
+        is_free("component", component, is_among(component.on, names) ? std::vector<std::string>{} : names);
+    if (free && *free && component.backend.empty()) component.backend = type->second.begin()->first;
+    return free;
 }
 
 // The button that starts this robot; nothing when it starts at once.
@@ -38,34 +96,24 @@ const SensorReading* start_button(const Robot& robot) {
 
 }  // namespace
 
-Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& robots) {
-    if (auto ok = check_names(spec, robots); !ok) return ok;
+Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& names,
+                              const decltype(Makers::components)& drivers) {
+    if (auto ok = check_names(spec, names, drivers); !ok) return ok;
     bool any = false;
+    // Robots first, wherever the file has them: what they carry goes with them.
     for (Entry& entry : spec.entries) {
         auto* robot = std::get_if<RobotEntry>(&entry);
         if (robot == nullptr) continue;
-        const bool named = std::find(robots.begin(), robots.end(), robot->name) != robots.end();
-        if (!robots.empty() && !named) continue;
-        if (robot->backend == simulated) {
-            if (named)
-                return failure(fmt::format("robot '{}': --hw={} wants the real one, and backend = \"sim\" keeps it "
-                                           "simulated",
-                                           robot->name, robot->name),
-                               robot->place);
-            continue;
-        }
-        if (robot->backend.empty()) {
-            const auto model = spec.models.find(robot->model);
-            const std::string driver = model == spec.models.end() ? "" : model->second.hardware.driver;
-            if (driver.empty())
-                return failure(
-                    fmt::format("robot '{}': its model '{}' names no driver: add hardware = {{ driver = ... }} "
-                                "to the model, or keep the robot simulated by backend = \"sim\"",
-                                robot->name, robot->model),
-                    robot->place);
-            robot->backend = driver;
-        }
-        any = true;
+        const auto real = choose(*robot, spec, names);
+        if (!real) return Unexpected(real.error());
+        any = any || *real;
+    }
+    for (Entry& entry : spec.entries) {
+        auto* component = std::get_if<ComponentEntry>(&entry);
+        if (component == nullptr) continue;
+        const auto real = choose(*component, spec, names, drivers);
+        if (!real) return Unexpected(real.error());
+        any = any || *real;
     }
     if (!any) return failure(fmt::format("--hw: {} has no robot that could be real", spec.file));
     if (spec.rate < slowest_hardware_rate)
@@ -76,11 +124,31 @@ Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& 
 }
 
 void use_hardware(LiveOptions& live, const Hardware& hardware) {
-    live.bodies = hw::drivers({.dev = hardware.dev_root, .sys = hardware.sys_root});
-    live.prepare = [robots = hardware.robots](SystemSpec& spec) { return choose_drivers(spec, robots); };
+    const hw::DeviceRoots roots{.dev = hardware.dev_root, .sys = hardware.sys_root};
+    live.bodies = hw::drivers(roots);
+    auto drivers = hw::device_drivers(roots);
+    for (const auto& [type, by_backend] : drivers) live.components[type].insert(by_backend.begin(), by_backend.end());
+    live.prepare = [names = hardware.robots, drivers = std::move(drivers)](SystemSpec& spec) {
+        return choose_drivers(spec, names, drivers);
+    };
     live.build.real_time = true;
     live.build.out_of_time_is_fatal = false;
     live.budget = paced_budget;
+}
+
+StopButtons::StopButtons(RunLoop& loop) : loop_(loop) {
+    if (loop.is_hardware()) loop.after_tick([this] { after_tick(); });
+}
+
+void StopButtons::after_tick() {
+    for (const Component* component : loop_.live().system().components()) {
+        const auto* joystick = dynamic_cast<const Joystick*>(component);
+        if (joystick == nullptr) continue;
+        const int stops = joystick->stops();
+        // An emergency stop is never refused.
+        if (std::exchange(seen_[joystick->name()], stops) < stops)
+            static_cast<void>(loop_.live().act(Stop{}, {Actor::Kind::joystick, joystick->name()}));
+    }
 }
 
 StartButtons::StartButtons(RunLoop& loop, std::function<void(std::string)> say) : loop_(loop), say_(std::move(say)) {

@@ -1,7 +1,8 @@
-// `nezumi run --hw`: which robots of a system are the real ones, and when they may start.
+// `nezumi run --hw`: which robots and devices of a system are the real ones, and when they start and stop.
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,15 +17,17 @@ namespace nezumi::cli {
 inline constexpr double slowest_hardware_rate = 10;
 
 struct Hardware {
-    std::vector<std::string> robots;  ///< that are real; empty: all that the file does not keep simulated
+    std::vector<std::string> robots;  ///< and devices that are real; empty: all that the file does not keep simulated
     std::string dev_root = "/dev";
     std::string sys_root = "/sys";
 };
 
-/// Gives the real robots of a system the drivers that their models name. An error, at the line that is wrong, when
-/// there is no such robot, when a model has no driver, when no robot is left that is real, or when the tick is too
-/// slow.
-Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& robots);
+/// Gives the real robots of a system the drivers that their models name, and its real devices the usual one of their
+/// type: those of these names, or all. What a robot carries is as real as the robot. An error, at the line that is
+/// wrong, when there is no such name, when a model has no driver, when nothing is left that is real, or when the tick
+/// is too slow.
+Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& names,
+                              const decltype(Makers::components)& drivers);
 
 /// Has systems made with real robots, at real time.
 void use_hardware(LiveOptions& live, const Hardware& hardware);
@@ -41,6 +44,19 @@ private:
     RunLoop& loop_;
     std::function<void(std::string)> say_;
     std::vector<std::string> waiting_;  // robots whose button has not been pressed
+};
+
+/// A real gamepad's button for emergency stops, where its joystick names one, stops all robots.
+class StopButtons {
+public:
+    /// `loop` must outlive this.
+    explicit StopButtons(RunLoop& loop);
+
+private:
+    void after_tick();
+
+    RunLoop& loop_;
+    std::map<std::string, int, std::less<>> seen_;  // stops of each joystick
 };
 
 }  // namespace nezumi::cli

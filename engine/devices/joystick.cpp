@@ -5,38 +5,92 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "engine/base/schedule.hpp"
 
 namespace nezumi {
 
-Joystick::Joystick(std::string name)
+Joystick::Joystick(std::string name, Open open)
     : Device(std::move(name), "Joystick"),
+      open_(std::move(open)),
       stick_(
           add_in_port<std::vector<float>>("stick", "where the stick is held {x, y} [px]; in the middle while silent")),
       pos_(add_out_port<std::vector<float>>("pos", "the stick's place {x, y} [px] from the middle, y up")),
-      vel_(add_out_port<std::vector<float>>("vel", "left and right wheel: the stick turned by 45 degrees [px]")) {
-    const auto ok = parameters_.declare(
-        {.name = "device", .initial = std::string(), .doc = "a real gamepad's device; empty: the stick on the screen"});
-    assert(ok);
-    static_cast<void>(ok);
+      vel_(add_out_port<std::vector<float>>("vel", "left and right wheel: the stick turned by 45 degrees [px]")),
+      axes_(add_out_port<std::vector<float>>("axes", "a real gamepad's axes, each -1 to 1, in the order of Linux")),
+      buttons_(add_out_port<std::vector<bool>>("buttons", "a real gamepad's buttons, in the order of Linux")) {
+    for (const auto& [parameter, doc] :
+         {std::pair{"device", "a real gamepad's device; empty: the first there is"},
+          {"dead_man_button", "of a real gamepad, as BTN_TL: its stick counts only while this is held"},
+          {"stop_button", "of a real gamepad, as BTN_SELECT: an emergency stop of all robots"}}) {
+        const auto ok = parameters_.declare({.name = parameter, .initial = std::string(), .doc = doc});
+        assert(ok);
+        static_cast<void>(ok);
+    }
+}
+
+GamepadSettings Joystick::settings() const {
+    const auto value = [this](std::string_view name) { return std::get<std::string>(parameters_.find(name)->value); };
+    return {
+        .device = value("device"), .dead_man_button = value("dead_man_button"), .stop_button = value("stop_button")};
+}
+
+Expected<void> Joystick::on_activated() {
+    speaks_ = false;
+    return {};
+}
+
+Expected<void> Joystick::on_deactivated() {
+    gamepad_.reset();
+    return {};
+}
+
+// What its gamepad says; nothing without one.
+std::optional<GamepadState> Joystick::look() {
+    if (!open_) return std::nullopt;
+    if (GamepadSettings wanted = settings(); !gamepad_ || wanted != settings_) {
+        gamepad_.reset();  // two can't have one device
+        settings_ = std::move(wanted);
+        gamepad_ = open_(settings_);
+        counted_ = 0;
+    }
+    for (std::string& fault : gamepad_->take_faults()) log(LogLevel::warn, std::move(fault));
+    auto state = gamepad_->state();
+    if (state) stops_ += state->stops - std::exchange(counted_, state->stops);
+    return state;
+}
+
+void Joystick::point(double x, double y) {
+    const auto on_pad = [](double px) { return std::clamp(static_cast<float>(px), -edge, edge); };
+    const float right = on_pad(x), up = on_pad(y);
+    constexpr float diagonal = std::numbers::sqrt2_v<float> / 2;
+    pos_.write({right, up});
+    vel_.write({(up + right) * diagonal, (up - right) * diagonal});
 }
 
 void Joystick::sense(const Time& now) {
     if (state() != LifeState::active) return;
     set_now(now);
     parameters_.take_staged();
+    const auto gamepad = look();
     if (rate > 0 && !is_due(now.tick, rate, tick_rate())) return;
-    // Nobody holds it: it has sprung back.
-    static const std::vector<float> middle{0, 0};
-    const std::vector<float>& held = stick_.is_new() ? stick_.read() : middle;
-    const bool is_place = held.size() >= 2 && std::isfinite(held[0]) && std::isfinite(held[1]);
-    const auto on_pad = [](float px) { return std::clamp(px, -edge, edge); };
-    const float x = is_place ? on_pad(held[0]) : 0, y = is_place ? on_pad(held[1]) : 0;
-    constexpr float diagonal = std::numbers::sqrt2_v<float> / 2;
-    pos_.write({x, y});
-    vel_.write({(y + x) * diagonal, (y - x) * diagonal});
+    if (gamepad) {
+        axes_.write(gamepad->axes);
+        buttons_.write(gamepad->buttons);
+    }
+    if (stick_.is_new()) {
+        const std::vector<float>& held = stick_.read();
+        const bool is_place = held.size() >= 2 && std::isfinite(held[0]) && std::isfinite(held[1]);
+        point(is_place ? held[0] : 0, is_place ? held[1] : 0);
+        speaks_ = true;
+    } else if (gamepad && !gamepad->is_released && !gamepad->is_stop_held) {
+        point(gamepad->x * edge, gamepad->y * edge);
+        speaks_ = true;
+    } else if (gamepad || !open_ || speaks_) {
+        // Nobody holds it: it has sprung back.
+        point(0, 0);
+        speaks_ = gamepad.has_value();
+    }
 }
 
 Expected<std::unique_ptr<Component>> make_joystick(const ComponentEntry& entry, System& /*system*/) {

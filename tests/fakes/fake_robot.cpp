@@ -91,8 +91,6 @@ int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act 
         std::fprintf(stderr, "usage: %s MOUNT_POINT SOCKET ROBOT_FILE [BOX_X]\n", words[0]);
         return 2;
     }
-    prctl(PR_SET_PDEATHSIG, SIGTERM);  // no mount outlives the test
-    std::signal(SIGPIPE, SIG_IGN);
     const std::filesystem::path model = words[3];
     auto spec = read_robot_file(model, Project::of(model));
     if (!spec) {
@@ -106,8 +104,19 @@ int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act 
         std::string text;
         return behind.answer(line, text) ? text : answer(line);
     };
-    if (!serve_commands(words[2], answer_all)) return 2;
     std::thread([&] { behind.run(); }).detach();
+    return be_fake_device(count, words, files, answer_all);
+}
+
+int be_fake_device(int count, char** words, ServedFiles& files,
+                   std::function<std::string(const std::string& line)> answer) {
+    if (count < 3) {
+        std::fprintf(stderr, "usage: %s MOUNT_POINT SOCKET\n", words[0]);
+        return 2;
+    }
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // no mount outlives the test
+    std::signal(SIGPIPE, SIG_IGN);
+    if (!serve_commands(words[2], std::move(answer))) return 2;
     const int status = serve_folder(words[1], files, say_ready);
     std::fflush(nullptr);
     _exit(status);  // its threads go on until then

@@ -44,4 +44,8 @@ private:
 int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act act, WorldBehind::Sense sense,
                   std::function<std::string(const std::string& line)> answer);
 
+/// The same for a device without a world. Words: MOUNT_POINT SOCKET.
+int be_fake_device(int count, char** words, ServedFiles& files,
+                   std::function<std::string(const std::string& line)> answer);
+
 }  // namespace nezumi::fakes

@@ -2,12 +2,15 @@
 #include "tests/fakes/fuse_folder.hpp"
 
 #include <fuse.h>
+#include <poll.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <set>
+#include <utility>
 
 namespace nezumi::fakes {
 namespace {
@@ -73,13 +76,17 @@ int open_file(const char* path, fuse_file_info* info) {
     std::uint64_t handle = 0;
     const int result = files().open(name_of(path), handle);
     info->fh = handle;
+    info->nonseekable = files().is_stream(name_of(path)) ? 1 : 0;
     return result;
 }
 
 int read_file(const char* path, char* buffer, std::size_t size, off_t offset, fuse_file_info* info) {
-    if (offset > 0) return 0;
+    const bool is_stream = files().is_stream(name_of(path));
+    if (offset > 0 && !is_stream) return 0;
     std::string text;
-    if (const int error = files().read(name_of(path), info->fh, text); error != 0) return error;
+    const int error =
+        is_stream ? files().read_on(name_of(path), info->fh, size, text) : files().read(name_of(path), info->fh, text);
+    if (error != 0) return error;
     const std::size_t length = std::min(size, text.size());
     std::memcpy(buffer, text.data(), length);
     return static_cast<int>(length);
@@ -87,6 +94,28 @@ int read_file(const char* path, char* buffer, std::size_t size, off_t offset, fu
 
 int write_file(const char* path, const char* text, std::size_t size, off_t /*offset*/, fuse_file_info* info) {
     return files().write(name_of(path), info->fh, {text, size});
+}
+
+int poll_file(const char* path, fuse_file_info* info, fuse_pollhandle* poller, unsigned* events) {
+    if (!files().is_stream(name_of(path))) {
+        if (poller != nullptr) fuse_pollhandle_destroy(poller);
+        *events = POLLIN | POLLOUT;
+        return 0;
+    }
+    std::function<void()> again;
+    if (poller != nullptr) {
+        // However it goes, the handle ends with the function that has it.
+        again = [its = std::shared_ptr<fuse_pollhandle>(poller, fuse_pollhandle_destroy)] {
+            fuse_notify_poll(its.get());
+        };
+    }
+    *events = files().poll(name_of(path), info->fh, std::move(again));
+    return 0;
+}
+
+int control_file(const char* path, int request, void* /*argument*/, fuse_file_info* info, unsigned /*flags*/,
+                 void* data) {
+    return files().control(name_of(path), info->fh, static_cast<unsigned>(request), data);
 }
 
 int truncate_file(const char* /*path*/, off_t /*size*/, fuse_file_info* /*info*/) { return 0; }
@@ -98,7 +127,9 @@ int serve_folder(const std::string& mount_point, ServedFiles& files, void (*read
     fuse_operations operations{};
     operations.getattr = get_attributes;
     operations.init = start;
+    operations.ioctl = control_file;
     operations.open = open_file;
+    operations.poll = poll_file;
     operations.read = read_file;
     operations.readdir = list;
     operations.truncate = truncate_file;

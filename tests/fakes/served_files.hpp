@@ -1,7 +1,9 @@
 // Files that somebody reads and writes, and a program answers: what is served as a folder.
 #pragma once
 
+#include <cerrno>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +26,23 @@ public:
     virtual int read(const std::string& name, std::uint64_t handle, std::string& text) = 0;
     /// How many bytes it took.
     virtual int write(const std::string& name, std::uint64_t handle, std::string_view text) = 0;
+
+    /// Whether it says one thing after the other, and has no places: `read_on` is called instead of `read`.
+    virtual bool is_stream(const std::string& /*name*/) const { return false; }
+    /// Takes at most `most` bytes of what it has said since the last call; -EAGAIN when it has said nothing: whoever
+    /// reads it waits by `poll`.
+    virtual int read_on(const std::string& /*name*/, std::uint64_t /*handle*/, std::size_t /*most*/,
+                        std::string& /*text*/) {
+        return -EINVAL;
+    }
+    /// What poll(2) says of a stream. `again` is to be called once when that has changed.
+    virtual unsigned poll(const std::string& /*name*/, std::uint64_t /*handle*/, std::function<void()> /*again*/) {
+        return 0;
+    }
+    /// An ioctl(2), with the data that its number says.
+    virtual int control(const std::string& /*name*/, std::uint64_t /*handle*/, unsigned /*request*/, void* /*data*/) {
+        return -ENOTTY;
+    }
 };
 
 }  // namespace nezumi::fakes

@@ -28,8 +28,30 @@ SystemSpec two_mice() {
 
 RobotEntry& robot(SystemSpec& spec, std::size_t index) { return std::get<RobotEntry>(spec.entries[index]); }
 
+decltype(Makers::components) devices() {
+    return {{"Camera", {{"camera", nullptr}}}, {"Joystick", {{"gamepad", nullptr}}}};
+}
+
+ComponentEntry& add_component(SystemSpec& spec, const char* name, const char* type, const char* on = "") {
+    ComponentEntry component;
+    component.name = name;
+    component.type = type;
+    component.on = on;
+    component.place = {"two.lua", 4};
+    spec.entries.emplace_back(component);
+    return std::get<ComponentEntry>(spec.entries.back());
+}
+
+std::string backend_of(const SystemSpec& spec, std::string_view name) {
+    for (const Entry& entry : spec.entries) {
+        const auto* component = std::get_if<ComponentEntry>(&entry);
+        if (component != nullptr && component->name == name) return component->backend;
+    }
+    return "no such component";
+}
+
 std::string refused(SystemSpec spec, const std::vector<std::string>& robots = {}) {
-    const auto chosen = choose_drivers(spec, robots);
+    const auto chosen = choose_drivers(spec, robots, devices());
     return chosen ? "" : describe(chosen.error());
 }
 
@@ -37,25 +59,26 @@ std::string refused(SystemSpec spec, const std::vector<std::string>& robots = {}
 
 TEST_CASE("each robot gets the driver of its model by --hw, and simulated ones are left alone", "[cli][hw]") {
     SystemSpec all = two_mice();
-    REQUIRE(choose_drivers(all, {}));
+    REQUIRE(choose_drivers(all, {}, devices()));
     CHECK(robot(all, 0).backend == "raspimouse");
     CHECK(robot(all, 1).backend == "raspimouse");
 
     SystemSpec one = two_mice();
-    REQUIRE(choose_drivers(one, {"second"}));
+    REQUIRE(choose_drivers(one, {"second"}, devices()));
     CHECK(robot(one, 0).backend.empty());
     CHECK(robot(one, 1).backend == "raspimouse");
 
     SystemSpec kept = two_mice();
     robot(kept, 0).backend = "sim";
     robot(kept, 1).backend = "other";
-    REQUIRE(choose_drivers(kept, {}));
+    REQUIRE(choose_drivers(kept, {}, devices()));
     CHECK(robot(kept, 0).backend == "sim");
     CHECK(robot(kept, 1).backend == "other");
 }
 
 TEST_CASE("what --hw can't make real is said at its line", "[cli][hw]") {
-    CHECK(refused(two_mice(), {"frist"}) == "--hw: there is no robot 'frist' in two.lua (did you mean 'first'?)");
+    CHECK(refused(two_mice(), {"frist"}) ==
+          "--hw: there is no robot or device 'frist' in two.lua (did you mean 'first'?)");
     SystemSpec toy = two_mice();
     robot(toy, 1).model = "toy";
     CHECK(
@@ -78,6 +101,50 @@ TEST_CASE("what --hw can't make real is said at its line", "[cli][hw]") {
     CHECK(refused(slow).empty());
 }
 
+TEST_CASE("devices are real by --hw as well, and what a robot carries is as real as the robot", "[cli][hw]") {
+    SystemSpec spec = two_mice();
+    add_component(spec, "stick", "Joystick");
+    add_component(spec, "eye", "Camera", "second");
+    add_component(spec, "finder", "MarkerDetector");
+    const auto chosen = [&](const std::vector<std::string>& names) {
+        SystemSpec trial = spec;
+        REQUIRE(choose_drivers(trial, names, devices()));
+        CHECK(backend_of(trial, "finder").empty());
+        return backend_of(trial, "stick") + "|" + backend_of(trial, "eye");
+    };
+    CHECK(chosen({}) == "gamepad|camera");
+    CHECK(chosen({"first"}) == "|");
+    CHECK(chosen({"second"}) == "|camera");
+    CHECK(chosen({"stick"}) == "gamepad|");
+    CHECK(chosen({"first", "stick"}) == "gamepad|");
+    robot(spec, 1).backend = "sim";
+    CHECK(chosen({}) == "gamepad|");
+}
+
+TEST_CASE("a device that its file keeps simulated stays so, and what it can't be is said at its line", "[cli][hw]") {
+    SystemSpec spec = two_mice();
+    add_component(spec, "stick", "Joystick").backend = "sim";
+    SystemSpec all = spec;
+    REQUIRE(choose_drivers(all, {}, devices()));
+    CHECK(backend_of(all, "stick") == "sim");
+    CHECK(refused(spec, {"stick"}) ==
+          "two.lua:4: component 'stick': --hw=stick wants the real one, and backend = \"sim\" keeps it simulated");
+    CHECK(refused(spec, {"stik"}) == "--hw: there is no robot or device 'stik' in two.lua (did you mean 'stick'?)");
+    add_component(spec, "finder", "MarkerDetector");
+    CHECK(refused(spec, {"finder"}).starts_with("--hw: there is no robot or device 'finder' in two.lua"));
+}
+
+TEST_CASE("a backend of a device that nobody knows is refused with the nearest one", "[cli][hw]") {
+    const Scratch scratch;
+    scratch.write("system.lua",
+                  "component 'stick' { type = 'Joystick', backend = 'gamepat' }\n"
+                  "robot 'mouse' { model = 'raspimouse', backend = 'sim' }\n");
+    const Outcome outcome = run_nezumi({"run", "system.lua", "--hw=stick", "--headless"}, scratch.path("").string());
+    CHECK(outcome.status == 2);
+    CHECK(outcome.error ==
+          "system.lua:1: component 'stick': there is no backend 'gamepat' (did you mean 'gamepad'?)\n");
+}
+
 TEST_CASE("options that real robots don't know are refused", "[cli][hw]") {
     const auto said = [](std::vector<std::string> words) {
         words.insert(words.begin(), {"run", "behaviors/systems/stop_at_wall.lua"});
@@ -93,7 +160,8 @@ TEST_CASE("options that real robots don't know are refused", "[cli][hw]") {
     CHECK(said({"--dev-root", "x"}) == "nezumi: --dev-root is for real robots: give --hw as well\n");
     CHECK(said({"--sys-root", "x"}) == "nezumi: --sys-root is for real robots: give --hw as well\n");
     CHECK(said({"--hw=moose", "--headless"}) ==
-          "nezumi: --hw: there is no robot 'moose' in behaviors/systems/stop_at_wall.lua (did you mean 'mouse'?)\n");
+          "nezumi: --hw: there is no robot or device 'moose' in behaviors/systems/stop_at_wall.lua (did you mean "
+          "'mouse'?)\n");
 }
 
 TEST_CASE("without its motors a real robot's run ends at once, and says what to do", "[cli][hw][safety]") {

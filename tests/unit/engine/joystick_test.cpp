@@ -97,3 +97,46 @@ TEST_CASE("a joystick that is not active is silent", "[engine][joystick]") {
     it.system.tick();
     CHECK(it.port("pos").count() == 0);
 }
+
+namespace {
+
+// A gamepad that says what a test wants.
+struct Told : Gamepad {
+    explicit Told(std::optional<GamepadState>& its_state) : told(its_state) {}
+    std::optional<GamepadState> state() override { return told; }
+    std::vector<std::string> take_faults() override { return {}; }
+    std::optional<GamepadState>& told;
+};
+
+}  // namespace
+
+TEST_CASE("a joystick with a gamepad asks for it anew when its parameters change", "[engine][joystick]") {
+    std::vector<GamepadSettings> opened;
+    std::optional<GamepadState> told = GamepadState{.x = 0.5, .y = -1, .axes = {0.5F, 1}, .buttons = {true}};
+    System system({}, {});
+    auto made = std::make_unique<Joystick>("stick", [&](const GamepadSettings& settings) {
+        opened.push_back(settings);
+        return std::make_unique<Told>(told);
+    });
+    Joystick& stick = *made;
+    REQUIRE(system.add(std::move(made)));
+    REQUIRE(stick.activate(system.now()));
+    system.tick();
+    const auto& pos = static_cast<const OutPort<Floats>&>(*stick.find_out_port("pos"));
+    CHECK(pos.read() == Floats{75, -150});
+    CHECK(static_cast<const OutPort<Floats>&>(*stick.find_out_port("axes")).read() == Floats{0.5F, 1});
+    told->stops = 1;
+    system.tick();
+    CHECK(stick.stops() == 1);
+    REQUIRE(stick.parameters().set("device", std::string("/dev/input/event4")));
+    told->stops = 0;
+    system.tick();
+    REQUIRE(opened.size() == 2);
+    CHECK(opened[1] == GamepadSettings{.device = "/dev/input/event4", .dead_man_button = "", .stop_button = ""});
+    CHECK(stick.stops() == 1);
+    told.reset();
+    const auto before = pos.count();
+    for (int i = 0; i < 10; ++i) system.tick();
+    CHECK(pos.count() == before + 1);
+    CHECK(pos.read() == Floats{0, 0});
+}

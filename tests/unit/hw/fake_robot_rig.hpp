@@ -31,18 +31,20 @@ namespace nezumi::hw {
 
 inline void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-/// A program beside the test that stands for a robot, with its nodes in `mount()`. Where there is no FUSE, the test is
+/// A program beside the test that stands for a robot, or without a `model` for another device, with its nodes in
+/// `mount()`. Where there is no FUSE, the test is
 /// skipped.
 class FakeRobot {
 public:
-    FakeRobot(const std::string& name, const std::string& model, const std::vector<std::string>& more) {
+    FakeRobot(const std::string& name, const std::string& model, const std::vector<std::string>& more = {}) {
         const std::string program = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
         if (access(program.c_str(), X_OK) != 0)
             throw std::runtime_error("SKIPPED: " + name + " was not built: is libfuse3-dev installed?");
         if (access("/dev/fuse", R_OK | W_OK) != 0)
             throw std::runtime_error("SKIPPED: FUSE is not to be had here: may this user open /dev/fuse?");
         std::filesystem::create_directory(mount());
-        std::vector<std::string> words{program, mount(), socket_path(), robot_file(model)};
+        std::vector<std::string> words{program, mount(), socket_path()};
+        if (!model.empty()) words.push_back(robot_file(model));
         words.insert(words.end(), more.begin(), more.end());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());

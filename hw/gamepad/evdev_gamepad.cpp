@@ -1,0 +1,252 @@
+// Finds a device that is a gamepad, and keeps up with its events.
+#include "hw/gamepad/evdev_gamepad.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <libevdev/libevdev.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "engine/base/error.hpp"
+#include "hw/device/clock.hpp"
+#include "hw/device/node.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+// What a gamepad or a joystick has, and neither a keyboard nor a mouse nor a touch pad.
+bool is_gamepad(libevdev* device) {
+    const auto has = [device](unsigned type, unsigned code) {
+        return libevdev_has_event_code(device, type, code) == 1;
+    };
+    return has(EV_ABS, ABS_X) && has(EV_ABS, ABS_Y) && (has(EV_KEY, BTN_GAMEPAD) || has(EV_KEY, BTN_JOYSTICK));
+}
+
+std::string with_advice(const NodeError& error) {
+    switch (error.code) {
+        case EACCES:
+        case EPERM:
+            return describe(error) + ": this user may not use it. Try: sudo adduser $USER input, and log in again";
+        case ENOENT:
+        case ENODEV:
+        case ENXIO: return describe(error) + ": it is unplugged: plug it in again";
+        default: return describe(error) + ": unplug it and plug it in again, and look at what dmesg says";
+    }
+}
+
+// "event7" is 7.
+std::optional<int> event_number(const std::string& name) {
+    constexpr std::string_view begin = "event";
+    int number = 0;
+    if (!name.starts_with(begin)) return std::nullopt;
+    const auto [end, error] = std::from_chars(name.data() + begin.size(), name.data() + name.size(), number);
+    if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+    return number;
+}
+
+// In the order of their numbers: the first is the one that was plugged in first.
+std::vector<std::string> event_nodes(const std::string& folder) {
+    std::vector<std::pair<int, std::string>> found;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (const auto number = event_number(entry->path().filename().string()))
+            found.emplace_back(*number, entry->path().string());
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<std::string> nodes;
+    for (auto& [number, node] : found) nodes.push_back(std::move(node));
+    return nodes;
+}
+
+std::string under(const std::string& dev, const std::string& device) {
+    constexpr std::string_view root = "/dev/";
+    return device.starts_with(root) ? fmt::format("{}/{}", dev, device.substr(root.size())) : device;
+}
+
+}  // namespace
+
+void EvdevGamepad::Close::operator()(libevdev* device) const {
+    const int file = libevdev_get_fd(device);
+    libevdev_free(device);
+    if (file >= 0) ::close(file);
+}
+
+double EvdevGamepad::Axis::at(int value) const {
+    const int middle = (least + most) / 2;
+    const double off = std::abs(value - middle), reach = value < middle ? middle - least : most - middle;
+    if (off <= flat || reach <= flat) return 0;
+    return std::min((off - flat) / (reach - flat), 1.0) * (value < middle ? -1 : 1);
+}
+
+EvdevGamepad::EvdevGamepad(const std::string& dev, const GamepadSettings& settings)
+    : folder_(dev + "/input"),
+      wanted_(under(dev, settings.device)),
+      dead_man_name_(settings.dead_man_button),
+      stop_name_(settings.stop_button) {}
+
+std::optional<GamepadState> EvdevGamepad::state() {
+    if (hangs(clock_seconds())) {
+        health_.lost(no_answer);
+        return std::nullopt;
+    }
+    const std::lock_guard lock(mutex_);
+    return state_;
+}
+
+std::vector<std::string> EvdevGamepad::take_faults() { return health_.take(); }
+
+int EvdevGamepad::watched_file() const { return device_ ? libevdev_get_fd(device_.get()) : -1; }
+
+tl::expected<EvdevGamepad::Device, std::string> EvdevGamepad::open(const std::string& node) const {
+    const int file = ::open(node.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) return tl::unexpected(with_advice({node, errno}));
+    libevdev* device = nullptr;
+    if (const int error = libevdev_new_from_fd(file, &device); error < 0) {
+        ::close(file);
+        return tl::unexpected(with_advice({node, -error}));
+    }
+    return Device(device);
+}
+
+tl::expected<unsigned, std::string> EvdevGamepad::button(const std::string& name) const {
+    const int code = libevdev_event_code_from_name(EV_KEY, name.c_str());
+    if (code >= 0 && libevdev_has_event_code(device_.get(), EV_KEY, static_cast<unsigned>(code)) == 1)
+        return static_cast<unsigned>(code);
+    std::vector<std::string_view> names;
+    for (const unsigned each : buttons_) {
+        if (const char* its_name = libevdev_event_code_get_name(EV_KEY, each)) names.emplace_back(its_name);
+    }
+    return tl::unexpected(fmt::format("{} ({}) is not used: it has no button '{}'; it has {}", node_,
+                                      shown(libevdev_get_name(device_.get())), shown(name), fmt::join(names, ", ")));
+}
+
+tl::expected<void, std::string> EvdevGamepad::take(Device device, const std::string& node) {
+    device_ = std::move(device);
+    node_ = node;
+    for (unsigned code = ABS_X; code < ABS_MT_SLOT; ++code) {
+        const input_absinfo* range = libevdev_get_abs_info(device_.get(), code);
+        if (range == nullptr) continue;
+        axes_.push_back({code, range->minimum, range->maximum, std::max(0, range->flat)});
+    }
+    for (unsigned code = BTN_MISC; code <= KEY_MAX; ++code) {
+        if (libevdev_has_event_code(device_.get(), EV_KEY, code) == 1) buttons_.push_back(code);
+    }
+    // A button that is to keep people safe and does not exist must not be found out when it is needed.
+    for (const auto& [name, code] : {std::pair(&dead_man_name_, &dead_man_), {&stop_name_, &stop_}}) {
+        if (name->empty()) continue;
+        const auto found = button(*name);
+        if (!found) return tl::unexpected(found.error());
+        *code = *found;
+    }
+    return {};
+}
+
+tl::expected<void, std::string> EvdevGamepad::find() {
+    if (!wanted_.empty()) {
+        auto device = open(wanted_);
+        if (!device) return tl::unexpected(device.error());
+        if (!is_gamepad(device->get()))
+            return tl::unexpected(fmt::format("{} ({}) is none: it has no stick or no buttons", wanted_,
+                                              shown(libevdev_get_name(device->get()))));
+        return take(std::move(*device), wanted_);
+    }
+    std::string why = fmt::format("none is plugged in: there is none in {}", folder_);
+    for (const std::string& node : event_nodes(folder_)) {
+        auto device = open(node);
+        if (!device) {
+            why = device.error();
+        } else if (is_gamepad(device->get())) {
+            return take(std::move(*device), node);
+        }
+    }
+    return tl::unexpected(why);
+}
+
+void EvdevGamepad::begin_anew() {
+    device_.reset();
+    axes_.clear();
+    buttons_.clear();
+    dead_man_.reset();
+    stop_.reset();
+    const std::lock_guard lock(mutex_);
+    state_.reset();
+}
+
+tl::expected<void, std::string> EvdevGamepad::read_events() {
+    unsigned flag = LIBEVDEV_READ_FLAG_NORMAL;
+    for (;;) {
+        input_event event{};
+        const int status = libevdev_next_event(device_.get(), flag, &event);
+        if (status == -EINTR) continue;
+        if (status == -EAGAIN) {
+            if (flag == LIBEVDEV_READ_FLAG_NORMAL) return {};
+            flag = LIBEVDEV_READ_FLAG_NORMAL;  // in step again
+            continue;
+        }
+        if (status < 0) return tl::unexpected(with_advice({node_, -status}));
+        // Events were lost: what has changed meanwhile comes as events of its own.
+        if (status == LIBEVDEV_READ_STATUS_SYNC) flag = LIBEVDEV_READ_FLAG_SYNC;
+        if (stop_ && event.type == EV_KEY && event.code == *stop_ && event.value == 1) ++stops_;
+    }
+}
+
+void EvdevGamepad::publish() {
+    GamepadState now;
+    const auto is_pressed = [this](unsigned code) {
+        return libevdev_get_event_value(device_.get(), EV_KEY, code) != 0;
+    };
+    for (const Axis& axis : axes_) {
+        const double at = axis.at(libevdev_get_event_value(device_.get(), EV_ABS, axis.code));
+        if (axis.code == ABS_X) now.x = at;
+        if (axis.code == ABS_Y) now.y = -at;  // Linux has it down
+        now.axes.push_back(static_cast<float>(at));
+    }
+    for (const unsigned code : buttons_) now.buttons.push_back(is_pressed(code));
+    now.is_released = dead_man_ && !is_pressed(*dead_man_);
+    now.is_stop_held = stop_ && is_pressed(*stop_);
+    now.stops = stops_;
+    const std::lock_guard lock(mutex_);
+    state_ = std::move(now);
+}
+
+double EvdevGamepad::run() {
+    auto ok = device_ ? tl::expected<void, std::string>() : find();
+    if (ok) ok = read_events();
+    if (!ok) {
+        begin_anew();
+        health_.lost(ok.error());
+        return search_period;
+    }
+    publish();
+    health_.works();
+    return search_period;
+}
+
+namespace {
+
+class WorkedGamepad final : public Gamepad {
+public:
+    explicit WorkedGamepad(std::shared_ptr<EvdevGamepad> gamepad) : gamepad_(std::move(gamepad)), worker_(gamepad_) {}
+    std::optional<GamepadState> state() override { return gamepad_->state(); }
+    std::vector<std::string> take_faults() override { return gamepad_->take_faults(); }
+
+private:
+    std::shared_ptr<EvdevGamepad> gamepad_;
+    Worker worker_;
+};
+
+}  // namespace
+
+std::unique_ptr<Gamepad> open_gamepad(const std::string& dev, const GamepadSettings& settings) {
+    return std::make_unique<WorkedGamepad>(std::make_shared<EvdevGamepad>(dev, settings));
+}
+
+}  // namespace nezumi::hw

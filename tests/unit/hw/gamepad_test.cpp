@@ -1,0 +1,276 @@
+// The gamepad's driver against event devices that behave as Linux has them.
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <fstream>
+
+#include "engine/devices/joystick.hpp"
+#include "hw/gamepad/evdev_gamepad.hpp"
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/hw/fake_robot_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::hw;
+
+namespace {
+
+using Floats = std::vector<float>;
+
+struct FakeGamepad : FakeRobot {
+    FakeGamepad() : FakeRobot("fake_gamepad", "") {}
+    void set(const std::string& name, int value) { REQUIRE(say("set " + name + " " + std::to_string(value)).empty()); }
+    DeviceRoots roots() const { return {.dev = mount(), .sys = ""}; }
+};
+
+// A joystick with the driver behind it, at 100 ticks a second of real time.
+struct DrivenStick {
+    explicit DrivenStick(const DeviceRoots& roots, const ParameterValues& config = {})
+        : system({.rate = 100, .real_time = true}, [this](const LogLine& line) { log.push_back(line.text); }) {
+        ComponentEntry entry;
+        entry.name = "stick";
+        auto made = device_drivers(roots).at("Joystick").at("gamepad")(entry, system);
+        REQUIRE(made);
+        stick = dynamic_cast<Joystick*>(made->get());
+        REQUIRE(stick->parameters().set_all(config));
+        REQUIRE(system.add(std::move(*made)));
+        REQUIRE(stick->activate(system.now()));
+    }
+    bool run(double seconds, const std::function<bool()>& until = nullptr) {
+        Pacer pacer(100, 1);
+        const double end = system.now().seconds + seconds;
+        while (system.now().seconds < end) {
+            pacer.wait();
+            system.tick();
+            if (until && until()) return true;
+        }
+        return !until;
+    }
+    template <class T = Floats>
+    const OutPort<T>& port(const char* name) const {
+        return static_cast<const OutPort<T>&>(*stick->find_out_port(name));
+    }
+    const Floats& pos() const { return port("pos").read(); }
+    bool points_to(const Floats& place, double within = 3) {
+        return run(within, [&] { return pos() == place; });
+    }
+    int times_said(const std::string& part) const {
+        return static_cast<int>(
+            std::count_if(log.begin(), log.end(), [&](const auto& line) { return line.find(part) != line.npos; }));
+    }
+    std::string all_log() const {
+        std::string all;
+        for (const auto& line : log) all += line + "\n";
+        return all;
+    }
+
+    std::vector<std::string> log;
+    System system;
+    Joystick* stick = nullptr;
+};
+
+// What a program that is not ours prints.
+std::string output_of(const std::string& command) {
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string text;
+    char buffer[4096];
+    while (const std::size_t length = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, length);
+    pclose(pipe);
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamepad][fakes][wallclock]") {
+    FakeGamepad fake;
+    DrivenStick driven(fake.roots());
+    REQUIRE(driven.points_to({0, 0}));
+    fake.set("ABS_X", 32767);
+    CHECK(driven.points_to({150, 0}));
+    fake.set("ABS_X", 128);  // a stick that is let go stands a little beside its middle
+    fake.set("ABS_Y", -32768);
+    CHECK(driven.points_to({0, 150}));
+    CHECK(driven.port("vel").read()[0] == Approx(150 * std::sqrt(0.5F)));
+    fake.set("ABS_X", -16448);
+    CHECK(driven.run(3, [&] { return std::abs(driven.pos()[0] + 75) < 0.1F; }));
+    fake.set("ABS_RZ", 255);
+    fake.set("ABS_HAT0X", 1);
+    CHECK(driven.run(3, [&] { return driven.port("axes").read().at(6) == 1; }));
+    CHECK(driven.port("axes").read().size() == 8);
+    CHECK(driven.port("axes").read()[1] == -1);  // as Linux has it: down is positive
+    CHECK(driven.port("axes").read()[2] == -1);  // ABS_Z, a trigger that nobody pulls
+    CHECK(driven.port("axes").read()[5] == 1);
+    fake.set("BTN_WEST", 1);
+    CHECK(driven.run(3, [&] { return driven.port<std::vector<bool>>("buttons").read().at(3); }));
+    CHECK(driven.port<std::vector<bool>>("buttons").read().size() == 11);
+    INFO(driven.all_log());
+    CHECK(driven.log.empty());
+}
+
+TEST_CASE("what a gamepad did while its events were lost is not missed", "[hw][gamepad][fakes][wallclock]") {
+    FakeGamepad fake;
+    DrivenStick driven(fake.roots());
+    fake.set("ABS_Y", -32768);
+    REQUIRE(driven.points_to({0, 150}));
+    CHECK(fake.say("unseen ABS_Y 0").empty());
+    CHECK(driven.points_to({0, 0}));
+}
+
+TEST_CASE("a gamepad that is unplugged sends the middle once, is silent, and is taken up again",
+          "[hw][gamepad][fakes][safety][wallclock]") {
+    FakeGamepad fake;
+    DrivenStick driven(fake.roots());
+    fake.set("ABS_Y", -32768);
+    REQUIRE(driven.points_to({0, 150}));
+    fake.say("unplug");
+    REQUIRE(driven.points_to({0, 0}, 0.5));
+    const auto count = driven.port("pos").count(), axes = driven.port("axes").count();
+    driven.run(1.5);
+    CHECK(driven.port("pos").count() == count);
+    CHECK(driven.port("axes").count() == axes);
+    INFO(driven.all_log());
+    CHECK(driven.times_said("gamepad: ") == 1);
+    CHECK(driven.times_said("input/event3: no such device: it is unplugged: plug it in again") == 1);
+    // Who holds the stick on the screen drives without it.
+    driven.stick->find_in_port("stick")->inject(Floats{0, 50});
+    CHECK(driven.points_to({0, 50}, 0.1));
+    CHECK(driven.points_to({0, 0}, 0.1));
+
+    fake.say("plug");
+    CHECK(driven.run(EvdevGamepad::search_period + 0.5, [&] { return driven.times_said("gamepad: back again") == 1; }));
+    fake.set("ABS_X", 32767);
+    CHECK(driven.points_to({150, 0}));
+}
+
+TEST_CASE("without a gamepad the run goes on, and says what is missing", "[hw][gamepad][fakes][wallclock]") {
+    FakeGamepad fake;
+    fake.say("unplug");
+    DrivenStick driven(fake.roots());
+    driven.run(1.5);
+    CHECK(driven.port("pos").count() == 0);
+    CHECK(driven.all_log() == "gamepad: none is plugged in: there is none in " + fake.mount() + "/input\n");
+    fake.say("plug");
+    CHECK(driven.points_to({0, 0}));
+}
+
+TEST_CASE("a stick with a dead-man button counts only while that is held", "[hw][gamepad][fakes][safety][wallclock]") {
+    FakeGamepad fake;
+    DrivenStick driven(fake.roots(), {{"dead_man_button", std::string("BTN_TL")}});
+    fake.set("ABS_Y", -32768);
+    REQUIRE(driven.run(3, [&] { return driven.port("axes").count() > 0 && driven.port("axes").read()[1] == -1; }));
+    CHECK(driven.pos() == Floats{0, 0});
+    fake.set("BTN_TL", 1);
+    CHECK(driven.points_to({0, 150}));
+    fake.set("BTN_TL", 0);
+    CHECK(driven.points_to({0, 0}));
+    CHECK(driven.port("axes").read()[1] == -1);
+}
+
+TEST_CASE("the button for emergency stops counts each time it is pressed, and its stick no longer",
+          "[hw][gamepad][fakes][safety][wallclock]") {
+    FakeGamepad fake;
+    DrivenStick driven(fake.roots(), {{"stop_button", std::string("BTN_SELECT")}});
+    fake.set("ABS_Y", -32768);
+    REQUIRE(driven.points_to({0, 150}));
+    fake.set("BTN_SELECT", 1);
+    CHECK(driven.run(3, [&] { return driven.stick->stops() == 1; }));
+    CHECK(driven.points_to({0, 0}));
+    fake.set("BTN_SELECT", 0);
+    CHECK(driven.points_to({0, 150}));
+    CHECK(fake.say("unseen BTN_SELECT 1").empty());  // its event was lost
+    CHECK(driven.run(3, [&] { return driven.stick->stops() == 2; }));
+}
+
+TEST_CASE("a gamepad without a button that keeps people safe is not used, and the button named",
+          "[hw][gamepad][fakes][safety][wallclock]") {
+    FakeGamepad fake;
+    DrivenStick driven(fake.roots(), {{"dead_man_button", std::string("BTN_TL2")}});
+    REQUIRE(driven.run(3, [&] { return !driven.log.empty(); }));
+    CHECK(driven.log[0] ==
+          "gamepad: " + fake.mount() +
+              "/input/event3 (Microsoft X-Box 360 pad) is not used: it has no button 'BTN_TL2'; it has "
+              "BTN_SOUTH, BTN_EAST, BTN_NORTH, BTN_WEST, BTN_TL, BTN_TR, BTN_SELECT, BTN_START, "
+              "BTN_MODE, BTN_THUMBL, BTN_THUMBR");
+    CHECK(driven.port("pos").count() == 0);
+}
+
+TEST_CASE("a gamepad is the one that was asked for, and what it lacks is said", "[hw][gamepad][fakes][wallclock]") {
+    FakeGamepad fake;
+    const auto told = [&](const std::string& device) {
+        DrivenStick driven(fake.roots(), {{"device", device}});
+        driven.run(3, [&] { return !driven.log.empty() || driven.port("pos").count() > 0; });
+        return driven.all_log();
+    };
+    CHECK(told("/dev/input/event3").empty());
+    CHECK(told("/dev/input/event0") ==
+          "gamepad: " + fake.mount() + "/input/event0 (Plain Keyboard) is none: it has no stick or no buttons\n");
+    CHECK(told("/dev/input/event9") == "gamepad: " + fake.mount() +
+                                           "/input/event9: no such file or directory: it is unplugged: plug it in "
+                                           "again\n");
+    fake.say("fault denied");
+    CHECK(told("") == "gamepad: " + fake.mount() +
+                          "/input/event3: permission denied: this user may not use it. Try: sudo adduser $USER input, "
+                          "and log in again\n");
+}
+
+TEST_CASE("a gamepad that fails or hangs lets go of its stick, and is taken up again",
+          "[hw][gamepad][fakes][safety][wallclock]") {
+    const std::string fault = GENERATE("eio", "hang");
+    FakeGamepad fake;
+    DrivenStick driven(fake.roots());
+    fake.set("ABS_Y", -32768);
+    REQUIRE(driven.points_to({0, 150}));
+    CHECK(fake.say("fault " + fault).empty());
+    INFO(fault);
+    CHECK(driven.points_to({0, 0}, 2));
+    const auto count = driven.port("pos").count();
+    driven.run(0.3);
+    CHECK(driven.port("pos").count() == count);
+    CHECK(driven.times_said("gamepad: ") == 1);
+    fake.say("heal");
+    CHECK(driven.points_to({0, 150}));
+}
+
+TEST_CASE("a program that is not ours reads the fake gamepad as a gamepad", "[hw][gamepad][fakes][wallclock]") {
+    if (std::system("command -v evtest > /dev/null") != 0)
+        throw std::runtime_error("SKIPPED: evtest is not installed: sudo apt install evtest");
+    FakeGamepad fake;
+    const std::string device = fake.mount() + "/input/event3";
+    std::thread mover([&] {
+        for (int i = 1; i <= 8; ++i) {
+            sleep_for(0.1);
+            fake.set("ABS_Y", 1000 * i);
+        }
+    });
+    const std::string text = output_of("timeout -s INT 1 evtest " + device + " 2>&1");
+    mover.join();
+    INFO(text);
+    CHECK(text.find("Input device name: \"Microsoft X-Box 360 pad\"") != text.npos);
+    CHECK(text.find("Event code 0 (ABS_X)") != text.npos);
+    CHECK(text.find("Min   -32768") != text.npos);
+    CHECK(text.find("type 3 (EV_ABS), code 1 (ABS_Y), value ") != text.npos);
+}
+
+TEST_CASE("a real gamepad drives a simulated mouse by --hw, and its button stops all robots",
+          "[hw][gamepad][run][fakes][safety][wallclock]") {
+    FakeGamepad fake;
+    fake.folder.write("system.lua",
+                      "robot 'mouse' { model = 'raspimouse' }\n"
+                      "component 'stick' { type = 'Joystick', config = { stop_button = 'BTN_SELECT' } }\n"
+                      "behavior 'converter' { script = 'float_seq_to_velocity' }\n"
+                      "connect('stick.pos', 'converter.in')\nconnect('converter.out', 'mouse.target_velocity_in')\n");
+    fake.set("ABS_Y", -32768);
+    Program program({"run", "system.lua", "--hw=stick", "--headless", "--dev-root", fake.mount(), "--duration", "4",
+                     "--record", "x.csv", "--ports", "mouse.truth.pose.position.x,mouse.truth.velocity.vx"},
+                    fake.folder.path("").string());
+    sleep_for(2.5);
+    fake.set("BTN_SELECT", 1);
+    CHECK(program.wait_for_error("emergency stop (joystick stick): rearm() lets the robots drive again", 10));
+    REQUIRE(program.wait() == 0);
+    std::ifstream file(fake.folder.path("x.csv"));
+    std::string row;
+    for (std::string line; std::getline(file, line);) row = line;
+    INFO(row);
+    const auto comma = row.rfind(','), before = row.rfind(',', comma - 1);
+    CHECK(std::stod(row.substr(before + 1)) > 0.2);
+    CHECK(std::abs(std::stod(row.substr(comma + 1))) < 0.001);
+}
