@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "bindings/console/words.hpp"
 
@@ -77,7 +78,12 @@ Expected<WordEnd> word_speed(Session::Parts& parts, const Arguments& arguments) 
 
 Expected<WordEnd> word_restart(Session::Parts& parts, const Arguments&) {
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
-    if (auto ok = parts.act(Restart{}); !ok) return Unexpected(ok.error());
+    const auto attempt = parts.at_system([&] { return parts.live.try_restart(); });
+    if (!attempt) return failure("interrupted");
+    if (auto ok = attempt(); !ok) return Unexpected(ok.error());
+    const auto restarted = parts.at_system([&] { return std::make_optional(parts.act(Restart{})); });
+    if (!restarted) return failure("interrupted");
+    if (!*restarted) return Unexpected(restarted->error());
     parts.show("started anew, time is 0");
     return WordEnd::done;
 }

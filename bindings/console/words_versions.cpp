@@ -36,14 +36,21 @@ const ScriptComponent* changed_last(const System& system) {
 }  // namespace
 
 Expected<WordEnd> word_reload(Session::Parts& parts, const Arguments&) {
-    std::vector<std::string> files = parts.live.changed_files();
+    const auto look = parts.at_system([&] { return parts.live.look_for_changes(); });
+    if (!look) return failure("interrupted");
+    std::vector<std::string> files = look();
     if (files.empty()) {
         parts.show("no script has changed");
         return WordEnd::done;
     }
-    const auto report = parts.act(Reload{.files = std::move(files)});
-    if (!report) return Unexpected(report.error());
-    parts.show(report_text(parts.live.system(), *report));
+    const auto text = parts.at_system([&]() -> std::optional<Expected<std::string>> {
+        const auto report = parts.act(Reload{.files = std::move(files)});
+        if (!report) return Unexpected(report.error());
+        return report_text(parts.live.system(), *report);
+    });
+    if (!text) return failure("interrupted");
+    if (!*text) return Unexpected(text->error());
+    parts.show(**text);
     return WordEnd::done;
 }
 

@@ -46,10 +46,12 @@ connect("controller.out", "mouse.target_velocity_in")
 
 struct LiveRig {
     explicit LiveRig(const std::string& system = counter_system,
-                     const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}}) {
+                     const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}},
+                     const ProjectFiles& files = disk()) {
         for (const auto& [name, text] : behaviors) folder.write("behaviors/" + name + ".lua", text);
         file = folder.write("system.lua", system);
         LiveOptions options;
+        options.files = &files;
         options.installed = {source_root()};
         options.world = sim::make_world;
         options.components = {{"Joystick", {{"sim", make_joystick}}}};

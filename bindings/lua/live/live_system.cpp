@@ -278,6 +278,28 @@ const System& LiveSystem::system() const { return *running_->system; }
 const SystemSpec& LiveSystem::spec() const { return running_->spec; }
 std::vector<std::string> LiveSystem::changed_files() const { return running_->reloader->changed_files(); }
 
+std::function<std::vector<std::string>()> LiveSystem::look_for_changes() const {
+    return [files = running_->reloader->loaded_files(), project = project_] {
+        return Reloader::changed(files, [&project](const std::string& path) { return project.read_source(path); });
+    };
+}
+
+std::function<Expected<void>()> LiveSystem::try_restart() const {
+    return
+        [look = look_for_changes(), file = file_, project = project_, seed = options_.build.seed]() -> Expected<void> {
+            look();
+            if (file.empty()) return {};
+            const auto spec = read_system_file(file, project, {.seed = seed});
+            if (!spec) return Unexpected(spec.error());
+            for (const Entry& entry : spec->entries) {
+                // What is wrong with a script is the act's to say.
+                if (const auto* behavior = std::get_if<BehaviorEntry>(&entry))
+                    static_cast<void>(project.read_source(behavior->path));
+            }
+            return {};
+        };
+}
+
 std::uint64_t LiveSystem::trace_hash() const {
     const std::uint64_t hash = running_->hash.value();
     return hash_before_ ? mix(*hash_before_, hash) : hash;

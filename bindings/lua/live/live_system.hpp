@@ -107,6 +107,12 @@ public:
     const LiveOptions& options() const { return options_; }
     /// Scripts and modules that have changed since they were loaded, as `Reload` takes them.
     std::vector<std::string> changed_files() const;
+    // Files that do not answer must keep no tick. What follows is asked for between two ticks and called in a thread
+    // that may wait, before the act.
+    /// `changed_files`.
+    std::function<std::vector<std::string>()> look_for_changes() const;
+    /// Reads what `Restart` reads. The error is the system file's.
+    std::function<Expected<void>()> try_restart() const;
     /// Of everything since the start; after a restart, of that and of what the start before came to.
     std::uint64_t trace_hash() const;
     /// What it carries, over restarts.

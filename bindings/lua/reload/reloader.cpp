@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
+#include <set>
 
 namespace nezumi {
 namespace {
@@ -43,6 +45,12 @@ std::vector<ScriptComponent*> Reloader::scripts() const {
 
 std::vector<ScriptFile> Reloader::files() const {
     std::vector<ScriptFile> all = attempted_;
+    std::ranges::copy(loaded_files(), std::back_inserter(all));
+    return all;
+}
+
+std::vector<ScriptFile> Reloader::loaded_files() const {
+    std::vector<ScriptFile> all;
     for (const ScriptComponent* component : scripts()) {
         all.push_back(component->script().file());
         const auto& modules = component->script().modules();
@@ -117,20 +125,13 @@ Expected<ReloadReport> Reloader::reload(ScriptComponent& component, const Source
     return run(changes);
 }
 
-std::vector<std::string> Reloader::changed_files() const {
-    std::map<std::string, bool> changed;
+std::vector<std::string> Reloader::changed(const std::vector<ScriptFile>& files, const Reader& read) {
+    std::set<std::string> seen;
     std::vector<std::string> paths;
-    const auto look = [&](const ScriptFile& file) {
-        const auto [known, is_new] = changed.try_emplace(file.path, false);
-        if (is_new) {
-            const auto now = read_(file.path);
-            known->second = !now || ScriptFile(*now).hash != file.hash;
-        }
-        if (known->second && !contains(paths, file.path)) paths.push_back(file.path);
-    };
-    for (ScriptComponent* component : scripts()) {
-        look(component->script().file());
-        for (const ScriptFile& module : component->script().modules()) look(module);
+    for (const ScriptFile& file : files) {
+        if (!seen.insert(file.path).second) continue;
+        const auto now = read(file.path);
+        if (!now || ScriptFile(*now).hash != file.hash) paths.push_back(file.path);
     }
     return paths;
 }

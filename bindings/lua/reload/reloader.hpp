@@ -32,14 +32,19 @@ public:
     /// Reloads a component, and the others of its file, from this text.
     Expected<ReloadReport> reload(ScriptComponent& component, const SourceText& source);
     /// The scripts and modules whose files have changed since they were loaded, or can't be read.
-    std::vector<std::string> changed_files() const;
+    std::vector<std::string> changed_files() const { return changed(loaded_files(), read_); }
+    /// Of these files, those that hold something else now or can't be read. In any thread: who may wait for a file
+    /// system that does not answer asks this.
+    static std::vector<std::string> changed(const std::vector<ScriptFile>& files, const Reader& read);
     /// Takes a component, and those that came to their version with it, back to the version before, state included.
     Expected<ReloadReport> rollback(ScriptComponent& component);
 
     /// After every tick: takes back what has failed on probation.
     void after_tick();
 
-    /// All files that the scripts of the system come from, modules too, and those that a refused version required.
+    /// All files that the scripts of the system come from, modules too.
+    std::vector<ScriptFile> loaded_files() const;
+    /// The same, and those that a refused version required.
     std::vector<ScriptFile> files() const;
 
     /// A version to be loaded only to see whether it can be, with copies of all that it needs.
