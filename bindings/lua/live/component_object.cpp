@@ -161,17 +161,17 @@ int command(lua_State* L) {
 }
 
 // What a script shows as plain data; other components show an empty table.
-Expected<Answer> data_of(const Component& component, std::string_view word) {
-    PlainData data;
+Expected<PlainLook> data_of(const Component& component, std::string_view word, const PlainLimit& limit) {
+    PlainLook look;
     if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
-        auto copy = word == "state" ? script->copy_state() : script->describe_tasks();
-        if (!copy) return Unexpected(copy.error());
-        data = std::move(*copy);
+        if (word == "state") return script->look_at_state(limit);
+        look.data = script->describe_tasks();
     } else {
-        data.values.emplace_back(PlainData::TableRef{0});
-        data.tables.emplace_back();
+        look.data.values.emplace_back(PlainData::TableRef{0});
+        look.data.tables.emplace_back();
     }
-    return Answer{LockedValue{fmt::format("{}.{}", component.name(), word), std::move(data)}};
+    look.whole = look.data.tables.size();
+    return look;
 }
 
 Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::string_view word) {
@@ -189,7 +189,11 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
     if (word == "type") return Answer{component.type()};
     if (word == "status") return now_in(at);
     if (word == "version") return Answer{std::int64_t{component.version()}};
-    if (word == "state" || word == "tasks") return data_of(component, word);
+    if (word == "state" || word == "tasks") {
+        auto look = data_of(component, word, ObjectAccess::look_limit(*ref.objects));
+        if (!look) return Unexpected(look.error());
+        return Answer{LockedValue{fmt::format("{}.{}", component.name(), word), std::move(*look)}};
+    }
     if (word == "sets") {
         std::vector<std::string> names;
         for (const auto& [name, values] : component.sets) names.push_back(name);

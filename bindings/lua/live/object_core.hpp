@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <lua.hpp>
 #include <map>
 #include <string>
@@ -50,7 +51,7 @@ struct MethodName {
 /// A table that can be read and not changed; `name` is what messages call it.
 struct LockedValue {
     std::string name;
-    std::variant<ParameterValue, PlainData, std::map<std::string, double>, AnyPayload> value;
+    std::variant<ParameterValue, PlainLook, std::map<std::string, double>, AnyPayload> value;
     std::string why{};  ///< of a payload: why setting a part of it has no effect, and what has
 };
 
@@ -79,6 +80,11 @@ struct ObjectAccess {
         Expected<Answer> got = failure("interrupted");
         objects.visit_([&] { got = body(); });
         return got;
+    }
+    /// Where there are no ticks beside, all may be copied.
+    static PlainLimit look_limit(const Objects& objects) {
+        constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+        return objects.visit_ ? PlainLimit{} : PlainLimit{all, all};
     }
     static void note_look(const Objects& objects, const PortAt& port) {
         if (objects.look_) objects.look_(port);

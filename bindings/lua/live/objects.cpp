@@ -140,7 +140,7 @@ int push_locked(lua_State* L, const LockedValue& locked) {
     }
     if (const auto* parameter = std::get_if<ParameterValue>(&locked.value)) {
         push_parameter(L, *parameter);
-    } else if (const auto* data = std::get_if<PlainData>(&locked.value)) {
+    } else if (const auto* data = std::get_if<PlainLook>(&locked.value)) {
         push_plain(L, *data);
     } else {
         lua_newtable(L);

@@ -252,7 +252,9 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     return results;
 }
 
-Expected<PlainData> Script::take_state(std::vector<Dropped>& dropped) {
+// `body` finds the table on top of the stack.
+template <class Body>
+std::invoke_result_t<Body, lua_State*> Script::with_state(Body&& body) {
     lua_State* L = lua_->lua();
     const int before = lua_gettop(L);
     auto pushed = protect(L, context_.budget, [](lua_State* inside) {
@@ -260,9 +262,17 @@ Expected<PlainData> Script::take_state(std::vector<Dropped>& dropped) {
         return 1;
     });
     if (!pushed) return Unexpected(to_error(pushed.error()));
-    auto data = take_plain(L, 1, context_.budget, {"state"}, dropped);
+    auto result = body(L);
     lua_settop(L, before);
-    return data;
+    return result;
+}
+
+Expected<PlainData> Script::take_state(std::vector<Dropped>& dropped) {
+    return with_state([&](lua_State* L) { return take_plain(L, 1, context_.budget, {"state"}, dropped); });
+}
+
+Expected<PlainLook> Script::look_at_state(const PlainLimit& limit) {
+    return with_state([&](lua_State* L) { return look_at_plain(L, context_.budget, limit); });
 }
 
 // Locals are new after a reload, and on_activated, which may have set them, does not run again.

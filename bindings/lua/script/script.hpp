@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -133,6 +134,8 @@ public:
     Expected<PlainData> call_command(std::string_view name, const PlainData& arguments);
     /// A copy of the script's `state`; what is no plain data is listed in `dropped`.
     Expected<PlainData> take_state(std::vector<Dropped>& dropped);
+    /// As much of `state` as a limit allows.
+    Expected<PlainLook> look_at_state(const PlainLimit& limit);
 
     /// [bytes] that its Lua state uses.
     std::size_t memory() const { return lua_->memory(); }
@@ -184,6 +187,8 @@ private:
     };
 
     Script(const SourceText& source, ScriptContext context);
+    template <class Body>
+    std::invoke_result_t<Body, lua_State*> with_state(Body&& body);
     Expected<void> run_top_level(const SourceText& source);
     Expected<void> check_loading(std::string_view word) const;
     Expected<void> check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const;

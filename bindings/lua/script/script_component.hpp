@@ -26,8 +26,9 @@ public:
     /// The commands that its script gives, callable as `name:command(...)`.
     const std::vector<CommandDeclaration>& commands() const { return script_->commands(); }
     Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now) override;
-    /// A copy of the script's `state`, for a look at it; what is no plain data is left out.
+    /// A copy of the script's `state`; what is no plain data is left out.
     Expected<PlainData> copy_state() const;
+    Expected<PlainLook> look_at_state(const PlainLimit& limit) const { return script_->look_at_state(limit); }
     /// Its tasks by name, for a look at them: `status`, `since`, and of those that wait `waiting` and `line`.
     PlainData describe_tasks() const { return script_->tasks().describe(now().seconds); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;

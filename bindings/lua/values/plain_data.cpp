@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -71,6 +72,11 @@ struct Taker {
     std::vector<Value> keys;                               // of the table at hand
     Origin origin;                                         // of the value at hand
 
+    // What may still be taken.
+    PlainLimit left{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
+    bool too_much = false;  // more than that
+    std::size_t whole = 0;  // tables that have been taken
+
     int work_list = 0;  // stack index of a Lua table: data.tables[i - 1] is at i
 
     // "state.a.b"; of a very long path its end.
@@ -112,6 +118,9 @@ struct Taker {
             case LUA_TSTRING: {
                 std::size_t size = 0;
                 const char* text = lua_tolstring(L, index, &size);
+                too_much = too_much || size > left.text;
+                if (too_much) return true;
+                left.text -= size;
                 out = std::string(text, size);
                 return true;
             }
@@ -145,6 +154,8 @@ struct Taker {
         lua_pushnil(L);
         while (lua_next(L, table) != 0) {
             lua_pop(L, 1);
+            too_much = too_much || keys.size() >= left.values;
+            if (too_much) break;
             Value key;
             if (scalar(L, -1, key)) {
                 keys.push_back(std::move(key));
@@ -154,8 +165,10 @@ struct Taker {
         }
         if (bad_key)
             dropped.push_back({path_of(origins[index]), "a table with a key that is a table, a function or an object"});
+        left.values -= keys.size();
         std::sort(keys.begin(), keys.end(), key_before);
         for (Value& key : keys) {
+            if (too_much) break;
             push_scalar(L, key);
             lua_rawget(L, table);
             origin = {.table = index, .key = key};
@@ -192,23 +205,108 @@ struct Taker {
             lua_pushvalue(L, i + 2);
             self.data.values.push_back(self.take(L));
         }
-        for (std::size_t i = 0; i < self.data.tables.size(); ++i) self.take_fields(L, i);
+        for (; self.whole < self.data.tables.size(); ++self.whole) {
+            self.take_fields(L, self.whole);
+            if (self.too_much) return 0;
+        }
         return 0;
     }
 };
+
+// Takes the topmost `count` values.
+Expected<void> run(Taker& taker, lua_State* L, int count, Budget budget) {
+    const int first = lua_gettop(L) - count + 1;
+    if (lua_checkstack(L, count + 4) == 0) return failure("not enough memory");
+    lua_pushcfunction(L, Taker::run);
+    lua_pushlightuserdata(L, &taker);
+    for (int i = 0; i < count; ++i) lua_pushvalue(L, first + i);
+    if (auto ok = protected_call(L, count + 1, 0, budget); !ok) return Unexpected(ok.error());
+    return {};
+}
+
+constexpr const char* kLeftOut = "left out: more than a look takes";
+
+int refuse_look(lua_State* L) {
+    return luaL_error(L,
+                      "this table was left out, so that no tick is late: a look takes %d values at most; a command of "
+                      "the script can return a part",
+                      static_cast<int>(PlainLimit{}.values));
+}
+
+int say_left_out(lua_State* L) { return lua_pushfstring(L, "(%s)", kLeftOut), 1; }
+
+// No table, so that nobody takes it for an empty one.
+void push_left_out(lua_State* L) {
+    lua_newuserdatauv(L, 0, 0);
+    if (luaL_newmetatable(L, kLeftOut) != 0) {
+        for (const char* event : {"__index", "__newindex", "__len", "__pairs"}) {
+            lua_pushcfunction(L, refuse_look);
+            lua_setfield(L, -2, event);
+        }
+        lua_pushcfunction(L, say_left_out);
+        lua_setfield(L, -2, "__tostring");
+        lua_pushboolean(L, 0);
+        lua_setfield(L, -2, "__metatable");
+    }
+    lua_setmetatable(L, -2);
+}
+
+void push(lua_State* L, const PlainData& data, std::size_t whole) {
+    luaL_checkstack(L, static_cast<int>(data.values.size()) + 8, nullptr);
+    const auto push_value = [&](const Value& value, int tables) {
+        if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
+            lua_rawgeti(L, tables, static_cast<lua_Integer>(ref->index + 1));
+        } else {
+            Taker::push_scalar(L, value);
+        }
+    };
+    lua_createtable(L, static_cast<int>(data.tables.size()), 0);
+    const int tables = lua_gettop(L);
+    for (std::size_t i = 0; i < data.tables.size(); ++i) {
+        if (i < whole) {
+            lua_newtable(L);
+        } else {
+            push_left_out(L);
+        }
+        lua_rawseti(L, tables, static_cast<lua_Integer>(i + 1));
+    }
+    for (std::size_t i = 0; i < std::min(whole, data.tables.size()); ++i) {
+        lua_rawgeti(L, tables, static_cast<lua_Integer>(i + 1));
+        for (const auto& [key, value] : data.tables[i]) {
+            push_value(key, tables);
+            push_value(value, tables);
+            lua_rawset(L, -3);
+        }
+        lua_pop(L, 1);
+    }
+    for (const Value& value : data.values) push_value(value, tables);
+    lua_remove(L, tables);
+}
 
 }  // namespace
 
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped) {
-    const int first = lua_gettop(L) - count + 1;
-    if (lua_checkstack(L, count + 4) == 0) return failure("not enough memory");
     Taker taker{.names = names, .dropped = dropped, .data = {}, .origins = {}, .indices = {}, .keys = {}, .origin = {}};
-    lua_pushcfunction(L, Taker::run);
-    lua_pushlightuserdata(L, &taker);
-    for (int i = 0; i < count; ++i) lua_pushvalue(L, first + i);
-    if (auto ok = protected_call(L, count + 1, 0, budget); !ok) return Unexpected(ok.error());
+    if (auto ok = run(taker, L, count, budget); !ok) return Unexpected(ok.error());
     return std::move(taker.data);
+}
+
+Expected<PlainLook> look_at_plain(lua_State* L, Budget budget, const PlainLimit& limit) {
+    const std::vector<std::string> names{""};
+    std::vector<Dropped> dropped;
+    Taker taker{.names = names,
+                .dropped = dropped,
+                .data = {},
+                .origins = {},
+                .indices = {},
+                .keys = {},
+                .origin = {},
+                .left = limit};
+    if (auto ok = run(taker, L, 1, budget); !ok) return Unexpected(ok.error());
+    // Half a table would be another half in every run.
+    for (std::size_t i = taker.whole; i < taker.data.tables.size(); ++i) taker.data.tables[i].clear();
+    return PlainLook{std::move(taker.data), taker.whole};
 }
 
 void visit_plain(const PlainData& data, const LeafVisitor& visit) {
@@ -245,32 +343,8 @@ void visit_plain(const PlainData& data, const LeafVisitor& visit) {
         visit_table(visit_table, first->index, LeafPath{}, 1);
 }
 
-void push_plain(lua_State* L, const PlainData& data) {
-    luaL_checkstack(L, static_cast<int>(data.values.size()) + 6, nullptr);
-    const auto push = [&](const Value& value, int tables) {
-        if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
-            lua_rawgeti(L, tables, static_cast<lua_Integer>(ref->index + 1));
-        } else {
-            Taker::push_scalar(L, value);
-        }
-    };
-    lua_createtable(L, static_cast<int>(data.tables.size()), 0);
-    const int tables = lua_gettop(L);
-    for (std::size_t i = 0; i < data.tables.size(); ++i) {
-        lua_newtable(L);
-        lua_rawseti(L, tables, static_cast<lua_Integer>(i + 1));
-    }
-    for (std::size_t i = 0; i < data.tables.size(); ++i) {
-        lua_rawgeti(L, tables, static_cast<lua_Integer>(i + 1));
-        for (const auto& [key, value] : data.tables[i]) {
-            push(key, tables);
-            push(value, tables);
-            lua_rawset(L, -3);
-        }
-        lua_pop(L, 1);
-    }
-    for (const Value& value : data.values) push(value, tables);
-    lua_remove(L, tables);
-}
+void push_plain(lua_State* L, const PlainData& data) { push(L, data, data.tables.size()); }
+
+void push_plain(lua_State* L, const PlainLook& look) { push(L, look.data, look.whole); }
 
 }  // namespace nezumi

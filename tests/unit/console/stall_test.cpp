@@ -135,3 +135,29 @@ TEST_CASE("a line that fills the output waits for it, and the ticks do not", "[c
     CHECK(flood.ticks >= 10);
     CHECK(it.shown.find("! interrupted") != std::string::npos);
 }
+
+TEST_CASE("a look at a state of a hundred thousand values takes no time of the ticks, and small parts of it are seen",
+          "[console][stall][wallclock]") {
+    const std::string large = GENERATE(
+        as<std::string>(), "for i = 1, 300000 do state.large[i] = i end",
+        "for i = 1, 30000 do state.large['k' .. i] = 'v' .. i end", "for i = 1, 30000 do state.large[i] = { i } end",
+        "state.large.text = ('x'):rep(10000000)", "local t = state.large for i = 1, 30000 do t.t = {} t = t.t end");
+    const std::string behavior = counter_behavior +
+                                 "state.large = {} state.grid = {} for i = 1, 50 do state.grid[i] = " +
+                                 "{} for j = 1, 50 do state.grid[i][j] = j end end " + large + "\n";
+    const std::string left_out = "left out, so that no tick is late: a look takes 4000 values at most";
+    const auto [line, answer] = GENERATE_COPY(table<std::string, std::string>(
+        {{"return controller.state.count", "0"},
+         {"local g = controller.state.grid return #g", "50"},
+         {"return #controller.state.large", large.find("t.t") != std::string::npos ? "0" : left_out},
+         {"return tostring(controller.state.large)", ""},
+         {"return controller.state", "count = 0"}}));
+    CAPTURE(large, line);
+    double spent = 1e9;
+    for (int attempt = 0; attempt < 4 && spent >= most_of_a_line; ++attempt) {
+        SessionRig it(counter_system, {{"counter", behavior}});
+        spent = run(it, line, std::chrono::milliseconds(20'000)).spent;
+        CHECK(it.shown.find(answer) != std::string::npos);
+    }
+    CHECK(spent < most_of_a_line);
+}

@@ -103,3 +103,49 @@ TEST_CASE("the leaves of a table are visited by their paths, and a table within 
     visit_plain(take("return 3"), count);
     visit_plain(take("return"), count);
 }
+
+TEST_CASE("a look takes whole tables as far as its limit goes, the nearest first", "[lua][plain]") {
+    auto state = create_sandbox().value();
+    lua_State* L = state->lua();
+    const auto look = [&](const std::string& text, const PlainLimit& limit) {
+        lua_settop(L, 0);
+        REQUIRE(load_chunk(L, compile(text, "test").value()));
+        REQUIRE(protected_call(L, 0, 1, {}));
+        auto seen = look_at_plain(L, Budget{5.0}, limit);
+        CHECK(lua_gettop(L) == 1);
+        REQUIRE(seen);
+        return *seen;
+    };
+    const auto check = [](const PlainLook& seen, const std::string& text) -> std::string {
+        auto other = create_sandbox().value();
+        lua_State* inside = other->lua();
+        REQUIRE(load_chunk(inside, compile(text, "test").value()));
+        REQUIRE(protect(inside, {}, [&](lua_State* called) {
+            push_plain(called, seen);
+            return lua_gettop(called);
+        }));
+        auto ok = protected_call(inside, 1, 0, {});
+        return ok ? "" : ok.error().message;
+    };
+    const std::string table = "return { a = 1, b = { 1, 2, x = { 'y' } }, c = { {}, {}, {}, 4 } }";
+    CHECK(look(table, {.values = 11, .text = 5}).whole == 7);
+    CHECK(look(table, {.values = 11, .text = 4}).whole == 3);
+
+    const PlainLook part = look(table, {.values = 7, .text = 100});
+    CHECK(part.whole == 2);
+    CHECK(part.data.tables[2].empty());
+    CHECK(check(part, "local t = ... assert(t.a == 1 and t.b[2] == 2) assert(type(t.c) == 'userdata')") == "");
+    for (const char* use :
+         {"return t.c[4]", "return #t.c", "t.c[1] = 2", "for _ in pairs(t.c) do end", "return t.b.x[1]"})
+        CHECK(check(part, std::string("local t = ... ") + use)
+                  .find("this table was left out, so that no tick is late: a look takes 4000 values at most; a command "
+                        "of the script can return a part") != std::string::npos);
+    CHECK(check(part, "local t = ... assert(tostring(t.c) == '(left out: more than a look takes)')") == "");
+
+    const PlainLook none = look(table, {.values = 2, .text = 100});
+    CHECK(none.whole == 0);
+    CHECK(none.data.tables[0].empty());
+    CHECK(look("return { ('x'):rep(101) }", {.values = 10, .text = 100}).whole == 0);
+    CHECK(look("return { [('x'):rep(101)] = 1 }", {.values = 10, .text = 100}).whole == 0);
+    CHECK(look("return 7", {.values = 0, .text = 0}).whole == 0);
+}
