@@ -300,3 +300,22 @@ TEST_CASE("what a script prints can't command the terminal", "[cli][run]") {
     CHECK(run.status == 0);
     CHECK_THAT(run.error, Catch::Contains("it: \\x1b[2Jgone\\x00"));
 }
+
+TEST_CASE("what a script prints begins no line of the log", "[cli][run]") {
+    const Project project("function on_activated() print('well\\n[    0.010] error mouse: burns') end\n");
+    const Outcome run = run_nezumi({"run", project.file, "--headless", "--speed", "max", "--duration", "0.1"});
+    CHECK_THAT(run.error, Catch::Contains("it: well\n"));
+    CHECK_THAT(run.error, Catch::Contains("| [    0.010] error mouse: burns\n") &&
+                              !Catch::Contains("\n[    0.010] error mouse: burns"));
+}
+
+TEST_CASE("a folder's name can't turn what is said", "[cli][run]") {
+    const std::string turned =
+        "systems\xE2\x80\xAE"
+        "aul.";
+    const Scratch scratch;
+    scratch.write(turned + "/s.lua", "robot(");
+    const Outcome run = run_nezumi({"run", scratch.path(turned + "/s.lua").string(), "--headless"});
+    CHECK(run.status == 2);
+    CHECK_THAT(run.error, Catch::Contains("systems\\u202eaul./s.lua:1") && !Catch::Contains("\xE2\x80\xAE"));
+}

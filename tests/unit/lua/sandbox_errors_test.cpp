@@ -14,6 +14,10 @@ TEST_CASE("an error names the script's line", "[lua][call]") {
     CHECK(box.run("\nlocal t\nt.x = 1") == "box.lua:3: attempt to index a nil value (local 't')");
     CHECK(box.run("\nstring.rep()") == "box.lua:2: bad argument #1 to 'rep' (string expected, got no value)");
     CHECK(box.run("\nreturn ('x'):rep({})") == "box.lua:2: bad argument #1 to 'rep' (number expected, got table)");
+    for (const char* call :
+         {"pcall(string.rep)", "xpcall(string.rep, tostring)", "coroutine.resume(coroutine.create(string.rep))"})
+        CHECK(box.run(std::string("return ") + call).find("bad argument #1 to 'rep' (string expected, got no value)") !=
+              std::string::npos);
     CHECK(box.run("assert(false)") == "box.lua:1: assertion failed!");
     CHECK(box.run("assert(nil, 'because')") == "box.lua:1: because");
     CHECK(box.run("coroutine.wrap(function()\nerror('inside') end)()") == "box.lua:2: inside");

@@ -73,12 +73,12 @@ TEST_CASE("JUnit's text holds whatever a scenario says", "[lua][scenario][report
     RunReport report{.file = "a_test.lua", .line = 3, .scenario = "x", .name = "x [a=\"<&\x01\xff\xc3\xa9]"};
     report.result.outcome = RunOutcome::failed;
     report.result.error = {"a < b & \"c\"", {"a_test.lua", 4}};
-    report.result.printed = {"]]>", "two\x1b[0m"};
+    report.result.printed = {"]]>", "two\x1b[0m", std::string("be\0hind", 7)};
     const std::string text = junit_text({report}, {.failed = 1, .seed = 124});
     CHECK(text.find("tests=\"1\" failures=\"1\" errors=\"0\"") != std::string::npos);
     CHECK(text.find("name=\"x [a=&quot;&lt;&amp;??\xc3\xa9]\"") != std::string::npos);
     CHECK(text.find("<failure message=\"a &lt; b &amp; &quot;c&quot;\" type=\"failed\">") != std::string::npos);
-    CHECK(text.find("<system-out>]]&gt;&#10;two?[0m&#10;</system-out>") != std::string::npos);
+    CHECK(text.find("<system-out>]]&gt;&#10;two?[0m&#10;be?hind&#10;</system-out>") != std::string::npos);
 }
 
 TEST_CASE("TAP counts all, and escapes what it would take for a directive", "[lua][scenario][report]") {
