@@ -118,7 +118,7 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
     const auto written_by = field<std::string>(json, "version");
     if (written_by != version || field<int>(json, "journal") != 1) {
         return failure(fmt::format("{} is a journal of nezumi {}, this is {}: only the same version replays it",
-                                   file_.string(), written_by.value_or("of another time"), version));
+                                   file_.string(), shown(written_by.value_or("of another time")), version));
     }
     if (field<bool>(json, "hardware").value_or(false)) {
         return failure(fmt::format(

@@ -45,12 +45,12 @@ Expected<void> Component::use(std::string_view set) {
     if (found == sets.end()) {
         std::vector<std::string_view> names;
         for (const auto& [name, values] : sets) names.push_back(name);
-        return failure(fmt::format("{} has no parameter set '{}'{}", name_, set, did_you_mean(set, names)));
+        return failure(fmt::format("{} has no parameter set '{}'{}", name_, shown(set), did_you_mean(set, names)));
     }
     ParameterValues values = found->second;
     values.insert(configured.begin(), configured.end());
     if (auto ok = parameters_.set_all(values); !ok)
-        return failure(fmt::format("set '{}': {}", set, ok.error().message));
+        return failure(fmt::format("set '{}': {}", shown(set), ok.error().message));
     for (const auto& [name, other] : sets) {
         for (const auto& [parameter, value] : other) {
             if (!values.contains(parameter)) parameters_.follow_default(parameter);
@@ -121,7 +121,7 @@ Expected<void> Component::reset(const Time& now) {
 
 Expected<PlainData> Component::call_command(std::string_view command, const PlainData& /*arguments*/,
                                             const Time& /*now*/) {
-    return failure(fmt::format("{} has no command '{}'", name_, command));
+    return failure(fmt::format("{} has no command '{}'", name_, shown(command)));
 }
 
 void Component::execute(const Time& now) {

@@ -152,7 +152,7 @@ std::string widget_broken(const ParameterSpec& spec) {
     if (spec.widget.empty() || spec.widget == "text") return "";
     const bool is_number = spec.initial.index() % 4 == 1 || spec.initial.index() % 4 == 2;
     if (std::find(widgets.begin(), widgets.end(), spec.widget) == widgets.end()) {
-        return fmt::format("there is no widget '{}'{}: expected one of {}", spec.widget,
+        return fmt::format("there is no widget '{}'{}: expected one of {}", shown(spec.widget),
                            did_you_mean(spec.widget, {widgets.begin(), widgets.end()}), fmt::join(widgets, ", "));
     }
     std::string_view needs;

@@ -152,7 +152,7 @@ Expected<void> Robot::add_output(const PortSpec& port) {
             names.push_back(spec_.sensors[i].name);
         }
         if (found == spec_.sensors.size())
-            return failure(fmt::format("there is no sensor '{}'{}", name, did_you_mean(name, names)));
+            return failure(fmt::format("there is no sensor '{}'{}", shown(name), did_you_mean(name, names)));
         sensors.push_back(found);
     }
     return with_payload_type(*type, [&]<class T>() -> Expected<void> {
@@ -231,7 +231,7 @@ Expected<void> Robot::add_input(const PortSpec& port) {
         in_ports_.push_back(make_in_port(*find_message_type(type), port.name, port.doc, port.queue));
         return actuators_.add(i, *in_ports_.back(), port.off_when_silent);
     }
-    return failure(fmt::format("there is no actuator '{}'{}", item, did_you_mean(item, names)));
+    return failure(fmt::format("there is no actuator '{}'{}", shown(item), did_you_mean(item, names)));
 }
 
 }  // namespace nezumi

@@ -21,7 +21,7 @@ std::string no_such(std::string_view kind, std::string_view name, const std::vec
     std::string hint = did_you_mean(name, names);
     if (hint.empty() && !names.empty())
         hint = fmt::format("; there {} {}", names.size() == 1 ? "is" : "are", fmt::join(names, ", "));
-    return fmt::format("there is no {} '{}'{}", kind, name, hint);
+    return fmt::format("there is no {} '{}'{}", kind, shown(name), hint);
 }
 
 template <class Map>
@@ -117,7 +117,7 @@ Expected<Component*> add_behavior(System& system, const BehaviorEntry& entry, co
     component.sets = entry.sets;
     for (const auto& [name, values] : entry.sets) {
         Parameters trial = component.parameters();
-        if (auto ok = set_values(trial, values, entry, "sets." + name, fmt::format("set '{}'", name)); !ok)
+        if (auto ok = set_values(trial, values, entry, "sets." + name, fmt::format("set '{}'", shown(name))); !ok)
             return Unexpected(ok.error());
     }
     if (!entry.set.empty()) {

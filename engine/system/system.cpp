@@ -129,16 +129,16 @@ Expected<Component*> System::component_named(std::string_view name) const {
     if (Component* found = find_component(name)) return found;
     std::vector<std::string_view> names;
     for (const auto& component : components_) names.push_back(component->name());
-    return failure(fmt::format("there is no component '{}'{}", name, did_you_mean(name, names)));
+    return failure(fmt::format("there is no component '{}'{}", shown(name), did_you_mean(name, names)));
 }
 
 Expected<std::pair<Component*, std::string>> System::split(std::string_view port_path) const {
     const auto dot = port_path.find('.');
     if (dot == std::string_view::npos || dot == 0 || dot + 1 == port_path.size()) {
-        return failure(fmt::format("'{}' names no port: expected \"name.port\"", port_path));
+        return failure(fmt::format("'{}' names no port: expected \"name.port\"", shown(port_path)));
     }
     const auto owner = component_named(port_path.substr(0, dot));
-    if (!owner) return failure(fmt::format("'{}': {}", port_path, owner.error().message));
+    if (!owner) return failure(fmt::format("'{}': {}", shown(port_path), owner.error().message));
     return std::pair{*owner, std::string(port_path.substr(dot + 1))};
 }
 
@@ -149,7 +149,7 @@ Expected<Port*> System::port_named(std::string_view port_path) const {
     if (Port* found = owner->find_port(name)) return found;
     auto names = port_names(*owner, Direction::in);
     for (const std::string_view out : port_names(*owner, Direction::out)) names.push_back(out);
-    return failure(fmt::format("{} has no port '{}'{}", owner->name(), name, did_you_mean(name, names)));
+    return failure(fmt::format("{} has no port '{}'{}", owner->name(), shown(name), did_you_mean(name, names)));
 }
 
 Expected<void> System::connect(std::string_view from, std::string_view to) {
@@ -174,7 +174,8 @@ Expected<void> System::disconnect(std::string_view from, std::string_view to) {
     if (!source) return Unexpected(source.error());
     const auto sink = port(to);
     if (!sink) return Unexpected(sink.error());
-    if (!wiring_.disconnect(**source, **sink)) return failure(fmt::format("{} is not connected to {}", from, to));
+    if (!wiring_.disconnect(**source, **sink))
+        return failure(fmt::format("{} is not connected to {}", shown(from), shown(to)));
     grouped_ = false;
     return {};
 }

@@ -14,7 +14,7 @@ std::string no_port(const Component& component, Direction direction, std::string
     const auto names = port_names(component, direction);
     std::string hint = did_you_mean(name, names);
     if (hint.empty() && !names.empty()) hint = fmt::format("; it has {}", fmt::join(names, ", "));
-    return fmt::format("{} has no {} '{}'{}", component.name(), kind, name, hint);
+    return fmt::format("{} has no {} '{}'{}", component.name(), kind, shown(name), hint);
 }
 
 // The first port at either end that would make the types equal, as the end of a sentence.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/base/error.hpp"
+#include "engine/base/visible.hpp"
 #include "engine/ports/messages.hpp"
 
 namespace nezumi {
@@ -19,10 +20,10 @@ inline bool is_finite(const Point3D& point) {
 }
 inline bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 
-/// One line of text that can be read, no longer than a screen.
+/// One line of text that a terminal can show, no longer than a screen.
 inline void require_line(std::string_view text) {
     require(!text.empty() && text.size() < 2000);
-    for (const char c : text) require(static_cast<unsigned char>(c) >= 0x20);
+    require(text.find('\n') == std::string_view::npos && visible(text) == text);
 }
 
 /// An error of a file: one line, and where.

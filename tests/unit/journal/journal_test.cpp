@@ -232,6 +232,8 @@ TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
     CHECK(it.error_with(1, "[]") == "J:1: is no journal of nezumi run --journal");
     CHECK(it.error_with(1, R"({"journal":1,"version":"0.0"})") ==
           "J is a journal of nezumi 0.0, this is test: only the same version replays it");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"\u001b\n"})") ==
+          R"(J is a journal of nezumi \x1b\x0a, this is test: only the same version replays it)");
     CHECK(it.error_with(1, R"({"journal":1,"version":"test","hardware":true})") ==
           "J is the journal of a run on hardware: it tells what was done, and can't be replayed");
     CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": there is no such file");
