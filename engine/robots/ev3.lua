@@ -43,6 +43,13 @@ return robot_model {
     color         = { kind = "color", at = { 0.06, 0.0, -0.045 } },
     light_reflect = { kind = "reflect", at = { 0.06, 0.0, -0.045 }, noise = 0.3 },
     light_ambient = { kind = "ambient", at = { 0.06, 0.0, -0.045 }, level = 10, noise = 0.3 },  -- a lit room, under the robot
+    -- The brick's keys.
+    key_up    = { kind = "button", port = "up" },
+    key_down  = { kind = "button", port = "down" },
+    key_left  = { kind = "button", port = "left" },
+    key_right = { kind = "button", port = "right" },
+    key_enter = { kind = "button", port = "enter" },
+    key_back  = { kind = "button", port = "back" },
   },
 
   actuators = {

@@ -55,6 +55,12 @@ std::optional<std::size_t> servo_of(const RobotSpec& spec) {
     return std::nullopt;
 }
 
+std::optional<std::size_t> key_of(const SensorSpec& sensor) {
+    const auto key = std::find(brick_keys.begin(), brick_keys.end(), sensor.port);
+    if (sensor.kind != Kind::button || key == brick_keys.end()) return std::nullopt;
+    return static_cast<std::size_t>(key - brick_keys.begin());
+}
+
 Expected<void> check(const RobotSpec& spec) {
     const auto servos = std::count_if(spec.actuators.begin(), spec.actuators.end(), [](const ActuatorSpec& actuator) {
         return actuator.kind == ActuatorSpec::Kind::servo;
@@ -64,6 +70,11 @@ Expected<void> check(const RobotSpec& spec) {
     if (!spec.drive.port.empty() && spec.drive.port.size() != 2)
         return failure(fmt::format("drive.port of model '{}': expected two, the left motor's and the right's, got {}",
                                    spec.model, spec.drive.port.size()));
+    for (const SensorSpec& sensor : spec.sensors) {
+        if (sensor.kind == Kind::button && !key_of(sensor))
+            return failure(fmt::format("sensor '{}' of model '{}': port: expected a key of the brick, {}, got '{}'",
+                                       sensor.name, spec.model, fmt::join(brick_keys, ", "), shown(sensor.port)));
+    }
     const auto devices = devices_of(spec);
     for (std::size_t i = 0; i < devices.size(); ++i) {
         for (std::size_t other = 0; other < i; ++other) {
@@ -137,11 +148,19 @@ Ev3Body::Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_pt
       lights_(std::make_shared<Lights>(led_nodes(roots.sys), "255", with_ev3_advice)),
       screen_(std::make_shared<Screen>(roots.dev + "/fb0", roots.sys + "/class/graphics/fb0")),
       battery_(std::make_shared<Battery>(roots.sys + "/class/power_supply")),
+      loudspeaker_(spec),
       wheels_worker_(wheels_),
       lights_worker_(lights_),
       screen_worker_(screen_),
       battery_worker_(battery_) {
     if (servo_) servo_worker_.emplace(servo_);
+    for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
+        if (const auto key = key_of(spec.sensors[i])) keys_of_.emplace_back(i, *key);
+    }
+    if (!keys_of_.empty()) {
+        keys_ = std::make_shared<BrickKeys>(roots.dev);
+        keys_worker_.emplace(keys_);
+    }
     add_sensors(roots.sys + "/class/lego-sensor");
 }
 
@@ -219,7 +238,19 @@ std::span<const SensorReading> Ev3Body::read_sensors(const Time& now, double /*p
             reading = {.is_there = true, .tm = now.seconds};
         }
     }
+    if (keys_) read_keys(now, clock);
     return readings_;
+}
+
+void Ev3Body::read_keys(const Time& now, double clock) {
+    const auto sample = keys_->newest(clock);
+    for (const auto& [sensor, key] : keys_of_) {
+        SensorReading& reading = readings_[sensor];
+        reading.is_there = sample.has_value();
+        if (!sample) continue;
+        reading.tm = clock_.system_time(now, sample->tm);
+        reading.value = sample->value[key] ? 1 : 0;
+    }
 }
 
 double Ev3Body::servo_angle(std::size_t index) const { return servo_ && index == servo_index_ ? servo_->angle() : 0; }
@@ -231,6 +262,8 @@ std::vector<std::string> Ev3Body::take_faults() {
     append(all, lights_->take_faults());
     append(all, screen_->take_faults());
     append(all, battery_->take_faults());
+    if (keys_) append(all, keys_->take_faults());
+    append(all, loudspeaker_.take_faults());
     return all;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/system/build_system.hpp"
@@ -14,10 +15,12 @@
 #include "hw/device/roots.hpp"
 #include "hw/device/tick_clock.hpp"
 #include "hw/device/worker.hpp"
+#include "hw/ev3/brick_keys.hpp"
 #include "hw/ev3/screen.hpp"
 #include "hw/ev3/sensors.hpp"
 #include "hw/ev3/servo_motor.hpp"
 #include "hw/ev3/wheel_motors.hpp"
+#include "hw/sound/speaker.hpp"
 
 namespace nezumi::hw {
 
@@ -40,9 +43,10 @@ std::optional<Rgb> floor_seen(const SensorValues& values);
 class Ev3Body final : public RobotBody {
 public:
     /// A device is found by its kind, and by its `port` where the spec names one ("in3", "outB"); the wheels' motors
-    /// are at outB and outC else, a servo at outA. Of several sensors of a kind each needs a port. An error, with what
-    /// to do, when there are more devices than the brick can have, when a wheel's motor is not there, or when another
-    /// program drives it. What else is missing is told as a fault. `spec` must outlive this.
+    /// are at outB and outC else, a servo at outA. Of several sensors of a kind each needs a port. A button is one of
+    /// `brick_keys`. An error, with what to do, when there are more devices than the brick can have, when a wheel's
+    /// motor is not there, or when another program drives it. What else is missing is told as a fault. `spec` must
+    /// outlive this.
     static Expected<std::unique_ptr<RobotBody>> make(const RobotSpec& spec, const DeviceRoots& roots);
 
     RobotId id() const override { return not_simulated; }
@@ -56,6 +60,7 @@ public:
     void set_motor_power(bool on) override;
     void aim_servo(std::size_t index, double angle, double speed) override;
     void set_leds(const std::vector<bool>& on) override;
+    void play(const Sound& sound) override { loudspeaker_.play(sound); }
     void show(std::size_t index, const CameraImage& picture) override;
 
 private:
@@ -70,10 +75,13 @@ private:
     void add_sensors(const std::string& folder);
     void read(std::size_t sensor, const SensorValues& values);
     bool is_touch_elsewhere(std::size_t sensor) const;
+    void read_keys(const Time& now, double clock);
 
     const RobotSpec& spec_;
     std::vector<SensorReading> readings_;
     std::vector<Channel*> channel_of_;  // a sensor's; null: none
+    std::vector<std::pair<std::size_t, std::size_t>>
+        keys_of_;  // sensors that are keys: their indices in the spec, and in `brick_keys`
     TickClock clock_;
     bool may_have_power_ = false;
     std::size_t servo_index_;
@@ -84,9 +92,11 @@ private:
     std::shared_ptr<Lights> lights_;
     std::shared_ptr<Screen> screen_;
     std::shared_ptr<Battery> battery_;
+    std::shared_ptr<BrickKeys> keys_;  // null: the robot has none
+    Loudspeaker loudspeaker_;
     // Last: they end before what they work on.
     Worker wheels_worker_, lights_worker_, screen_worker_, battery_worker_;
-    std::optional<Worker> servo_worker_;
+    std::optional<Worker> servo_worker_, keys_worker_;
     std::vector<std::unique_ptr<Channel>> channels_;
 };
 

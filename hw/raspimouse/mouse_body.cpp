@@ -54,6 +54,7 @@ MouseBody::MouseBody(const RobotSpec& spec, const std::string& folder, std::shar
       light_sensors_(std::make_shared<LightSensors>(folder)),
       switches_(std::make_shared<Switches>(folder)),
       lights_(std::make_shared<Lights>(led_nodes(folder), encode_switch(true), with_advice)),
+      loudspeaker_(spec),
       motors_worker_(motors_),
       counters_worker_(counters_),
       light_sensors_worker_(light_sensors_),
@@ -102,6 +103,7 @@ std::vector<std::string> MouseBody::take_faults() {
     append(all, light_sensors_->take_faults());
     append(all, switches_->take_faults());
     append(all, lights_->take_faults());
+    append(all, loudspeaker_.take_faults());
     return all;
 }
 

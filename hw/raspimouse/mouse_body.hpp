@@ -14,6 +14,7 @@
 #include "hw/device/worker.hpp"
 #include "hw/raspimouse/motors.hpp"
 #include "hw/raspimouse/sensors.hpp"
+#include "hw/sound/speaker.hpp"
 
 namespace nezumi::hw {
 
@@ -37,6 +38,7 @@ public:
     void set_motor_power(bool on) override;
     void aim_servo(std::size_t /*index*/, double /*angle*/, double /*speed*/) override {}
     void set_leds(const std::vector<bool>& on) override;
+    void play(const Sound& sound) override { loudspeaker_.play(sound); }
     void set_buzzer(int hertz) override;
 
 private:
@@ -56,6 +58,7 @@ private:
     std::shared_ptr<LightSensors> light_sensors_;
     std::shared_ptr<Switches> switches_;
     std::shared_ptr<Lights> lights_;
+    Loudspeaker loudspeaker_;
     // Last: they end before what they work on.
     Worker motors_worker_, counters_worker_, light_sensors_worker_, switches_worker_, lights_worker_;
 };

@@ -2,10 +2,12 @@
 #include "tests/fakes/ev3_nodes.hpp"
 
 #include <fmt/format.h>
+#include <linux/input.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <thread>
 
 namespace nezumi::fakes {
@@ -53,6 +55,7 @@ Ev3Nodes::Ev3Nodes() {
     plain("sys/class/graphics/fb0/bits_per_pixel", "bits_per_pixel", "32\n");
     plain("sys/class/graphics/fb0/stride", "stride", "712\n");
     plain("dev/fb0", "fb0", "");
+    plain("dev/input/by-path/platform-gpio_keys-event", "keys", "");
     for (const char* led : {"led0:red", "led0:green", "led1:red", "led1:green"})
         plain(fmt::format("sys/class/leds/{}:brick-status/brightness", led), led, "0\n");
 }
@@ -165,6 +168,34 @@ int Ev3Nodes::write(const std::string& name, std::uint64_t handle, std::string_v
     if (result == 0) result = static_cast<int>(text.size());
     if (place.node != "fb0") log_.push_back({now, place.node, std::string(text), result});
     return result;
+}
+
+int Ev3Nodes::control(const std::string& name, std::uint64_t handle, unsigned request, void* data) {
+    std::unique_lock lock(mutex_);
+    Place place;
+    if (const int error = enter(lock, name, handle, place); error != 0) return error;
+    if (place.node != "keys" || _IOC_TYPE(request) != 'E' || _IOC_NR(request) != _IOC_NR(EVIOCGKEY(0))) return -ENOTTY;
+    const std::size_t size = _IOC_SIZE(request);
+    std::memset(data, 0, size);
+    for (const unsigned code : pressed_) {
+        if (code / 8 < size)
+            static_cast<unsigned char*>(data)[code / 8] |= static_cast<unsigned char>(1U << (code % 8));
+    }
+    return static_cast<int>(size);
+}
+
+bool Ev3Nodes::press(const std::string& key, bool pressed) {
+    const std::map<std::string, unsigned> codes{{"up", KEY_UP},       {"down", KEY_DOWN},   {"left", KEY_LEFT},
+                                                {"right", KEY_RIGHT}, {"enter", KEY_ENTER}, {"back", KEY_BACKSPACE}};
+    const auto code = codes.find(key);
+    if (code == codes.end()) return false;
+    const std::lock_guard lock(mutex_);
+    if (pressed) {
+        pressed_.insert(code->second);
+    } else {
+        pressed_.erase(code->second);
+    }
+    return true;
 }
 
 bool Ev3Nodes::set_fault(const std::string& node, const std::string& fault) {

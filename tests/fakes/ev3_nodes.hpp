@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,10 @@ public:
     int open(const std::string& name, std::uint64_t& handle) override;
     int read(const std::string& name, std::uint64_t handle, std::string& text) override;
     int write(const std::string& name, std::uint64_t handle, std::string_view text) override;
+    int control(const std::string& name, std::uint64_t handle, unsigned request, void* data) override;
 
+    /// Presses a key of the brick, "enter", or lets it go. False when there is none of this name.
+    bool press(const std::string& key, bool pressed);
     /// Of a device's attribute, "outB/command", "in4/value0", or of a node without a device, "battery", "led0:red",
     /// "fb0": "none", "missing" (ENOENT), "denied" (EACCES), "eio", "timeout" (ETIMEDOUT at a write), "hang",
     /// "garbage". False when there is no such node or fault.
@@ -84,6 +88,7 @@ private:
     std::map<std::string, std::string> faults_;      // node: fault
     std::vector<Write> log_;
     Ev3Surroundings around_;
+    std::set<unsigned> pressed_;  // codes of keys
     int next_number_ = 0;
 };
 

@@ -65,6 +65,7 @@ std::string answer(const std::string& line, fakes::Ev3Nodes& nodes) {
     if (command == "fault") return nodes.set_fault(name, value) ? "" : "no such node or fault";
     if (command == "unplug") return nodes.unplug(name) ? "" : "nothing there";
     if (command == "plug") return nodes.plug_in(name) ? "" : "not unplugged";
+    if (command == "key") return nodes.press(name, value == "1") ? "" : "no such key";
     if (command == "mode") return nodes.set_mode(name, value) ? "" : "no such mode";
     if (command == "heal") {
         nodes.heal();
