@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "hw/raspimouse/advice.hpp"
 #include "hw/raspimouse/codec.hpp"
@@ -33,38 +34,77 @@ double distance_at(const ResponseTable& response, double value) {
     return far;
 }
 
-Expected<std::unique_ptr<RobotBody>> MouseBody::make(const RobotSpec& spec, const DeviceRoots& roots) {
-    const auto count = [&](SensorSpec::Kind kind) {
-        return std::count_if(spec.sensors.begin(), spec.sensors.end(),
-                             [&](const SensorSpec& sensor) { return sensor.kind == kind; });
-    };
-    if (count(SensorSpec::Kind::range) > 4 || count(SensorSpec::Kind::button) > 3)
-        return failure(fmt::format(
-            "the driver raspimouse has 4 distance sensors and 3 buttons, and model '{}' wants more", spec.model));
-    auto motors = Motors::make(roots.dev, metres_per_pulse(spec.drive), rim_acceleration(spec.drive));
-    if (!motors) return Unexpected(motors.error());
-    return std::unique_ptr<RobotBody>(new MouseBody(spec, roots.dev, std::move(*motors)));
+Expected<std::vector<MouseBody::Wired>> MouseBody::wire(const RobotSpec& spec, SensorSpec::Kind kind,
+                                                        std::string_view port_begin, std::size_t devices) {
+    std::vector<Wired> wired;
+    std::vector<std::string> ports;
+    for (std::size_t channel = 0; channel < devices; ++channel)
+        ports.push_back(fmt::format("{}{}", port_begin, channel));
+    std::vector<bool> is_taken(devices, false);
+    for (const bool has_port : {true, false}) {
+        for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
+            const SensorSpec& sensor = spec.sensors[i];
+            if (sensor.kind != kind || sensor.port.empty() == has_port) continue;
+            const auto found = has_port ? std::find(ports.begin(), ports.end(), sensor.port) - ports.begin()
+                                        : std::find(is_taken.begin(), is_taken.end(), false) - is_taken.begin();
+            const auto channel = static_cast<std::size_t>(found);
+            if (has_port && channel == devices)
+                return failure(fmt::format("sensor '{}' of model '{}': port: expected one of {}, got '{}'", sensor.name,
+                                           spec.model, fmt::join(ports, ", "), shown(sensor.port)));
+            if (channel == devices)
+                return failure(
+                    fmt::format("the driver raspimouse has 4 distance sensors and 3 buttons, and model '{}' wants more",
+                                spec.model));
+            if (is_taken[channel])
+                return failure(fmt::format("sensor '{}' of model '{}': port: another sensor has '{}' already",
+                                           sensor.name, spec.model, sensor.port));
+            is_taken[channel] = true;
+            wired.push_back({i, channel});
+        }
+    }
+    return wired;
 }
 
-MouseBody::MouseBody(const RobotSpec& spec, const std::string& folder, std::shared_ptr<Motors> motors)
+Expected<std::unique_ptr<RobotBody>> MouseBody::make(const RobotSpec& spec, const DeviceRoots& roots) {
+    if (!spec.drive.port.empty())
+        return failure(
+            fmt::format("drive.port of model '{}' means nothing to the driver raspimouse: leave it out", spec.model));
+    for (const ActuatorSpec& actuator : spec.actuators) {
+        if (!actuator.port.empty() && actuator.kind != ActuatorSpec::Kind::speaker)
+            return failure(
+                fmt::format("port of actuator '{}' of model '{}' means nothing to the driver raspimouse: leave "
+                            "it out",
+                            actuator.name, spec.model));
+    }
+    auto ranges = wire(spec, SensorSpec::Kind::range, "", 4);
+    if (!ranges) return Unexpected(ranges.error());
+    auto buttons = wire(spec, SensorSpec::Kind::button, "rtswitch", 3);
+    if (!buttons) return Unexpected(buttons.error());
+    auto motors = Motors::make(roots.dev, metres_per_pulse(spec.drive), rim_acceleration(spec.drive));
+    if (!motors) return Unexpected(motors.error());
+    return std::unique_ptr<RobotBody>(
+        new MouseBody(spec, roots, std::move(*motors), std::move(*ranges), std::move(*buttons)));
+}
+
+MouseBody::MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<Motors> motors,
+                     std::vector<Wired> ranges, std::vector<Wired> buttons)
     : spec_(spec),
+      ranges_(std::move(ranges)),
+      buttons_(std::move(buttons)),
       readings_(spec.sensors.size()),
       motors_(std::move(motors)),
-      counters_(std::make_shared<WheelCounters>(folder, motors_->commanded())),
-      light_sensors_(std::make_shared<LightSensors>(folder)),
-      switches_(std::make_shared<Switches>(folder)),
-      lights_(std::make_shared<Lights>(led_nodes(folder), encode_switch(true), with_advice)),
+      counters_(std::make_shared<WheelCounters>(roots.dev, motors_->commanded())),
+      light_sensors_(std::make_shared<LightSensors>(roots.dev)),
+      switches_(std::make_shared<Switches>(roots.dev)),
+      lights_(std::make_shared<Lights>(led_nodes(roots.dev), encode_switch(true), with_advice)),
+      supply_(std::make_shared<Supply>(roots.sys + "/class/hwmon")),
       loudspeaker_(spec),
       motors_worker_(motors_),
       counters_worker_(counters_),
       light_sensors_worker_(light_sensors_),
       switches_worker_(switches_),
-      lights_worker_(lights_) {
-    for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
-        if (spec.sensors[i].kind == SensorSpec::Kind::range) ranges_.push_back(i);
-        if (spec.sensors[i].kind == SensorSpec::Kind::button) buttons_.push_back(i);
-    }
-}
+      lights_worker_(lights_),
+      supply_worker_(supply_) {}
 
 WheelReading MouseBody::read_wheels(const Time& now, double /*period*/) {
     const auto sample = counters_->newest(clock_.look(now));
@@ -74,25 +114,25 @@ WheelReading MouseBody::read_wheels(const Time& now, double /*period*/) {
 std::span<const SensorReading> MouseBody::read_sensors(const Time& now, double /*period*/) {
     const double clock = clock_.look(now);
     const auto lights = light_sensors_->newest(clock);
-    for (std::size_t channel = 0; channel < ranges_.size(); ++channel) {
-        SensorReading& reading = readings_[ranges_[channel]];
+    for (Wired& range : ranges_) {
+        SensorReading& reading = readings_[range.sensor];
         reading.is_there = lights.has_value();
         if (!lights) continue;
         reading.tm = clock_.system_time(now, lights->tm);
-        const int value = lights->value[channel];
-        if (value == converted_[channel] && reading.physical > 0) continue;
-        converted_[channel] = value;
-        const SensorSpec& sensor = spec_.sensors[ranges_[channel]];
+        const int value = lights->value[range.channel];
+        if (value == range.converted && reading.physical > 0) continue;
+        range.converted = value;
+        const SensorSpec& sensor = spec_.sensors[range.sensor];
         reading.value = sensor.has_response ? sensor.response.clamp(value) : value;
         reading.physical = sensor.has_response ? distance_at(sensor.response, reading.value) : value;
     }
     const auto switches = switches_->newest(clock);
-    for (std::size_t channel = 0; channel < buttons_.size(); ++channel) {
-        SensorReading& reading = readings_[buttons_[channel]];
+    for (const Wired& button : buttons_) {
+        SensorReading& reading = readings_[button.sensor];
         reading.is_there = switches.has_value();
         if (!switches) continue;
         reading.tm = clock_.system_time(now, switches->tm);
-        reading.value = switches->value[channel] ? 1 : 0;
+        reading.value = switches->value[button.channel] ? 1 : 0;
     }
     return readings_;
 }
@@ -103,6 +143,7 @@ std::vector<std::string> MouseBody::take_faults() {
     append(all, light_sensors_->take_faults());
     append(all, switches_->take_faults());
     append(all, lights_->take_faults());
+    append(all, supply_->take_faults());
     append(all, loudspeaker_.take_faults());
     return all;
 }

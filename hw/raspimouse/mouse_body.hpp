@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/system/build_system.hpp"
@@ -14,6 +15,7 @@
 #include "hw/device/worker.hpp"
 #include "hw/raspimouse/motors.hpp"
 #include "hw/raspimouse/sensors.hpp"
+#include "hw/raspimouse/supply.hpp"
 #include "hw/sound/speaker.hpp"
 
 namespace nezumi::hw {
@@ -24,15 +26,17 @@ double distance_at(const ResponseTable& response, double value);
 /// Nothing of it waits for a device: each has a thread of its own.
 class MouseBody final : public RobotBody {
 public:
-    /// The first four range sensors of the spec are the light sensors, right first; its first three buttons are the
-    /// switches. An error, with what to do, when it has more, when motors or their power are not there, or when another
-    /// program drives them. What else is missing is told as a fault. `spec` must outlive this.
+    /// A range sensor of the spec is the light sensor of its `port`, "0" (right front) to "3", a button the switch of
+    /// its `port`, "rtswitch0" to "rtswitch2"; those without one are the others, in order. An error, with what to do,
+    /// when there are more, when a `port` means nothing to this robot, when motors or their power are not there, or
+    /// when another program drives them. What else is missing is told as a fault. `spec` must outlive this.
     static Expected<std::unique_ptr<RobotBody>> make(const RobotSpec& spec, const DeviceRoots& roots);
 
     RobotId id() const override { return not_simulated; }
     WheelReading read_wheels(const Time& now, double period) override;
     std::span<const SensorReading> read_sensors(const Time& now, double period) override;
     std::vector<std::string> take_faults() override;
+    bool may_drive() const override { return !supply_->is_low(); }
     void set_wheel_speeds(Wheels speeds) override;
     void coast() override;
     void set_motor_power(bool on) override;
@@ -42,13 +46,20 @@ public:
     void set_buzzer(int hertz) override;
 
 private:
-    MouseBody(const RobotSpec& spec, const std::string& folder, std::shared_ptr<Motors> motors);
+    // A sensor of the spec, by its index, and which of the robot's devices of its kind it is.
+    struct Wired {
+        std::size_t sensor, channel;
+        int converted = 0;  // what its reading has been made of
+    };
+    static Expected<std::vector<Wired>> wire(const RobotSpec& spec, SensorSpec::Kind kind, std::string_view port_begin,
+                                             std::size_t devices);
+    MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<Motors> motors,
+              std::vector<Wired> ranges, std::vector<Wired> buttons);
     void send();
 
     const RobotSpec& spec_;
-    std::vector<std::size_t> ranges_, buttons_;  // indices into spec_.sensors, by channel
+    std::vector<Wired> ranges_, buttons_;
     std::vector<SensorReading> readings_;
-    LightValues converted_{};  // what readings_ have been made of
     TickClock clock_;
     MotorCommand command_;
     bool may_have_power_ = false;
@@ -58,9 +69,10 @@ private:
     std::shared_ptr<LightSensors> light_sensors_;
     std::shared_ptr<Switches> switches_;
     std::shared_ptr<Lights> lights_;
+    std::shared_ptr<Supply> supply_;
     Loudspeaker loudspeaker_;
     // Last: they end before what they work on.
-    Worker motors_worker_, counters_worker_, light_sensors_worker_, switches_worker_, lights_worker_;
+    Worker motors_worker_, counters_worker_, light_sensors_worker_, switches_worker_, lights_worker_, supply_worker_;
 };
 
 }  // namespace nezumi::hw

@@ -278,3 +278,105 @@ TEST_CASE("counters that another program has switched to signed are switched bac
     CHECK(mouse.log.empty());
     CHECK(mouse.published<Pose2D>("current_pose_out").position.x == Approx(fake.truth().position.x).margin(0.01));
 }
+
+TEST_CASE("a mouse's sensors are the devices that its robot file says, the others follow in order",
+          "[hw][mouse][fakes][wallclock]") {
+    FakeMouse fake;
+    RobotSpec spec = mouse_spec();
+    for (SensorSpec& sensor : spec.sensors) {
+        if (sensor.name == "switch0") sensor.port = "rtswitch2";
+    }
+    DrivenRobot mouse(spec, fake.roots());
+    const auto pressed = [&] { return mouse.published<std::vector<bool>>("switch3bit_out"); };
+    const auto is = [&](const std::vector<bool>& wanted) {
+        return mouse.run(2, {}, [&] { return pressed() == wanted; });
+    };
+    fake.say("button 2 1");
+    CHECK(is({true, false, false}));
+    fake.say("button 2 0");
+    fake.say("button 0 1");
+    CHECK(is({false, true, false}));
+    fake.say("button 0 0");
+    fake.say("button 1 1");
+    CHECK(is({false, false, true}));
+}
+
+TEST_CASE("a mouse's light sensors change places as its robot file says", "[hw][mouse]") {
+    const Scratch folder;
+    for (const char* node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) folder.write(node, "");
+    folder.write("rtlightsensor0", "10 200 300 400\n");
+    RobotSpec spec = mouse_spec();
+    const auto place = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::find_if(spec.sensors.begin(), spec.sensors.end(),
+                                                     [&](const auto& each) { return each.name == name; }) -
+                                        spec.sensors.begin());
+    };
+    spec.sensors[place("right_front")].port = "3";
+    auto body = MouseBody::make(spec, {.dev = folder.path("").string(), .sys = ""});
+    REQUIRE(body);
+    std::span<const SensorReading> readings;
+    const auto has_read = [&] {
+        readings = (*body)->read_sensors({}, 0.01);
+        return readings[place("right_front")].is_there;
+    };
+    REQUIRE(FakeRobot::wait_until(has_read, 3));
+    CHECK(readings[place("right_front")].value == 400);
+    CHECK(readings[place("right_side")].value == 10);
+    CHECK(readings[place("left_side")].value == 200);
+    CHECK(readings[place("left_front")].value == 300);
+}
+
+TEST_CASE("a port that means nothing to a mouse is refused", "[hw][mouse]") {
+    const auto refusal = [](const std::function<void(RobotSpec&)>& change) {
+        RobotSpec spec = mouse_spec();
+        change(spec);
+        const auto body = MouseBody::make(spec, {.dev = "/nowhere", .sys = ""});
+        REQUIRE_FALSE(body);
+        return body.error().message;
+    };
+    CHECK(refusal([](RobotSpec& spec) {
+              spec.drive.port = {"a", "b"};
+          }) == "drive.port of model 'raspimouse' means nothing to the driver raspimouse: leave it out");
+    CHECK(refusal([](RobotSpec& spec) {
+              for (ActuatorSpec& actuator : spec.actuators) {
+                  if (actuator.name == "buzzer") actuator.port = "rtbuzzer0";
+              }
+          }) == "port of actuator 'buzzer' of model 'raspimouse' means nothing to the driver raspimouse: leave it out");
+    const auto with_ports = [&](SensorSpec::Kind kind, const std::string& port, int count) {
+        return refusal([&](RobotSpec& spec) {
+            int given = 0;
+            for (SensorSpec& sensor : spec.sensors) {
+                if (sensor.kind == kind && given++ < count) sensor.port = port;
+            }
+        });
+    };
+    CHECK(with_ports(SensorSpec::Kind::button, "rtswitch3", 1)
+              .ends_with("port: expected one of rtswitch0, rtswitch1, rtswitch2, got 'rtswitch3'"));
+    CHECK(with_ports(SensorSpec::Kind::range, "x", 1).ends_with("port: expected one of 0, 1, 2, 3, got 'x'"));
+    CHECK(with_ports(SensorSpec::Kind::range, "2", 2).ends_with("port: another sensor has '2' already"));
+}
+
+TEST_CASE("a mouse whose Raspberry Pi gets too little voltage stands, and drives again",
+          "[hw][mouse][fakes][safety][wallclock]") {
+    FakeMouse fake;
+    fake.folder.write("sys/class/hwmon/hwmon0/name", "cpu_thermal\n");
+    fake.folder.write("sys/class/hwmon/hwmon3/name", "rpi_volt\n");
+    fake.folder.write("sys/class/hwmon/hwmon3/in0_lcrit_alarm", "0\n");
+    DrivenMouse mouse(fake);
+    REQUIRE(mouse.run(3, {.vx = 0.1}, [&] { return fake.motion().left > 250; }));
+    // In place, as the kernel's file: it is never empty.
+    const auto set_alarm = [&](char on) {
+        std::fstream file(fake.folder.path("sys/class/hwmon/hwmon3/in0_lcrit_alarm"));
+        file.put(on);
+    };
+    set_alarm('1');
+    CHECK(mouse.run(2, {.vx = 0.1}, [&] { return !fake.moves(); }));
+    CHECK(
+        mouse.said("power supply: is low, the Raspberry Pi gets less than 4.63 V: the robot stands until its battery "
+                   "has been charged or changed"));
+    set_alarm('0');
+    CHECK(mouse.run(3, {.vx = 0.1}, [&] { return fake.motion().left > 250; }));
+    CHECK(mouse.said("power supply: back again"));
+    INFO(mouse.all_log());
+    CHECK(mouse.log.size() == 2);
+}

@@ -1,0 +1,40 @@
+// Looks for the Pi's monitor by its name: its number says nothing.
+#include "hw/raspimouse/supply.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "hw/raspimouse/advice.hpp"
+#include "hw/raspimouse/codec.hpp"
+
+namespace nezumi::hw {
+
+void Supply::find() {
+    std::error_code error;
+    for (std::filesystem::directory_iterator monitor(folder_, error), end; !error && monitor != end;
+         monitor.increment(error)) {
+        Node name(monitor->path().string() + "/name", Node::Access::read);
+        const auto text = name.read();
+        if (text && text->starts_with("rpi_volt"))
+            alarm_.emplace(monitor->path().string() + "/in0_lcrit_alarm", Node::Access::read);
+    }
+}
+
+tl::expected<std::optional<bool>, std::string> Supply::sample(double /*now*/) {
+    if (!alarm_) find();
+    if (!alarm_) return std::nullopt;
+    const auto text = alarm_->read();
+    is_low_ = text && text->starts_with('1');
+    if (!text) {
+        const std::string why = with_advice(text.error());
+        alarm_.reset();
+        return tl::unexpected(why);
+    }
+    if (is_low_)
+        return tl::unexpected(
+            std::string("is low, the Raspberry Pi gets less than 4.63 V: the robot stands until its battery has been "
+                        "charged or changed"));
+    return false;
+}
+
+}  // namespace nezumi::hw
