@@ -53,7 +53,7 @@ Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::v
 
 // Whether it became a real one.
 Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vector<std::string>& names) {
-    const auto free = is_free("robot", robot, names);
+    auto free = is_free("robot", robot, names);
     if (!free || !*free || !robot.backend.empty()) return free;
     const auto model = spec.models.find(robot.model);
     robot.backend = model == spec.models.end() ? "" : model->second.hardware.driver;

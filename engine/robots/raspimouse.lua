@@ -1,10 +1,12 @@
 --- Raspberry Pi Mouse (RT Corporation): two stepping motors, four infrared distance sensors, 4 LEDs, 3 switches, a buzzer.
 
 --- One infrared sensor: its place from the chassis' centre [m] and which way it looks [degrees, left positive].
---- Its value is a 12-bit reading of light that comes back: more is nearer, 0 is nothing in sight.
-local function infrared(x, y, degrees)
+--- Its value is a 12-bit reading of light that comes back: more is nearer, 0 is nothing in sight. `port`: which number of
+--- the real robot's light sensors it is.
+local function infrared(port, x, y, degrees)
   return {
     kind = "range",
+    port = port,
     at = { x, y, -0.02 },
     yaw = math.rad(degrees),
     range = 0.60, -- m
@@ -34,10 +36,10 @@ return robot_model {
   },
 
   sensors = {
-    right_front = infrared(0.035, -0.040, 0),
-    right_side  = infrared(0.045, -0.030, -45),
-    left_side   = infrared(0.045, 0.030, 45),
-    left_front  = infrared(0.035, 0.040, 0),
+    right_front = infrared("0", 0.035, -0.040, 0),
+    right_side  = infrared("1", 0.045, -0.030, -45),
+    left_side   = infrared("2", 0.045, 0.030, 45),
+    left_front  = infrared("3", 0.035, 0.040, 0),
     switch0 = { kind = "button" },
     switch1 = { kind = "button" },
     switch2 = { kind = "button" },

@@ -62,6 +62,7 @@ std::vector<std::string> event_nodes(const std::string& folder) {
     }
     std::sort(found.begin(), found.end());
     std::vector<std::string> nodes;
+    nodes.reserve(found.size());
     for (auto& [number, node] : found) nodes.push_back(std::move(node));
     return nodes;
 }

@@ -27,9 +27,10 @@ double distance_at(const ResponseTable& response, double value);
 class MouseBody final : public RobotBody {
 public:
     /// A range sensor of the spec is the light sensor of its `port`, "0" (right front) to "3", a button the switch of
-    /// its `port`, "rtswitch0" to "rtswitch2"; those without one are the others, in order. An error, with what to do,
-    /// when there are more, when a `port` means nothing to this robot, when motors or their power are not there, or
-    /// when another program drives them. What else is missing is told as a fault. `spec` must outlive this.
+    /// its `port`, "rtswitch0" to "rtswitch2"; those without one are the others, in the order of their names. An error,
+    /// with what to do, when there are more, when a `port` means nothing to this robot, when motors or their power are
+    /// not there, or when another program drives them. What else is missing is told as a fault. `spec` must outlive
+    /// this.
     static Expected<std::unique_ptr<RobotBody>> make(const RobotSpec& spec, const DeviceRoots& roots);
 
     RobotId id() const override { return not_simulated; }

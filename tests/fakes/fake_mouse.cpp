@@ -1,10 +1,12 @@
 // A Raspberry Pi Mouse without the robot: its driver's nodes, and behind them the simulated world.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "tests/fakes/fake_robot.hpp"
 #include "tests/fakes/mouse_nodes.hpp"
@@ -24,10 +26,12 @@ void act(const RobotSpec& spec, RobotBody& body, fakes::MouseNodes& nodes) {
 }
 
 void sense(const RobotSpec& spec, std::span<const SensorReading> readings, fakes::MouseNodes& nodes) {
+    // As the driver has them, whatever the robot file says.
+    constexpr std::array<std::string_view, 4> order{"right_front", "right_side", "left_side", "left_front"};
     std::array<int, 4> lights{};
-    std::size_t channel = 0;
-    for (std::size_t i = 0; i < spec.sensors.size() && channel < lights.size(); ++i) {
-        if (spec.sensors[i].kind == SensorSpec::Kind::range) lights[channel++] = static_cast<int>(readings[i].value);
+    for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
+        const auto channel = std::find(order.begin(), order.end(), spec.sensors[i].name) - order.begin();
+        if (channel < 4) lights[static_cast<std::size_t>(channel)] = static_cast<int>(readings[i].value);
     }
     nodes.set_lights(lights);
 }
