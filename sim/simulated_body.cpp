@@ -45,8 +45,8 @@ WheelReading SimulatedBody::read_wheels(const Time& now, double period) {
                          .speeds = {}};
     if (has_read_wheels_) {
         const double rate = 1 / period;
-        reading.speeds = {.left = (angles.left - angles_.left) * spec_.drive.radius * rate,
-                          .right = (angles.right - angles_.right) * spec_.drive.radius * rate};
+        reading.speeds = {.left = (angles.left - angles_.left) * spec_.drive.radius_of_left() * rate,
+                          .right = (angles.right - angles_.right) * spec_.drive.radius_of_right() * rate};
     }
     angles_ = angles;
     has_read_wheels_ = true;

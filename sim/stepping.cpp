@@ -128,9 +128,9 @@ void OdeWorld::turn_wheels() {
             robot.speeds.left = dot(robot.body.velocity_at(rotate(rotation, robot.model->wheels[0])), rotation.col(0));
             robot.speeds.right = dot(robot.body.velocity_at(rotate(rotation, robot.model->wheels[1])), rotation.col(0));
         }
-        const double turn = step_ / robot.model->spec->drive.radius;
-        robot.angles.left += robot.speeds.left * turn;
-        robot.angles.right += robot.speeds.right * turn;
+        const DriveSpec& drive = robot.model->spec->drive;
+        robot.angles.left += robot.speeds.left * (step_ / drive.radius_of_left());
+        robot.angles.right += robot.speeds.right * (step_ / drive.radius_of_right());
     }
 }
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <utility>
 #include <variant>
 
+#include "bindings/lua/files/calibration_file.hpp"
 #include "engine/devices/joystick.hpp"
 #include "engine/system/build_system.hpp"
 #include "hw/drivers.hpp"
@@ -123,13 +125,33 @@ Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& 
     return {};
 }
 
+std::string serial_number(const std::string& sys_root) {
+    std::ifstream file(sys_root + "/firmware/devicetree/base/serial-number");
+    std::string serial;
+    std::getline(file, serial, '\0');
+    return serial;
+}
+
+Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::string& serial) {
+    const Project project = Project::of(spec.file, live.installed, *live.files);
+    for (Entry& entry : spec.entries) {
+        auto* robot = std::get_if<RobotEntry>(&entry);
+        if (robot == nullptr || robot->backend.empty() || robot->backend == simulated) continue;
+        if (auto used = use_calibration(spec, *robot, project, {.is_needed = false, .serial = serial}); !used)
+            return used;
+    }
+    return {};
+}
+
 void use_hardware(LiveOptions& live, const Hardware& hardware) {
     const hw::DeviceRoots roots{.dev = hardware.dev_root, .sys = hardware.sys_root};
     live.bodies = hw::drivers(roots);
     auto drivers = hw::device_drivers(roots);
     for (const auto& [type, by_backend] : drivers) live.components[type].insert(by_backend.begin(), by_backend.end());
-    live.prepare = [names = hardware.robots, drivers = std::move(drivers)](SystemSpec& spec) {
-        return choose_drivers(spec, names, drivers);
+    live.prepare = [names = hardware.robots, drivers = std::move(drivers), serial = serial_number(hardware.sys_root),
+                    files = LiveOptions{.installed = live.installed, .files = live.files}](SystemSpec& spec) {
+        auto chosen = choose_drivers(spec, names, drivers);
+        return chosen ? use_calibrations(spec, files, serial) : chosen;
     };
     live.build.real_time = true;
     live.build.out_of_time_is_fatal = false;

@@ -29,6 +29,13 @@ struct Hardware {
 Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& names,
                               const decltype(Makers::components)& drivers);
 
+/// The number of the computer that a robot has, as its firmware tells it: "" when it does not.
+std::string serial_number(const std::string& sys_root);
+
+/// Gives the real robots of a system their own descriptions, where they have been calibrated. An error when a file of a
+/// calibration can't be read, or is another robot's.
+Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::string& serial);
+
 /// Has systems made with real robots, at real time.
 void use_hardware(LiveOptions& live, const Hardware& hardware);
 

@@ -15,7 +15,8 @@ Robot::Robot(std::string name, const RobotSpec& spec, const Limits& limits)
     : Device(std::move(name), spec.model),
       spec_(spec),
       guard_(limits),
-      odometry_(spec.drive.radius, spec.drive.radius, spec.drive.track, spec.drive.encoder_pulses()),
+      odometry_(spec.drive.radius_of_left(), spec.drive.radius_of_right(), spec.drive.track,
+                spec.drive.encoder_pulses()),
       actuators_(spec) {
     for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
         const auto& needs = spec.drive.needs;

@@ -38,7 +38,7 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, c
     const auto refuse = [&](std::string_view why) {
         return failure(fmt::format("robot '{}': {}", entry.name, why), entry.place);
     };
-    const auto model = spec.models.find(entry.model);
+    const auto model = spec.models.find(entry.described_by());
     if (model == spec.models.end()) return refuse(no_such("model", entry.model, keys_of(spec.models)));
     const std::string_view backend = backend_of(entry.backend);
     if (backend == simulated) {
@@ -69,7 +69,7 @@ Limits limits_of(const RobotEntry& entry, const DriveSpec& drive) {
 }
 
 Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, Body body) {
-    const auto model = spec.models.find(entry.model);
+    const auto model = spec.models.find(entry.described_by());
     if (model == spec.models.end()) return Unexpected(body.error());
     auto robot = Robot::make(entry.name, model->second, limits_of(entry, model->second.drive));
     if (!robot) return at(entry.place, robot.error());

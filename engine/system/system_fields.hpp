@@ -24,9 +24,12 @@ struct Describe<RobotEntry> {
         Setting{"pose", &RobotEntry::pose, "", "where it starts"},
         Setting{"limits", &RobotEntry::limits, "", "in the place of the model's"},
         Setting{"backend", &RobotEntry::backend, "", "\"sim\", or the name of a driver"},
+        Setting{"calibrated", &RobotEntry::calibrated, "",
+                "in simulation too it is as `NAME.calibration.lua` beside this file says"},
         Setting{"active", &RobotEntry::active, "", "whether it is activated at the start"},
         Internal{&RobotEntry::name},
         Internal{&RobotEntry::place},
+        Internal{&RobotEntry::description},
     };
 };
 

@@ -26,9 +26,14 @@ struct RobotEntry {
     std::string model;  ///< key of `SystemSpec::models`
     Pose2D pose;
     LimitChanges limits;
-    std::string backend;  ///< key of `Makers::bodies`; "": "sim"
+    std::string backend;      ///< key of `Makers::bodies`; "": "sim"
+    bool calibrated = false;  ///< it is as it was measured in simulation too
     bool active = true;
     Place place;
+    std::string description;  ///< key of `SystemSpec::models` of this robot's own; "": `model`
+
+    /// The key of its description in `SystemSpec::models`.
+    const std::string& described_by() const { return description.empty() ? model : description; }
 };
 
 /// The places of the fields within a table, by path: "config.speed_x".

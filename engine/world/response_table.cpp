@@ -57,6 +57,15 @@ ResponseTable ResponseTable::from_samples(std::vector<double> samples, double ra
     return table;
 }
 
+Expected<ResponseTable> ResponseTable::with_points(std::vector<Point> points, double range) const {
+    double least = minimum_, greatest = maximum_;
+    for (const Point& point : points) {
+        least = std::min(least, point.value);
+        greatest = std::max(greatest, point.value);
+    }
+    return from_points(std::move(points), range, nothing_, least, greatest);
+}
+
 double ResponseTable::operator()(double distance) const {
     if (!(distance <= range_)) return nothing_;
     if (distance < 0) distance = 0;

@@ -34,6 +34,8 @@ struct BodySpec {
 /// Two driven wheels on one axis, and skids before and behind.
 struct DriveSpec {
     double radius = 0.024;                ///< [m] wheel radius
+    double left_radius = 0;               ///< [m] where the wheels are known to differ; 0: `radius`
+    double right_radius = 0;              ///< [m] the same
     double track = 0.0925;                ///< [m] distance between the wheels' contact points
     double pulses_per_turn = 0;           ///< encoder pulses a wheel turn; 0: the encoder is continuous
     double skid = 0.04;                   ///< [m] distance of the skids before and behind the axis
@@ -45,6 +47,8 @@ struct DriveSpec {
 
     /// Pulses a wheel turn that a body counts in: a continuous encoder in steps of less than 0.4 urad.
     double encoder_pulses() const { return pulses_per_turn > 0 ? pulses_per_turn : 1 << 24; }
+    double radius_of_left() const { return left_radius > 0 ? left_radius : radius; }
+    double radius_of_right() const { return right_radius > 0 ? right_radius : radius; }
 };
 
 /// From a distance to a sensor's value: samples joined by straight lines.
@@ -65,6 +69,10 @@ public:
 
     /// Values at 0, h, 2h, ... range (at least two, all finite); `nothing` is the value with nothing in sight.
     static ResponseTable from_samples(std::vector<double> samples, double range, double nothing);
+
+    /// This sensor with other points: `nothing` and the bounds stay, as far as the points do not reach beyond them.
+    /// Errors as of `from_points`.
+    Expected<ResponseTable> with_points(std::vector<Point> points, double range) const;
 
     /// The value at this distance [m]; infinity, or anything past the range, means nothing in sight.
     double operator()(double distance) const;

@@ -5,7 +5,10 @@
 
 namespace nezumi::hw {
 
-double metres_per_pulse(const DriveSpec& drive) { return 2 * std::numbers::pi * drive.radius / drive.encoder_pulses(); }
+Wheels metres_per_pulse(const DriveSpec& drive) {
+    const double turn = 2 * std::numbers::pi / drive.encoder_pulses();
+    return {.left = turn * drive.radius_of_left(), .right = turn * drive.radius_of_right()};
+}
 
 double rim_acceleration(const DriveSpec& drive) {
     const Limits& limits = drive.hardware_limits;
@@ -15,12 +18,12 @@ double rim_acceleration(const DriveSpec& drive) {
 WheelReading wheel_reading(const std::optional<Sample<WheelValues>>& sample, const TickClock& clock, const Time& now,
                            const DriveSpec& drive) {
     if (!sample) return {};
-    const double metres = metres_per_pulse(drive);
+    const Wheels metres = metres_per_pulse(drive);
     const Wheels& rates = sample->value.rates;
     return {.is_there = true,
             .tm = clock.system_time(now, sample->tm),
             .pulses = sample->value.pulses,
-            .speeds = {.left = rates.left * metres, .right = rates.right * metres}};
+            .speeds = {.left = rates.left * metres.left, .right = rates.right * metres.right}};
 }
 
 }  // namespace nezumi::hw

@@ -17,8 +17,8 @@ struct WheelValues {
     Wheels rates;        ///< [pulses/s]
 };
 
-/// [m] that a rim moves in a pulse.
-double metres_per_pulse(const DriveSpec& drive);
+/// [m] that each rim moves in a pulse.
+Wheels metres_per_pulse(const DriveSpec& drive);
 /// [m/s^2] of one rim, when both axes speed up as the hardware's limits allow.
 double rim_acceleration(const DriveSpec& drive);
 /// What a body reports of its wheels at `now`, by their newest sample.

@@ -131,7 +131,8 @@ Expected<std::unique_ptr<RobotBody>> Ev3Body::make(const RobotSpec& spec, const 
     }
     std::array<std::string, 2> ports{"outB", "outC"};
     if (!spec.drive.port.empty()) std::copy(spec.drive.port.begin(), spec.drive.port.end(), ports.begin());
-    auto wheels = WheelMotors::make(motors, ports, rim_acceleration(spec.drive) / metres_per_pulse(spec.drive), others);
+    auto wheels =
+        WheelMotors::make(motors, ports, rim_acceleration(spec.drive) / metres_per_pulse(spec.drive).left, others);
     if (!wheels) return Unexpected(wheels.error());
     return std::unique_ptr<RobotBody>(
         new Ev3Body(spec, roots, std::move(*wheels), std::move(servo), index.value_or(spec.actuators.size())));
@@ -268,9 +269,9 @@ std::vector<std::string> Ev3Body::take_faults() {
 }
 
 void Ev3Body::set_wheel_speeds(Wheels speeds) {
-    const double metres = metres_per_pulse(spec_.drive);
-    wheels_->command(
-        {.drives = may_have_power_, .rates = {.left = speeds.left / metres, .right = speeds.right / metres}});
+    const Wheels metres = metres_per_pulse(spec_.drive);
+    wheels_->command({.drives = may_have_power_,
+                      .rates = {.left = speeds.left / metres.left, .right = speeds.right / metres.right}});
     wheels_worker_.wake();
 }
 

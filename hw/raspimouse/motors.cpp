@@ -18,16 +18,16 @@ constexpr double attention = 0.05;  // the same while the motors have power
 
 }  // namespace
 
-Motors::Motors(const std::string& folder, std::unique_ptr<Guard> guard, double metres_per_pulse, double acceleration)
+Motors::Motors(const std::string& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration)
     : guard_(std::move(guard)),
       power_(folder + "/rtmotoren0", Node::Access::write),
       left_(folder + "/rtmotor_raw_l0", Node::Access::write),
       right_(folder + "/rtmotor_raw_r0", Node::Access::write),
       buzzer_(folder + "/rtbuzzer0", Node::Access::write),
-      left_rate_(metres_per_pulse, acceleration),
-      right_rate_(metres_per_pulse, acceleration) {}
+      left_rate_(metres_per_pulse.left, acceleration),
+      right_rate_(metres_per_pulse.right, acceleration) {}
 
-Expected<std::shared_ptr<Motors>> Motors::make(const std::string& folder, double metres_per_pulse,
+Expected<std::shared_ptr<Motors>> Motors::make(const std::string& folder, Wheels metres_per_pulse,
                                                double acceleration) {
     const std::string power = folder + "/rtmotoren0", left = folder + "/rtmotor_raw_l0",
                       right = folder + "/rtmotor_raw_r0";

@@ -540,6 +540,7 @@ function output(name, type, doc, options) end
 ---@field pose? { x?: number, y?: number, heading?: number } where it starts
 ---@field limits? LimitsFields in the place of the model's
 ---@field backend? string "sim", or the name of a driver
+---@field calibrated? boolean in simulation too it is as `NAME.calibration.lua` beside this file says
 ---@field active? boolean whether it is activated at the start
 
 ---@class (exact) BehaviorFields
@@ -572,6 +573,8 @@ function output(name, type, doc, options) end
 
 ---@class (exact) DriveFields
 ---@field radius number [m] of the wheels
+---@field left_radius? number [m] of the left wheel, where it is known to differ
+---@field right_radius? number [m] of the right wheel, where it is known to differ
 ---@field track number [m] between the wheels
 ---@field pulses_per_turn? number of the encoders, a wheel turn; 0: continuous
 ---@field skid? number [m] how far the skids stand before and behind the axis
@@ -652,6 +655,18 @@ function output(name, type, doc, options) end
 ---@field vy? number [m/s] along the robot's y axis
 ---@field va? number [rad/s] yaw rate, counter-clockwise
 ---@field seconds? number [s] how long (of s:disturb)
+
+---@class (exact) CalibrationFields
+---@field robot string its name in the system
+---@field model string that it was measured with
+---@field serial? string number of its computer: on another one the file is refused
+---@field odometry? OdometryCalibrationFields its wheels, by `nezumi calibrate odometry`
+---@field sensors? table<string, { table: number[][] }> what its range sensors say at distances [m], by `nezumi calibrate ir`: `right_front = { table = { { 0.02, 795 }, ... } }`
+
+---@class (exact) OdometryCalibrationFields
+---@field track number [m] between the wheels
+---@field left_radius number [m] of the left wheel
+---@field right_radius number [m] of the right wheel
 
 ---@class (exact) ScenarioOptions
 ---@field timeout? number [s] simulated time after which the scenario fails

@@ -30,6 +30,9 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
 /// One sensor of this name. Its place is given from the centre of `body`.
 SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body, const RobotFileHelp& help);
 
+/// Points of a response in a file, `{ { 0.01, 1394 }, { 0.02, 792 } }`, the field 'table' of a sensor.
+std::vector<ResponseTable::Point> read_points(Fields& sensor, const FileTable& table);
+
 /// A place given from the hull's centre, in the body frame.
 Point3D on_body(const BodySpec& body, const Point3D& at);
 

@@ -15,32 +15,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double twelve_bits = 4095;  // the largest value of a table, unless it says otherwise
 
-// Inline points: `{ { 0.01, 1394 }, { 0.02, 792 } }`.
-std::vector<ResponseTable::Point> read_points(Fields& sensor, const FileTable& table) {
-    std::vector<ResponseTable::Point> points;
-    for (const FileValue& element : table.elements) {
-        double pair[2] = {0, 0};
-        const FileTable* point = element.table();
-        bool fits = point != nullptr && point->elements.size() == 2;
-        for (std::size_t i = 0; fits && i < 2; ++i) {
-            const FileValue& number = point->elements[i];
-            if (const auto* whole = std::get_if<std::int64_t>(&number.data)) {
-                pair[i] = static_cast<double>(*whole);
-            } else if (const auto* real = std::get_if<double>(&number.data)) {
-                pair[i] = *real;
-            } else {
-                fits = false;
-            }
-        }
-        if (!fits) {
-            sensor.check().wrong(sensor.path_of("table"), "expected a file's name or points { distance, value }");
-            return {};
-        }
-        points.push_back({pair[0], pair[1]});
-    }
-    return points;
-}
-
 void read_table(Fields& sensor, SensorSpec& spec, bool range_given, double nothing, double minimum, double maximum,
                 const RobotFileHelp& help) {
     FieldCheck& check = sensor.check();
@@ -155,6 +129,31 @@ void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& he
 }
 
 }  // namespace
+
+std::vector<ResponseTable::Point> read_points(Fields& sensor, const FileTable& table) {
+    std::vector<ResponseTable::Point> points;
+    for (const FileValue& element : table.elements) {
+        double pair[2] = {0, 0};
+        const FileTable* point = element.table();
+        bool fits = point != nullptr && point->elements.size() == 2;
+        for (std::size_t i = 0; fits && i < 2; ++i) {
+            const FileValue& number = point->elements[i];
+            if (const auto* whole = std::get_if<std::int64_t>(&number.data)) {
+                pair[i] = static_cast<double>(*whole);
+            } else if (const auto* real = std::get_if<double>(&number.data)) {
+                pair[i] = *real;
+            } else {
+                fits = false;
+            }
+        }
+        if (!fits) {
+            sensor.check().wrong(sensor.path_of("table"), "expected a file's name or points { distance, value }");
+            return {};
+        }
+        points.push_back({pair[0], pair[1]});
+    }
+    return points;
+}
 
 SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const BodySpec& body,
                               const RobotFileHelp& help) {

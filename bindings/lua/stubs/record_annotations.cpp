@@ -7,6 +7,7 @@
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "engine/components/parameter_fields.hpp"
 #include "engine/system/system_fields.hpp"
+#include "engine/world/calibration.hpp"
 
 namespace nezumi {
 namespace {
@@ -44,15 +45,16 @@ constexpr Word words[] = {
 
 const std::vector<RecordShape>& file_records() {
     static const std::vector<RecordShape> records{
-        shape_of_record<ParameterSpec>(),  shape_of_record<PortDeclaration>(), shape_of_record<ScriptAbout>(),
-        shape_of_record<TaskOptions>(),    shape_of_record<WaitOptions>(),     shape_of_record<BoxSpec>(),
-        shape_of_record<WallSpec>(),       shape_of_record<CylinderSpec>(),    shape_of_record<MarkerSpec>(),
-        shape_of_record<FloorSpec>(),      shape_of_record<BorderSpec>(),      shape_of_record<ArenaSpec>(),
-        shape_of_record<LimitChanges>(),   shape_of_record<RobotEntry>(),      shape_of_record<BehaviorEntry>(),
-        shape_of_record<ComponentEntry>(), shape_of_record<PhysicsFields>(),   shape_of_record<BodySpec>(),
-        shape_of_record<DriveSpec>(),      shape_of_record<SensorSpec>(),      shape_of_record<ActuatorSpec>(),
-        shape_of_record<PortSpec>(),       shape_of_record<HardwareSpec>(),    shape_of_record<RobotSpec>(),
-        shape_of_record<RobotPlace>(),     shape_of_record<MarkerPlace>(),     shape_of_record<Push>(),
+        shape_of_record<ParameterSpec>(),  shape_of_record<PortDeclaration>(),  shape_of_record<ScriptAbout>(),
+        shape_of_record<TaskOptions>(),    shape_of_record<WaitOptions>(),      shape_of_record<BoxSpec>(),
+        shape_of_record<WallSpec>(),       shape_of_record<CylinderSpec>(),     shape_of_record<MarkerSpec>(),
+        shape_of_record<FloorSpec>(),      shape_of_record<BorderSpec>(),       shape_of_record<ArenaSpec>(),
+        shape_of_record<LimitChanges>(),   shape_of_record<RobotEntry>(),       shape_of_record<BehaviorEntry>(),
+        shape_of_record<ComponentEntry>(), shape_of_record<PhysicsFields>(),    shape_of_record<BodySpec>(),
+        shape_of_record<DriveSpec>(),      shape_of_record<SensorSpec>(),       shape_of_record<ActuatorSpec>(),
+        shape_of_record<PortSpec>(),       shape_of_record<HardwareSpec>(),     shape_of_record<RobotSpec>(),
+        shape_of_record<RobotPlace>(),     shape_of_record<MarkerPlace>(),      shape_of_record<Push>(),
+        shape_of_record<Calibration>(),    shape_of_record<WheelCalibration>(),
     };
     return records;
 }

@@ -115,8 +115,9 @@ TEST_CASE("a robot's missing field is told with what belongs there", "[lua][robo
           "r.lua:1: robot_model: field 'mass' is missing: expected a positive number in kg: of the "
           "whole robot");
     CHECK(error("return robot_model { mass = 1 }") ==
-          "r.lua:1: robot_model: field 'drive' is missing: expected { radius =, track =, pulses_per_turn =, skid =, "
-          "coasts_until_commanded =, limits =, hardware_limits =, needs =, port = }: wheels, skids and limits");
+          "r.lua:1: robot_model: field 'drive' is missing: expected { radius =, left_radius =, right_radius =, "
+          "track =, pulses_per_turn =, skid =, coasts_until_commanded =, limits =, hardware_limits =, needs =, port = "
+          "}: wheels, skids and limits");
     CHECK(
         error("return robot_model { mass = 1, body = { size = { 1, 1, 1 } }, drive = { radius = 1 } }") ==
         "r.lua:1:63: robot_model: field 'drive.track' is missing: expected a positive number in m: between the wheels");

@@ -1,0 +1,84 @@
+// What one robot really is like, where it differs from its model: measured by `nezumi calibrate`, kept in a file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/ports/setting.hpp"
+#include "engine/world/robot_fields.hpp"
+#include "engine/world/robot_spec.hpp"
+
+namespace nezumi {
+
+struct WheelCalibration {
+    double track = 0;         ///< [m]
+    double left_radius = 0;   ///< [m]
+    double right_radius = 0;  ///< [m]
+
+    bool is_there() const { return track > 0 && left_radius > 0 && right_radius > 0; }
+    bool operator==(const WheelCalibration&) const = default;
+};
+
+/// What a range sensor says at distances.
+struct RangeCalibration {
+    std::string sensor;                        ///< its name in the robot file
+    std::vector<ResponseTable::Point> points;  ///< in ascending order of distance
+};
+
+struct Calibration {
+    std::string robot;          ///< its name in the system
+    std::string model;          ///< that it was measured with
+    std::string serial;         ///< of its computer; "": not known
+    WheelCalibration odometry;  ///< as long as it is there
+    std::vector<RangeCalibration> ranges;
+};
+
+/// Makes a model's description that of the robot. With a calibrated odometry its hardware may do what its model may. An
+/// error when a sensor is not there, or when its points make no table.
+Expected<void> apply(const Calibration& calibration, RobotSpec& spec);
+
+template <>
+struct Describe<WheelCalibration> {
+    static constexpr std::string_view name = "odometry_calibration";
+    static constexpr std::string_view doc = "A robot's wheels as they were measured.";
+    static constexpr std::tuple fields{
+        Setting{"track",
+                &WheelCalibration::track,
+                "m",
+                "between the wheels",
+                {.required = true, .range = NumberRange::positive, .least = least_robot_length}},
+        Setting{"left_radius",
+                &WheelCalibration::left_radius,
+                "m",
+                "of the left wheel",
+                {.required = true, .range = NumberRange::positive, .least = least_robot_length}},
+        Setting{"right_radius",
+                &WheelCalibration::right_radius,
+                "m",
+                "of the right wheel",
+                {.required = true, .range = NumberRange::positive, .least = least_robot_length}},
+    };
+};
+
+template <>
+struct Describe<Calibration> {
+    static constexpr std::string_view name = "calibration";
+    static constexpr std::string_view doc = "What one robot was measured to be, in `ROBOT.calibration.lua`.";
+    static constexpr std::tuple fields{
+        Setting{"robot", &Calibration::robot, "", "its name in the system", {.required = true}},
+        Setting{"model", &Calibration::model, "", "that it was measured with", {.required = true}},
+        Setting{"serial", &Calibration::serial, "", "number of its computer: on another one the file is refused"},
+        Setting{"odometry", &Calibration::odometry, "", "its wheels, by `nezumi calibrate odometry`"},
+        Extra{
+            "sensors",
+            "table<string, { table: number[][] }>",
+            "",
+            "what its range sensors say at distances [m], by `nezumi calibrate ir`: `right_front = { table = { { 0.02, "
+            "795 }, ... } }`",
+            {.by_hand = true}},
+        Internal{&Calibration::ranges},
+    };
+};
+
+}  // namespace nezumi

@@ -1,0 +1,141 @@
+// Calibration files: what they say of a robot, whose they are, and what is refused.
+#include "bindings/lua/files/calibration_file.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "bindings/lua/files/system_file.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/source_root.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+struct CalibratedProject {
+    Scratch folder;
+    std::string system = "robot 'mouse' { model = 'raspimouse', calibrated = true }";
+
+    Expected<SystemSpec> read() const {
+        const auto file = folder.write("system.lua", system);
+        return read_system_file(file, Project::of(file, {source_root()}));
+    }
+    std::string refused(const std::string& calibration) const {
+        folder.write("mouse.calibration.lua", calibration);
+        const auto spec = read();
+        if (spec) return "";
+        const std::string text = describe(spec.error());
+        const std::string path = folder.path("").string();
+        return text.find(path) == 0 ? text.substr(path.size()) : text;
+    }
+};
+
+const std::string head = "calibration { robot = 'mouse', model = 'raspimouse', ";
+
+}  // namespace
+
+TEST_CASE("a robot is what its calibration says, and its hardware may do what its model may", "[lua][calibration]") {
+    const CalibratedProject project;
+    Calibration calibration{.robot = "mouse", .model = "raspimouse"};
+    calibration.odometry = {.track = 0.0955, .left_radius = 0.0243, .right_radius = 0.0238};
+    calibration.ranges = {{"right_front", {{0.02, 900.5}, {0.1, 50}}}};
+    project.folder.write("mouse.calibration.lua", write_calibration(calibration));
+    const auto spec = project.read();
+    REQUIRE(spec);
+    const auto& robot = std::get<RobotEntry>(spec->entries.front());
+    CHECK(robot.model == "raspimouse");
+    const RobotSpec& own = spec->models.at(robot.described_by());
+    CHECK(own.drive.track == 0.0955);
+    CHECK(own.drive.radius_of_left() == 0.0243);
+    CHECK(own.drive.radius_of_right() == 0.0238);
+    CHECK(own.drive.hardware_limits == own.drive.limits);
+    const auto sensor = std::find_if(own.sensors.begin(), own.sensors.end(),
+                                     [](const SensorSpec& each) { return each.name == "right_front"; });
+    REQUIRE(sensor != own.sensors.end());
+    CHECK(sensor->response(0.02) == 900.5);
+    CHECK(sensor->response(1) == 0);
+    CHECK(spec->models.at("raspimouse").drive.track == 0.0925);
+    CHECK(spec->files.back() == project.folder.path("mouse.calibration.lua").string());
+}
+
+TEST_CASE("without an odometry the hardware's limits stay", "[lua][calibration][safety]") {
+    const CalibratedProject project;
+    CHECK(project.refused(head + "sensors = { right_front = { table = { { 0.02, 9 }, { 0.1, 5 } } } } }").empty());
+    const auto spec = project.read();
+    REQUIRE(spec);
+    const RobotSpec& own = spec->models.at(std::get<RobotEntry>(spec->entries.front()).described_by());
+    CHECK(own.drive.hardware_limits.speed == 0.2);
+}
+
+TEST_CASE("a simulated robot is its model unless it says that it is calibrated", "[lua][calibration]") {
+    CalibratedProject project;
+    project.system = "robot 'mouse' { model = 'raspimouse' }";
+    CHECK(project.refused("this is no Lua").empty());
+    CHECK(std::get<RobotEntry>(project.read()->entries.front()).described_by() == "raspimouse");
+}
+
+TEST_CASE("a robot that should be calibrated and is not is refused", "[lua][calibration]") {
+    const CalibratedProject project;
+    const auto spec = project.read();
+    REQUIRE_FALSE(spec);
+    CHECK(spec.error().place.line == 1);
+    CHECK(spec.error().message == "robot 'mouse': calibrated = true, and there is no " +
+                                      project.folder.path("mouse.calibration.lua").string() +
+                                      ": make it by nezumi calibrate");
+}
+
+TEST_CASE("another robot's calibration is refused", "[lua][calibration]") {
+    const CalibratedProject project;
+    CHECK(project.refused("calibration { robot = 'moose', model = 'raspimouse' }") ==
+          "mouse.calibration.lua: is the calibration of another robot: its name is 'moose', not 'mouse'. Calibrate "
+          "this one, "
+          "or move the file away");
+    CHECK(project.refused("calibration { robot = 'mouse', model = 'ev3' }") ==
+          "mouse.calibration.lua: is the calibration of another robot: its model is 'ev3', not 'raspimouse'. Calibrate "
+          "this "
+          "one, or move the file away");
+}
+
+TEST_CASE("the number of a robot's computer tells two mice apart", "[lua][calibration]") {
+    const CalibratedProject project;
+    CHECK(project.refused(head + "serial = '00000000aaaa' }").empty());
+    auto spec = project.read();
+    REQUIRE(spec);
+    auto& robot = std::get<RobotEntry>(spec->entries.front());
+    robot.description.clear();
+    const Project files = Project::of(spec->file, {source_root()});
+    const auto other = use_calibration(*spec, robot, files, {.is_needed = false, .serial = "00000000bbbb"});
+    REQUIRE_FALSE(other);
+    CHECK(other.error().message ==
+          "is the calibration of another robot: its computer's number is '00000000aaaa', not "
+          "'00000000bbbb'. Calibrate this one, or move the file away");
+    CHECK(use_calibration(*spec, robot, files, {.is_needed = false, .serial = "00000000aaaa"}));
+}
+
+TEST_CASE("a calibration that is torn in the middle is refused wherever it is torn", "[lua][calibration]") {
+    const CalibratedProject project;
+    Calibration calibration{.robot = "mouse", .model = "raspimouse", .serial = "12"};
+    calibration.odometry = {.track = 0.0955, .left_radius = 0.0243, .right_radius = 0.0238};
+    calibration.ranges = {{"right_front", {{0.02, 900.5}, {0.1, 50}}}};
+    const std::string whole = write_calibration(calibration);
+    CHECK(project.refused(whole).empty());
+    for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
+        CAPTURE(length);
+        const std::string said = project.refused(whole.substr(0, length));
+        CHECK(said.starts_with("mouse.calibration.lua"));
+        CHECK(said.find('\n') == said.npos);
+    }
+}
+
+TEST_CASE("what does not belong into a calibration is told with its line", "[lua][calibration]") {
+    const CalibratedProject project;
+    CHECK(project.refused(head + "\nodometry = { track = 0.09 } }") ==
+          "mouse.calibration.lua:2:1: calibration: field 'odometry.left_radius' is missing: expected a positive number "
+          "in m");
+    CHECK(project.refused(head + "sensors = { right_fornt = { table = { { 0.02, 9 }, { 0.1, 5 } } } } }") ==
+          "mouse.calibration.lua: model 'raspimouse' has no range sensor 'right_fornt' (did you mean 'right_front'?)");
+    CHECK(project.refused(head + "sensors = { right_front = { table = { { 0.1, 9 }, { 0.02, 5 } } } } }") ==
+          "mouse.calibration.lua: sensor 'right_front': distances must ascend: 0.02 m comes after 0.1 m");
+    CHECK(project.refused(head + "odometri = {} }").find("odometri") != std::string::npos);
+}
