@@ -87,7 +87,7 @@ std::string no_command(const Command& command, const std::string& path, const st
         forms.push_back(form + "`");
     }
     return (word ? fmt::format("{}: there is no '{}'{}. ", path.substr(1), shown(*word), did_you_mean(*word, names))
-                 : fmt::format("{}: what is to be {}? ", path.substr(1), command.name)) +
+                 : fmt::format("{}: which? ", path.substr(1))) +
            fmt::format("Write {}", fmt::join(forms, " or "));
 }
 

@@ -13,5 +13,7 @@ Command types_command();
 Command check_command();
 Command new_command();
 Command test_command();
+Command doctor_command();
+Command calibrate_command();
 
 }  // namespace nezumi::cli

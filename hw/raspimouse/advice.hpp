@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "hw/device/node.hpp"
 
@@ -9,6 +10,10 @@ namespace nezumi::hw {
 
 /// "/dev/rtled0: no such file or directory: is the driver loaded? Try: sudo modprobe rtmouse".
 std::string with_advice(const NodeError& error);
+
+/// The line of config.txt without which the light sensors say only zeros, from Linux 5.16 on.
+inline constexpr std::string_view light_sensor_overlay =
+    "dtoverlay=anyspi:spi0-0,dev=\"microchip,mcp3204\",speed=500000";
 
 /// Of a node that said something else than its driver would.
 std::string not_understood(const Node& node, std::string_view said, std::string_view expected);

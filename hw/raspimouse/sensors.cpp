@@ -1,6 +1,8 @@
 // How each of the mouse's sensors is read, and what is not believed.
 #include "hw/raspimouse/sensors.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <utility>
 
@@ -30,10 +32,9 @@ tl::expected<std::optional<LightValues>, std::string> LightSensors::sample(doubl
     if (!values) return tl::unexpected(not_understood(node_, *text, "four numbers"));
     zeros_ = *values == LightValues{} ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_doubt)
-        return tl::unexpected(node_.path() +
-                              ": says only 0 0 0 0: the SPI overlay is missing. Add "
-                              "dtoverlay=anyspi:spi0-0,dev=\"microchip,mcp3204\",speed=500000 "
-                              "to config.txt and start the robot again");
+        return tl::unexpected(fmt::format(
+            "{}: says only 0 0 0 0: the SPI overlay is missing. Add {} to config.txt and start the robot again",
+            node_.path(), light_sensor_overlay));
     return *values;
 }
 

@@ -1,0 +1,198 @@
+// `nezumi calibrate`: guided runs that measure one robot and write what it is like beside its system.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "bindings/cli/calibrate_odometry.hpp"
+#include "bindings/cli/calibrate_ranges.hpp"
+#include "bindings/cli/commands.hpp"
+#include "bindings/cli/environment.hpp"
+#include "bindings/cli/guided_setup.hpp"
+#include "bindings/cli/person.hpp"
+#include "bindings/cli/stop_signals.hpp"
+#include "bindings/lua/files/calibration_file.hpp"
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+struct CalibrateOptions {
+    std::string file, robot, dev_root, sys_root;
+    double side = OdometryCourse{}.side;
+    double wall = 0.02;
+    bool simulated = false;
+    bool is_sure = false;
+};
+
+// One calibration, from the robot to the file.
+class Session {
+public:
+    explicit Session(const CalibrateOptions& options)
+        : options_(options), person_(signals_.received(), options.is_sure || options.simulated) {}
+
+    Expected<int> odometry() {
+        if (auto ready = begin(); !ready) return Unexpected(ready.error());
+        person_.tell(
+            fmt::format("It drives a line of {} m and two squares of {} m. Mark where the middle of its axle "
+                        "stands, and which way it looks, and measure from there: x ahead, y to the left.",
+                        2 * options_.side, options_.side));
+        auto fit = calibrate_odometry(*robot_, {.side = options_.side},
+                                      {.place = [&](const std::string& drive) { return place(drive); },
+                                       .measure = [&](const std::string&) { return measure(); }});
+        if (!fit) return Unexpected(fit.error());
+        fmt::print(
+            "track {:.5f} m, left radius {:.6f} m, right radius {:.6f} m; the ends are {:.4f} m off, {:.4f} m "
+            "before\n",
+            fit->wheels.track, fit->wheels.left_radius, fit->wheels.right_radius, fit->after, fit->before);
+        return write([&](Calibration& calibration) { calibration.odometry = fit->wheels; });
+    }
+
+    Expected<int> ranges() {
+        if (auto ready = begin(); !ready) return Unexpected(ready.error());
+        double front = 0;
+        for (const SensorSpec& sensor : robot_->robot().spec().sensors) {
+            if (sensor.kind == SensorSpec::Kind::range) front = std::max(front, sensor.at.x);
+        }
+        const double wall = options_.simulated ? distance_to_wall() : front + options_.wall;
+        auto asked = person_.confirm(fmt::format(
+            "Stand the robot squarely before a white wall, its foremost sensors {} m from it, with 0.5 m of "
+            "room behind. It backs away and turns.",
+            options_.wall));
+        if (!asked) return Unexpected(asked.error());
+        auto ranges = calibrate_ranges(*robot_, {.wall = wall});
+        if (!ranges) return Unexpected(ranges.error());
+        for (const RangeCalibration& range : *ranges) {
+            fmt::print("{}:", range.sensor);
+            for (const auto& point : range.points) fmt::print(" {:.3f} m {:.0f},", point.distance, point.value);
+            fmt::print("\n");
+        }
+        return write([&](Calibration& calibration) { calibration.ranges = std::move(*ranges); });
+    }
+
+private:
+    Expected<void> begin() {
+        if (auto there = person_.is_there(); !there) return there;
+        GuidedSetup setup{.file = options_.file, .robot = options_.robot, .simulated = options_.simulated};
+        if (!options_.dev_root.empty()) setup.hardware.dev_root = options_.dev_root;
+        if (!options_.sys_root.empty()) setup.hardware.sys_root = options_.sys_root;
+        serial_ = serial_number(setup.hardware.sys_root);
+        auto robot = guided_by_file(std::move(setup), signals_.received());
+        if (!robot) return Unexpected(robot.error());
+        robot_ = std::move(*robot);
+        return {};
+    }
+
+    Expected<void> place(const std::string& drive) {
+        if (options_.simulated) start_ = truth();
+        return person_.confirm(fmt::format("Put it on its mark for {}.", drive));
+    }
+    Expected<Point2D> measure() {
+        if (options_.simulated) {
+            const Pose2D now = truth();
+            const double dx = now.position.x - start_.position.x, dy = now.position.y - start_.position.y;
+            const double c = std::cos(start_.heading), s = std::sin(start_.heading);
+            return Point2D{c * dx + s * dy, c * dy - s * dx};
+        }
+        const auto end = person_.numbers("Where does it stand now: x y [m]", 2);
+        if (!end) return Unexpected(end.error());
+        return Point2D{(*end)[0], (*end)[1]};
+    }
+    Pose2D truth() { return robot_->system().world()->truth(robot_->robot().id()).pose; }
+    // By its first ray that looks ahead.
+    double distance_to_wall() {
+        const Pose2D now = truth();
+        double nearest = 1e6;
+        for (const Ray& ray : robot_->system().world()->rays(robot_->robot().id())) {
+            if (ray.hit)
+                nearest = std::min(nearest, (ray.to.x - now.position.x) * std::cos(now.heading) +
+                                                (ray.to.y - now.position.y) * std::sin(now.heading));
+        }
+        return nearest;
+    }
+
+    // The file as it is, with what is new in it.
+    template <class Change>
+    Expected<int> write(Change change) {
+        if (options_.simulated) {
+            fmt::print("nothing is written: it was simulated\n");
+            return kDone;
+        }
+        const std::string& name = robot_->robot().name();
+        const auto entry = std::find_if(robot_->spec().entries.begin(), robot_->spec().entries.end(),
+                                        [&](const Entry& each) { return name_of(each) == name; });
+        const std::filesystem::path path = calibration_path(options_.file, name);
+        Calibration calibration;
+        if (std::error_code none; std::filesystem::exists(path, none)) {
+            const auto text = read_whole(path, path.string());
+            if (!text) return Unexpected(text.error());
+            auto read = read_calibration_text(*text, path.string(), Project::of(path));
+            if (!read) return Unexpected(read.error());
+            calibration = std::move(*read);
+        }
+        calibration.robot = name;
+        calibration.model = std::get<RobotEntry>(*entry).model;
+        calibration.serial = serial_;
+        change(calibration);
+        if (auto written = write_whole(path, write_calibration(calibration)); !written)
+            return Unexpected(written.error());
+        fmt::print("{} is used by nezumi run --hw\n", path.string());
+        return kDone;
+    }
+
+    const CalibrateOptions& options_;
+    StopSignals signals_;
+    Person person_;
+    std::string serial_;
+    std::unique_ptr<GuidedRobot> robot_;
+    Pose2D start_;
+};
+
+int run(const CalibrateOptions& options, Expected<int> (Session::*calibrate)()) {
+    Session session(options);
+    const auto status = (session.*calibrate)();
+    return status ? *status : refuse(status.error());
+}
+
+}  // namespace
+
+Command calibrate_command() {
+    auto options = std::make_shared<CalibrateOptions>();
+    const auto with = [&](std::vector<Option> own) {
+        own.insert(own.begin(), {"FILE", &options->file, "the system file that the robot belongs to"});
+        const std::vector<Option> common{
+            {"--robot", &options->robot, "its name in the file; may be left out when there is only one", "NAME"},
+            {"--sim", &options->simulated, "rehearse it in simulation: measured by the truth, nothing is written"},
+            {"--yes", &options->is_sure, "nothing is confirmed; measurements are read from standard input"},
+            {"--dev-root", &options->dev_root, "the folder of the devices' nodes (default /dev)", "DIR"},
+            {"--sys-root", &options->sys_root, "the folder of the kernel's devices (default /sys)", "DIR"}};
+        own.insert(own.end(), common.begin(), common.end());
+        return own;
+    };
+    const std::string footer =
+        "Writes ROBOT.calibration.lua beside FILE, which nezumi run --hw uses from then on.\nExit status: 0 written, 2 "
+        "it "
+        "could not be done.";
+    const Command odometry{.name = "odometry",
+                           .help = "Measure the wheels' radii and track by a line and two squares",
+                           .options = with({{"--side", &options->side, "of the squares [m]; the line is twice as long",
+                                             "M", number_from(0.1, 10)}}),
+                           .run = [options] { return run(*options, &Session::odometry); },
+                           .footer = footer};
+    const Command ranges{
+        .name = "ir",
+        .help = "Measure what the distance sensors say of a wall at known distances",
+        .options = with({{"--wall", &options->wall, "from the foremost sensors to the wall, where the robot starts [m]",
+                          "M", number_from(0.015, 1)}}),
+        .run = [options] { return run(*options, &Session::ranges); },
+        .footer = footer};
+    return {.name = "calibrate",
+            .help = "Measure what a real robot is like, by guided runs",
+            .commands = {odometry, ranges}};
+}
+
+}  // namespace nezumi::cli

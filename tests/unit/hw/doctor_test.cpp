@@ -1,0 +1,269 @@
+// What `nezumi doctor` finds on machines that are folders.
+#include "hw/doctor/doctor.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+
+#include "hw/guard/lease.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::hw;
+
+namespace {
+
+// A Raspberry Pi 4 with a mouse that lacks nothing.
+struct MouseMachine {
+    MouseMachine() {
+        for (const char* node :
+             {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0", "rtled0", "rtled1", "rtled2", "rtled3", "rtbuzzer0"})
+            folder.write(std::string("dev/") + node, "0\n");
+        for (const char* node : {"rtswitch0", "rtswitch1", "rtswitch2"})
+            folder.write(std::string("dev/") + node, "1\n");
+        folder.write("dev/rtlightsensor0", "12 0 -3 14\n");
+        folder.write("dev/rtcounter_l0", "700\n");
+        folder.write("dev/rtcounter_r0", "65000\n");
+        folder.write("sys/module/rtmouse/version", "3.3.2\n");
+        folder.write("sys/firmware/devicetree/base/model", std::string_view("Raspberry Pi 4 Model B Rev 1.4\0", 31));
+        folder.write("sys/bus/i2c/devices/i2c-1/name", "bcm2835\n");
+        folder.write("proc/sys/kernel/osrelease", "6.1.21-v7+\n");
+        folder.write("proc/cpuinfo", "model name : ARMv7 Processor rev 3 (v7l)\n");
+        folder.write("udev/rules.d/60-nezumi.rules", "KERNEL==\"rtmotor*\", MODE=\"0660\"\n");
+    }
+    Examination examine() const {
+        MachineRoots roots;
+        roots.devices = {.dev = folder.path("dev").string(), .sys = folder.path("sys").string()};
+        roots.proc = folder.path("proc").string();
+        roots.udev = {folder.path("udev").string()};
+        roots.rules = "/usr/share/nezumi/60-nezumi.rules";
+        return hw::examine(roots);
+    }
+    void remove(const std::string& name) const { std::filesystem::remove_all(folder.path(name)); }
+
+    Scratch folder;
+};
+
+// "wrong driver: rtmouse is not loaded -> sudo modprobe rtmouse", a line each, of what is not well.
+std::string not_well(const Examination& examination) {
+    std::string text;
+    for (const Finding& finding : examination.findings) {
+        if (finding.state != Finding::State::wrong) continue;
+        text += finding.check + ": " + finding.found + " -> " + finding.advice + "\n";
+    }
+    return text;
+}
+
+std::string found(const Examination& examination, const std::string& check) {
+    for (const Finding& finding : examination.findings) {
+        if (finding.check == check) return finding.found;
+    }
+    return "not looked at";
+}
+
+}  // namespace
+
+TEST_CASE("a mouse that lacks nothing has nothing wrong, and tells what is there", "[hw][doctor]") {
+    const MouseMachine machine;
+    const Examination all = machine.examine();
+    CHECK(all.driver == "raspimouse");
+    CHECK(not_well(all).empty());
+    CHECK(found(all, "board") == "Raspberry Pi 4 Model B Rev 1.4");
+    CHECK(found(all, "driver") == "rtmouse 3.3.2");
+    CHECK(found(all, "nodes") == "all 14 can be used");
+    CHECK(found(all, "light sensors") == "12 0 -3 14");
+    CHECK(found(all, "wheel counters") == "700 left, 65000 right");
+    CHECK(found(all, "udev rules") == machine.folder.path("udev/rules.d/60-nezumi.rules").string());
+    CHECK(found(all, "camera") == "none is there");
+}
+
+TEST_CASE("looking at a mouse writes nothing", "[hw][doctor][safety]") {
+    const MouseMachine machine;
+    const auto before = std::filesystem::last_write_time(machine.folder.path("dev/rtmotoren0"));
+    static_cast<void>(machine.examine());
+    CHECK(std::filesystem::last_write_time(machine.folder.path("dev/rtmotoren0")) == before);
+}
+
+TEST_CASE("a Pi without the driver is told to load it", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.remove("dev");
+    machine.remove("sys/module");
+    const std::string text = not_well(machine.examine());
+    CHECK(text.find("driver: rtmouse is not loaded -> sudo modprobe rtmouse; where there is no such module, build it: "
+                    "https://github.com/rt-net/RaspberryPiMouse\n") != text.npos);
+    CHECK(text.find("nodes: 14 of 14 are missing in ") != text.npos);
+    CHECK(text.find("-> load the driver: sudo modprobe rtmouse\n") != text.npos);
+}
+
+TEST_CASE("a node that is missing is named", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.remove("dev/rtbuzzer0");
+    CHECK(not_well(machine.examine()) ==
+          "nodes: 1 of 14 are missing in " + machine.folder.path("dev").string() +
+              ": rtbuzzer0 -> load the driver anew, and look at what dmesg says: sudo modprobe -r rtmouse, then sudo "
+              "modprobe rtmouse\n");
+}
+
+TEST_CASE("light sensors that say only zeros lead to the overlay, where the kernel needs one", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.folder.write("dev/rtlightsensor0", "0 0 0 0\n");
+    const std::string zeros =
+        "light sensors: they say 0 0 0 0 all the time: that is no measurement -> turn SPI on, see "
+        "overlay; and look at the boards' connector\n";
+    CHECK(not_well(machine.examine()) ==
+          zeros +
+              "overlay: the light sensors' converter is not on the SPI bus -> write dtparam=spi=on and "
+              "dtoverlay=anyspi:spi0-0,dev=\"microchip,mcp3204\",speed=500000 into /boot/firmware/config.txt "
+              "(/boot/config.txt on older systems), and restart\n");
+    machine.folder.write("proc/sys/kernel/osrelease", "5.15.84\n");
+    CHECK(not_well(machine.examine()).find("write dtparam=spi=on into /boot/firmware/config.txt") != std::string::npos);
+    machine.folder.write("sys/bus/spi/devices/spi0.0/modalias", "spi:mcp3204\n");
+    const Examination with_overlay = machine.examine();
+    CHECK(not_well(with_overlay) == zeros);
+    CHECK(found(with_overlay, "overlay") == "spi0.0 is spi:mcp3204");
+}
+
+TEST_CASE("wheel counters that are not there lead to I2C", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.folder.write("dev/rtcounter_r0", "nonsense\n");
+    CHECK(not_well(machine.examine()) ==
+          "wheel counters: they can't be read -> look at what dmesg says, and whether "
+          "i2cdetect -y 1 shows 10 and 11\n");
+    machine.remove("sys/bus/i2c");
+    CHECK(not_well(machine.examine()).starts_with("I2C: it is off, and the wheel counters need it -> "));
+}
+
+TEST_CASE("computers that can't be a mouse's are told apart", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.folder.write("sys/firmware/devicetree/base/model", "Raspberry Pi 5 Model B Rev 1.0");
+    CHECK(not_well(machine.examine()) ==
+          "board: Raspberry Pi 5 Model B Rev 1.0: the driver rtmouse does not work on it -> put a Raspberry Pi 2, 3, 4 "
+          "or "
+          "Zero 2 into the mouse\n");
+    machine.folder.write("sys/firmware/devicetree/base/model", "Raspberry Pi Zero W Rev 1.1");
+    machine.folder.write("proc/cpuinfo", "model name : ARMv6-compatible processor rev 7 (v6l)\nCPU architecture: 7\n");
+    CHECK(not_well(machine.examine()) ==
+          "board: Raspberry Pi Zero W Rev 1.1: its processor is an ARMv6, and packages for armhf do not run on it -> "
+          "put a "
+          "Raspberry Pi 2, 3, 4 or Zero 2 into the mouse\n");
+}
+
+TEST_CASE("a Pi with too little voltage is told, and one that has had too little", "[hw][doctor]") {
+    const MouseMachine machine;
+    const std::string flags = "sys/devices/platform/soc/soc:firmware/get_throttled";
+    machine.folder.write(flags, "50005\n");
+    CHECK(not_well(machine.examine()).starts_with("supply: the Pi has too little voltage -> charge "));
+    machine.folder.write(flags, "50000\n");
+    CHECK(not_well(machine.examine()).empty());
+    CHECK(found(machine.examine(), "supply") == "the Pi has had too little voltage since its start");
+    machine.remove("sys/devices");
+    machine.folder.write("sys/class/hwmon/hwmon1/name", "rpi_volt\n");
+    machine.folder.write("sys/class/hwmon/hwmon1/in0_lcrit_alarm", "1\n");
+    CHECK(not_well(machine.examine()).starts_with("supply: "));
+}
+
+TEST_CASE("programs that have a node open are named, and their counters left alone", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.folder.write("dev/rtcounter_l1", "5\n");
+    machine.folder.write("proc/812/comm", "python3\n");
+    std::filesystem::create_directories(machine.folder.path("proc/812/fd"));
+    std::filesystem::create_symlink(std::filesystem::canonical(machine.folder.path("dev/rtcounter_l1")),
+                                    machine.folder.path("proc/812/fd/3"));
+    const Examination all = machine.examine();
+    CHECK(not_well(all) == "programs: python3 (process 812) has " + machine.folder.path("dev/rtcounter_l1").string() +
+                               " open -> end it before a robot is driven: kill 812\n");
+    CHECK(found(all, "wheel counters") == "another program has them: they were left alone");
+}
+
+TEST_CASE("who drives the motors is seen by the lock as well", "[hw][doctor]") {
+    const MouseMachine machine;
+    const auto lease = Lease::take(machine.folder.path("dev/rtmotoren0").string());
+    REQUIRE(lease);
+    const std::string text = not_well(machine.examine());
+    CHECK(text.find("drives this robot's motors -> end it first, then try again\n") != text.npos);
+    CHECK(text.find("process " + std::to_string(getpid())) != text.npos);
+}
+
+TEST_CASE("a node that does not answer costs a second, and is told", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.remove("dev/rtlightsensor0");
+    REQUIRE(mkfifo(machine.folder.path("dev/rtlightsensor0").c_str(), 0666) == 0);
+    const std::string text = not_well(machine.examine());
+    CHECK(text.find("light sensors: they do not answer -> sudo modprobe -r rtmouse, then sudo modprobe rtmouse\n") !=
+          text.npos);
+}
+
+TEST_CASE("nodes that this user may not use are told with the rule to install", "[hw][doctor]") {
+    const MouseMachine machine;
+    chmod(machine.folder.path("").c_str(), 0755);
+    chmod(machine.folder.path("dev/rtmotoren0").c_str(), 0600);
+    const bool was_root = geteuid() == 0;
+    if (was_root) {
+        REQUIRE(seteuid(65534) == 0);
+    } else {
+        chmod(machine.folder.path("dev/rtmotoren0").c_str(), 0);
+    }
+    const std::string text = not_well(machine.examine());
+    if (was_root) REQUIRE(seteuid(0) == 0);
+    CHECK(text.find("permissions: this user may not use rtmotoren0") != text.npos);
+    CHECK(text.find(
+              "-> sudo cp /usr/share/nezumi/60-nezumi.rules /etc/udev/rules.d/, then sudo udevadm control --reload, "
+              "sudo udevadm trigger, and sudo adduser $USER dialout\n") != text.npos);
+}
+
+TEST_CASE("cameras and sound cards are listed", "[hw][doctor]") {
+    const MouseMachine machine;
+    machine.folder.write("sys/class/video4linux/video0/name", "USB Camera\n");
+    machine.folder.write("proc/asound/cards",
+                         " 0 [Headphones     ]: bcm2835_headpho - bcm2835 Headphones\n"
+                         "                      bcm2835 Headphones\n");
+    CHECK(not_well(machine.examine()).starts_with("camera: video0: USB Camera: "));
+    machine.folder.write("dev/video0", "");
+    CHECK(found(machine.examine(), "camera") == "video0: USB Camera");
+    CHECK(found(machine.examine(), "sound") == "bcm2835 Headphones");
+}
+
+TEST_CASE("a brick tells its motors, sensors and battery", "[hw][doctor]") {
+    const Scratch folder;
+    const auto device = [&](const std::string& path, const char* driver, const char* port) {
+        folder.write("sys/class/" + path + "/driver_name", std::string(driver) + "\n");
+        folder.write("sys/class/" + path + "/address", std::string("ev3-ports:") + port + "\n");
+        folder.write("sys/class/" + path + "/command", "");
+    };
+    device("tacho-motor/motor0", "lego-ev3-l-motor", "outB");
+    device("lego-sensor/sensor0", "lego-ev3-gyro", "in2");
+    folder.write("sys/class/power_supply/lego-ev3-battery/voltage_now", "5900000\n");
+    const auto examine = [&] {
+        MachineRoots roots;
+        roots.devices = {.dev = folder.path("dev").string(), .sys = folder.path("sys").string()};
+        roots.proc = folder.path("proc").string();
+        return hw::examine(roots);
+    };
+    const Examination one = examine();
+    CHECK(one.driver == "ev3");
+    CHECK(not_well(one) ==
+          "motors: 1 of 2 large motors are plugged in: lego-ev3-l-motor at outB -> plug the wheels' large motors into "
+          "B and "
+          "C, and look at their cables\n"
+          "battery: 5.9 V, and the robot stands below 6.2 V -> charge it, or put in fresh ones\n");
+    CHECK(found(one, "sensors") == "lego-ev3-gyro at in2");
+    device("tacho-motor/motor1", "lego-ev3-l-motor", "outC");
+    folder.write("sys/class/power_supply/lego-ev3-battery/voltage_now", "7900000\n");
+    CHECK(not_well(examine()).empty());
+    CHECK(found(examine(), "motors") == "lego-ev3-l-motor at outB and lego-ev3-l-motor at outC");
+}
+
+TEST_CASE("a computer that is no robot is told to look on the robot", "[hw][doctor]") {
+    const Scratch folder;
+    MachineRoots roots;
+    roots.devices = {.dev = folder.path("dev").string(), .sys = folder.path("sys").string()};
+    roots.proc = folder.path("proc").string();
+    const Examination all = hw::examine(roots);
+    CHECK(all.driver.empty());
+    CHECK(not_well(all) ==
+          "robot: this machine is neither a Raspberry Pi Mouse nor an EV3 -> run nezumi doctor on the "
+          "robot; here systems are simulated, which needs nothing more\n");
+}
