@@ -9,8 +9,10 @@
 
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/remote.hpp"
 #include "bindings/console/client.hpp"
 #include "bindings/console/socket_directory.hpp"
+#include "bindings/scenario/test_plan.hpp"
 #include "bindings/terminal/batch.hpp"
 #include "bindings/terminal/input_history.hpp"
 #include "bindings/terminal/terminal.hpp"
@@ -26,6 +28,7 @@ struct AttachOptions {
     std::optional<std::string> eval;
     double timeout = 0;  // [s]; 0: none
     bool list = false;
+    std::string ssh_config;
 };
 
 int list_systems() {
@@ -35,7 +38,32 @@ int list_systems() {
     return systems->empty() ? refuse("nothing is running: start a system with `nezumi run FILE`") : kDone;
 }
 
+// The console of a system on another computer is that computer's `nezumi attach`.
+Expected<int> attach_by_ssh(const AttachOptions& options, const std::string& which) {
+    const std::size_t slash = which.find('/');
+    const auto remote = Remote::at(which.substr(0, slash), options.ssh_config);
+    if (!remote) return Unexpected(remote.error());
+    std::string command = "nezumi attach";
+    if (slash != which.npos) command += " " + shell_text(which.substr(slash + 1));
+    if (options.eval) command += " --eval " + shell_text(*options.eval);
+    if (options.timeout > 0) command += fmt::format(" --timeout {}", options.timeout);
+    if (options.list) command += " --list";
+    const bool has_terminal = !options.eval && isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+    const auto ended = run_program(remote->ssh(command, has_terminal), false);
+    if (!ended) return Unexpected(ended.error());
+    if (ended->status == no_connection)
+        return failure(fmt::format("{} is not to be reached by ssh, or the connection broke", remote->host()));
+    constexpr int not_found = 127;  // of a shell
+    if (ended->status == not_found)
+        return failure(fmt::format("{} has no nezumi: install its package there", remote->host()));
+    return ended->status;
+}
+
 int attach(const AttachOptions& options) {
+    if (constexpr std::string_view by_ssh = "ssh:"; options.which.starts_with(by_ssh)) {
+        const auto status = attach_by_ssh(options, options.which.substr(by_ssh.size()));
+        return status ? *status : refuse(status.error());
+    }
     if (options.list) return list_systems();
     if (options.timeout > 0 && !options.eval) return refuse("--timeout is for --eval");
     auto reached = connect_to_system(options.which);
@@ -62,12 +90,14 @@ Command attach_command() {
     return {.name = "attach",
             .help = "Open the console of a running system",
             .options = {{"[SYSTEM]", &options->which,
-                         "its name (of its file) or its process; may be left out when only one runs"},
+                         "its name (of its file) or its process; may be left out when only one runs. ssh:pi@mouse, or "
+                         "ssh:pi@mouse/SYSTEM: on another computer"},
                         {"--eval", &options->eval,
                          "run this, print what it gives, and leave: exit status 1 if it fails", "LUA"},
                         {"--timeout", &options->timeout, "with --eval: interrupt it after so many seconds", "S",
                          number_from(0.001, 1e6)},
-                        {"--list", &options->list, "only list what runs, with processes"}},
+                        {"--list", &options->list, "only list what runs, with processes"},
+                        {"--ssh-config", &options->ssh_config, "with ssh:HOST: for ssh -F", "FILE"}},
             .run = [options] { return attach(*options); },
             .footer =
                 "Without a terminal, commands are read from standard input. Exit status: 0 well, 1 a command "

@@ -15,5 +15,6 @@ Command new_command();
 Command test_command();
 Command doctor_command();
 Command calibrate_command();
+Command push_command();
 
 }  // namespace nezumi::cli
