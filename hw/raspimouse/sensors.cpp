@@ -72,7 +72,6 @@ tl::expected<PulseCounter::Verdict, std::string> WheelCounters::read(Wheel& whee
         if (is_gone && std::exchange(was_there_, false)) ++commanded_->driver_losses;
         return tl::unexpected(with_advice(text.error()));
     }
-    was_there_ = true;
     const auto reading = decode_counter(*text);
     if (!reading) return tl::unexpected(not_understood(wheel.node, *text, "a number from 0 to 65535"));
     const Verdict verdict = wheel.counter.take(*reading, commanded.until(tm));
@@ -88,6 +87,7 @@ tl::expected<std::optional<WheelValues>, std::string> WheelCounters::sample(doub
     if (!left) return tl::unexpected(left.error());
     const auto right = read(right_, commanded_->right);
     if (!right) return tl::unexpected(right.error());
+    was_there_ = true;  // both: one that is missing is one loss, however often the other is read
     zeros_ = *left == Verdict::zero || *right == Verdict::zero ? zeros_ + 1 : 0;
     if (zeros_ >= zeros_to_lose)
         return tl::unexpected(
