@@ -13,12 +13,11 @@
 
 #include "bindings/scenario/test_plan.hpp"
 
-extern char** environ;
-
 namespace nezumi::cli {
 
 Expected<Ended> run_program(const std::vector<std::string>& words, bool keeps_output) {
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
     pointers.push_back(nullptr);
     int ends[2] = {-1, -1};

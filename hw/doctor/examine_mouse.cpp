@@ -136,11 +136,12 @@ private:
     void look_at_rules() {
         for (const std::string& folder : roots_.udev) {
             for (const std::string& name : names_in(folder + "/rules.d")) {
-                std::ifstream file(folder + "/rules.d/" + name);
+                const std::string path = fmt::format("{}/rules.d/{}", folder, name);
+                std::ifstream file(path);
                 std::stringstream text;
                 text << file.rdbuf();
                 if (text.str().find("rtmotor") != std::string::npos || text.str().find("\"rt*") != std::string::npos)
-                    return say("udev rules", good, folder + "/rules.d/" + name);
+                    return say("udev rules", good, path);
             }
         }
         say("udev rules", note,
@@ -190,7 +191,7 @@ private:
         const std::string release = first_line(roots_.proc + "/sys/kernel/osrelease");
         std::sscanf(release.c_str(), "%d.%d", &major, &minor);
         for (const std::string& name : names_in(roots_.devices.sys + "/bus/spi/devices")) {
-            const std::string its = first_line(roots_.devices.sys + "/bus/spi/devices/" + name + "/modalias");
+            const std::string its = first_line(fmt::format("{}/bus/spi/devices/{}/modalias", roots_.devices.sys, name));
             if (its.find("mcp320") != its.npos) return say("overlay", good, name + " is " + its);
         }
         const bool needs_overlay = std::pair(major, minor) >= std::pair(5, 16);

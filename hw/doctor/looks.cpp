@@ -60,6 +60,7 @@ tl::expected<std::string, int> ask(const std::string& path) {
 std::vector<Holder> holders_of(const std::vector<std::string>& files, const std::string& proc) {
     std::error_code none;
     std::vector<std::string> paths;
+    paths.reserve(files.size());
     for (const std::string& file : files) paths.push_back(fs::weakly_canonical(file, none).string());
     std::vector<Holder> holders;
     for (const std::string& name : names_in(proc)) {
@@ -69,7 +70,7 @@ std::vector<Holder> holders_of(const std::vector<std::string>& files, const std:
         const std::string folder = fmt::format("{}/{}", proc, name);
         std::vector<bool> is_open(files.size());
         for (const std::string& file : names_in(folder + "/fd")) {
-            const fs::path target = fs::read_symlink(folder + "/fd/" + file, none);
+            const fs::path target = fs::read_symlink(fmt::format("{}/fd/{}", folder, file), none);
             const auto found = std::find(paths.begin(), paths.end(), target.string());
             if (!none && found != paths.end()) is_open[static_cast<std::size_t>(found - paths.begin())] = true;
         }
