@@ -108,6 +108,7 @@ public:
         journal_.follow(loop);
         StartButtons start_buttons(loop, [this](const std::string& text) { say(text); });
         StopButtons stop_buttons(loop);
+        ShutdownButtons shutdown_buttons(loop, [this](const std::string& text) { say(text); });
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
@@ -132,6 +133,7 @@ public:
             !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9));
         if (of_given_length) take_results();
         stop(loop);
+        shutdown_buttons.finish();
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
         if (!of_given_length) take_results();
         if (auto told = journal_.finish(of_given_length, hash_); !told) return give_up(told.error());

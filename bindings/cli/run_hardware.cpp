@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "bindings/lua/files/calibration_file.hpp"
+#include "engine/base/program.hpp"
 #include "engine/devices/joystick.hpp"
 #include "engine/system/build_system.hpp"
 #include "hw/drivers.hpp"
@@ -86,14 +87,14 @@ Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const s
     return free;
 }
 
-// The button that starts this robot; nothing when it starts at once.
-const SensorReading* start_button(const Robot& robot) {
+// Whether this button of a real robot is pressed; "" is no button.
+bool is_pressed(const Robot& robot, const std::string& button) {
     const RobotSpec& spec = robot.spec();
-    if (!robot.is_real() || spec.hardware.start.empty()) return nullptr;
-    for (std::size_t i = 0; i < spec.sensors.size() && i < robot.readings().size(); ++i) {
-        if (spec.sensors[i].name == spec.hardware.start) return &robot.readings()[i];
+    for (std::size_t i = 0; robot.is_real() && i < spec.sensors.size() && i < robot.readings().size(); ++i) {
+        const SensorReading& reading = robot.readings()[i];
+        if (!button.empty() && spec.sensors[i].name == button) return reading.is_there && reading.value != 0;
     }
-    return nullptr;
+    return false;
 }
 
 }  // namespace
@@ -158,6 +159,33 @@ void use_hardware(LiveOptions& live, const Hardware& hardware) {
     live.budget = paced_budget;
 }
 
+ShutdownButtons::ShutdownButtons(RunLoop& loop, std::function<void(std::string)> say)
+    : loop_(loop), say_(std::move(say)) {
+    if (loop.is_hardware()) loop.after_tick([this] { after_tick(); });
+}
+
+void ShutdownButtons::after_tick() {
+    const System& system = loop_.live().system();
+    for (const Robot* robot : system.robots()) {
+        if (!is_pressed(*robot, robot->spec().hardware.shutdown)) {
+            pressed_at_.erase(robot->name());
+            continue;
+        }
+        const double since = pressed_at_.try_emplace(robot->name(), system.now().seconds).first->second;
+        if (system.now().seconds - since < long_press || std::exchange(is_wanted_, true)) continue;
+        say_(fmt::format("{}: {} was held for {} s: the run ends, and the computer is shut down", robot->name(),
+                         robot->spec().hardware.shutdown, long_press));
+        loop_.quit();
+    }
+}
+
+void ShutdownButtons::finish() const {
+    if (!is_wanted_) return;
+    if (const std::string problem = run_program({.words = {"systemctl", "poweroff"}}); !problem.empty())
+        say_(fmt::format("the computer can't be shut down: systemctl poweroff: {}. Try: sudo systemctl poweroff",
+                         problem));
+}
+
 StopButtons::StopButtons(RunLoop& loop) : loop_(loop) {
     if (loop.is_hardware()) loop.after_tick([this] { after_tick(); });
 }
@@ -194,8 +222,7 @@ void StartButtons::after_tick() {
     std::erase_if(waiting_, [this](const std::string& name) {
         const Robot* robot = loop_.live().system().find_robot(name);
         if (robot == nullptr) return true;
-        const SensorReading* button = start_button(*robot);
-        if (button == nullptr || !button->is_there || button->value == 0) return false;
+        if (!is_pressed(*robot, robot->spec().hardware.start)) return false;
         say_(name + " starts");
         return true;
     });

@@ -53,6 +53,26 @@ private:
     std::vector<std::string> waiting_;  // robots whose button has not been pressed
 };
 
+/// Where a real robot's model names a button for it, a long press ends the run, and the computer is shut down after it.
+class ShutdownButtons {
+public:
+    /// Both must outlive this.
+    ShutdownButtons(RunLoop& loop, std::function<void(std::string)> say);
+
+    static constexpr double long_press = 3;  ///< [s]
+
+    /// After the run, when the robots stand: shuts the computer down if that was wanted. Tells when it can't.
+    void finish() const;
+
+private:
+    void after_tick();
+
+    RunLoop& loop_;
+    std::function<void(std::string)> say_;
+    std::map<std::string, double, std::less<>> pressed_at_;  // [s] by robot
+    bool is_wanted_ = false;
+};
+
 /// A real gamepad's button for emergency stops, where its joystick names one, stops all robots.
 class StopButtons {
 public:

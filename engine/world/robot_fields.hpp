@@ -291,6 +291,11 @@ struct Describe<HardwareSpec> {
                 "",
                 "a sensor of kind `button`: the run waits until it is pressed",
                 {.fallback = "the run starts at once"}},
+        Setting{"shutdown",
+                &HardwareSpec::shutdown,
+                "",
+                "a sensor of kind `button`: held for 3 s it ends the run and shuts the robot's computer down",
+                {.fallback = "none does"}},
     };
 };
 

@@ -158,8 +158,9 @@ struct PortSpec {
 
 /// How the real robot is reached.
 struct HardwareSpec {
-    std::string driver;  ///< key of `Makers::bodies`; "": there is no real one
-    std::string start;   ///< the button that starts a run with the real robot; "": none, it drives at once
+    std::string driver;    ///< key of `Makers::bodies`; "": there is no real one
+    std::string start;     ///< the button that starts a run with the real robot; "": none, it drives at once
+    std::string shutdown;  ///< the button whose long press ends the run and shuts the computer down; "": none
 };
 
 /// Everything about a model of robot. Frame and units as in `BodySpec`.

@@ -34,6 +34,7 @@ void Worker::work(State& state) {
         if (!should_end()) state.bell.wait(seconds, state.job->watched_file());
     }
     state.job->end();
+    state.job.reset();  // who waits has the last of it: with that goes what it holds, as a lease
     const std::lock_guard lock(state.mutex);
     state.has_ended = true;
     state.ended.notify_all();

@@ -628,6 +628,7 @@ function output(name, type, doc, options) end
 ---@class (exact) HardwareFields
 ---@field driver string "raspimouse" or "ev3"
 ---@field start? string a sensor of kind `button`: the run waits until it is pressed
+---@field shutdown? string a sensor of kind `button`: held for 3 s it ends the run and shuts the robot's computer down
 
 ---@class (exact) RobotModelFields
 ---@field doc? string what it is

@@ -149,14 +149,16 @@ void check_needs(FieldCheck& check, const RobotSpec& spec) {
 }
 
 void check_hardware(FieldCheck& check, const RobotSpec& spec) {
-    const std::string& start = spec.hardware.start;
     std::vector<std::string_view> buttons;
     for (const SensorSpec& sensor : spec.sensors) {
         if (sensor.kind == SensorSpec::Kind::button) buttons.push_back(sensor.name);
     }
-    if (start.empty() || std::find(buttons.begin(), buttons.end(), start) != buttons.end()) return;
-    check.wrong({"hardware", "start"},
-                fmt::format("expected a button, there is none '{}'{}", start, did_you_mean(start, buttons)));
+    for (const auto& [field, button] :
+         {std::pair("start", &spec.hardware.start), {"shutdown", &spec.hardware.shutdown}}) {
+        if (button->empty() || std::find(buttons.begin(), buttons.end(), *button) != buttons.end()) continue;
+        check.wrong({"hardware", field},
+                    fmt::format("expected a button, there is none '{}'{}", *button, did_you_mean(*button, buttons)));
+    }
 }
 
 // The robot itself knows which type carries what: it is asked port by port, so that each error has the port's place.

@@ -1,4 +1,6 @@
 // `nezumi run --hw` on the fake mouse: what ends or stalls the program, and how soon the wheels stand.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
@@ -28,7 +30,8 @@ struct HardwareRun {
     explicit HardwareRun(const std::string& config = "", const std::string& model = "raspimouse",
                          const std::vector<std::string>& more = {}) {
         fake.folder.write("behaviors/ahead.lua", behavior);
-        fake.folder.write("behaviors/waiting_mouse.lua", waiting_model());
+        fake.folder.write("behaviors/waiting_mouse.lua", shipped_model(", start = \"switch0\""));
+        fake.folder.write("behaviors/shutdown_mouse.lua", shipped_model(", shutdown = \"switch1\""));
         fake.folder.write("system.lua", "robot 'mouse' { model = '" + model +
                                             "' }\n"
                                             "behavior 'driver' { script = 'ahead', config = { at_2_s = '" +
@@ -46,12 +49,12 @@ struct HardwareRun {
     }
     HardwareRun(const HardwareRun&) = delete;
     HardwareRun& operator=(const HardwareRun&) = delete;
-    // The shipped model, with a start button.
-    static std::string waiting_model() {
+    // The shipped model, with more about its hardware.
+    static std::string shipped_model(const std::string& more) {
         std::ifstream file(mouse_file());
         std::string text((std::istreambuf_iterator<char>(file)), {});
         const std::string plain = "driver = \"raspimouse\"";
-        text.replace(text.find(plain), plain.size(), plain + ", start = \"switch0\"");
+        text.replace(text.find(plain), plain.size(), plain + more);
         const std::string table = "\"ir_table.csv\"";
         text.replace(text.find(table), table.size(), "{ { 0.01, 1394 }, { 0.3, 8 } }");
         return text;
@@ -177,4 +180,30 @@ TEST_CASE("the journal of a run on hardware tells what was done, and is not repl
     CHECK(again.status == 2);
     CHECK(again.error ==
           "nezumi: acts is the journal of a run on hardware: it tells what was done, and can't be replayed\n");
+}
+
+TEST_CASE("a long press of the mouse's button ends the run, and then shuts the computer down",
+          "[hw][run][fakes][safety][wallclock]") {
+    const Scratch programs;
+    const auto asked = programs.path("words");
+    chmod(programs.write("systemctl", "#!/bin/sh\necho \"$*\" > " + asked.string() + "\n").c_str(), 0755);
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", (programs.path("").string() + ":" + path).c_str(), 1);
+    HardwareRun run("", "shutdown_mouse");
+    setenv("PATH", path.c_str(), 1);
+    run.get_going();
+    run.fake.say("button 1 1");
+    sleep_for(1);
+    run.fake.say("button 1 0");  // a short press does nothing
+    sleep_for(2.5);
+    CHECK(run.fake.moves());
+    CHECK_FALSE(std::filesystem::exists(asked));
+    run.fake.say("button 1 1");
+    CHECK(run.program->wait_for_error("mouse: switch1 was held for 3 s: the run ends, and the computer is shut down",
+                                      10));
+    CHECK(run.program->wait() == 0);
+    CHECK_FALSE(run.fake.motion().power);
+    std::string word;
+    std::ifstream(asked) >> word;
+    CHECK(word == "poweroff");
 }

@@ -110,3 +110,20 @@ TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw]
     REQUIRE(soon(listen));
     CHECK(told == std::vector<std::string>{"thermometer: back again"});
 }
+
+TEST_CASE("what a job holds is free when its owner and its worker have gone", "[hw][worker]") {
+    struct Holder final : Job {
+        explicit Holder(bool& its_flag) : is_held(its_flag) { is_held = true; }
+        ~Holder() override { is_held = false; }
+        double run() override { return 1; }
+        bool& is_held;
+    };
+    for (int i = 0; i < 200; ++i) {
+        bool is_held = false;
+        {
+            const auto job = std::make_shared<Holder>(is_held);
+            const Worker worker(job);
+        }
+        REQUIRE_FALSE(is_held);
+    }
+}
