@@ -81,7 +81,7 @@ private:
         if (!options_.dev_root.empty()) setup.hardware.dev_root = options_.dev_root;
         if (!options_.sys_root.empty()) setup.hardware.sys_root = options_.sys_root;
         serial_ = serial_number(setup.hardware.sys_root);
-        auto robot = guided_by_file(std::move(setup), signals_.received());
+        auto robot = guided_by_file(setup, signals_.received());
         if (!robot) return Unexpected(robot.error());
         robot_ = std::move(*robot);
         return {};

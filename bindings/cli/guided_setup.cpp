@@ -49,7 +49,7 @@ Expected<std::string> chosen(const SystemSpec& spec, const std::string& wanted) 
 
 }  // namespace
 
-Expected<std::unique_ptr<GuidedRobot>> guided_by_file(GuidedSetup setup, const volatile std::sig_atomic_t& end) {
+Expected<std::unique_ptr<GuidedRobot>> guided_by_file(const GuidedSetup& setup, const volatile std::sig_atomic_t& end) {
     const LiveOptions live = simulated_systems();
     const Project project = Project::of(setup.file, live.installed);
     auto spec = read_system_file(setup.file, project);

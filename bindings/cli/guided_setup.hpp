@@ -20,7 +20,7 @@ struct GuidedSetup {
 };
 
 /// The robot of a system file, as its calibration says where it has one. What it logs goes to standard error.
-Expected<std::unique_ptr<GuidedRobot>> guided_by_file(GuidedSetup setup, const volatile std::sig_atomic_t& end);
+Expected<std::unique_ptr<GuidedRobot>> guided_by_file(const GuidedSetup& setup, const volatile std::sig_atomic_t& end);
 
 /// The real robot of an installed model; it drives without the sensors that it needs otherwise.
 Expected<std::unique_ptr<GuidedRobot>> guided_by_model(const std::string& model, const Hardware& hardware,

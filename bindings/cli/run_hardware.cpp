@@ -81,8 +81,7 @@ Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const s
     const auto type = drivers.find(component.type);
     if (type == drivers.end() || is_on_simulated(component, spec)) return false;
     // With its robot it is meant as well.
-    const auto free =
-        is_free("component", component, is_among(component.on, names) ? std::vector<std::string>{} : names);
+    auto free = is_free("component", component, is_among(component.on, names) ? std::vector<std::string>{} : names);
     if (free && *free && component.backend.empty()) component.backend = type->second.begin()->first;
     return free;
 }

@@ -1,4 +1,6 @@
 // A Raspberry Pi tells its name in its device tree, and a supply that is too weak in a flag of its firmware.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
@@ -31,7 +33,7 @@ void examine_supply(const MachineRoots& roots, Findings& findings) {
         is_known = std::from_chars(text.data(), text.data() + text.size(), bits, 16).ec == std::errc{};
     }
     for (const std::string& name : names_in(sys + "/class/hwmon")) {
-        const std::string folder = sys + "/class/hwmon/" + name;
+        const std::string folder = fmt::format("{}/class/hwmon/{}", sys, name);
         if (first_line(folder + "/name") != "rpi_volt") continue;
         is_known = true;
         if (first_line(folder + "/in0_lcrit_alarm") == "1") bits |= 1UL;
@@ -50,7 +52,7 @@ void examine_supply(const MachineRoots& roots, Findings& findings) {
 }  // namespace
 
 std::string examine_board(const MachineRoots& roots, Findings& findings) {
-    const std::string board = first_line(roots.devices.sys + "/firmware/devicetree/base/model");
+    std::string board = first_line(roots.devices.sys + "/firmware/devicetree/base/model");
     if (board.starts_with("Raspberry Pi 5") || board.starts_with("Raspberry Pi Compute Module 5")) {
         findings.push_back({"board", wrong, board + ": the driver rtmouse does not work on it",
                             "put a Raspberry Pi 2, 3, 4 or Zero 2 into the mouse"});

@@ -15,7 +15,7 @@ namespace {
 
 using enum Finding::State;
 
-std::string port_of(std::string address) {
+std::string port_of(const std::string& address) {
     const std::size_t colon = address.rfind(':');
     return colon == address.npos ? address : address.substr(colon + 1);
 }
@@ -48,7 +48,7 @@ private:
         int large = 0;
         std::vector<std::string> there, commands;
         for (const std::string& name : names_in(folder)) {
-            const std::string motor = folder + "/" + name, driver = first_line(motor + "/driver_name");
+            const std::string motor = fmt::format("{}/{}", folder, name), driver = first_line(motor + "/driver_name");
             there.push_back(fmt::format("{} at {}", driver, port_of(first_line(motor + "/address"))));
             if (driver == "lego-ev3-l-motor") ++large;
             commands.push_back(motor + "/command");
@@ -86,8 +86,8 @@ private:
         const std::string folder = sys_ + "/class/lego-sensor";
         std::vector<std::string> there;
         for (const std::string& name : names_in(folder))
-            there.push_back(fmt::format("{} at {}", first_line(folder + "/" + name + "/driver_name"),
-                                        port_of(first_line(folder + "/" + name + "/address"))));
+            there.push_back(fmt::format("{} at {}", first_line(fmt::format("{}/{}/driver_name", folder, name)),
+                                        port_of(first_line(fmt::format("{}/{}/address", folder, name)))));
         if (there.empty()) {
             say("sensors", note, "none is plugged in", "plug in those that your behaviours use");
         } else {

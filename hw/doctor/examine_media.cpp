@@ -1,4 +1,6 @@
 // Cameras by the kernel's list of them, loudspeakers by ALSA's.
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <fstream>
 
@@ -19,8 +21,8 @@ void examine_cameras(const MachineRoots& roots, Findings& findings) {
     bool any = false;
     for (const std::string& name : names_in(roots.devices.sys + "/class/video4linux")) {
         const std::string node = roots.devices.dev + "/" + name;
-        std::string what = first_line(roots.devices.sys + "/class/video4linux/" + name + "/name");
-        what = name + (what.empty() ? "" : ": " + what);
+        const std::string label = first_line(fmt::format("{}/class/video4linux/{}/name", roots.devices.sys, name));
+        const std::string what = label.empty() ? name : fmt::format("{}: {}", name, label);
         any = true;
         switch (opening_fails_with(node, Node::Access::read)) {
             case 0: findings.push_back({"camera", good, what, ""}); break;
@@ -29,7 +31,7 @@ void examine_cameras(const MachineRoots& roots, Findings& findings) {
                 findings.push_back({"camera", wrong, what + ": this user may not use it", for_group(node, "video")});
                 break;
             default:
-                findings.push_back({"camera", wrong, what + ": " + node + " does not open",
+                findings.push_back({"camera", wrong, fmt::format("{}: {} does not open", what, node),
                                     "unplug it and plug it in again, and look at what dmesg says"});
         }
     }
@@ -53,10 +55,10 @@ void examine_sound(const MachineRoots& roots, Findings& findings) {
     const std::string folder = roots.devices.dev + "/snd";
     for (const std::string& node : names_in(folder)) {
         if (!node.starts_with("pcm")) continue;
-        const int code = opening_fails_with(folder + "/" + node, Node::Access::read);
+        const std::string path = fmt::format("{}/{}", folder, node);
+        const int code = opening_fails_with(path, Node::Access::read);
         if (code != EACCES && code != EPERM) continue;
-        findings.push_back(
-            {"sound", wrong, listed(names) + ": this user may not use it", for_group(folder + "/" + node, "audio")});
+        findings.push_back({"sound", wrong, listed(names) + ": this user may not use it", for_group(path, "audio")});
         return;
     }
     findings.push_back({"sound", good, listed(names), ""});

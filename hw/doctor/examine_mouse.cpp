@@ -192,7 +192,7 @@ private:
         std::sscanf(release.c_str(), "%d.%d", &major, &minor);
         for (const std::string& name : names_in(roots_.devices.sys + "/bus/spi/devices")) {
             const std::string its = first_line(fmt::format("{}/bus/spi/devices/{}/modalias", roots_.devices.sys, name));
-            if (its.find("mcp320") != its.npos) return say("overlay", good, name + " is " + its);
+            if (its.find("mcp320") != its.npos) return say("overlay", good, fmt::format("{} is {}", name, its));
         }
         const bool needs_overlay = std::pair(major, minor) >= std::pair(5, 16);
         say("overlay", wrong, "the light sensors' converter is not on the SPI bus",
