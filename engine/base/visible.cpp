@@ -32,7 +32,8 @@ std::string visible(std::string_view text) {
     for (std::size_t at = 0; at < text.size(); ++at) {
         const auto byte = static_cast<unsigned char>(text[at]);
         // U+0080 to U+009F are control characters as well, in two bytes.
-        const bool second = byte == 0xc2 && at + 1 < text.size() && static_cast<unsigned char>(text[at + 1]) < 0xa0;
+        const bool second =
+            byte == 0xc2 && at + 1 < text.size() && (static_cast<unsigned char>(text[at + 1]) & 0xe0U) == 0x80U;
         const bool control = second || (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;
         if (const unsigned code = control ? 0 : three_bytes(text, at); is_hidden(code)) {
             std::snprintf(written.data(), written.size(), "\\u%04x", code);

@@ -1,11 +1,14 @@
 // Compiles in a state of its own, and keeps the bytecode.
 #include "bindings/lua/sandbox/compile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "bindings/lua/sandbox/lexer.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi {
 namespace {
@@ -31,6 +34,15 @@ int append_bytecode(lua_State*, const void* bytes, std::size_t size, void* text)
     return 0;
 }
 
+// Lua ends its message with the token, however long or odd it is: "unexpected symbol near 'x'".
+std::string with_shown_token(std::string_view message) {
+    constexpr std::string_view near = " near '";
+    const std::size_t at = message.find(near);
+    if (at == message.npos || !message.ends_with('\'')) return visible(message);
+    const std::string_view token = message.substr(at + near.size(), message.size() - at - near.size() - 1);
+    return fmt::format("{}{}{}'", visible(message.substr(0, at)), near, shown(token));
+}
+
 // "file:12: text" into place and text. Lua shortens a long name to its last bytes.
 Error place_of_syntax_error(std::string_view message, const std::string& file) {
     std::size_t at = std::min<std::size_t>(file.size(), LUA_IDSIZE - 1);
@@ -39,9 +51,9 @@ Error place_of_syntax_error(std::string_view message, const std::string& file) {
         for (++at; at < message.size() && message[at] >= '0' && message[at] <= '9'; ++at) {
             line = line * 10 + (message[at] - '0');
         }
-        if (message.substr(at, 2) == ": ") return {std::string(message.substr(at + 2)), {file, line}};
+        if (message.substr(at, 2) == ": ") return {with_shown_token(message.substr(at + 2)), {file, line}};
     }
-    return {std::string(message), {file}};
+    return {with_shown_token(message), {file}};
 }
 
 }  // namespace

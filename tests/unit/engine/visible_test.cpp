@@ -11,6 +11,7 @@ TEST_CASE("control characters are written out for a terminal", "[engine][base]")
     CHECK(visible("\x1b[31mred\x07\x7f\r") == "\\x1b[31mred\\x07\\x7f\\x0d");
     CHECK(visible("\xC2\x9B"
                   "31m \xC3\xBC") == "\\x9b31m \xC3\xBC");
+    CHECK(visible("\xC2'") == "\xC2'");  // half a character, and another one
     CHECK(visible(std::string_view("a\0b", 3)) == "a\\x00b");
 }
 

@@ -37,6 +37,14 @@ TEST_CASE("place and message of an error come apart", "[lua][call]") {
     CHECK(called.error().place == Place{"folder/a.lua", 2, 0});
 }
 
+TEST_CASE("a syntax error is one line that a terminal can show, whatever the token", "[lua][call]") {
+    const auto error = [](const std::string& text) { return describe(compile(text, "a.lua").error()); };
+    CHECK(error("x = 'a' 'b\\nc\\27'") == "a.lua:1: unexpected symbol near ''b\\x0ac\\x1b''");
+    CHECK(error("x = \"\xC2\x85\n") == "a.lua:1: unfinished string near '\"\\x85'");
+    CHECK(error("x = 'a' '" + std::string(5000, 'b') + "'") ==
+          "a.lua:1: unexpected symbol near ''" + std::string(59, 'b') + "...'");
+}
+
 TEST_CASE("a long file name is not shortened in an error's place", "[lua][call]") {
     const std::string name = std::string(100, 'd') + "/a.lua";
     Box box;
