@@ -15,7 +15,7 @@ int main(int count, char** words) {
     try {
         const cli::Command program{
             .name = "nezumi",
-            .help = "nezumi runs what small robots do: Lua behaviours, in simulation",
+            .help = "nezumi runs what small robots do: Lua behaviours, in simulation and on the robots",
             .commands = {cli::run_command(), cli::attach_command(), cli::calc_command(), cli::types_command(),
                          cli::check_command(), cli::new_command(), cli::test_command(), cli::doctor_command(),
                          cli::calibrate_command(), cli::push_command()},
