@@ -33,13 +33,6 @@ std::size_t end_of_field(std::string_view row, std::size_t at) {
     return std::min(row.find(',', at), row.size());
 }
 
-// What a message shows of a field: short, and on one line.
-std::string excerpt(std::string_view field) {
-    std::string text;
-    for (const char c : field.substr(0, 40)) text += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-    return field.size() > 40 ? text + "..." : text;
-}
-
 std::optional<double> to_number(std::string_view text) {
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0;
@@ -59,7 +52,7 @@ Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& f
                                                const std::vector<CsvColumn>& columns, const Place& place) {
     const std::string expected = "expected a header row " + list_of(columns);
     if (to_number(fields.front()))
-        return failure(fmt::format("{}, got the numbers '{}, ...'", expected, excerpt(fields.front())), place);
+        return failure(fmt::format("{}, got the numbers '{}, ...'", expected, shown(fields.front())), place);
     if (fields.size() == 1 && fields.front().find_first_of(";\t") != std::string::npos) {
         return failure(expected + ", got columns that are not separated by commas", place);
     }
@@ -70,8 +63,8 @@ Expected<std::vector<std::size_t>> read_header(const std::vector<std::string>& f
     for (const std::string& field : fields) {
         const auto found = std::find(names.begin(), names.end(), field);
         if (found == names.end()) {
-            return failure(
-                fmt::format("unknown column '{}'{}; {}", excerpt(field), did_you_mean(field, names), expected), place);
+            return failure(fmt::format("unknown column '{}'{}; {}", shown(field), did_you_mean(field, names), expected),
+                           place);
         }
         const auto index = static_cast<std::size_t>(found - names.begin());
         if (std::find(order.begin(), order.end(), index) != order.end()) {
@@ -97,11 +90,11 @@ Expected<double> csv_number(const std::string& field, const CsvColumn& column, c
         const std::string_view expected = column.range == CsvColumn::Range::any            ? "a number"
                                           : column.range == CsvColumn::Range::not_negative ? "a number from 0 on"
                                                                                            : "a positive number";
-        return failure(fmt::format("column '{}': expected {}, got '{}'", column.name, expected, excerpt(field)), place);
+        return failure(fmt::format("column '{}': expected {}, got '{}'", column.name, expected, shown(field)), place);
     }
     if (std::abs(*value) > largest) {
         return failure(
-            fmt::format("column '{}': expected a number up to {}, got '{}'", column.name, largest, excerpt(field)),
+            fmt::format("column '{}': expected a number up to {}, got '{}'", column.name, largest, shown(field)),
             place);
     }
     return *value;
