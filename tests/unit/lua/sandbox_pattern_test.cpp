@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "bindings/lua/sandbox/thread_sanitizer.hpp"
 #include "machine_speed.hpp"
 #include "sandbox_support.hpp"
 
@@ -69,9 +70,14 @@ TEST_CASE("patterns give what Lua's own give, errors included", "[lua][pattern]"
     const std::string alphabet("ab1 (){}[]%-.A\t\0\xe9", 18);
     std::mt19937 random(20240607);
     const auto draw = [&random](std::size_t below) { return static_cast<std::size_t>(random() % below); };
+#ifdef NEZUMI_THREAD_SANITIZER
+    constexpr int rounds = 2'000;  // it does not see the jumps of the system's Lua, and each is slower than the last
+#else
+    constexpr int rounds = 40'000;
+#endif
     int errors = 0;
     int matches = 0;
-    for (int round = 0; round < 40'000; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         std::string subject;
         for (std::size_t n = draw(12); n > 0; --n) subject += alphabet[draw(draw(3) == 0 ? alphabet.size() : 4)];
         std::string pattern;
@@ -83,8 +89,8 @@ TEST_CASE("patterns give what Lua's own give, errors included", "[lua][pattern]"
         if (expected.substr(0, 5) == "false") ++errors;
         if (expected.substr(0, 5) == "true|" && expected.substr(5, 3) != "nil") ++matches;
     }
-    CHECK(errors > 1000);
-    CHECK(matches > 1000);
+    CHECK(errors > rounds / 40);
+    CHECK(matches > rounds / 40);
 }
 
 TEST_CASE("a pattern bomb ends in an error, soon", "[lua][pattern][watchdog]") {
