@@ -156,8 +156,8 @@ void check_hardware(FieldCheck& check, const RobotSpec& spec) {
     for (const auto& [field, button] :
          {std::pair("start", &spec.hardware.start), {"shutdown", &spec.hardware.shutdown}}) {
         if (button->empty() || std::find(buttons.begin(), buttons.end(), *button) != buttons.end()) continue;
-        check.wrong({"hardware", field},
-                    fmt::format("expected a button, there is none '{}'{}", *button, did_you_mean(*button, buttons)));
+        check.wrong({"hardware", field}, fmt::format("expected a button, there is none '{}'{}", shown(*button),
+                                                     did_you_mean(*button, buttons)));
     }
 }
 

@@ -94,7 +94,7 @@ int row_to_text(lua_State* L) {
     return 1;
 }
 
-// MatrixElements
+// Elements
 
 // The key of an access, from 0; raises unless it is one of 1 to `count`.
 int index_at(lua_State* L, int index, const MatrixObject& matrix, const char* what, int count) {
@@ -128,7 +128,7 @@ int index_matrix(lua_State* L) {
     return bridge(L, [&]() -> Expected<void> {
         std::vector<std::string_view> names = {"rows", "columns"};
         for (lua_pushnil(L); lua_next(L, lua_upvalueindex(1)) != 0; lua_pop(L, 1)) names.push_back(string_at(L, -2));
-        return failure(fmt::format("a matrix has no '{}'{}", name, did_you_mean(name, names)));
+        return failure(fmt::format("a matrix has no '{}'{}", shown(name), did_you_mean(name, names)));
     });
 }
 
