@@ -143,15 +143,50 @@ Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const
     return {};
 }
 
+Expected<void> add_twins(SystemSpec& spec) {
+    std::vector<Entry> entries;
+    for (Entry& entry : spec.entries) {
+        const auto* real = std::get_if<RobotEntry>(&entry);
+        if (real == nullptr || real->backend.empty() || real->backend == simulated) {
+            entries.push_back(std::move(entry));
+            continue;
+        }
+        RobotEntry twin = *real;
+        twin.name = real->name + "_twin";
+        const auto taken = std::find_if(spec.entries.begin(), spec.entries.end(),
+                                        [&](const Entry& other) { return name_of(other) == twin.name; });
+        if (taken != spec.entries.end())
+            return failure(fmt::format("--twin: the twin of '{}' is called '{}': give this one another name",
+                                       real->name, twin.name),
+                           place_of(*taken));
+        RobotSpec description = spec.models.at(real->described_by());
+        std::erase_if(description.ports, [](const PortSpec& port) { return port.is_input; });
+        for (ActuatorSpec& actuator : description.actuators) actuator.speed = 0;  // no parameter for it
+        description.drive.needs.clear();
+        description.hardware = {};
+        spec.models.insert_or_assign(twin.name, std::move(description));
+        twin.description = twin.name;
+        twin.backend = simulated;
+        twin.twin_of = real->name;
+        entries.push_back(std::move(entry));
+        entries.emplace_back(std::move(twin));
+    }
+    if (entries.size() == spec.entries.size())
+        return failure(fmt::format("--twin: {} has no real robot to simulate beside", spec.file));
+    spec.entries = std::move(entries);
+    return {};
+}
+
 void use_hardware(LiveOptions& live, const Hardware& hardware) {
     const hw::DeviceRoots roots{.dev = hardware.dev_root, .sys = hardware.sys_root};
     live.bodies = hw::drivers(roots);
     auto drivers = hw::device_drivers(roots);
     for (const auto& [type, by_backend] : drivers) live.components[type].insert(by_backend.begin(), by_backend.end());
-    live.prepare = [names = hardware.robots, drivers = std::move(drivers), serial = serial_number(hardware.sys_root),
+    live.prepare = [hardware, drivers = std::move(drivers), serial = serial_number(hardware.sys_root),
                     files = LiveOptions{.installed = live.installed, .files = live.files}](SystemSpec& spec) {
-        auto chosen = choose_drivers(spec, names, drivers);
-        return chosen ? use_calibrations(spec, files, serial) : chosen;
+        auto ready = choose_drivers(spec, hardware.robots, drivers);
+        if (ready) ready = use_calibrations(spec, files, serial);
+        return ready && hardware.twins ? add_twins(spec) : ready;
     };
     live.build.real_time = true;
     live.build.out_of_time_is_fatal = false;

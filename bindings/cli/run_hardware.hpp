@@ -20,6 +20,7 @@ struct Hardware {
     std::vector<std::string> robots;  ///< and devices that are real; empty: all that the file does not keep simulated
     std::string dev_root = "/dev";
     std::string sys_root = "/sys";
+    bool twins = false;  ///< each real robot has its twin
 };
 
 /// Gives the real robots of a system the drivers that their models name, and its real devices the usual one of their
@@ -35,6 +36,10 @@ std::string serial_number(const std::string& sys_root);
 /// Gives the real robots of a system their own descriptions, where they have been calibrated. An error when a file of a
 /// calibration can't be read, or is another robot's.
 Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::string& serial);
+
+/// Puts after each real robot its twin, a simulated one called NAME_twin with the same description, without in-ports.
+/// An error when there is no real robot, or when such a name is taken.
+Expected<void> add_twins(SystemSpec& spec);
 
 /// Has systems made with real robots, at real time.
 void use_hardware(LiveOptions& live, const Hardware& hardware);

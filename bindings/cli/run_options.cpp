@@ -52,13 +52,16 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
         for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root}, {"--sys-root", words.sys_root}}) {
             if (!given.empty()) return failure(fmt::format("{} is for real robots: give --hw as well", option));
         }
+        if (words.twin) return failure("--twin is for real robots: give --hw as well");
         return std::nullopt;
     }
     for (const auto& [option, given] :
          {std::pair{"--speed", !words.speed.empty()}, {"--batch", words.batch}, {"--replay", !words.replay.empty()}}) {
         if (given) return failure(fmt::format("--hw: real robots know only real time: leave out {}", option));
     }
-    Hardware hardware;
+    if (words.twin && !words.threads.empty())
+        return failure("--twin: the real robot and its twin share a thread: leave out --threads");
+    Hardware hardware{.twins = words.twin};
     if (words.hw.text != "true") {
         auto robots = split("--hw", "names of robots as in --hw=mouse", words.hw.text);
         if (!robots) return Unexpected(robots.error());
@@ -77,6 +80,9 @@ std::vector<Option> run_options(RunWords& words) {
         {"--hw", &words.hw,
          "drive the real robots; --hw=NAME,...: only these, the others stay simulated, and neither kind sees the "
          "other"},
+        {"--twin", &words.twin,
+         "with --hw: simulate each real robot beside it on the same commands; NAME_twin.error is how far they are "
+         "apart"},
         {"--headless", &words.headless,
          "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; reaching that "
          "ends the run"},

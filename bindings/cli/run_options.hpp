@@ -23,6 +23,7 @@ struct RunWords {
     bool batch = false;
     bool trace_hash = false;
     bool real_time = false;
+    bool twin = false;
 };
 
 /// They as a command has them. `words` must outlive the parsing.

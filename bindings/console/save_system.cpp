@@ -138,16 +138,33 @@ std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+// The twins of real robots belong to a run, not to its file.
+void leave_out_twins(SystemSpec& spec) {
+    std::vector<std::string> twins;
+    for (const Entry& entry : spec.entries) {
+        const auto* robot = std::get_if<RobotEntry>(&entry);
+        if (robot != nullptr && !robot->twin_of.empty()) twins.push_back(robot->name);
+    }
+    for (const std::string& twin : twins) {
+        const std::string ports = twin + ".";
+        std::erase_if(spec.entries, [&](const Entry& entry) { return name_of(entry) == twin; });
+        std::erase_if(spec.connections, [&](const ConnectionSpec& connection) {
+            return connection.from.starts_with(ports) || connection.to.starts_with(ports);
+        });
+    }
+}
+
 }  // namespace
 
 PresentSystem present_system(const LiveSystem& live) {
     const System& system = live.system();
     SystemSpec spec = live.spec();
     std::erase_if(spec.entries, [&](const Entry& entry) { return system.find(name_of(entry)) == nullptr; });
+    spec.connections = system.connections();
+    leave_out_twins(spec);
     for (Entry& entry : spec.entries) {
         std::visit([&](auto& each) { bring_up_to_date(each, *system.find(each.name)); }, entry);
     }
-    spec.connections = system.connections();
     return {std::move(spec), live.project(), live.options().installed};
 }
 

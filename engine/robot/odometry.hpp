@@ -15,13 +15,19 @@ public:
     /// Takes how far the wheels have turned since the start. The first call only sets the zero.
     void update(const WheelPulses& pulses);
     const Pose2D& pose() const { return pose_; }
-    void set_pose(const Pose2D& pose) { pose_ = pose; }
+    void set_pose(const Pose2D& pose) {
+        pose_ = pose;
+        ++resets_;
+    }
+    /// How often somebody has set the pose.
+    int resets() const { return resets_; }
 
 private:
     Wheels metres_per_pulse_;
     double track_;
     WheelPulses counted_{};
     bool started_ = false;
+    int resets_ = 0;
     Pose2D pose_{};
 };
 

@@ -35,6 +35,15 @@ void Robot::take_body(std::unique_ptr<RobotBody> body) {
     powered_ = !is_real();
 }
 
+Expected<void> Robot::follow(const Robot& real, const World& world) {
+    if (find_port("error") != nullptr)
+        return failure("a twin has an out-port 'error', and its model has a port of this name already");
+    auto& error =
+        add_out_port<Pose2D>("error", "the real robot's odometry, as its twin sees it: x ahead, y to the left");
+    twin_ = std::make_unique<Twin>(real, world, id(), error);
+    return {};
+}
+
 Expected<std::unique_ptr<Robot>> Robot::make(std::string name, const RobotSpec& spec, const Limits& limits) {
     std::unique_ptr<Robot> robot(new Robot(std::move(name), spec, limits));
     for (const PortSpec& port : spec.ports) {
@@ -66,6 +75,7 @@ Expected<void> Robot::on_activated() {
     guard_.stop();
     coasting_ = spec_.drive.coasts_until_commanded;
     for (Needed& needed : needed_) needed = {.sensor = needed.sensor};
+    if (twin_ != nullptr) twin_->begin_anew();
     return {};
 }
 
@@ -161,6 +171,7 @@ void Robot::sense(const Time& now) {
     const WheelReading wheels = body_->read_wheels(now, period);
     if (wheels.is_there) odometry_.update(wheels.pulses);
     measured_ = velocity_of(wheels);
+    measured_at_ = wheels.is_there ? std::optional(wheels.tm) : std::nullopt;
     tell_faults();
     if (state() != LifeState::active) return;
     take_parameters();
@@ -169,6 +180,7 @@ void Robot::sense(const Time& now) {
     for (const SensorPort& port : sensor_ports_) {
         if (is_due_at(port.rate, now)) publish(port, readings_, now);
     }
+    if (twin_ != nullptr) twin_->compare();
 }
 
 void Robot::command(const Velocity2D& velocity, const Time& now) {
@@ -277,7 +289,13 @@ void Robot::take_pose() {
     }
 }
 
+void Robot::coast() {
+    told_.reset();
+    body_->coast();
+}
+
 void Robot::drive(const Time& now) {
+    if (twin_ != nullptr) return twin_->drive(*body_, state() == LifeState::active);
     const double period = period_until(now, std::exchange(drove_at_, now.seconds));
     const bool stalled = is_real() && period >= std::max(shortest_stall, 3 / tick_rate());
     const bool may = state() != LifeState::active || (hears_what_it_needs(now) && body_->may_drive());
@@ -296,18 +314,20 @@ void Robot::drive(const Time& now) {
     }
     if (coasting_) {
         if (stopped_) set_motor_power(false);
-        body_->coast();
+        coast();
         return;
     }
     const Velocity2D velocity = guard_.advance(now.seconds, 1.0 / tick_rate(), period);
     if (stopped_ && velocity == Velocity2D{} && has_come_to_rest(now)) {
         set_motor_power(false);
-        body_->coast();
+        coast();
         return;
     }
     power_while_active(velocity, now);
     const double turn = velocity.va * spec_.drive.track / 2;
-    body_->set_wheel_speeds({.left = velocity.vx - turn, .right = velocity.vx + turn});
+    const Wheels speeds{.left = velocity.vx - turn, .right = velocity.vx + turn};
+    told_ = powered_ ? std::optional(speeds) : std::nullopt;
+    body_->set_wheel_speeds(speeds);
 }
 
 void Robot::actuate(const Time& now) {

@@ -11,6 +11,7 @@
 #include "engine/components/component.hpp"
 #include "engine/robot/actuators.hpp"
 #include "engine/robot/odometry.hpp"
+#include "engine/robot/twin.hpp"
 #include "engine/robot/velocity_guard.hpp"
 #include "engine/world/world.hpp"
 
@@ -24,6 +25,17 @@ public:
     ~Robot() override;
     /// The body it moves; given once, before the first tick.
     void take_body(std::unique_ptr<RobotBody> body);
+
+    /// This robot, a simulated one with a body, becomes the twin of a real one (`Twin`), with an out-port `error`. An
+    /// error when it has a port of this name already.
+    Expected<void> follow(const Robot& real, const World& world);
+    /// Whether it is a real robot's twin, and what that is; nullptr when the real one is gone.
+    bool is_twin() const { return twin_ != nullptr; }
+    const Robot* real() const { return twin_ != nullptr ? twin_->real() : nullptr; }
+    /// A component that is about to go.
+    void forget(const Component& gone) {
+        if (twin_ != nullptr) twin_->forget(gone);
+    }
 
     bool has_body() const { return body_ != nullptr; }
     /// What the world calls it; `not_simulated` for a real robot.
@@ -49,6 +61,12 @@ public:
     bool stands() const;
     /// The velocity that its wheels had in the last tick.
     const Velocity2D& measured() const { return measured_; }
+    /// When the wheels were read for that [s]; nothing when they said nothing.
+    const std::optional<double>& measured_at() const { return measured_at_; }
+    /// The speeds [m/s] that its wheels were told last; nothing when they roll freely.
+    const std::optional<Wheels>& told() const { return told_; }
+    /// Angle [rad] of servo `index` of the spec's actuators.
+    double servo_angle(std::size_t index) const { return body_->servo_angle(index); }
 
     void sense(const Time& now) override;
     void actuate(const Time& now) override;
@@ -109,6 +127,7 @@ private:
     void command(const Velocity2D& velocity, const Time& now);
     void take_pose();
     void drive(const Time& now);
+    void coast();
     void set_motor_power(bool on);
     bool hears_what_it_needs(const Time& now);
     void power_while_active(const Velocity2D& velocity, const Time& now);
@@ -131,7 +150,10 @@ private:
     std::vector<std::size_t> servos_;  // with a parameter for their speed, in its order
     std::uint64_t parameters_version_ = 0;
 
+    std::unique_ptr<Twin> twin_;  // none: it is no twin
     Velocity2D measured_;
+    std::optional<double> measured_at_;  // [s]
+    std::optional<Wheels> told_;
     std::uint64_t seen_disconnections_ = 0;
     std::string note_before_stop_;  // of velocity_in_
     bool stopped_ = false;          // by an emergency stop

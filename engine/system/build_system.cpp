@@ -83,6 +83,10 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
         return at(entry.place, body.error());
     }
     made->take_body(std::move(*body));
+    const Robot* real = entry.twin_of.empty() ? nullptr : system.find_robot(entry.twin_of);
+    if (real == nullptr) return added;
+    if (auto ok = made->follow(*real, *system.world()); !ok)
+        return failure(fmt::format("robot '{}': {}", entry.name, ok.error().message), entry.place);
     return added;
 }
 

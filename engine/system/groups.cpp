@@ -5,6 +5,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "engine/robot/robot.hpp"
+
 namespace nezumi {
 
 std::vector<Group> group_components(const std::vector<std::unique_ptr<Component>>& components,
@@ -18,10 +20,14 @@ std::vector<Group> group_components(const std::vector<std::unique_ptr<Component>
     };
     std::unordered_map<const Component*, std::size_t> index;
     for (std::size_t i = 0; i < components.size(); ++i) index.emplace(components[i].get(), i);
-    for (const Connection& connection : connections) {
-        const std::size_t from = first_of(index.at(connection.from_component));
-        const std::size_t to = first_of(index.at(connection.to_component));
+    const auto join = [&](const Component* one, const Component* other) {
+        const std::size_t from = first_of(index.at(one)), to = first_of(index.at(other));
         earlier[std::max(from, to)] = std::min(from, to);
+    };
+    for (const Connection& connection : connections) join(connection.from_component, connection.to_component);
+    for (const auto& component : components) {  // a twin looks at the real robot, in the same tick
+        const auto* robot = dynamic_cast<const Robot*>(component.get());
+        if (robot != nullptr && robot->real() != nullptr) join(robot, robot->real());
     }
 
     std::vector<Group> groups;

@@ -102,6 +102,7 @@ Expected<void> System::remove(std::string_view name) {
     grouped_ = false;
     change_layout();
     std::erase_if(robots_, [&](const Robot* robot) { return robot == gone; });
+    for (Robot* robot : robots_) robot->forget(*gone);
     std::erase_if(components_, [&](const auto& component) { return component.get() == gone; });
     return {};
 }
@@ -210,7 +211,7 @@ void System::emergency_stop() {
 Expected<void> System::rearm() {
     if (!stopped_) return failure("nothing is stopped: rearm() follows stop()");
     for (const Robot* robot : robots_) {
-        if (robot->stands()) continue;
+        if (robot->is_twin() || robot->stands()) continue;
         return failure(fmt::format("{} still moves, at {:.3f} m/s and {:.3f} rad/s: rearm() needs standstill",
                                    robot->name(), robot->measured().vx, robot->measured().va));
     }
