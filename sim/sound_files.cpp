@@ -93,8 +93,8 @@ void SoundFiles::speak(const std::string& text, const std::filesystem::path& fil
         return;
     }
     // -b 1: the text is UTF-8.
-    const std::string problem =
-        run_program({.words = {speaker_, "-b", "1", "--stdin", "-w", file.string()}, .input = input.file()});
+    const std::string problem = problem_of(
+        run_program({.words = {speaker_, "-b", "1", "--stdin", "-w", file.string()}, .input = input.file()}));
     if (!problem.empty()) complain(fmt::format("{} did not write '{}': {}", speaker_, file.string(), problem));
 }
 

@@ -35,7 +35,7 @@ Expected<fs::path> project_here() {
 }
 
 Expected<void> compare_versions(const Remote& remote) {
-    const auto ended = run_program(remote.ssh("nezumi --version"), true);
+    const auto ended = run_in_front(remote.ssh("nezumi --version"), true);
     if (!ended) return Unexpected(ended.error());
     if (ended->status == no_connection)
         return failure(
@@ -61,7 +61,7 @@ Expected<void> bring_over(const Remote& remote, const fs::path& project, const s
         excludes += " --exclude=" + shell_text(pattern);
     }
     words.insert(words.end(), {"--", project.string() + "/", remote.host() + ":" + coming + "/"});
-    const auto sent = run_program(words, false);
+    const auto sent = run_in_front(words, false);
     if (!sent) return Unexpected(sent.error());
     if (sent->status != 0)
         return failure(fmt::format("the project did not come over (rsync ended with {}): {} is as it was", sent->status,
@@ -84,7 +84,7 @@ Expected<int> push(const PushOptions& options) {
     if (options.run.empty()) return kDone;
     std::fflush(stdout);
     const bool has_terminal = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
-    const auto ran = run_program(
+    const auto ran = run_in_front(
         remote->ssh(fmt::format("cd {} && exec nezumi run {} --hw", shell_text(folder), shell_text(options.run)),
                     has_terminal),
         false);

@@ -5,18 +5,13 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "engine/base/program.hpp"
 
 namespace nezumi::cli {
 
-/// How a program ended, and what it said on standard output.
-struct Ended {
-    int status = 0;  ///< exit status; 128 and its number for a signal
-    std::string out;
-};
-
-/// Runs a program to its end, found by PATH, without a shell. Its standard error is ours; with `keeps_output` its
-/// standard output is kept, else it is ours as well. An error when it can't be run.
-Expected<Ended> run_program(const std::vector<std::string>& words, bool keeps_output);
+/// Runs a program of `words` to its end, with our terminal as its own; with `keeps_output` what it says on standard
+/// output is kept. An error when it can't be run.
+Expected<ProgramEnd> run_in_front(std::vector<std::string> words, bool keeps_output);
 
 class Remote {
 public:

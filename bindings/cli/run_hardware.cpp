@@ -215,7 +215,7 @@ void ShutdownButtons::after_tick() {
 
 void ShutdownButtons::finish() const {
     if (!is_wanted_) return;
-    if (const std::string problem = run_program({.words = {"systemctl", "poweroff"}}); !problem.empty())
+    if (const std::string problem = problem_of(run_program({.words = {"systemctl", "poweroff"}})); !problem.empty())
         say_(fmt::format("the computer can't be shut down: systemctl poweroff: {}. Try: sudo systemctl poweroff",
                          problem));
 }

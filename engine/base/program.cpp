@@ -9,12 +9,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 namespace nezumi {
@@ -58,7 +60,22 @@ void UnnamedFile::rewind() const {
     if (file_ >= 0) lseek(file_, 0, SEEK_SET);
 }
 
-std::string run_program(const ProgramRun& run) {
+std::string UnnamedFile::text() const {
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (;;) {
+        const ssize_t length =
+            file_ < 0 ? 0 : pread(file_, buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
+        if (length < 0 && errno == EINTR) continue;
+        if (length <= 0) return text;
+        text.append(buffer.data(), static_cast<std::size_t>(length));
+    }
+}
+
+namespace {
+
+// Starts it; its process, or an errno.
+tl::expected<pid_t, int> start(const ProgramRun& run, int output) {
     std::vector<std::string> words = run.words;
     std::vector<char*> pointers;
     pointers.reserve(words.size() + 1);
@@ -69,40 +86,58 @@ std::string run_program(const ProgramRun& run) {
     const auto give = [&](int file, int as, int flags) {
         if (file >= 0)
             posix_spawn_file_actions_adddup2(&files, file, as);
-        else
+        else if (file == no_file)
             posix_spawn_file_actions_addopen(&files, as, "/dev/null", flags, 0);
     };
     give(run.input, STDIN_FILENO, O_RDONLY);
-    give(run.output, STDOUT_FILENO, O_WRONLY);
-    give(-1, STDERR_FILENO, O_WRONLY);
-    // Ctrl-C is for nezumi, which lets the program finish.
+    give(output, STDOUT_FILENO, O_WRONLY);
+    give(run.errors, STDERR_FILENO, O_WRONLY);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    // Ctrl-C is for nezumi, which lets the program finish.
+    if (!run.is_in_front) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     pid_t child = 0;
     const int error = posix_spawnp(&child, pointers[0], &files, &attributes, pointers.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
-    if (error != 0) return std::strerror(error);
+    if (error != 0) return tl::unexpected(error);
+    return child;
+}
+
+}  // namespace
+
+Expected<ProgramEnd> run_program(const ProgramRun& run) {
+    std::optional<UnnamedFile> kept;
+    if (run.keeps_output) kept.emplace();
+    const auto child = start(run, kept ? kept->file() : run.output);
+    if (!child) return failure(std::strerror(child.error()));
 
     using Clock = std::chrono::steady_clock;
-    const auto end = Clock::now() + std::chrono::duration<double>(run.longest);
-    const auto is_over = [&] { return Clock::now() > end || (run.give_up != nullptr && *run.give_up); };
+    const auto begin = Clock::now();
+    const auto give_up = [&] { return run.give_up != nullptr && *run.give_up; };
+    const auto is_too_long = [&] { return std::chrono::duration<double>(Clock::now() - begin).count() > run.longest; };
     int status = 0;
     for (auto nap = std::chrono::milliseconds(1);; nap = std::min(2 * nap, std::chrono::milliseconds(20))) {
-        const pid_t ended = waitpid(child, &status, WNOHANG);
-        if (ended == child) break;
-        if (ended < 0 && errno != EINTR) return std::strerror(errno);
-        if (is_over()) {
-            kill(-child, SIGKILL);  // and what it has started
-            waitpid(child, &status, 0);
-            return fmt::format("it took more than {} s", run.longest);
+        const pid_t ended = waitpid(*child, &status, WNOHANG);
+        if (ended == *child) break;
+        if (ended < 0 && errno != EINTR) return failure(std::strerror(errno));
+        if (give_up() || is_too_long()) {
+            kill(run.is_in_front ? *child : -*child, SIGKILL);  // and what it has started
+            waitpid(*child, &status, 0);
+            return failure(give_up() ? "it was given up" : fmt::format("it took more than {} s", run.longest));
         }
         std::this_thread::sleep_for(nap);
     }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
-    return WIFEXITED(status) ? fmt::format("it ended with status {}", WEXITSTATUS(status))
-                             : fmt::format("signal {} ended it", WTERMSIG(status));
+    ProgramEnd end{.signal = WIFEXITED(status) ? 0 : WTERMSIG(status)};
+    end.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + end.signal;
+    if (kept) end.out = kept->text();
+    return end;
+}
+
+std::string problem_of(const Expected<ProgramEnd>& end) {
+    if (!end) return end.error().message;
+    if (end->signal != 0) return fmt::format("signal {} ended it", end->signal);
+    return end->status == 0 ? "" : fmt::format("it ended with status {}", end->status);
 }
 
 }  // namespace nezumi

@@ -56,11 +56,11 @@ std::string Speaker::synthesize(const std::string& text, int output) {
     if (program.empty()) return "espeak-ng is not installed: sudo apt install espeak-ng";
     const UnnamedFile input(text);
     // -b 1: the text is UTF-8.
-    const std::string problem = run_program({.words = {program, "-b", "1", "--stdin", "--stdout"},
-                                             .input = input.file(),
-                                             .output = output,
-                                             .longest = longest_sound,
-                                             .give_up = &is_silenced_});
+    const std::string problem = problem_of(run_program({.words = {program, "-b", "1", "--stdin", "--stdout"},
+                                                        .input = input.file(),
+                                                        .output = output,
+                                                        .longest = longest_sound,
+                                                        .give_up = &is_silenced_}));
     return problem.empty() ? "" : fmt::format("{}: {}", program, problem);
 }
 
@@ -69,7 +69,7 @@ std::string Speaker::play_wav(int wav) {
     std::vector<std::string> words{player, "-q"};
     if (!device_.empty()) words.insert(words.end(), {"-D", device_});
     const std::string problem =
-        run_program({.words = words, .input = wav, .longest = longest_sound, .give_up = &is_silenced_});
+        problem_of(run_program({.words = words, .input = wav, .longest = longest_sound, .give_up = &is_silenced_}));
     if (problem.empty()) return "";
     return fmt::format("{}: {}: is there a sound card (aplay -l), and is this user in group audio?", player, problem);
 }
