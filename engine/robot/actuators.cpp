@@ -75,20 +75,26 @@ void Actuators::act(RobotBody& body, const Time& now, const std::function<void(s
                 if (off) set_leds(body, std::vector<bool>(leds_.size(), false));
                 break;
             case Kind::buzzer:
-                if (port.is_new()) set_buzzer(body, take<std::int16_t>(port));
+                if (port.is_new()) {
+                    const int hertz = take<std::int16_t>(port);
+                    if (!is_stopped_) set_buzzer(body, hertz);
+                }
                 if (off) set_buzzer(body, 0);
                 break;
             case Kind::servo:
                 if (port.is_new()) {
                     const double angle = take<double>(port);
-                    if (!servos_stopped_) aim_servo(body, channel, angle);
+                    if (!is_stopped_) aim_servo(body, channel, angle);
                 }
                 break;
             case Kind::screen:
                 while (port.is_new()) show(body, channel, warn);
                 break;
             case Kind::speaker:
-                while (port.is_new()) play(body, take<std::string>(port));
+                while (port.is_new()) {
+                    const std::string& text = take<std::string>(port);
+                    if (!is_stopped_) play(body, text);
+                }
                 break;
         }
     }
@@ -96,7 +102,9 @@ void Actuators::act(RobotBody& body, const Time& now, const std::function<void(s
 
 void Actuators::be_still(RobotBody& body) {
     set_buzzer(body, 0);
-    if (!std::exchange(is_still_, true)) hold_servos(body);
+    if (std::exchange(is_still_, true)) return;
+    hold_servos(body);
+    body.silence();
 }
 
 void Actuators::hold_servos(RobotBody& body) {
@@ -106,15 +114,19 @@ void Actuators::hold_servos(RobotBody& body) {
     }
 }
 
-void Actuators::stop_servos(RobotBody* body) {
-    servos_stopped_ = true;
-    if (body != nullptr) hold_servos(*body);
+void Actuators::stop(RobotBody* body) {
+    is_stopped_ = true;
+    if (body == nullptr) return;
+    hold_servos(*body);
+    set_buzzer(*body, 0);
+    body->silence();
 }
 
-void Actuators::rearm_servos() {
-    servos_stopped_ = false;
+void Actuators::rearm() {
+    is_stopped_ = false;
     for (const Channel& channel : channels_) {
-        if (spec_.actuators[channel.actuator].kind == Kind::servo) channel.port->clear();
+        const Kind kind = spec_.actuators[channel.actuator].kind;
+        if (kind == Kind::servo || kind == Kind::buzzer || kind == Kind::speaker) channel.port->clear();
     }
 }
 

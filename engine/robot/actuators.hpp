@@ -31,10 +31,10 @@ public:
     /// Does what has arrived. One that its description wants off when nothing came for `silence` seconds goes off.
     /// `warn` is told of what can't be done, once for each port.
     void act(RobotBody& body, const Time& now, const std::function<void(std::string)>& warn);
-    /// Servos stay where they are (of a body that is there already), and ignore what they are sent.
-    void stop_servos(RobotBody* body);
-    /// Servos obey again what comes from now on.
-    void rearm_servos();
+    /// Servos stay where they are and all sound ends (of a body that is there already); what they are sent is ignored.
+    void stop(RobotBody* body);
+    /// They obey again what comes from now on.
+    void rearm();
     /// Its robot is not ACTIVE: what makes noise stops, lights and angles hold.
     void be_still(RobotBody& body);
 
@@ -64,7 +64,7 @@ private:
     std::vector<Channel> channels_;
     std::vector<bool> leds_;
     int buzzer_hertz_ = 0;
-    bool servos_stopped_ = false;
+    bool is_stopped_ = false;
     bool is_still_ = false;
     std::deque<std::string> said_;
 };

@@ -225,7 +225,7 @@ void Robot::take_velocities(const Time& now) {
 void Robot::emergency_stop() {
     if (std::exchange(stopped_, true)) return;
     guard_.stop();
-    actuators_.stop_servos(body_.get());
+    actuators_.stop(body_.get());
     if (velocity_in_ == nullptr) return;
     note_before_stop_ = velocity_in_->note();
     velocity_in_->set_note("emergency stop: commands are ignored until rearm()");
@@ -234,7 +234,7 @@ void Robot::emergency_stop() {
 void Robot::rearm() {
     stopped_ = false;
     braked_at_.reset();
-    actuators_.rearm_servos();
+    actuators_.rearm();
     set_motor_power(!is_real() || state() == LifeState::active);
     if (velocity_in_ == nullptr) return;
     velocity_in_->clear();  // what was sent before this and has not arrived counts for nothing

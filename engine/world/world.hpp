@@ -102,6 +102,8 @@ public:
     virtual void show(std::size_t /*index*/, const CameraImage& /*picture*/) {}
     /// Plays a sound after those that came before. Must not wait until it has been played.
     virtual void play(const Sound& /*sound*/) {}
+    /// Ends the sound that plays, and forgets those that wait.
+    virtual void silence() {}
 };
 
 /// What a world knows of a robot and no sensor tells.

@@ -1,4 +1,4 @@
-// A loss and a return are told at the moment they happen, and not again.
+// A loss is told at the moment it happens, a return when it has lasted.
 #include "hw/device/health.hpp"
 
 #include <iterator>
@@ -8,12 +8,15 @@ namespace nezumi::hw {
 
 void Health::lost(const std::string& why) {
     const std::lock_guard lock(mutex_);
-    if (!std::exchange(is_lost_, true)) lines_.push_back(device_ + ": " + why);
+    is_lost_ = true;
+    well_since_.reset();
+    if (!std::exchange(is_told_, true)) lines_.push_back(device_ + ": " + why);
 }
 
-void Health::works() {
+void Health::works(double now) {
     const std::lock_guard lock(mutex_);
-    if (std::exchange(is_lost_, false)) lines_.push_back(device_ + ": back again");
+    is_lost_ = false;
+    if (!well_since_) well_since_ = now;
 }
 
 bool Health::is_lost() const {
@@ -21,8 +24,12 @@ bool Health::is_lost() const {
     return is_lost_;
 }
 
-std::vector<std::string> Health::take() {
+std::vector<std::string> Health::take(double now) {
     const std::lock_guard lock(mutex_);
+    if (is_told_ && well_since_ && now - *well_since_ >= proven_after) {
+        is_told_ = false;
+        lines_.push_back(device_ + ": back again");
+    }
     return std::exchange(lines_, {});
 }
 

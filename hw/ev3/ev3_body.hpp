@@ -61,6 +61,7 @@ public:
     void aim_servo(std::size_t index, double angle, double speed) override;
     void set_leds(const std::vector<bool>& on) override;
     void play(const Sound& sound) override { loudspeaker_.play(sound); }
+    void silence() override { loudspeaker_.silence(); }
     void show(std::size_t index, const CameraImage& picture) override;
 
 private:

@@ -45,12 +45,15 @@ tl::expected<void, std::string> TachoMotor::find() {
     return {};
 }
 
+// A motor of which one thing fails must not go on by the others.
+std::string TachoMotor::lost(const std::string& why) {
+    static_cast<void>(nodes_->command.write("stop"));
+    nodes_.reset();
+    return fmt::format("{}: {}", port_, why);
+}
+
 tl::expected<void, std::string> TachoMotor::write(Node& node, const std::string& text) {
-    if (auto ok = node.write(text); !ok) {
-        const std::string why = with_ev3_advice(ok.error());
-        nodes_.reset();
-        return tl::unexpected(fmt::format("{}: {}", port_, why));
-    }
+    if (auto ok = node.write(text); !ok) return tl::unexpected(lost(with_ev3_advice(ok.error())));
     return {};
 }
 
@@ -100,10 +103,7 @@ tl::expected<void, std::string> TachoMotor::coast() {
 
 tl::expected<std::int64_t, std::string> TachoMotor::position() {
     const auto read = read_whole_number(nodes_->position);
-    if (!read) {
-        nodes_.reset();
-        return tl::unexpected(fmt::format("{}: {}", port_, read.error()));
-    }
+    if (!read) return tl::unexpected(lost(read.error()));
     if (std::exchange(counts_anew_, false)) offset_ = last_ - *read;
     last_ = *read + offset_;
     return last_;

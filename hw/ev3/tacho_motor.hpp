@@ -48,6 +48,7 @@ private:
         explicit Nodes(const std::string& folder);
         Node command, speed, target, time, after_stop, position;
     };
+    std::string lost(const std::string& why);
     tl::expected<void, std::string> write(Node& node, const std::string& text);
     tl::expected<void, std::string> set_after_stop(AfterStop wanted);
 

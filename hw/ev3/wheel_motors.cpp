@@ -136,7 +136,8 @@ double WheelMotors::run() {
     if (health_.is_lost()) {
         if (now < retry_at_) return retry_at_ - now;
         retry_at_ = now + retry_period;
-        if (!prepare()) {
+        // Where its encoder is not to be read a motor must not turn for a moment either.
+        if (!prepare() || !read_positions()) {
             stop_all();
             return retry_period;
         }

@@ -44,6 +44,7 @@ public:
     void aim_servo(std::size_t /*index*/, double /*angle*/, double /*speed*/) override {}
     void set_leds(const std::vector<bool>& on) override;
     void play(const Sound& sound) override { loudspeaker_.play(sound); }
+    void silence() override { loudspeaker_.silence(); }
     void set_buzzer(int hertz) override;
 
 private:

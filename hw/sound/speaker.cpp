@@ -43,6 +43,17 @@ void Speaker::play(const Sound& sound) {
     }
 }
 
+void Speaker::silence() {
+    const std::lock_guard lock(mutex_);
+    waiting_.clear();
+    is_silenced_ = true;
+}
+
+void Speaker::silence_for_good() {
+    silence();
+    has_ended_ = true;
+}
+
 std::vector<std::string> Speaker::take_faults() {
     std::vector<std::string> all = queue_health_.take();
     append(all, player_health_.take());
@@ -82,9 +93,10 @@ double Speaker::run() {
         if (!waiting_.empty()) {
             sound = std::move(waiting_.front());
             waiting_.pop_front();
+            is_silenced_ = has_ended_.load();  // a silence is over when there is a new sound
         }
     }
-    if (!sound || is_silenced_) return idle;
+    if (!sound) return idle;
     const bool is_speech = sound->kind == Sound::Kind::speech;
     const UnnamedFile wav(is_speech ? "" : tone_as_wav(sound->hertz, sound->seconds));
     const auto tell = [this](Health& health, const std::string& problem) {
@@ -98,7 +110,7 @@ double Speaker::run() {
     if (is_speech) {
         const std::string problem = synthesize(sound->text, wav.file());
         tell(speech_health_, problem);
-        if (!problem.empty()) return 0;
+        if (!problem.empty() || is_silenced_) return 0;
         wav.rewind();
     }
     tell(player_health_, play_wav(wav.file()));

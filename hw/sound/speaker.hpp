@@ -29,8 +29,10 @@ public:
 
     /// From the control loop: plays it after those that came before.
     void play(const Sound& sound);
-    /// From any thread: what plays ends at once, and nothing is played any more.
-    void silence() { is_silenced_ = true; }
+    /// From any thread: what plays ends at once, and what waits is left out.
+    void silence();
+    /// The same, and nothing is played any more.
+    void silence_for_good();
     std::vector<std::string> take_faults();
 
     double run() override;
@@ -41,7 +43,7 @@ private:
 
     const std::string device_;
     Health player_health_{"loudspeaker"}, speech_health_{"speech"}, queue_health_{"loudspeaker"};
-    std::atomic<bool> is_silenced_ = false;
+    std::atomic<bool> is_silenced_ = false, has_ended_ = false;
     std::mutex mutex_;  // held for a copy at most
     std::deque<Sound> waiting_;
 };
@@ -52,11 +54,13 @@ public:
     /// Its device is the `port` of the spec's first speaker.
     explicit Loudspeaker(const RobotSpec& spec);
     /// What plays ends.
-    ~Loudspeaker() { speaker_->silence(); }
+    ~Loudspeaker() { speaker_->silence_for_good(); }
     Loudspeaker(const Loudspeaker&) = delete;
     Loudspeaker& operator=(const Loudspeaker&) = delete;
 
     void play(const Sound& sound);
+    /// What plays ends, and what waits is left out.
+    void silence() { speaker_->silence(); }
     std::vector<std::string> take_faults() { return speaker_->take_faults(); }
 
 private:

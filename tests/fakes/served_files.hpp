@@ -39,7 +39,9 @@ public:
     virtual unsigned poll(const std::string& /*name*/, std::uint64_t /*handle*/, std::function<void()> /*again*/) {
         return 0;
     }
-    /// An ioctl(2), with the data that its number says.
+    /// An ioctl(2), with the data that its number says: all of that goes back, also where a real device would give
+    /// less. Who asks for more than it has room for, as `evtest --query` does, is overwritten (FUSE's files can't say
+    /// how much they give).
     virtual int control(const std::string& /*name*/, std::uint64_t /*handle*/, unsigned /*request*/, void* /*data*/) {
         return -ENOTTY;
     }

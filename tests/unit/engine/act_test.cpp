@@ -171,6 +171,47 @@ TEST_CASE("a servo stays where it is while its robot is stopped", "[engine][act]
     CHECK(run.hull().servos.begin()->second == Approx(-0.5));
 }
 
+TEST_CASE("an emergency stop ends all sound until it is rearmed", "[engine][act][safety]") {
+    RobotSpec spec = fake_mouse();
+    spec.actuators.push_back({.name = "speaker", .kind = ActuatorSpec::Kind::speaker});
+    PortSpec sound;
+    sound.name = "sound";
+    sound.type = "TimedString";
+    sound.items = {"speaker"};
+    sound.is_input = true;
+    spec.ports.push_back(sound);
+    FakeRun run(spec);
+    run.send("buzzer_in", std::int16_t{440});
+    run.send("sound", std::string("hello"));
+    REQUIRE(run.hull().hertz == 440);
+    REQUIRE(run.hull().sounds.size() == 1);
+    const int silences = run.hull().silences;
+    REQUIRE(error_of(run.system, Stop{}).empty());
+    CHECK(run.hull().hertz == 0);
+    CHECK(run.hull().silences == silences + 1);
+    run.send("buzzer_in", std::int16_t{550});
+    run.send("sound", std::string("still here"));
+    CHECK(run.hull().hertz == 0);
+    CHECK(run.hull().sounds.size() == 1);
+    run.robot->find_in_port("sound")->inject(std::string("too early"));
+    REQUIRE(error_of(run.system, Rearm{}).empty());
+    run.ticks(1);
+    CHECK(run.hull().sounds.size() == 1);
+    run.send("buzzer_in", std::int16_t{660});
+    run.send("sound", std::string("here again"));
+    CHECK(run.hull().hertz == 660);
+    CHECK(run.hull().sounds.size() == 2);
+}
+
+TEST_CASE("a robot that is deactivated ends what it says", "[engine][robot]") {
+    FakeRun run;
+    run.ticks(1);
+    const int silences = run.hull().silences;
+    REQUIRE(run.robot->deactivate(run.system.now()));
+    run.ticks(3);
+    CHECK(run.hull().silences == silences + 1);
+}
+
 TEST_CASE("a call can be foreseen to run out of time, and is told when it does", "[engine][component]") {
     System system({}, {});
     auto made = std::make_unique<TryComponent>();

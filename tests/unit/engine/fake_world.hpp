@@ -43,6 +43,7 @@ struct FakeHull {
     std::map<std::size_t, double> servo_speeds;  ///< [rad/s]
     std::vector<CameraImage> pictures;
     std::vector<Sound> sounds;
+    int silences = 0;
 };
 
 /// Tells what its hull says, without noise: a device's reading.
@@ -110,6 +111,7 @@ public:
     void set_buzzer(int hertz) override { hull_.hertz = hertz; }
     void show(std::size_t, const CameraImage& picture) override { hull_.pictures.push_back(picture); }
     void play(const Sound& sound) override { hull_.sounds.push_back(sound); }
+    void silence() override { ++hull_.silences; }
 
 private:
     FakeHull& hull_;

@@ -100,8 +100,7 @@ TEST_CASE("an EV3's arm gets its target once, with its speed, and turns there", 
     ev3.run(0.6);
     CHECK(ev3.said("motor 'medium_motor': "));
     fake.say("plug outA");
-    ev3.run(0.8);
-    CHECK(ev3.said("motor 'medium_motor': back again"));
+    CHECK(ev3.run(5, {}, [&] { return ev3.said("motor 'medium_motor': back again"); }));
     CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * degree).margin(0.03));
 }
 
@@ -261,4 +260,32 @@ TEST_CASE("a sensor that does not answer a change of mode in time is told once, 
     CHECK(ev3.said("connection timed out: look at its cable, and at what dmesg says"));
     fake.say("heal");
     CHECK(ev3.run(2, {}, [&] { return ev3.speaks("gyro"); }));
+}
+
+TEST_CASE("an EV3 whose motor fails again and again stands, and tells it once", "[hw][ev3][fakes][safety][wallclock]") {
+    const std::string node = GENERATE("outB/speed_sp", "outB/position", "outC/position");
+    INFO(node);
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    REQUIRE(ev3.run(5, {.vx = 0.1}, [&] { return fake.moves(); }));
+    fake.fault(node, "eio");
+    // A new command in every tick: the motors' nodes are written.
+    const auto drive = [&](double seconds, const std::function<bool()>& until = nullptr) {
+        const double end = ev3.system.now().seconds + seconds;
+        for (int i = 0; ev3.system.now().seconds < end; ++i) {
+            ev3.run(0.025, {.vx = i % 2 == 0 ? 0.1 : 0.11});
+            if (until && until()) return true;
+        }
+        return !until;
+    };
+    CHECK(drive(5, [&] { return !fake.moves(); }));
+    const Pose2D stood = fake.truth();
+    drive(2);  // it is tried again every half a second
+    CHECK(std::abs(fake.truth().position.x - stood.position.x) < 0.005);
+    INFO(ev3.all_log());
+    CHECK(ev3.log.size() == 1);
+    CHECK(ev3.said("motors: " + node.substr(0, 4) + ": "));
+    fake.say("heal");
+    CHECK(drive(5, [&] { return fake.moves() && ev3.said("motors: back again"); }));
+    CHECK(ev3.log.size() == 2);
 }

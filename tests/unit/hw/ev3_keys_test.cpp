@@ -52,7 +52,7 @@ TEST_CASE("keys of an EV3 that fail are told once, and taken up again", "[hw][ev
     CHECK(ev3.log.size() == 1);
     fake.say("heal");
     CHECK(ev3.idle(2, [&] { return key(ev3, "key_up").is_there; }));
-    CHECK(ev3.said("keys: back again"));
+    CHECK(ev3.idle(5, [&] { return ev3.said("keys: back again"); }));
 }
 
 TEST_CASE("a button that is no key of the brick is refused with those that are", "[hw][ev3]") {

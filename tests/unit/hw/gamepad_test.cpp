@@ -136,7 +136,8 @@ TEST_CASE("a gamepad that is unplugged sends the middle once, is silent, and is 
     CHECK(driven.points_to({0, 0}, 0.1));
 
     fake.say("plug");
-    CHECK(driven.run(EvdevGamepad::search_period + 0.5, [&] { return driven.times_said("gamepad: back again") == 1; }));
+    CHECK(driven.run(EvdevGamepad::search_period + Health::proven_after + 1,
+                     [&] { return driven.times_said("gamepad: back again") == 1; }));
     fake.set("ABS_X", 32767);
     CHECK(driven.points_to({150, 0}));
 }

@@ -379,7 +379,7 @@ TEST_CASE("a mouse whose Raspberry Pi gets too little voltage stands, and drives
                    "has been charged or changed"));
     set_alarm('0');
     CHECK(mouse.run(3, {.vx = 0.1}, [&] { return fake.motion().left > 250; }));
-    CHECK(mouse.said("power supply: back again"));
+    CHECK(mouse.run(5, {.vx = 0.1}, [&] { return mouse.said("power supply: back again"); }));
     INFO(mouse.all_log());
     CHECK(mouse.log.size() == 2);
 }

@@ -64,17 +64,30 @@ TEST_CASE("what can be done about a node is part of its error", "[hw][device]") 
           "/dev/rtled0: input/output error: look at the robot's power and cables, and at what dmesg says");
 }
 
-TEST_CASE("a loss is told once, and so is the return", "[hw][device]") {
+TEST_CASE("a loss is told once, and so is the return when it has lasted", "[hw][device]") {
     Health health("LEDs");
-    health.works();
-    CHECK(health.take().empty());
+    health.works(1);
+    CHECK(health.take(10).empty());
     health.lost("gone");
     health.lost("still gone");
     CHECK(health.is_lost());
-    CHECK(health.take() == std::vector<std::string>{"LEDs: gone"});
-    health.works();
-    health.works();
-    CHECK(health.take() == std::vector<std::string>{"LEDs: back again"});
+    CHECK(health.take(20) == std::vector<std::string>{"LEDs: gone"});
+    health.works(21);
+    CHECK_FALSE(health.is_lost());
+    CHECK(health.take(21.9).empty());
+    health.works(21.9);
+    CHECK(health.take(22) == std::vector<std::string>{"LEDs: back again"});
     health.lost("gone again");
-    CHECK(health.take() == std::vector<std::string>{"LEDs: gone again"});
+    CHECK(health.take(23) == std::vector<std::string>{"LEDs: gone again"});
+}
+
+TEST_CASE("a device that comes and goes is told as lost, once", "[hw][device]") {
+    Health health("LEDs");
+    for (int i = 0; i < 10; ++i) {
+        health.lost("gone");
+        CHECK(health.take(i).size() == (i == 0 ? 1 : 0));
+        health.works(i + 0.1);
+        CHECK(health.take(i + 0.9).empty());
+    }
+    CHECK(health.take(10.5) == std::vector<std::string>{"LEDs: back again"});
 }
