@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,10 +15,12 @@
 #include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/scenario_files.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/test_session.hpp"
 #include "engine/base/whole_file.hpp"
+#include "hw/rig/rig_world.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -32,7 +36,67 @@ struct TestOptions {
     bool tap = false;
     bool update_goldens = false;
     std::string folder = "nezumi-test";
+    bool hw = false;
+    std::string rig, dev_root, sys_root;
 };
+
+// Sockets by robot, of "mouse=/tmp/a,ev3=/tmp/b".
+Expected<std::map<std::string, std::string>> read_rig(const std::string& words) {
+    std::map<std::string, std::string> sockets;
+    std::istringstream parts(words);
+    for (std::string part; std::getline(parts, part, ',');) {
+        const auto equals = part.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == part.size() ||
+            !sockets.try_emplace(part.substr(0, equals), part.substr(equals + 1)).second)
+            return failure(
+                fmt::format("--rig: expected a socket for each robot as in mouse=/tmp/mouse, got '{}'", shown(words)));
+    }
+    return sockets;
+}
+
+// Has scenarios run with real robots, or says why they can't be.
+Expected<void> choose_robots(const TestOptions& command, SessionOptions& options) {
+    if (!command.hw) {
+        for (const auto& [option, given] : {std::pair{"--rig", !command.rig.empty()},
+                                            {"--dev-root", !command.dev_root.empty()},
+                                            {"--sys-root", !command.sys_root.empty()}}) {
+            if (given) return failure(fmt::format("{} is for real robots: give --hw as well", option));
+        }
+        return {};
+    }
+    for (const auto& [option, given] :
+         {std::pair{"--repeat", command.repeat > 1}, {"--update-goldens", command.update_goldens}}) {
+        if (given) return failure(fmt::format("--hw: a real robot is never the same twice: leave out {}", option));
+    }
+    auto sockets = read_rig(command.rig);
+    if (!sockets) return Unexpected(sockets.error());
+    Hardware hardware;
+    if (!command.dev_root.empty()) hardware.dev_root = command.dev_root;
+    if (!command.sys_root.empty()) hardware.sys_root = command.sys_root;
+    options.is_real = true;
+    options.jobs = 1;
+    options.words = " --hw";
+    for (const auto& [option, given] :
+         {std::pair{"--rig", command.rig}, {"--dev-root", command.dev_root}, {"--sys-root", command.sys_root}}) {
+        if (!given.empty()) options.words += fmt::format(" {} {}", option, shell_text(given));
+    }
+    options.systems = [hardware, sockets = std::move(*sockets)] {
+        LiveOptions live = simulated_systems();
+        use_hardware(live, hardware);
+        live.rig = [sockets](const SystemSpec& spec) { return hw::open_rig(spec, sockets); };
+        return live;
+    };
+    return {};
+}
+
+// Nobody but a rig puts real robots back to where the next run begins.
+Expected<void> check_is_one(const TestOptions& command, const TestPlan& plan) {
+    if (!command.hw || !command.rig.empty() || plan.runs.size() <= 1) return {};
+    return failure(fmt::format(
+        "--hw: these are {} runs, and nobody puts the robots back between them: choose one by --filter (--list shows "
+        "their names), or give --rig",
+        plan.runs.size()));
+}
 
 void write_out(std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stdout);
@@ -61,12 +125,14 @@ int test(const TestOptions& command) {
     options.installed = installed_folders();
     options.systems = simulated_systems;
     options.files = scenario_files;
+    if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
     const auto plan = plan_tests({.paths = {command.paths.begin(), command.paths.end()},
                                   .filter = command.filter,
                                   .seed = command.seed,
                                   .installed = options.installed});
     if (!plan) return refuse(plan.error());
     if (command.list) return list(*plan);
+    if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
 
     if (!command.junit.empty()) {
         // Found out before hours of tests have run.
@@ -89,20 +155,28 @@ Command test_command() {
     return {
         .name = "test",
         .help = "Run scenarios: files *_test.lua",
-        .options = {{"[PATHS]", &options->paths, "scenario files, and folders that are searched for *_test.lua"},
-                    {"--filter", &options->filter, "only runs whose name contains this; a whole name means only that",
-                     "TEXT"},
-                    {"--list", &options->list, "show the names of the runs and where they are, and run nothing"},
-                    {"--seed", &options->seed, "decides everything that is drawn at random", "N",
-                     whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1")},
-                    {"--repeat", &options->repeat, "make each run so often; all must have the same trace hash", "N",
-                     whole_number(1, 1'000'000, "1000000")},
-                    {"--jobs", &options->jobs, "processes at a time; the results do not depend on it", "N",
-                     whole_number(1, 1024, "1024")},
-                    {"--junit", &options->junit, "write the results to this file, as JUnit's XML", "FILE"},
-                    {"--tap", &options->tap, "print the results as TAP"},
-                    {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},
-                    {"-o,--output", &options->folder, "the folder for traces and pictures of failures", "DIR"}},
+        .options =
+            {{"[PATHS]", &options->paths, "scenario files, and folders that are searched for *_test.lua"},
+             {"--filter", &options->filter, "only runs whose name contains this; a whole name means only that", "TEXT"},
+             {"--list", &options->list, "show the names of the runs and where they are, and run nothing"},
+             {"--seed", &options->seed, "decides everything that is drawn at random", "N",
+              whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1")},
+             {"--repeat", &options->repeat, "make each run so often; all must have the same trace hash", "N",
+              whole_number(1, 1'000'000, "1000000")},
+             {"--jobs", &options->jobs, "processes at a time; the results do not depend on it", "N",
+              whole_number(1, 1024, "1024")},
+             {"--hw", &options->hw,
+              "drive the real robots, at real time, one run at a time; what asks for the truth, disturbs or "
+              "teleports needs --rig"},
+             {"--rig", &options->rig,
+              "with --hw: the sockets of what sees the robots from outside, and puts them back before each run",
+              "NAME=SOCKET,..."},
+             {"--dev-root", &options->dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
+             {"--sys-root", &options->sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
+             {"--junit", &options->junit, "write the results to this file, as JUnit's XML", "FILE"},
+             {"--tap", &options->tap, "print the results as TAP"},
+             {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},
+             {"-o,--output", &options->folder, "the folder for traces and pictures of failures", "DIR"}},
         .run = [options] { return test(*options); },
         .footer =
             "Without PATHS: the scenarios in tests/ and behaviors/ of the project. Exit status: 0 all passed, 1 "

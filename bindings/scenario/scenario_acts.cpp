@@ -79,6 +79,8 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
         channels.push_back(at->live->trace().follow(at->path()).value());
     }
     if (channels.empty()) return raise(run, fmt::format("'{}': expected ports after the name", name));
+    if (run.current().options().build.real_time)
+        return raise(run, fmt::format("'{}': a real robot is never the same twice: leave this to simulation", name));
     Place place = calling_place(lua);
     auto file = std::filesystem::path(place.file).parent_path() / name;
     run.goldens_.emplace_back(std::move(file), name, options.tolerance, std::move(place), channels);

@@ -8,6 +8,7 @@
 
 #include "bindings/scenario/scenario_methods.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/system/perform.hpp"
 
 namespace nezumi {
 namespace {
@@ -79,6 +80,7 @@ RunResult ScenarioRun::run() {
 
 // Whether Lua has raised what a word or a method refused.
 bool ScenarioRun::is_setup_error(const CallError& error) const {
+    if (error.message.find(not_seen) != std::string::npos) return true;
     return setup_error_ && one_line(error.message).find(setup_error_->message) != std::string::npos;
 }
 
@@ -87,10 +89,11 @@ void ScenarioRun::take_outcome(const CallResult& called) {
     if (!called) {
         const CallError& error = called.error();
         // The error of a word or of a system is the one that Lua raised, unless the scenario caught that.
-        if (is_setup_error(error)) return stop(RunOutcome::could_not_run, *setup_error_);
+        if (setup_error_ && is_setup_error(error)) return stop(RunOutcome::could_not_run, *setup_error_);
         Error plain{one_line(error.message), error.place};
         if (plain.place.file.empty()) plain.place = scenario_.place;
-        return stop(error.over_budget ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
+        const bool could_not = error.over_budget || is_setup_error(error);
+        return stop(could_not ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
     }
     if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
     // What no tick has come after is looked at once, now: it must be able to fail.
@@ -117,6 +120,7 @@ void ScenarioRun::finish() {
     };
     for (const auto& watched : watches_) tell(*watched);
     for (const auto& watched : waits_) tell(*watched);
+    worlds_.stop_robots();
     result_.seconds = worlds_.now();
     result_.hash = worlds_.trace_hash();
     if (settings_.files == nullptr) return;

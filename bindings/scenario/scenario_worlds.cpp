@@ -74,8 +74,13 @@ Expected<void> ScenarioRun::build(Described& described) {
     LiveOptions options = settings_.systems();
     options.build.seed = settings_.seed;
     options.build.seed_wins = true;
-    options.build.out_of_time_is_fatal = true;
-    options.budget = headless_budget;
+    if (options.build.real_time) {
+        if (!worlds_.empty())
+            return failure("with --hw there is one world, that of the real robots: this would be another");
+    } else {
+        options.build.out_of_time_is_fatal = true;
+        options.budget = headless_budget;
+    }
     options.watch = false;
     options.print = [this](std::string_view line) { print(std::string(line)); };
     options.build.log = [this](const LogLine& line) {
@@ -83,13 +88,17 @@ Expected<void> ScenarioRun::build(Described& described) {
         const std::string who = line.component.empty() ? "" : line.component + ": ";
         print(fmt::format("[{:8.3f}] {} {}{}", line.seconds, to_text(line.level), who, line.text));
     };
-    const SystemSpec& spec = described.words->spec();
-    auto live = LiveSystem::make(spec, *described.project, std::move(options));
+    SystemSpec spec = described.words->spec();
+    if (options.prepare) {
+        if (auto ready = options.prepare(spec); !ready) return ready;
+    }
+    auto live = LiveSystem::make(std::move(spec), *described.project, std::move(options));
     if (!live) return Unexpected(live.error());
     (*live)->activate();
-    described.entries = spec.entries.size();
-    described.connections = spec.connections.size();
-    described.things = count_things(spec.arena);
+    const SystemSpec& built = described.words->spec();
+    described.entries = built.entries.size();
+    described.connections = built.connections.size();
+    described.things = count_things(built.arena);
     described.live = &worlds_.add(std::move(*live));
     if (settings_.files != nullptr) settings_.files->begin(worlds_.size() - 1, *described.live);
     return {};
@@ -99,6 +108,8 @@ Expected<void> ScenarioRun::change_arena(Described& described) {
     const auto world = static_cast<std::size_t>(&described - described_.data());
     if (worlds_.ticks(world) > 0)
         return failure("arena: can't change once time has moved: say it before s:run and all that waits");
+    if (described.live->options().build.real_time)
+        return failure("arena: with --hw it is said before robots are looked at");
     const SystemSpec& spec = described.words->spec();
     if (auto ok = described.live->rebuild(spec); !ok) return ok;
     described.entries = spec.entries.size();
@@ -112,6 +123,10 @@ Expected<void> ScenarioRun::add_new(Described& described) {
     LiveSystem& live = *described.live;
     while (described.entries < spec.entries.size()) {
         const Entry& entry = spec.entries[described.entries++];
+        if (live.options().build.real_time && std::holds_alternative<RobotEntry>(entry))
+            return failure(
+                fmt::format("robot '{}': with --hw all robots are said before one is looked at", name_of(entry)),
+                place_of(entry));
         if (auto added = live.act(Add{entry}, scenario_actor); !added) return Unexpected(added.error());
         // A component that can't be activated is in ERROR, as at the start of a system.
         if (std::visit([](const auto& e) { return e.active; }, entry))

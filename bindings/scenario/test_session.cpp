@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -35,15 +36,16 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const Session
     return scenario.run();
 }
 
-std::string command_for(const PlannedFile& file, const PlannedRun& run, std::uint64_t seed) {
-    return fmt::format("nezumi test {} --filter {} --seed {}", shell_text(file.shown), shell_text(run.name), seed);
+std::string command_for(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options) {
+    return fmt::format("nezumi test {} --filter {} --seed {}{}", shell_text(file.shown), shell_text(run.name),
+                       options.seed, options.words);
 }
 
-RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, std::uint64_t seed) {
+RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const SessionOptions& options) {
     const PlannedFile& file = plan.files[run.file];
     const Scenario& scenario = file.scenarios[run.scenario];
-    return {scenario.place.file,          scenario.place.line, scenario.name, run.name,
-            command_for(file, run, seed), std::move(result)};
+    return {scenario.place.file, scenario.place.line, scenario.name, run.name, command_for(file, run, options),
+            std::move(result)};
 }
 
 RunResult result_of(const Expected<std::string>& answer) {
@@ -129,7 +131,7 @@ private:
             RunResult result = agree(results_[told_], scenario);
             if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
             if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
-            tell(report_of(plan_, run, std::move(result), options_.seed));
+            tell(report_of(plan_, run, std::move(result), options_));
         }
     }
 
@@ -213,7 +215,7 @@ private:
         result.facts.insert(
             result.facts.begin(),
             fmt::format("{} of {} samples failed; this is the simplest failure found", failed, scenario.sweep.samples));
-        simplified_.emplace(index, report_of(plan_, simplest, std::move(result), options_.seed));
+        simplified_.emplace(index, report_of(plan_, simplest, std::move(result), options_));
     }
 
     const TestPlan& plan_;
@@ -230,17 +232,25 @@ private:
 
 RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick) {
     const PlannedFile& file = plan.files[run.file];
-    RunResult first = run_once(file, run, options, nullptr, false);
-    if (quick || first.outcome != RunOutcome::failed) return first;
+    std::optional<RunResult> first;
+    if (quick || !options.is_real) first = run_once(file, run, options, nullptr, false);
+    if (first && (quick || first->outcome != RunOutcome::failed)) return std::move(*first);
     const auto folder = make_failure_folder(options.folder / run_file_name(file.shown, run.name, file.has_own_stem));
     std::unique_ptr<RunFiles> files;
     if (folder && options.files) files = options.files(*folder);
     RunResult again = run_once(file, run, options, files.get(), true);
-    if (again.outcome != first.outcome || again.hash != first.hash)
-        again.facts.push_back(
-            fmt::format("the same run again differs: it had hash {:016x}, then {:016x}", first.hash, again.hash));
-    again.outcome = RunOutcome::failed;
-    again.wall_seconds = first.wall_seconds;
+    if (first) {
+        if (again.outcome != first->outcome || again.hash != first->hash)
+            again.facts.push_back(
+                fmt::format("the same run again differs: it had hash {:016x}, then {:016x}", first->hash, again.hash));
+        again.outcome = RunOutcome::failed;
+        again.wall_seconds = first->wall_seconds;
+    } else if (again.outcome != RunOutcome::failed) {
+        std::error_code none;
+        if (folder) fs::remove_all(*folder, none);
+        again.files.clear();
+        return again;
+    }
     if (!folder) {
         again.facts.push_back(folder.error().message);
         return again;
@@ -248,7 +258,7 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const Session
     again.folder = *folder;
     again.files.emplace_back("failure.txt");
     std::string text;
-    for (const std::string& line : failure_lines(report_of(plan, run, again, options.seed))) text += line + "\n";
+    for (const std::string& line : failure_lines(report_of(plan, run, again, options))) text += line + "\n";
     text += fmt::format("seed: {}\n", options.seed);
     for (const std::string& line : again.printed) text += "| " + line + "\n";
     if (auto ok = write_whole(fs::path(*folder) / "failure.txt", text); !ok) {

@@ -22,6 +22,8 @@ struct SessionOptions {
     bool update_goldens = false;                   ///< write them in place of comparing with them
     std::vector<std::filesystem::path> installed;
     std::function<LiveOptions()> systems;  ///< how systems are made
+    std::string words;                     ///< options that repeating a run needs besides its name and seed
+    bool is_real = false;                  ///< systems have real robots: nothing is run again by itself
     /// Keeps the files of a run that failed, in a folder that is there; may be empty.
     std::function<std::unique_ptr<RunFiles>(const std::filesystem::path& folder)> files;
 };

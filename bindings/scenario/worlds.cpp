@@ -8,10 +8,41 @@
 #include "engine/ports/payload.hpp"
 
 namespace nezumi {
+namespace {
+
+bool all_stand(const System& system) {
+    const auto robots = system.robots();
+    return std::all_of(robots.begin(), robots.end(),
+                       [](const Robot* robot) { return robot->guard().current() == Velocity2D{}; });
+}
+
+}  // namespace
+
+void Worlds::World::tick() {
+    if (is_real()) {
+        if (!pacer) pacer.emplace(live->system().settings().rate, 1);
+        pacer->wait();
+    }
+    live->tick();
+    ++ticks;
+}
 
 LiveSystem& Worlds::add(std::unique_ptr<LiveSystem> world) {
-    worlds_.push_back({std::move(world), now_, 0});
+    const double passed = world->system().settings().real_time ? world->system().now().seconds : 0;
+    worlds_.push_back({std::move(world), now_ - passed, 0});
     return *worlds_.back().live;
+}
+
+void Worlds::stop_robots() {
+    constexpr double longest = 1;  // [s]
+    for (World& world : worlds_) {
+        if (!world.is_real()) continue;
+        world.live->end();
+        const double end = world.now() + longest;
+        do {
+            world.tick();
+        } while (world.now() < end && !all_stand(world.live->system()));
+    }
 }
 
 double Worlds::next() const {
@@ -26,12 +57,11 @@ Expected<std::vector<std::size_t>> Worlds::step() {
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
         World& world = worlds_[i];
         if (world.next() > then + time_tolerance) continue;
-        world.live->tick();
-        ++world.ticks;
+        world.tick();
         ticked.push_back(i);
         if (const auto& error = world.live->system().fatal_error()) return Unexpected(*error);
     }
-    now_ = then;
+    now_ = worlds_.front().is_real() ? worlds_.front().now() : then;
     return ticked;
 }
 

@@ -8,10 +8,12 @@
 
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/system/pacer.hpp"
 
 namespace nezumi {
 
-/// Each world ticks at its own rate: at every step of the clock those tick that are due next.
+/// Each world ticks at its own rate: at every step of the clock those tick that are due next. One with real robots
+/// waits for its ticks, and its time is the real one.
 class Worlds {
 public:
     /// Its time begins now.
@@ -22,6 +24,9 @@ public:
     LiveSystem& operator[](std::size_t index) { return *worlds_[index].live; }
     /// Ticks that this world has made.
     std::int64_t ticks(std::size_t index) const { return worlds_[index].ticks; }
+
+    /// Lets real robots brake and stand.
+    void stop_robots();
 
     /// Simulated time since the start [s].
     double now() const { return now_; }
@@ -41,7 +46,16 @@ private:
         double began;
         std::int64_t ticks;
 
-        double next() const { return began + static_cast<double>(ticks + 1) / live->system().settings().rate; }
+        std::optional<Pacer> pacer{};  // from its first tick on, where robots are real
+
+        // With real robots: then `now` is its time.
+        bool is_real() const { return live->system().settings().real_time; }
+        double now() const { return began + live->system().now().seconds; }
+        double next() const {
+            const double rate = live->system().settings().rate;
+            return is_real() ? now() + 1 / rate : began + static_cast<double>(ticks + 1) / rate;
+        }
+        void tick();
     };
 
     std::vector<World> worlds_;

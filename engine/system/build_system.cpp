@@ -175,6 +175,11 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
         if (!world) return Unexpected(world.error());
         system->take_world(std::move(*world));
     }
+    if (makers.rig) {
+        auto rig = makers.rig(spec);
+        if (!rig) return Unexpected(rig.error());
+        system->take_rig(std::move(*rig));
+    }
     // The bodies come first, to lie side by side in memory: each physics step visits all of them, and a thousand robots
     // with their scripts' states in between cost a third more. What is wrong with one is told in the order of the file.
     std::vector<Body> bodies;

@@ -35,6 +35,7 @@ using ByBackend = std::map<std::string, Maker, std::less<>>;
 struct Makers {
     /// Makes the bodies of backend "sim". May be empty: a system without simulated robots needs no world.
     WorldFactory world;
+    RigMaker rig;
     /// Bodies of all other backends. They are in no world: neither kind of robot sees the other.
     ByBackend<BodyMaker> bodies;
     std::function<Expected<std::unique_ptr<Component>>(const BehaviorEntry& entry, const MakerContext& context)>

@@ -65,20 +65,35 @@ Expected<ActResult> with_component(System& system, const std::string& name, cons
     return result_of(action(**component));
 }
 
-Expected<const Robot*> robot_named(const System& system, const std::string& name) {
+// A robot that can be moved from outside, and by whom.
+struct HandledRobot {
+    const Robot* robot;
+    World* world;
+    RobotId id;
+};
+
+Expected<HandledRobot> handled_robot(System& system, const std::string& name) {
     const auto component = system.component(name);
     if (!component) return Unexpected(component.error());
-    return simulated_robot(system, **component);
+    const auto seen = seen_robot(system, **component);
+    if (!seen) return Unexpected(seen.error());
+    World* world = seen->robot->is_real() ? system.rig()->world.get() : system.world();
+    return HandledRobot{seen->robot, world, seen->id};
 }
 
 }  // namespace
 
-Expected<const Robot*> simulated_robot(const System& system, const Component& component) {
+Expected<SeenRobot> seen_robot(const System& system, const Component& component) {
     const auto* robot = dynamic_cast<const Robot*>(&component);
     if (robot == nullptr) return failure(fmt::format("{} is no robot", component.name()));
+    const std::string& name = robot->name();
+    if (robot->is_real() && system.rig() != nullptr) {
+        if (const auto id = system.rig()->find(name)) return SeenRobot{robot, system.rig()->world.get(), *id};
+        return failure(fmt::format("{}{}: run this in simulation, or give --rig {}=SOCKET", name, not_seen, name));
+    }
     if (system.world() == nullptr) return failure("there is no simulated world");
-    if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works in simulation", robot->name()));
-    return robot;
+    if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works in simulation", name));
+    return SeenRobot{robot, system.world(), robot->id()};
 }
 
 Expected<ActResult> perform(System& system, const SetParameter& act, const Actor& /*who*/) {
@@ -159,9 +174,9 @@ Expected<ActResult> perform(System& system, const Disconnect& act, const Actor& 
 }
 
 Expected<ActResult> perform(System& system, const Teleport& act, const Actor& /*who*/) {
-    const auto robot = robot_named(system, act.robot);
+    const auto robot = handled_robot(system, act.robot);
     if (!robot) return Unexpected(robot.error());
-    return result_of(system.world()->teleport((*robot)->id(), act.pose));
+    return result_of(robot->world->teleport(robot->id, act.pose));
 }
 
 Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& /*who*/) {
@@ -170,24 +185,24 @@ Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& 
 }
 
 Expected<ActResult> perform(System& system, const Disturb& act, const Actor& /*who*/) {
-    const auto robot = robot_named(system, act.robot);
+    const auto robot = handled_robot(system, act.robot);
     if (!robot) return Unexpected(robot.error());
     for (const auto& speed : {act.vx, act.vy, act.va}) {
         if (speed && !std::isfinite(*speed)) return failure("disturb: a speed is not finite");
     }
-    system.world()->disturb((*robot)->id(), {.vx = act.vx, .vy = act.vy, .va = act.va});
+    robot->world->disturb(robot->id, {.vx = act.vx, .vy = act.vy, .va = act.va});
     return ActResult{};
 }
 
 Expected<ActResult> perform(System& system, const Press& act, const Actor& /*who*/) {
-    const auto robot = robot_named(system, act.robot);
+    const auto robot = handled_robot(system, act.robot);
     if (!robot) return Unexpected(robot.error());
     std::vector<std::string_view> names;
-    const auto& sensors = (*robot)->spec().sensors;
+    const auto& sensors = robot->robot->spec().sensors;
     for (std::size_t i = 0; i < sensors.size(); ++i) {
         if (sensors[i].kind != SensorSpec::Kind::button && sensors[i].kind != SensorSpec::Kind::touch) continue;
         if (sensors[i].name == act.sensor) {
-            system.world()->press((*robot)->id(), i, act.pressed);
+            robot->world->press(robot->id, i, act.pressed);
             return ActResult{};
         }
         names.emplace_back(sensors[i].name);

@@ -31,7 +31,17 @@ Expected<ActResult> perform(System& system, const Command& act, const Actor& who
 Expected<ActResult> perform(System& system, const Stop& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Rearm& act, const Actor& who);
 
+/// A robot, and the world that knows the truth about it: the simulated one, or what a test rig sees.
+struct SeenRobot {
+    const Robot* robot;
+    const World* world;
+    RobotId id;  ///< in that world
+};
+
 /// The robot that this component is, in a world that knows the truth; else why not.
-Expected<const Robot*> simulated_robot(const System& system, const Component& component);
+Expected<SeenRobot> seen_robot(const System& system, const Component& component);
+
+/// What is said of a real robot, after its name, where there could be a rig that sees it and is none.
+inline constexpr std::string_view not_seen = " is a real robot, and nobody sees it from outside";
 
 }  // namespace nezumi

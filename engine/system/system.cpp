@@ -298,6 +298,12 @@ void System::set_at_rest(bool at_rest) {
     for (Robot* robot : robots_) robot->set_at_rest(at_rest);
 }
 
+void System::step(World* world) {
+    if (world == nullptr) return;
+    world->step(steps_per_tick_);
+    if (const Error* why = world->breakdown(); why != nullptr && !fatal_error_) fatal_error_ = *why;
+}
+
 void System::tick() {
     now_.seconds = seconds_at(now_.tick);
     if (!grouped_) {
@@ -308,10 +314,8 @@ void System::tick() {
     run_groups();
     if (out_of_time_ && settings_.out_of_time_is_fatal && !fatal_error_) end_when_out_of_time();
     for (PortObserver* observer : observers_) observer->latched(*this);
-    if (world_ != nullptr) {
-        world_->step(steps_per_tick_);
-        if (const Error* why = world_->breakdown(); why != nullptr && !fatal_error_) fatal_error_ = *why;
-    }
+    step(world_.get());
+    if (rig_) step(rig_->world.get());
     ++now_.tick;
     now_.seconds = seconds_at(now_.tick);
 }

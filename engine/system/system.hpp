@@ -18,6 +18,7 @@
 #include "engine/robot/robot.hpp"
 #include "engine/system/actor.hpp"
 #include "engine/system/groups.hpp"
+#include "engine/system/rig.hpp"
 #include "engine/system/system_spec.hpp"
 #include "engine/system/wiring.hpp"
 #include "engine/world/world.hpp"
@@ -62,6 +63,12 @@ public:
     void take_world(std::unique_ptr<World> world) { world_ = std::move(world); }
     World* world() { return world_.get(); }
     const World* world() const { return world_.get(); }
+
+    /// What sees real robots from outside; given once, before any robot.
+    void take_rig(Rig rig) { rig_ = std::move(rig); }
+    /// nullptr when there is none.
+    Rig* rig() { return rig_ ? &*rig_ : nullptr; }
+    const Rig* rig() const { return rig_ ? &*rig_ : nullptr; }
 
     /// Adds a component; an error when the name is taken or no name. It is INACTIVE until it is activated.
     Expected<Component*> add(std::unique_ptr<Component> component);
@@ -141,6 +148,7 @@ private:
     void share_out(std::size_t count, const Action& action);
     void flush_logs();
     void end_when_out_of_time();
+    void step(World* world);
     Component* find_component(std::string_view name) const;
     Expected<Component*> component_named(std::string_view name) const;
     Expected<Port*> port_named(std::string_view path) const;
@@ -153,6 +161,7 @@ private:
     bool at_rest_ = false;
     Time now_;
     std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
+    std::optional<Rig> rig_;
     std::vector<std::unique_ptr<Component>> components_;
     std::unordered_map<std::string_view, Component*> by_name_;
     std::vector<Robot*> robots_;  // in the order of components_

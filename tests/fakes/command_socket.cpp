@@ -1,4 +1,4 @@
-// One client after the other: there is one test.
+// A thread for each client: a test, and the program that it tries.
 #include "tests/fakes/command_socket.hpp"
 
 #include <sys/socket.h>
@@ -44,8 +44,10 @@ bool serve_commands(const std::string& path, std::function<std::string(const std
         for (;;) {
             const int client = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC);
             if (client < 0) return;
-            serve(client, answer);
-            close(client);
+            std::thread([client, answer] {
+                serve(client, answer);
+                close(client);
+            }).detach();
         }
     }).detach();
     return true;

@@ -6,8 +6,8 @@
 
 namespace nezumi::fakes {
 
-/// Listens at a Unix socket on a thread of its own until the process ends. `answer` gets each line without its end.
-/// False when there can be no such socket.
+/// Listens at a Unix socket until the process ends, with a thread for itself and one for each client. `answer` gets
+/// each line without its end, by several threads at once. False when there can be no such socket.
 bool serve_commands(const std::string& path, std::function<std::string(const std::string& line)> answer);
 
 }  // namespace nezumi::fakes

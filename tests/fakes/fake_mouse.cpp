@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "tests/fakes/fake_robot.hpp"
 #include "tests/fakes/mouse_nodes.hpp"
@@ -22,6 +23,18 @@ void act(const RobotSpec& spec, RobotBody& body, fakes::MouseNodes& nodes) {
         body.set_wheel_speeds({.left = motion.left * metres, .right = motion.right * metres});
     } else {
         body.coast();
+    }
+}
+
+// Buttons that a rig presses in the world; those that a test presses at the nodes stay so.
+void sense_buttons(const RobotSpec& spec, std::span<const SensorReading> readings, fakes::MouseNodes& nodes,
+                   std::array<bool, 3>& pressed) {
+    std::size_t button = 0;
+    for (std::size_t i = 0; i < spec.sensors.size() && button < pressed.size(); ++i) {
+        if (spec.sensors[i].kind != SensorSpec::Kind::button) continue;
+        const bool is_pressed = readings[i].value != 0;
+        if (is_pressed != std::exchange(pressed[button], is_pressed)) nodes.press(button, is_pressed);
+        ++button;
     }
 }
 
@@ -71,9 +84,13 @@ std::string answer(const std::string& line, fakes::MouseNodes& nodes) {
 
 int main(int count, char** words) {
     fakes::MouseNodes nodes;
+    std::array<bool, 3> pressed{};
     return fakes::be_fake_robot(
         count, words, nodes, [&](const RobotSpec& spec, RobotBody& body) { act(spec, body, nodes); },
         [&](const RobotSpec& spec, RobotBody& /*body*/, const WheelReading& /*wheels*/,
-            std::span<const SensorReading> readings) { sense(spec, readings, nodes); },
+            std::span<const SensorReading> readings) {
+            sense(spec, readings, nodes);
+            sense_buttons(spec, readings, nodes, pressed);
+        },
         [&](const std::string& line) { return answer(line, nodes); });
 }

@@ -51,6 +51,7 @@ void WorldBehind::step() {
     const std::lock_guard lock(mutex_);
     act_(spec_, *body_);
     world_->step(1);
+    if (touched_.empty()) touched_ = world_->collided_with(body_->id());
     ++now_.tick;
     now_.seconds += physics_step;
     const WheelReading wheels = body_->read_wheels(now_, physics_step);
@@ -63,12 +64,20 @@ bool WorldBehind::answer(const std::string& line, std::string& text) {
     words >> command;
     const std::lock_guard lock(mutex_);
     if (command == "truth") {
-        const Pose2D pose = world_->truth(body_->id()).pose;
-        text = fmt::format("{} {} {}", pose.position.x, pose.position.y, pose.heading);
+        const Truth truth = world_->truth(body_->id());
+        text = fmt::format("{} {} {} {} {} {} {} {}", truth.pose.position.x, truth.pose.position.y, truth.pose.heading,
+                           truth.velocity.vx, truth.velocity.vy, truth.velocity.va, truth.height, truth.tilt);
+    } else if (command == "touched") {
+        text = std::exchange(touched_, "");
+    } else if (command == "place") {
+        Pose2D pose;
+        words >> pose.position.x >> pose.position.y >> pose.heading;
+        if (auto placed = world_->teleport(body_->id(), pose); !placed) text = placed.error().message;
     } else if (command == "disturb") {
         Push push;
-        double vx = 0, va = 0;
-        if (words >> vx >> va) push = {.vx = vx, .vy = std::nullopt, .va = va};
+        for (auto* speed : {&push.vx, &push.vy, &push.va}) {
+            if (words >> name && name != "-") *speed = std::strtod(name.c_str(), nullptr);
+        }
         world_->disturb(body_->id(), push);
     } else if (command == "press") {
         bool pressed = false;

@@ -24,7 +24,7 @@ public:
     WorldBehind(RobotSpec spec, const ArenaSpec& arena, Act act, Sense sense);
     /// At real time, for ever.
     void run();
-    /// "truth", "disturb VX VA" (no numbers: let go), "press SENSOR 0|1": false when it is another command.
+    /// What a rig answers (hw/rig): false when it is another command.
     bool answer(const std::string& line, std::string& text);
 
 private:
@@ -37,6 +37,7 @@ private:
     std::unique_ptr<World> world_;
     std::unique_ptr<RobotBody> body_;
     Time now_{};
+    std::string touched_;  // since it was asked last
 };
 
 /// The whole program. Words: MOUNT_POINT SOCKET ROBOT_FILE [BOX_X] (a wall at x = BOX_X [m]). Says "ready" when the

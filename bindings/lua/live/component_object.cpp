@@ -182,7 +182,7 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
     if (word == "ports") return part(ObjectKind::ports);
     if (word == "config") return part(ObjectKind::config);
     if (word == "truth") {
-        if (auto robot = simulated_robot(at.live->system(), component); !robot) return Unexpected(robot.error());
+        if (auto robot = seen_robot(at.live->system(), component); !robot) return Unexpected(robot.error());
         return part(ObjectKind::truth);
     }
     if (word == "name") return Answer{component.name()};
@@ -228,11 +228,10 @@ Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
                                                                 {"acceleration", limits.acceleration},
                                                                 {"yaw_acceleration", limits.yaw_acceleration}}}};
     }
-    const auto simulated = simulated_robot(at.live->system(), *at.component);
-    if (!simulated) return Unexpected(simulated.error());
-    const World& world = *at.live->system().world();
-    if (word == "collided") return Answer{world.collided(robot.id())};
-    const std::string touching = world.collided_with(robot.id());
+    const auto seen = seen_robot(at.live->system(), *at.component);
+    if (!seen) return Unexpected(seen.error());
+    if (word == "collided") return Answer{seen->world->collided(seen->id)};
+    const std::string touching = seen->world->collided_with(seen->id);
     if (touching.empty()) return Answer{};
     return Answer{touching};
 }

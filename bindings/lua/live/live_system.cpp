@@ -79,6 +79,7 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     next->spec = std::move(spec);
     next->makers.world = options_.world;
     next->makers.bodies = options_.bodies;
+    next->makers.rig = options_.rig;
     next->makers.components = options_.components;
     next->makers.behavior =
         [settings = BehaviorSettings{.project = project_, .budget = options_.budget, .chunks = &next->chunks}](

@@ -134,11 +134,11 @@ int truth_index(lua_State* L) {
     return answer(L, objects_of(L), [&]() -> Expected<Answer> {
         const auto at = find_component(*to_object(L, 1));
         if (!at) return Unexpected(at.error());
-        const auto robot = simulated_robot(at->live->system(), *at->component);
+        const auto robot = seen_robot(at->live->system(), *at->component);
         if (!robot) return Unexpected(robot.error());
         const auto name = key_of(L, "truth");
         if (!name) return Unexpected(name.error());
-        const Truth truth = at->live->system().world()->truth((*robot)->id());
+        const Truth truth = robot->world->truth(robot->id);
         const std::string& robot_name = at->component->name();
         if (*name == "pose") {
             return Answer{
@@ -157,9 +157,9 @@ int truth_index(lua_State* L) {
 
 int truth_tostring(lua_State* L) {
     return text_answer(L, [](const ComponentAt& at) -> std::string {
-        const auto robot = simulated_robot(at.live->system(), *at.component);
+        const auto robot = seen_robot(at.live->system(), *at.component);
         if (!robot) return robot.error().message;
-        const Truth truth = at.live->system().world()->truth((*robot)->id());
+        const Truth truth = robot->world->truth(robot->id);
         return fmt::format("pose = {}\nvelocity = {}\nheight = {:.6g}\ntilt = {:.6g}", payload_text(truth.pose),
                            payload_text(truth.velocity), truth.height, truth.tilt);
     });

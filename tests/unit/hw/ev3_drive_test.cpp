@@ -25,10 +25,10 @@ TEST_CASE("an EV3's wheels roll until its first command, and what a hand turns i
     DrivenEv3 ev3(fake);
     ev3.idle(0.3);
     CHECK(fake.motion().rolls);
-    fake.say("disturb 0.1 0");
+    fake.say("disturb 0.1 - 0");
     ev3.idle(0.6);
     CHECK(ev3.published<Velocity2D>("current_vel").vx == Approx(0.1).margin(0.02));
-    fake.say("disturb");
+    fake.say("disturb - - -");
     ev3.run(0.3, {});
     CHECK_FALSE(fake.motion().rolls);
     INFO(ev3.all_log());

@@ -107,7 +107,7 @@ TEST_CASE("a hand rolls the real EV3, and the simulated mouse of the shipped sys
             return std::count(writes.begin(), writes.end(), "outC/command 'stop'") > 0;
         },
         20));
-    fake.say("disturb 0.1 0");
+    fake.say("disturb 0.1 - 0");
     const int status = program.wait();
     INFO(program.error);
     REQUIRE(status == 0);

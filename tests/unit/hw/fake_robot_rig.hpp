@@ -80,6 +80,8 @@ public:
     static std::string robot_file(const std::string& model) {
         return source_root() + "/engine/robots/" + model + ".lua";
     }
+    /// Where it answers as a rig does.
+    std::string socket_path() const { return folder.path("socket").string(); }
     std::string mount() const { return folder.path("nodes").string(); }
 
     /// What it answers to a command (tests/fakes).
@@ -125,7 +127,6 @@ public:
     const Scratch folder;
 
 private:
-    std::string socket_path() const { return folder.path("socket").string(); }
     void connect() {
         socket_ = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
         sockaddr_un address{};
