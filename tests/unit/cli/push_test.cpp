@@ -183,6 +183,36 @@ TEST_CASE("a file of the project is run there by its real robots, and its status
                          "\nrun behaviors/systems/one.lua --hw\n");
 }
 
+TEST_CASE("what runs there behaves anew as soon as a project is pushed, and keeps its state",
+          "[cli][push][wallclock]") {
+    const SshServer server;
+    const PushedProject project;
+    const auto script = [](const std::string& says) {
+        return "state.ticks = state.ticks or 0\n"
+               "function on_execute() state.ticks = state.ticks + 1\n"
+               "  if state.ticks % 20 == 0 then print('" +
+               says + " ' .. (state.ticks > 60 and 'late' or 'early')) end\nend\n";
+    };
+    project.folder.write("robots/behaviors/drive.lua", script("first"));
+    project.folder.write("robots/behaviors/systems/one.lua", "behavior 'driver' { script = 'drive' }\n");
+    REQUIRE(project.push(server).status == 0);
+    Program robot({"run", "behaviors/systems/one.lua"}, server.folder.path("home/robots").string());
+    REQUIRE(robot.wait_for_error("first late"));
+
+    project.folder.write("robots/behaviors/drive.lua", script("second"));
+    REQUIRE(project.push(server).status == 0);
+    const auto pushed = std::chrono::steady_clock::now();
+    REQUIRE(robot.wait_for_error("second "));
+    CHECK(std::chrono::steady_clock::now() - pushed < std::chrono::seconds(2));
+    CHECK(robot.error.find("second early") == std::string::npos);  // its state is kept
+
+    project.folder.write("robots/behaviors/drive.lua", "function on_execute( end");
+    REQUIRE(project.push(server).status == 0);
+    REQUIRE(robot.wait_for_error("drive.lua:1: "));  // and goes on with the version before
+    robot.error.clear();
+    CHECK(robot.wait_for_error("second late"));
+}
+
 TEST_CASE("the console of a robot is reached by ssh", "[cli][push]") {
     const SshServer server;
     server.folder.write("bin/nezumi", "#!/bin/sh\nfor word in \"$@\"; do echo \"[$word]\"; done\nexit 1\n");
