@@ -159,13 +159,20 @@ Expected<Rig> open_rig(const SystemSpec& spec, const std::map<std::string, std::
     Rig rig;
     std::vector<Witness> witnesses;
     std::vector<Pose2D> poses;
+    std::vector<std::vector<std::size_t>> buttons;  // of each robot, by sensor
     for (const Entry& entry : spec.entries) {
         const auto* robot = std::get_if<RobotEntry>(&entry);
         const auto path = sockets.find(name_of(entry));
         if (robot == nullptr || path == sockets.end() || robot->backend.empty() || robot->backend == simulated)
             continue;
         std::vector<std::string> sensors;
-        for (const SensorSpec& sensor : spec.models.at(robot->described_by()).sensors) sensors.push_back(sensor.name);
+        std::vector<std::size_t> pressed;
+        for (const SensorSpec& sensor : spec.models.at(robot->described_by()).sensors) {
+            if (sensor.kind == SensorSpec::Kind::button || sensor.kind == SensorSpec::Kind::touch)
+                pressed.push_back(sensors.size());
+            sensors.push_back(sensor.name);
+        }
+        buttons.push_back(std::move(pressed));
         auto witness = Witness::connect(robot->name, std::move(sensors), path->second);
         if (!witness) return Unexpected(witness.error());
         witnesses.push_back(std::move(*witness));
@@ -176,6 +183,7 @@ Expected<Rig> open_rig(const SystemSpec& spec, const std::map<std::string, std::
     rig.world = std::make_unique<RigWorld>(std::move(witnesses));
     for (RobotId id = 0; id < poses.size(); ++id) {
         rig.world->disturb(id, {});
+        for (const std::size_t button : buttons[id]) rig.world->press(id, button, false);
         if (auto placed = rig.world->teleport(id, poses[id]); !placed) return Unexpected(placed.error());
         rig.world->collided(id);  // what was before does not count
         if (const Error* why = rig.world->breakdown()) return Unexpected(*why);

@@ -180,3 +180,18 @@ scenario("the mouse follows the EV3 that a hand rolls",
     s:disturb("ev3", { vx = 0, va = 0 })
     s:eventually("both rest", { within = 2 }, function() return math.abs(mouse.velocity.vx) < 0.002 end)
   end)
+
+scenario("the mouse goes as far as the EV3 that a hand rolls, and turns as much", { timeout = 30 }, function(s)
+  local world = s:load "systems/leader_follower.lua"
+  local mouse, ev3 = world.mouse.truth, world.ev3.truth
+  s:run(0.3)
+  s:disturb("ev3", { vx = 0.1, va = 0.3 })
+  s:run(2)
+  s:disturb("ev3", { vx = 0, va = 0 })
+  s:eventually("both rest", { within = 2 }, function()
+    return math.abs(mouse.velocity.vx) < 0.002 and math.abs(ev3.velocity.vx) < 0.002
+  end)
+  local rolled, came = ev3.pose.position, mouse.pose.position
+  s:near(math.sqrt(came.x ^ 2 + came.y ^ 2), math.sqrt(rolled.x ^ 2 + (rolled.y - 0.4) ^ 2), 0.02)
+  s:near(mouse.pose.heading, ev3.pose.heading, 0.1)
+end)

@@ -132,7 +132,8 @@ end)
 
 scenario("backs away from the wall", function(s)
   local world = s:load "systems/stop_at_wall.lua"
-  s:eventually("is blocked", { within = 15 }, function() return world.mouse.ir_sensor_out.value[1] > 30 end)
+  -- A real robot's sensors say nothing in the first ticks.
+  s:eventually("is blocked", { within = 15 }, function() return (world.mouse.ir_sensor_out.value[1] or 0) > 30 end)
   local from = world.mouse.truth.pose.position.x
   world.controller.config.speed_x = -0.1
   s:eventually("is away", { within = 5 }, function() return world.mouse.truth.pose.position.x < from - 0.2 end)

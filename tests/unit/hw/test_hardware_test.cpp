@@ -224,6 +224,6 @@ TEST_CASE("the seminar's scenarios of both robots pass on the fake ones", "[.sem
     test("touch_sensor_test.lua", "a mouse whose touch sensors fall silent stops");
     test("joystick_test.lua", "one joystick drives both robots at once");
     test("joystick_test.lua", "a joystick that falls silent stops both robots");
-    test("ev3_test.lua", "the mouse follows the EV3 that a hand rolls [va=0.0, vx=0.1]");
+    test("ev3_test.lua", "the mouse goes as far as the EV3 that a hand rolls, and turns as much");
     test("speech_test.lua", "several texts of one moment are all said, in order");
 }
