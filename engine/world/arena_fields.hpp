@@ -3,6 +3,7 @@
 
 #include "engine/ports/setting.hpp"
 #include "engine/world/arena_spec.hpp"
+#include "engine/world/maze.hpp"
 
 namespace nezumi {
 
@@ -146,6 +147,35 @@ struct Describe<FloorSpec> {
                 "of the whole picture along x and y",
                 {.required = true, .range = NumberRange::positive}},
         Internal{&FloorSpec::place},
+    };
+};
+
+template <>
+struct Describe<MazePlan> {
+    static constexpr std::string_view name = "maze_plan";
+    static constexpr std::string_view doc = "A maze to be made: between any two cells there is exactly one way.";
+    static constexpr std::tuple fields{
+        Setting{"columns", &MazePlan::columns, "", "cells from west to east", {.min = 1, .max = most_maze_cells}},
+        Setting{"rows", &MazePlan::rows, "", "cells from south to north", {.min = 1, .max = most_maze_cells}},
+        Setting{"seed", &MazePlan::seed, "", "another seed, another maze", {.max = 1'000'000}},
+    };
+};
+
+template <>
+struct Describe<MazeSpec> {
+    static constexpr std::string_view name = "maze";
+    static constexpr std::string_view doc = "The walls of a maze of square cells, as in the contests of micromice.";
+    static constexpr std::tuple fields{
+        Extra{"rows", "string[]", "", "the maze as a drawing, the north first", {.by_hand = true}},
+        Setting{"generate", &MazeSpec::generate, "", "in the place of `rows`: a maze is made"},
+        Setting{"cell",
+                &MazeSpec::cell,
+                "m",
+                "from wall to wall, middle to middle",
+                {.range = NumberRange::positive, .least = 2 * maze_wall}},
+        Setting{"at", &MazeSpec::at, "m", "centre of the south-west cell"},
+        Internal{&MazeSpec::rows},
+        Internal{&MazeSpec::place},
     };
 };
 

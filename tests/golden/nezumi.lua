@@ -516,6 +516,17 @@ function output(name, type, doc, options) end
 ---@field at number[] [m] centre
 ---@field facing? number [rad] the yaw into which it looks
 
+---@class (exact) MazeFields
+---@field rows? string[] the maze as a drawing, the north first
+---@field generate? MazePlanFields in the place of `rows`: a maze is made
+---@field cell? number [m] from wall to wall, middle to middle
+---@field at? number[] [m] centre of the south-west cell
+
+---@class (exact) MazePlanFields
+---@field columns? integer cells from west to east
+---@field rows? integer cells from south to north
+---@field seed? integer another seed, another maze
+
 ---@class (exact) FloorFields
 ---@field image string a PNG file; its upper edge lies towards positive y, its right one towards positive x
 ---@field size number[] [m] of the whole picture along x and y
@@ -771,6 +782,11 @@ function cylinder(fields) end
 ---@param fields MarkerFields
 ---@return Thing
 function marker(fields) end
+
+---The walls of a maze of square cells, as in the contests of micromice.
+---@param fields MazeFields
+---@return Thing
+function maze(fields) end
 
 ---A picture on the floor, its middle at the origin.
 ---@param fields FloorFields
@@ -1041,6 +1057,11 @@ function s:cylinder(fields) end
 ---@param fields MarkerFields
 ---@return Thing
 function s:marker(fields) end
+
+---The walls of a maze of square cells, as in the contests of micromice.
+---@param fields MazeFields
+---@return Thing
+function s:maze(fields) end
 
 ---A picture on the floor, its middle at the origin.
 ---@param fields FloorFields

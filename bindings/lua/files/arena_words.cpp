@@ -1,4 +1,4 @@
-// Boxes, walls, cylinders, markers, the floor and maps of a system file.
+// Boxes, walls, cylinders, markers, mazes, the floor and maps of a system file.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -51,8 +51,50 @@ MarkerSpec read_marker(Fields& fields) {
     return marker;
 }
 
+// The rows of a drawing, which is good unless the check of `fields` says otherwise.
+std::vector<std::string> read_rows(Fields& fields, const FileValue& value) {
+    std::vector<std::string> rows;
+    const FieldPath path = fields.path_of("rows");
+    if (value.table() == nullptr || !value.table()->fields.empty()) {
+        fields.check().wrong(path, fmt::format("expected a list of texts, got {}", kind_of(value)));
+        return rows;
+    }
+    const auto in_row = [&](std::size_t number) {
+        FieldPath place = path;
+        if (number > 0) place.push_back(fmt::format("[{}]", number));
+        return place;
+    };
+    for (const FileValue& element : value.table()->elements) {
+        const std::string* row = element.text();
+        if (row == nullptr)
+            fields.check().wrong(in_row(rows.size() + 1), fmt::format("expected a text, got {}", kind_of(element)));
+        rows.push_back(row != nullptr ? *row : "");
+    }
+    if (!fields.check().ok()) return rows;
+    if (const MazeProblem problem = check_maze(rows); !problem.text.empty())
+        fields.check().wrong(in_row(problem.row), problem.text);
+    return rows;
+}
+
+std::vector<BoxSpec> read_maze(Fields& fields, const Place& place) {
+    MazeSpec maze;
+    read_record(fields, maze);
+    const FileValue* rows = fields.field("rows");
+    if (rows == nullptr && !fields.has("generate")) {
+        fields.require("rows", "a drawing, or generate = { columns =, rows =, seed = }");
+    } else if (rows != nullptr && fields.has("generate")) {
+        fields.check().wrong(fields.path_of("generate"), "is for a maze without 'rows'");
+    } else {
+        maze.rows = rows != nullptr ? read_rows(fields, *rows) : draw_maze(maze.generate);
+    }
+    if (!fields.check().ok()) return {};
+    std::vector<BoxSpec> walls = walls_of(maze.rows, maze.cell, maze.at);
+    for (BoxSpec& wall : walls) wall.place = place;
+    return walls;
+}
+
 std::string hint_for_arena(std::string_view name) {
-    for (const std::string_view word : {"box", "wall", "cylinder", "marker", "floor", "csv"}) {
+    for (const std::string_view word : {"box", "wall", "cylinder", "marker", "maze", "floor", "csv"}) {
         if (name == word)
             return fmt::format(": write {0} {1}, without =", word, word == "csv" ? "\"map.csv\"" : "{ ... }");
     }
@@ -83,6 +125,8 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& va
         made = put(read_cylinder(fields));
     } else if (call.word == "marker") {
         made = put(read_marker(fields));
+    } else if (call.word == "maze") {
+        made = read_maze(fields, call.place);
     } else {
         FloorSpec floor;
         read_record(fields, floor);
@@ -128,9 +172,10 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
         }
         const auto* handle = std::get_if<FileThing>(&element.data);
         if (handle == nullptr || handle->index >= things_.size()) {
-            return failure(fmt::format("arena: element {} is no box, wall, cylinder, marker, floor or csv, but a {}",
-                                       number, kind_of(element)),
-                           call.place);
+            return failure(
+                fmt::format("arena: element {} is no box, wall, cylinder, marker, maze, floor or csv, but a {}", number,
+                            kind_of(element)),
+                call.place);
         }
         Thing& thing = things_[handle->index];
         if (thing.placed) {

@@ -23,6 +23,7 @@ enum Word : int {
     cylinder,
     floor,
     marker,
+    maze,
     physics,
     rate,
     robot,
@@ -140,9 +141,9 @@ int take_table(lua_State* lua) {
 }  // namespace
 
 const std::vector<const char*>& system_word_names() {
-    static const std::vector<const char*> names{"arena", "behavior", "box",   "component", "connect",
-                                                "csv",   "cylinder", "floor", "marker",    "physics",
-                                                "rate",  "robot",    "seed",  "wall"};
+    static const std::vector<const char*> names{"arena",   "behavior", "box",   "component", "connect",
+                                                "csv",     "cylinder", "floor", "marker",    "maze",
+                                                "physics", "rate",     "robot", "seed",      "wall"};
     return names;
 }
 

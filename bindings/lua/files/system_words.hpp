@@ -43,7 +43,7 @@ public:
 
     Expected<void> connect(const WordCall& call, const FileValue& from, const FileValue& to);
 
-    /// `box`, `wall`, `cylinder`, `marker`, `floor` and `csv` make a thing; `arena` puts it in its place.
+    /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor` and `csv` make a thing; `arena` puts it in its place.
     Expected<FileThing> thing(const WordCall& call, const FileValue& fields);
     Expected<void> arena(const WordCall& call, const FileValue& fields);
 

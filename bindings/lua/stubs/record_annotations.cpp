@@ -45,16 +45,37 @@ constexpr Word words[] = {
 
 const std::vector<RecordShape>& file_records() {
     static const std::vector<RecordShape> records{
-        shape_of_record<ParameterSpec>(),  shape_of_record<PortDeclaration>(),  shape_of_record<ScriptAbout>(),
-        shape_of_record<TaskOptions>(),    shape_of_record<WaitOptions>(),      shape_of_record<BoxSpec>(),
-        shape_of_record<WallSpec>(),       shape_of_record<CylinderSpec>(),     shape_of_record<MarkerSpec>(),
-        shape_of_record<FloorSpec>(),      shape_of_record<BorderSpec>(),       shape_of_record<ArenaSpec>(),
-        shape_of_record<LimitChanges>(),   shape_of_record<RobotEntry>(),       shape_of_record<BehaviorEntry>(),
-        shape_of_record<ComponentEntry>(), shape_of_record<PhysicsFields>(),    shape_of_record<BodySpec>(),
-        shape_of_record<DriveSpec>(),      shape_of_record<SensorSpec>(),       shape_of_record<ActuatorSpec>(),
-        shape_of_record<PortSpec>(),       shape_of_record<HardwareSpec>(),     shape_of_record<RobotSpec>(),
-        shape_of_record<RobotPlace>(),     shape_of_record<MarkerPlace>(),      shape_of_record<Push>(),
-        shape_of_record<Calibration>(),    shape_of_record<WheelCalibration>(),
+        shape_of_record<ParameterSpec>(),
+        shape_of_record<PortDeclaration>(),
+        shape_of_record<ScriptAbout>(),
+        shape_of_record<TaskOptions>(),
+        shape_of_record<WaitOptions>(),
+        shape_of_record<BoxSpec>(),
+        shape_of_record<WallSpec>(),
+        shape_of_record<CylinderSpec>(),
+        shape_of_record<MarkerSpec>(),
+        shape_of_record<MazeSpec>(),
+        shape_of_record<MazePlan>(),
+        shape_of_record<FloorSpec>(),
+        shape_of_record<BorderSpec>(),
+        shape_of_record<ArenaSpec>(),
+        shape_of_record<LimitChanges>(),
+        shape_of_record<RobotEntry>(),
+        shape_of_record<BehaviorEntry>(),
+        shape_of_record<ComponentEntry>(),
+        shape_of_record<PhysicsFields>(),
+        shape_of_record<BodySpec>(),
+        shape_of_record<DriveSpec>(),
+        shape_of_record<SensorSpec>(),
+        shape_of_record<ActuatorSpec>(),
+        shape_of_record<PortSpec>(),
+        shape_of_record<HardwareSpec>(),
+        shape_of_record<RobotSpec>(),
+        shape_of_record<RobotPlace>(),
+        shape_of_record<MarkerPlace>(),
+        shape_of_record<Push>(),
+        shape_of_record<Calibration>(),
+        shape_of_record<WheelCalibration>(),
     };
     return records;
 }
@@ -80,7 +101,7 @@ std::string system_word_annotations(bool methods) {
     for (const RecordShape& record : file_records()) {
         const bool is_entry = record.name == "robot" || record.name == "behavior" || record.name == "component";
         const bool is_thing = record.name == "box" || record.name == "wall" || record.name == "cylinder" ||
-                              record.name == "marker" || record.name == "floor";
+                              record.name == "marker" || record.name == "maze" || record.name == "floor";
         if (is_entry || is_thing || record.name == "arena" || record.name == "physics")
             text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
     }

@@ -37,6 +37,8 @@ const std::map<std::string, std::string> systems{
     {"wall", "arena { wall { % } }"},
     {"cylinder", "arena { cylinder { % } }"},
     {"marker", "arena { marker { % } }"},
+    {"maze", "arena { maze { % } }"},
+    {"maze_plan", "arena { maze { generate = { % } } }"},
     {"floor", "arena { floor { % } }"},
     {"border", "arena { border = { % } }"},
     {"arena", "arena { % }"},

@@ -147,6 +147,22 @@ TEST_CASE("an arena has a border unless it says otherwise", "[lua][system_file]"
     CHECK(system_of("arena { box { at = { 0, 0 }, size = { 1, 1, 1 }, pitch = -0.2 } }").arena.boxes[0].pitch == -0.2);
 }
 
+TEST_CASE("a maze is drawn, or made from a seed", "[lua][system_file]") {
+    const auto drawn = system_of(R"(
+        arena { maze {
+          rows = { "+--+", "|  |", "+--+" }, cell = 0.2, at = { 1, 2 },
+        } })");
+    REQUIRE(drawn.arena.boxes.size() == 4);
+    CHECK(drawn.arena.boxes[0].at == Point3D{1, 2.1, 0.025});
+    CHECK(drawn.arena.boxes[0].place.line == 2);
+    const auto boxes = [](const std::string& plan) {
+        return system_of("arena { maze { generate = " + plan + " } }").arena.boxes.size();
+    };
+    CHECK(boxes("{ columns = 1, rows = 1 }") == 4);
+    CHECK(boxes("{}") == boxes("{ columns = 8, rows = 8, seed = 1 }"));
+    CHECK(boxes("{ columns = 4, rows = 4, seed = 2 }") > 6);
+}
+
 TEST_CASE("things of an arena may come from loops, functions and lists", "[lua][system_file]") {
     const auto spec = system_of(R"(
         local function post(x) return cylinder { at = { x, 0 }, radius = 0.05, height = 0.2 } end

@@ -146,6 +146,21 @@ TEST_CASE("things of an arena have a size", "[lua][system_file]") {
           "s.lua:1:16: wall: field 'from' expected 2 numbers { x, y }, got 3");
     CHECK(error("arena { cylinder { at = { 0, 0 }, radius = -1, height = 1 } }") ==
           "s.lua:1:35: cylinder: field 'radius' expected a positive number, got -1");
+    CHECK(error("arena { maze {} }") ==
+          "s.lua:1: maze: field 'rows' is missing: expected a drawing, or generate = { columns =, rows =, seed = }");
+    CHECK(error("arena { maze { rows = 'x' } }") ==
+          "s.lua:1:16: maze: field 'rows' expected a list of texts, got string");
+    CHECK(error("arena { maze { rows = { '+--+', 5 } } }") ==
+          "s.lua:1:33: maze: field 'rows[2]' expected a text, got number");
+    CHECK(error("arena { maze { rows = { '+--+', '|  |' } } }") ==
+          "s.lua:1:16: maze: field 'rows' expected 2 rows for each cell and one more, for 1 to 64 cells, got 2 rows");
+    CHECK(error("arena { maze { rows = { '+--+', '|  |', '+-++' } } }") ==
+          "s.lua:1:41: maze: field 'rows[3]' expected \"--\" or blanks from sign 2 on, got \"-+\"");
+    CHECK(error("arena { maze { rows = { '+--+', '|  |', '+--+' }, generate = {} } }") ==
+          "s.lua:1:51: maze: field 'generate' is for a maze without 'rows'");
+    CHECK(error("arena { maze { generate = { columns = 65 } } }") ==
+          "s.lua:1:29: maze: field 'generate.columns' expected a whole number from 1 to 64, got 65");
+    CHECK(error("arena { maze { generate = {}, cell = 0.01 } }").find("field 'cell'") != std::string::npos);
     CHECK(error("arena { marker { id = 587, at = { 0, 0, 0 } } }") ==
           "s.lua:1:18: marker: field 'id' expected a whole number from 0 to 586, got 587");
     CHECK(error("arena { marker { id = 1.5, at = { 0, 0, 0 } } }") ==
@@ -162,9 +177,9 @@ TEST_CASE("every thing is in the arena exactly once", "[lua][system_file]") {
     CHECK(error("local b = box { at = { 0, 0 }, size = { 1, 1, 1 } }\narena { b }\narena { b }") ==
           "s.lua:3: arena: the box of behaviors/systems/s.lua:1 is in the arena already");
     CHECK(error("arena { 5 }") ==
-          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, floor or csv, but a number");
+          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, maze, floor or csv, but a number");
     CHECK(error("arena { { at = { 0, 0 } } }") ==
-          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, floor or csv, but a table");
+          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, maze, floor or csv, but a table");
     CHECK(error("arena { size = { 1, 1 } }\narena { size = { 1, 1 } }") ==
           "s.lua:2:9: arena: field 'size' is set already, at behaviors/systems/s.lua:1");
     CHECK(error("arena { marker { id = 1, at = { 0, 0, 0 } },\n marker { id = 1, at = { 1, 0, 0 } } }") ==
