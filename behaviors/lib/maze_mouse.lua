@@ -1,0 +1,147 @@
+--- A mouse in a maze of square cells: where it is, by its wheels and by the walls that it sees, what it has found out
+--- about the walls, and how it gets from cell to cell. Cells are counted from 1; the first one's centre is the origin.
+--- Directions are quarter turns: 0 looks along x, 1 along y. Only tasks can call what takes time.
+
+local angles = require "nezumi.angles"
+local grid = require "nezumi.grid"
+local poses = require "nezumi.poses"
+
+local CELL = 0.18           -- m
+local FACE = CELL / 2 - 0.006 -- from the middle of a cell to a wall [m]
+local SIZE = 16             -- cells along a side, at most
+local TRUST = 0.05          -- part of what a sensor says otherwise that is believed in each execution
+local BRAKE, SPIN = 1.0, 8.0 -- m/s^2, rad/s^2: how it comes to rest
+
+--- The beams as seen from the mouse: right front, right side, left side, left front.
+local beams = {
+  poses.plane(0.035, -0.040, 0),
+  poses.plane(0.045, -0.030, -math.pi / 4),
+  poses.plane(0.045, 0.030, math.pi / 4),
+  poses.plane(0.035, 0.040, 0),
+}
+
+local STEPS = { [0] = { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } }
+
+local Mouse = {}
+Mouse.__index = Mouse
+
+--- Where the cell lies that is, or was begun to be, driven to; it looks where the mouse shall look.
+local function lane(memory)
+  return poses.plane((memory.column - 1) * CELL, (memory.row - 1) * CELL, memory.direction * math.pi / 2)
+end
+
+-- From now on the mouse drives to this cell, and looks there. `at` is where it is in that lane.
+local function aim(self, column, row, direction)
+  local memory = self.memory
+  memory.column, memory.row, memory.direction = column, row, direction
+  self.at = poses.relative(lane(memory), memory.here)
+end
+
+-- Column and row in the map: cells have even ones, walls lie between them.
+local function in_map(memory, direction)
+  local step = STEPS[direction]
+  return 2 * memory.column + step[1], 2 * memory.row + step[2]
+end
+
+local function know(self, direction, is_wall)
+  local x, y = self.map:centre(in_map(self.memory, direction % 4))
+  self.map:set(x, y, is_wall)
+end
+
+--- What stands between a cell and the next: true is a wall, false nothing, nil not known.
+function Mouse:wall(column, row, direction)
+  local evidence = self.map:evidence(in_map({ column = column, row = row }, direction))
+  if evidence ~= 0 then return evidence > 0 end
+end
+
+--- The cell next to one, or nil at the end of the map.
+function Mouse.beside(column, row, direction)
+  column, row = column + STEPS[direction][1], row + STEPS[direction][2]
+  if column >= 1 and column <= SIZE and row >= 1 and row <= SIZE then return column, row end
+end
+
+--- Turns on the spot.
+function Mouse:turn(direction)
+  aim(self, self.memory.column, self.memory.row, direction)
+  wait_until(function() return math.abs(self.at.heading) < 0.02 end)
+end
+
+--- Drives so many cells ahead, and looks at the walls of each as it comes to its border; 0: to the middle of this one.
+function Mouse:forward(count)
+  local memory = self.memory
+  local step = STEPS[memory.direction]
+  local column, row = memory.column, memory.row
+  aim(self, column + count * step[1], row + count * step[2], memory.direction)
+  for i = 1, count do
+    wait_until(function() return self.at.position.x > (i - count - 0.5) * CELL end)
+    local seen = self.ranges
+    local here = { memory = { column = column + i * step[1], row = row + i * step[2] }, map = self.map }
+    know(here, memory.direction + 1, seen[3] < 0.12)
+    know(here, memory.direction, (seen[1] + seen[4]) / 2 < 0.22)
+    know(here, memory.direction + 3, seen[2] < 0.12)
+  end
+  wait_until(function() return self.at.position.x > -0.003 end)
+end
+
+-- What walls say of the place in the lane: those at the sides where it is across, one ahead where it is along, and both
+-- in which direction it looks.
+local function correct(at, ranges, speed)
+  local x, y, turn = 0, 0, 0
+  local tips = {}
+  for i, beam in ipairs(beams) do tips[i] = poses.transform(poses.compose(at, beam), { x = ranges[i], y = 0 }) end
+  local ahead = math.min(ranges[1], ranges[4])
+  if ahead > 0.08 then -- else the side beams may end at the wall ahead
+    for i, face in pairs { [2] = -FACE, [3] = FACE } do
+      local off = tips[i].y - face
+      if math.abs(off) < 0.02 then y, turn = y + off, turn + 5 * speed / 0.25 * off end
+    end
+  end
+  if math.max(ranges[1], ranges[4]) < 0.15 then
+    local off = (tips[1].x + tips[4].x) / 2 - FACE
+    x, turn = off - CELL * ((off + CELL / 2) // CELL), turn + (tips[1].x - tips[4].x) / 0.08
+  end
+  return poses.plane(at.position.x - TRUST * x, at.position.y - TRUST * y, at.heading - TRUST * turn)
+end
+
+--- To be called in each execution with what the wheels and the sensors say: the velocity to drive with.
+function Mouse:update(odometry, ranges, speed)
+  local memory = self.memory
+  memory.here = poses.compose(memory.here, poses.relative(memory.odometry or odometry, odometry))
+  memory.odometry, self.ranges = odometry, ranges
+  local at = poses.relative(lane(memory), memory.here)
+  if math.abs(at.heading) < 0.1 then
+    at = correct(at, ranges, memory.moving and speed or 0)
+    memory.here = poses.compose(lane(memory), at)
+  end
+  self.at = at
+
+  local left = -at.position.x
+  if math.abs(at.heading) > 0.3 or math.abs(left) < 0.003 then
+    memory.moving = false
+    local rate = math.min(5, math.sqrt(2 * SPIN * math.abs(at.heading))) -- rad/s
+    return { va = at.heading > 0 and -rate or rate }
+  end
+  memory.moving = true
+  local bearing = angles.wrap(math.atan(-at.position.y, 0.1) - at.heading)
+  local vx = math.min(speed, math.sqrt(2 * BRAKE * math.abs(left)))
+  return { vx = left > 0 and vx or -vx, va = 6 * bearing }
+end
+
+--- `maze_mouse(column, row, direction, state.mouse)`: a mouse that stands in the middle of a cell. As the contests have
+--- it, that cell has walls on three sides.
+return function(column, row, direction, memory)
+  if not memory.here then
+    memory.column, memory.row, memory.direction, memory.map = column, row, direction, {}
+    memory.here = lane(memory)
+  end
+  local self = setmetatable({ memory = memory }, Mouse)
+  aim(self, memory.column, memory.row, memory.direction)
+  local cells = 2 * SIZE + 1
+  self.map = grid({ columns = cells, rows = cells, cell = CELL / 2, x = -0.75 * CELL, y = -0.75 * CELL }, memory.map)
+  for turn = 0, 3 do
+    if self:wall(column, row, (direction + turn) % 4) == nil then
+      know({ map = self.map, memory = { column = column, row = row } }, direction + turn, turn ~= 0)
+    end
+  end
+  return self
+end
