@@ -1,7 +1,8 @@
 // The pages of the documentation do what they say: their commands are run, in order, and their outputs compared.
 //
 // In a page, "```console" has commands after `$ ` and what they say; "..." stands for any text within a line, and alone
-// in a line for any lines. "```lua FILE" writes a file; "```lua" is a part of a file that is there by then.
+// in a line for any lines. "```lua FILE" or "```python FILE" writes a file; "```lua" is a part of a file that is there
+// by then.
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -77,8 +78,9 @@ class Terminal {
 public:
     std::string run(const std::string& command) {
         const std::string bin = nezumi_program().substr(0, nezumi_program().rfind('/'));
-        scratch_.write("command", "PATH='" + bin + "':$PATH; cd '" + folder_ + "'\n" + command + "\npwd > '" +
-                                      scratch_.path("folder").string() + "'\n");
+        scratch_.write("command", "PATH='" + bin + "':$PATH; export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH='" +
+                                      source_root() + "/bindings/python'; cd '" + folder_ + "'\n" + command +
+                                      "\npwd > '" + scratch_.path("folder").string() + "'\n");
         const std::string shell = "sh '" + scratch_.path("command").string() + "' 2>&1 </dev/null";
         std::FILE* pipe = popen(shell.c_str(), "r");
         REQUIRE(pipe != nullptr);
@@ -127,7 +129,7 @@ void follow(const std::string& name, const std::string& folder = "") {
         CAPTURE(name, block.line);
         if (block.kind == "console") {
             run_console(terminal, block);
-        } else if (block.kind == "lua" && !block.file.empty()) {
+        } else if (!block.file.empty()) {
             fs::create_directories(terminal.file(block.file).parent_path());
             std::ofstream(terminal.file(block.file)) << text;
         } else if (block.kind == "lua") {
@@ -213,6 +215,21 @@ TEST_CASE("the tutorial does what it says", "[cli][docs][wallclock]") { follow("
 TEST_CASE("the page about behaviours does what it says", "[cli][docs][watchdog]") { follow("behaviors.md"); }
 
 TEST_CASE("the page about the examples does what it says", "[cli][docs]") { follow("examples.md", source_root()); }
+
+TEST_CASE("the page about Python does what it says", "[cli][docs]") { follow("python.md"); }
+
+TEST_CASE("the page for those who come from elsewhere does what it says", "[cli][docs]") { follow("coming_from.md"); }
+
+TEST_CASE("every example has a picture", "[cli][docs]") {
+    const std::string page = text_of_file(root / "docs/examples.md");
+    const auto names = parts_between(page, "\n| [", ']');
+    CHECK(names.size() >= 8);
+    for (const std::string& name : names) {
+        CAPTURE(name);
+        CHECK(fs::exists(root / "behaviors/systems" / (name + ".lua")));
+        CHECK(page.find("](images/" + name + ".png)") != std::string::npos);
+    }
+}
 
 TEST_CASE("the page about modules does what it says", "[cli][docs]") { follow("modules.md"); }
 

@@ -1,0 +1,163 @@
+"""Environments of Gymnasium's shape on simulated systems: `reset` and `step`, one world or many at once.
+
+    env = nezumi_env.Environment(
+        "behaviors/systems/stop_at_wall.lua",
+        act='hold("mouse.target_velocity_in", { vx = action[1], va = action[2] })',
+        observation="mouse.ir_sensor_out.value",
+        reward="mouse.truth.velocity.vx",
+        terminated="mouse.collided",
+        ticks=10,
+    )
+    observation, info = env.reset(seed=1)
+    observation, reward, terminated, truncated, info = env.step([0.1, 0.0])
+
+What an agent does and sees is Lua, as at the console. A step is a whole number of ticks, time passes only in it, and
+the seed decides everything: the same seed and the same actions give the same episode. Gymnasium itself is not needed;
+whoever has it registers these classes as they are.
+"""
+
+import random
+
+import nezumi
+
+_STEP = """
+function nezumi_step(action, ticks)
+  %(act)s
+  step(ticks)
+  return { %(observation)s, (%(reward)s), (%(terminated)s) and true or false }
+end
+function nezumi_observe() return { %(observation)s } end
+"""
+
+
+class Environment:
+    """One world. `act` is Lua that takes `action`, the others are expressions of Lua, looked at after each step.
+
+    `ticks`: of one step. `limit`: steps after which an episode is truncated, or None. `prepare`: Lua that is run at the
+    start of each episode, in which `random(lo, hi)` draws from the episode's seed. `options`: further words of `nezumi
+    run`; `program`, `timeout`, `folder`: as of `nezumi.start`."""
+
+    metadata = {"render_modes": []}
+    render_mode = None
+    spec = None
+    reward_range = (-float("inf"), float("inf"))
+
+    def __init__(self, file, act, observation, reward="0", terminated="false", ticks=1, limit=None, prepare="",
+                 action_space=None, observation_space=None, options=(), program="nezumi", timeout=10.0, folder=None):
+        self.action_space, self.observation_space = action_space, observation_space
+        self._file, self._options, self._program = file, tuple(options), program
+        self._timeout, self._folder = timeout, folder
+        self._ticks, self._limit, self._prepare = ticks, limit, prepare
+        self._lua = _STEP % {"act": act, "observation": observation, "reward": reward, "terminated": terminated}
+        self._seeds = random.Random()
+        self._console = self._seed = None
+        self._steps = 0
+        self._over = True
+
+    @property
+    def unwrapped(self):
+        return self
+
+    @property
+    def console(self):
+        """The console of the running world, for whatever else there is to look at."""
+        if self._console is None:
+            raise nezumi.Error("there is no world yet: call reset() first")
+        return self._console
+
+    def reset(self, *, seed=None, options=None):
+        """Begins an episode: its first observation, and info with its seed. Without a `seed` it is drawn from the one
+        before, so that the first seed decides all that follow. `options["prepare"]`: Lua for this episode alone."""
+        if seed is not None:
+            self._seeds = random.Random(seed)
+        else:
+            seed = self._seeds.getrandbits(31)
+        if seed == self._seed and self._console is not None:
+            self._console.run("restart()")
+        else:
+            self.close()
+            self._console = nezumi.start(self._file, *self._options, seed=seed, program=self._program,
+                                         timeout=self._timeout, folder=self._folder)
+            self._seed = seed
+            self._console.run(self._lua)
+        draws = random.Random(seed)
+        prepare = "\n".join(text for text in (self._prepare, (options or {}).get("prepare", "")) if text)
+        if prepare:
+            numbers = ",".join(repr(draws.random()) for _ in range(100))
+            self._console.run("local numbers, count = {%s}, 0\nlocal function random(lo, hi) count = count + 1 "
+                              "return lo + (hi - lo) * numbers[count] end\n%s" % (numbers, prepare))
+        self._console.step()  # sensors have spoken once
+        self._steps, self._over = 0, False
+        return self._console.eval("nezumi_observe()")[0], {"seed": seed}
+
+    def step(self, action):
+        """One step: observation, reward, terminated, truncated, info."""
+        return self.finish(self.begin(action))
+
+    def begin(self, action):
+        """As `step`, without waiting: `finish` takes what this returns."""
+        if self._over:
+            raise nezumi.Error("the episode is over: call reset()")
+        return self.console.begin("nezumi_step(%s, %d)" % (nezumi.lua(action), self._ticks))
+
+    def finish(self, number):
+        observation, reward, terminated = self.console.finish(number)
+        self._steps += 1
+        truncated = self._limit is not None and self._steps >= self._limit
+        self._over = terminated or truncated
+        return observation, reward, terminated, truncated, {}
+
+    def render(self):
+        return None
+
+    def close(self):
+        """Ends the world. `reset` begins another."""
+        console, self._console, self._seed, self._over = self._console, None, None, True
+        if console is not None:
+            console.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+
+class Environments:
+    """`count` worlds at once, each in a process of its own, as Gymnasium's vector environments: lists in the place of
+    single values. A world whose episode is over begins the next one in the next step, whose action it ignores."""
+
+    def __init__(self, count, *arguments, **options):
+        self.num_envs = count
+        self.envs = [Environment(*arguments, **options) for _ in range(count)]
+        self._begins = [True] * count
+        self.single_action_space = self.envs[0].action_space
+        self.single_observation_space = self.envs[0].observation_space
+
+    def reset(self, *, seed=None, options=None):
+        """World i has the seed `seed + i`."""
+        results = [env.reset(seed=None if seed is None else seed + i, options=options) for i, env in enumerate(self.envs)]
+        self._begins = [False] * self.num_envs
+        return [observation for observation, _ in results], {"seed": [info["seed"] for _, info in results]}
+
+    def step(self, actions):
+        """Lists of observations, rewards, terminated, truncated; info."""
+        if len(actions) != self.num_envs:
+            raise nezumi.Error("expected %d actions, one for each world, got %d" % (self.num_envs, len(actions)))
+        begun = [None if begins else env.begin(action) for env, begins, action in zip(self.envs, self._begins, actions)]
+        results = []
+        for env, number in zip(self.envs, begun):
+            results.append(env.finish(number) if number is not None else (env.reset()[0], 0.0, False, False, {}))
+        self._begins = [terminated or truncated for _, _, terminated, truncated, _ in results]
+        observations, rewards, terminated, truncated, _ = (list(column) for column in zip(*results))
+        return observations, rewards, terminated, truncated, {}
+
+    def close(self):
+        for env in self.envs:
+            env.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
