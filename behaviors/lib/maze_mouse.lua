@@ -1,16 +1,17 @@
 --- A mouse in a maze of square cells: where it is, by its wheels and by the walls that it sees, what it has found out
 --- about the walls, and how it gets from cell to cell. Cells are counted from 1; the first one's centre is the origin.
---- Directions are quarter turns: 0 looks along x, 1 along y. Only tasks can call what takes time.
+--- Directions are quarter turns: 0 looks along x, 1 along y. `turn` and `forward` take time: they are for tasks.
 
 local angles = require "nezumi.angles"
 local grid = require "nezumi.grid"
 local poses = require "nezumi.poses"
 
-local CELL = 0.18           -- m
-local FACE = CELL / 2 - 0.006 -- from the middle of a cell to a wall [m]
-local SIZE = 16             -- cells along a side, at most
-local TRUST = 0.05          -- part of what a sensor says otherwise that is believed in each execution
-local BRAKE, SPIN = 1.0, 8.0 -- m/s^2, rad/s^2: how it comes to rest
+local CELL  = 0.18            -- from wall to wall, middle to middle [m]
+local FACE  = CELL / 2 - 0.006 -- from the middle of a cell to a wall [m]
+local SIZE  = 16              -- cells along a side, at most
+local TRUST = 0.05            -- part of what a sensor says otherwise that is believed in each execution
+local BRAKE = 1.0             -- m/s^2
+local SPIN  = 8.0             -- rad/s^2: how it stops turning
 
 --- The beams as seen from the mouse: right front, right side, left side, left front.
 local beams = {
@@ -22,36 +23,38 @@ local beams = {
 
 local STEPS = { [0] = { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } }
 
+---@class MazeMouse
+---@field memory table column, row and direction that it drives to; here, where it is; map
+---@field at table where it is, as seen from where it drives to
 local Mouse = {}
 Mouse.__index = Mouse
 
---- Where the cell lies that is, or was begun to be, driven to; it looks where the mouse shall look.
+--- The centre of the cell that is driven to, looking as the mouse shall.
 local function lane(memory)
   return poses.plane((memory.column - 1) * CELL, (memory.row - 1) * CELL, memory.direction * math.pi / 2)
 end
 
--- From now on the mouse drives to this cell, and looks there. `at` is where it is in that lane.
 local function aim(self, column, row, direction)
   local memory = self.memory
   memory.column, memory.row, memory.direction = column, row, direction
   self.at = poses.relative(lane(memory), memory.here)
 end
 
--- Column and row in the map: cells have even ones, walls lie between them.
-local function in_map(memory, direction)
-  local step = STEPS[direction]
-  return 2 * memory.column + step[1], 2 * memory.row + step[2]
+--- Column and row, in the map, of what lies in a direction from a cell: there cells have even ones, walls are between them.
+local function in_map(column, row, direction)
+  local step = STEPS[direction % 4]
+  return 2 * column + step[1], 2 * row + step[2]
 end
 
-local function know(self, direction, is_wall)
-  local x, y = self.map:centre(in_map(self.memory, direction % 4))
-  self.map:set(x, y, is_wall)
-end
-
---- What stands between a cell and the next: true is a wall, false nothing, nil not known.
+--- What stands between a cell and the next one: true is a wall, false nothing, nil not known.
 function Mouse:wall(column, row, direction)
-  local evidence = self.map:evidence(in_map({ column = column, row = row }, direction))
+  local evidence = self.map:evidence(in_map(column, row, direction))
   if evidence ~= 0 then return evidence > 0 end
+end
+
+local function know(self, column, row, direction, is_wall)
+  local x, y = self.map:centre(in_map(column, row, direction))
+  self.map:set(x, y, is_wall)
 end
 
 --- The cell next to one, or nil at the end of the map.
@@ -68,29 +71,27 @@ end
 
 --- Drives so many cells ahead, and looks at the walls of each as it comes to its border; 0: to the middle of this one.
 function Mouse:forward(count)
-  local memory = self.memory
-  local step = STEPS[memory.direction]
-  local column, row = memory.column, memory.row
-  aim(self, column + count * step[1], row + count * step[2], memory.direction)
-  for i = 1, count do
-    wait_until(function() return self.at.position.x > (i - count - 0.5) * CELL end)
+  local column, row, direction = self.memory.column, self.memory.row, self.memory.direction
+  local step = STEPS[direction]
+  aim(self, column + count * step[1], row + count * step[2], direction)
+  for left = count - 1, 0, -1 do
+    column, row = column + step[1], row + step[2]
+    wait_until(function() return self.at.position.x > -(left + 0.5) * CELL end)
     local seen = self.ranges
-    local here = { memory = { column = column + i * step[1], row = row + i * step[2] }, map = self.map }
-    know(here, memory.direction + 1, seen[3] < 0.12)
-    know(here, memory.direction, (seen[1] + seen[4]) / 2 < 0.22)
-    know(here, memory.direction + 3, seen[2] < 0.12)
+    know(self, column, row, direction + 1, seen[3] < 0.12)
+    know(self, column, row, direction, (seen[1] + seen[4]) / 2 < 0.22)
+    know(self, column, row, direction + 3, seen[2] < 0.12)
   end
   wait_until(function() return self.at.position.x > -0.003 end)
 end
 
--- What walls say of the place in the lane: those at the sides where it is across, one ahead where it is along, and both
--- in which direction it looks.
+--- What walls say of the place in the lane: those at the sides where it is across, one ahead where it is along, and both
+--- in which direction it looks.
 local function correct(at, ranges, speed)
   local x, y, turn = 0, 0, 0
   local tips = {}
   for i, beam in ipairs(beams) do tips[i] = poses.transform(poses.compose(at, beam), { x = ranges[i], y = 0 }) end
-  local ahead = math.min(ranges[1], ranges[4])
-  if ahead > 0.08 then -- else the side beams may end at the wall ahead
+  if math.min(ranges[1], ranges[4]) > 0.08 then -- else the beams to the sides may end at the wall ahead
     for i, face in pairs { [2] = -FACE, [3] = FACE } do
       local off = tips[i].y - face
       if math.abs(off) < 0.02 then y, turn = y + off, turn + 5 * speed / 0.25 * off end
@@ -116,32 +117,30 @@ function Mouse:update(odometry, ranges, speed)
   self.at = at
 
   local left = -at.position.x
-  if math.abs(at.heading) > 0.3 or math.abs(left) < 0.003 then
-    memory.moving = false
+  memory.moving = math.abs(at.heading) <= 0.3 and math.abs(left) >= 0.003
+  if not memory.moving then
     local rate = math.min(5, math.sqrt(2 * SPIN * math.abs(at.heading))) -- rad/s
     return { va = at.heading > 0 and -rate or rate }
   end
-  memory.moving = true
-  local bearing = angles.wrap(math.atan(-at.position.y, 0.1) - at.heading)
   local vx = math.min(speed, math.sqrt(2 * BRAKE * math.abs(left)))
+  local bearing = angles.wrap(math.atan(-at.position.y, 0.1) - at.heading)
   return { vx = left > 0 and vx or -vx, va = 6 * bearing }
 end
 
 --- `maze_mouse(column, row, direction, state.mouse)`: a mouse that stands in the middle of a cell. As the contests have
 --- it, that cell has walls on three sides.
 return function(column, row, direction, memory)
-  if not memory.here then
+  local begins = memory.here == nil
+  if begins then
     memory.column, memory.row, memory.direction, memory.map = column, row, direction, {}
     memory.here = lane(memory)
   end
   local self = setmetatable({ memory = memory }, Mouse)
-  aim(self, memory.column, memory.row, memory.direction)
   local cells = 2 * SIZE + 1
   self.map = grid({ columns = cells, rows = cells, cell = CELL / 2, x = -0.75 * CELL, y = -0.75 * CELL }, memory.map)
-  for turn = 0, 3 do
-    if self:wall(column, row, (direction + turn) % 4) == nil then
-      know({ map = self.map, memory = { column = column, row = row } }, direction + turn, turn ~= 0)
-    end
+  aim(self, memory.column, memory.row, memory.direction)
+  if begins then
+    for turn = 0, 3 do know(self, column, row, direction + turn, turn ~= 0) end
   end
   return self
 end

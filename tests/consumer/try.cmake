@@ -20,6 +20,10 @@ endif()
 run(${CMAKE_COMMAND} -E chdir / ${place}/prefix/bin/nezumi run
     ${place}/prefix/share/nezumi/behaviors/systems/stop_at_wall.lua --headless --speed max --duration 1)
 
+set(begin "import nezumi, nezumi_env\nwith nezumi.start('${place}/prefix/share/nezumi/behaviors/systems/stop_at_wall.lua'")
+run(${CMAKE_COMMAND} -E env PYTHONPATH=${place}/prefix/lib/python3/dist-packages /usr/bin/python3 -B -c
+    "${begin}, program='${place}/prefix/bin/nezumi') as console:\n  console.step(10)\n  assert console.eval('now()') == 0.1")
+
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${place}/prefix
     -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${place}/build)
