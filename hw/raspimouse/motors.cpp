@@ -70,14 +70,20 @@ tl::expected<void, NodeError> Motors::stop_all() {
     if (all) guard_.rest();  // without power nothing turns
     keep_first(left_.write(encode_number(0)));
     keep_first(right_.write(encode_number(0)));
-    follow({});
+    forget();
     return all;
 }
 
 bool Motors::has_guard_stopped() {
     if (!guard_.has_stopped()) return false;
-    follow({});
+    forget();
     return true;
+}
+
+// They have been stopped: what was wanted before counts no longer, however long the control loop stays silent.
+void Motors::forget() {
+    follow({});
+    goal_ = {};
 }
 
 MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) {

@@ -65,6 +65,7 @@ private:
     bool perform(const MotorState& goal);
     bool write(const MotorWrite& write);
     void follow(const MotorState& state);
+    void forget();
 
     GuardWatch guard_;
     Node power_, left_, right_, buzzer_;

@@ -130,6 +130,24 @@ TEST_CASE("motors have power while the robot is active, and not when it is deact
     CHECK(fake.moves());
 }
 
+TEST_CASE("a control loop that stalls leaves the wheels standing until it commands again",
+          "[hw][mouse][fakes][safety][wallclock]") {
+    FakeMouse fake;
+    DrivenMouse mouse(fake);
+    mouse.run(0.6, {.vx = 0.1});
+    REQUIRE(fake.moves());
+    // The driver's threads go on, as while a script runs without end.
+    sleep_for(0.25);
+    bool has_moved = false;
+    for (int i = 0; i < 75; ++i) {
+        has_moved = has_moved || fake.moves();
+        sleep_for(0.01);
+    }
+    CHECK_FALSE(has_moved);
+    mouse.run(0.8, {.vx = 0.1});
+    CHECK(fake.moves());
+}
+
 TEST_CASE("a mouse drives a square over the counters' wrap, and its odometry is right within 1 %",
           "[hw][mouse][fakes][odometry][wallclock]") {
     FakeMouse fake;
