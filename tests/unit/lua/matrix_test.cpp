@@ -12,7 +12,7 @@ namespace {
 const Text head = "local matrix = require 'native.matrix'\n";
 
 Text error_of(const Text& body, ScriptContext context = {}) {
-    Rig rig(head + "function on_execute()\n" + body + "\nend", std::move(context));
+    ScriptRig rig(head + "function on_execute()\n" + body + "\nend", std::move(context));
     rig.activate().tick();
     return rig.status() == "ERROR" ? rig.error() : "";
 }
@@ -57,7 +57,7 @@ TEST_CASE("a matrix in state is the table of its rows after a reload", "[lua][ma
 }
 
 TEST_CASE("a command returns a matrix as the table of its rows", "[lua][matrix]") {
-    Rig rig(head + "command('p', function() return matrix { { 1.5 } } end)");
+    ScriptRig rig(head + "command('p', function() return matrix { { 1.5 } } end)");
     rig.activate();
     const auto result = rig.component->call_command("p", {}, rig.now);
     REQUIRE(result);

@@ -20,8 +20,8 @@ inline std::string refusal(std::string text, ScriptContext context = {}) {
     return component ? "" : describe(component.error());
 }
 
-struct Rig {
-    explicit Rig(std::string text, ScriptContext context = {}, const std::string& file = "robot_controller.lua") {
+struct ScriptRig {
+    explicit ScriptRig(std::string text, ScriptContext context = {}, const std::string& file = "robot_controller.lua") {
         auto loaded = ScriptComponent::load("controller", source(std::move(text), file), std::move(context));
         if (!loaded) FAIL(describe(loaded.error()));
         component = std::move(*loaded);
@@ -29,7 +29,7 @@ struct Rig {
             [this](const LogLine& line) { log.push_back(std::string(to_text(line.level)) + ": " + line.text); });
     }
 
-    Rig& activate() {
+    ScriptRig& activate() {
         if (auto ok = component->activate(now); !ok) WARN(describe(ok.error()));
         return *this;
     }
@@ -68,7 +68,7 @@ struct Rig {
 // What one execution of this body says when it fails; "" when it does not. Ports `a` (in), `b` (out) and so on as in
 // `head`.
 inline std::string failure_of(const std::string& head, const std::string& body) {
-    Rig rig(head + "\nfunction on_execute()\n" + body + "\nend\n");
+    ScriptRig rig(head + "\nfunction on_execute()\n" + body + "\nend\n");
     rig.activate().tick();
     return rig.status() == "ERROR" ? rig.error() : "";
 }

@@ -28,15 +28,15 @@ PlainData::Value number(std::int64_t value) { return value; }
 }  // namespace
 
 TEST_CASE("a file is a component type that is named after it", "[lua][component]") {
-    CHECK(Rig("param('x', 1)").component->type() == "RobotController");
-    CHECK(Rig("param('x', 1)", {}, "marker_follower2.lua").component->type() == "MarkerFollower2");
-    CHECK(Rig("param('x', 1)", {}, "my-own behavior.lua").component->type() == "MyOwnBehavior");
-    CHECK(Rig("param('x', 1)").component->name() == "controller");
-    CHECK(Rig("param('x', 1)").component->version() == 1);
+    CHECK(ScriptRig("param('x', 1)").component->type() == "RobotController");
+    CHECK(ScriptRig("param('x', 1)", {}, "marker_follower2.lua").component->type() == "MarkerFollower2");
+    CHECK(ScriptRig("param('x', 1)", {}, "my-own behavior.lua").component->type() == "MyOwnBehavior");
+    CHECK(ScriptRig("param('x', 1)").component->name() == "controller");
+    CHECK(ScriptRig("param('x', 1)").component->version() == 1);
 }
 
 TEST_CASE("a component of a script goes through OpenRTM's states", "[lua][component]") {
-    Rig rig(life);
+    ScriptRig rig(life);
     auto& out = rig.out<Text>("out");
     CHECK(rig.status() == "INACTIVE");
     rig.tick();
@@ -57,7 +57,7 @@ TEST_CASE("a component of a script goes through OpenRTM's states", "[lua][compon
 }
 
 TEST_CASE("callbacks are optional", "[lua][component]") {
-    Rig rig("input('in', 'TimedLong')");
+    ScriptRig rig("input('in', 'TimedLong')");
     rig.activate().tick(3);
     CHECK(rig.status() == "ACTIVE");
     REQUIRE(rig.component->deactivate(rig.now));
@@ -65,7 +65,7 @@ TEST_CASE("callbacks are optional", "[lua][component]") {
 }
 
 TEST_CASE("locals and state are kept from one activation to the next, unread values are not", "[lua][component]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local from = input("from", "TimedLong", "", { queue = 9 })
 local out = output("out", "TimedLongSeq")
 local runs = 0
@@ -83,7 +83,7 @@ end)");
 }
 
 TEST_CASE("an error keeps locals, state and parameters, and empties the in-ports at the reset", "[lua][component]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local from = input("from", "TimedLong", "", { queue = 9 })
 local out = output("out", "TimedLongSeq")
 param("bad", true)
@@ -104,7 +104,7 @@ end)");
 }
 
 TEST_CASE("now and dt are simulated time", "[lua][component]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local out = output("out", "TimedDoubleSeq")
 local at_load = dt
 function on_execute() out:write { now(), dt, at_load } end)");
@@ -118,7 +118,7 @@ function on_execute() out:write { now(), dt, at_load } end)");
 }
 
 TEST_CASE("print is log.info, and log has four levels", "[lua][component]") {
-    Rig rig(
+    ScriptRig rig(
         "function on_execute() print('a', 1, nil) log.debug('d') log.info(1.5, true) log.warn('w') log.error('e') end");
     rig.activate().tick();
     CHECK(rig.log == std::vector<Text>{"info: a\t1\tnil", "debug: d", "info: 1.5\ttrue", "warn: w", "error: e"});
@@ -128,7 +128,7 @@ TEST_CASE("print is log.info, and log has four levels", "[lua][component]") {
 }
 
 TEST_CASE("what a file prints while it loads is not lost", "[lua][component]") {
-    Rig rig("param('x', 1)");
+    ScriptRig rig("param('x', 1)");
     std::vector<ScriptFile> required;
     auto next = rig.component->prepare(source("param('x', 1) print('loaded') log.warn('careful')"), paced_budget,
                                        rig.now, required);
@@ -139,7 +139,7 @@ TEST_CASE("what a file prints while it loads is not lost", "[lua][component]") {
 }
 
 TEST_CASE("about tells of the file", "[lua][component]") {
-    Rig rig("about { version = '1.2', vendor = 'me', category = 'test' } param('x', 1)");
+    ScriptRig rig("about { version = '1.2', vendor = 'me', category = 'test' } param('x', 1)");
     CHECK(rig.component->script().about().version == "1.2");
     CHECK(rig.component->script().about().vendor == "me");
     CHECK(rig.component->script().about().category == "test");
@@ -152,7 +152,7 @@ TEST_CASE("about tells of the file", "[lua][component]") {
 }
 
 TEST_CASE("a command runs in the component's own state with copies of its arguments", "[lua][component][command]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local out = output("out", "TimedString")
 local total = 0
 command("add", function(n, list) total = total + n + #(list or {}) return total, { total = total } end, "adds")
@@ -186,7 +186,7 @@ function on_execute() end)");
 }
 
 TEST_CASE("an endless command ends by its budget and the component goes on", "[lua][component][command][watchdog]") {
-    Rig rig("command('loop', function() while true do end end) function on_execute() end");
+    ScriptRig rig("command('loop', function() while true do end end) function on_execute() end");
     rig.activate();
     auto result = rig.component->call_command("loop", {}, rig.now);
     REQUIRE_FALSE(result);
@@ -197,7 +197,7 @@ TEST_CASE("an endless command ends by its budget and the component goes on", "[l
 }
 
 TEST_CASE("a budget that is used up is told apart from other errors", "[lua][component][watchdog]") {
-    Rig rig("function on_execute() while true do end end", {.budget = {0.02}});
+    ScriptRig rig("function on_execute() while true do end end", {.budget = {0.02}});
     rig.activate().tick();
     CHECK(rig.status() == "ERROR");
     CHECK(rig.component->last_error().kind == Error::Kind::out_of_time);
@@ -205,8 +205,8 @@ TEST_CASE("a budget that is used up is told apart from other errors", "[lua][com
 }
 
 TEST_CASE("a failed execution and its on_aborting share one budget", "[lua][component][watchdog]") {
-    Rig rig("function on_execute() while true do end end function on_aborting() while true do end end",
-            {.budget = {0.3}});
+    ScriptRig rig("function on_execute() while true do end end function on_aborting() while true do end end",
+                  {.budget = {0.3}});
     rig.activate();
     const std::int64_t began = thread_time();
     rig.tick();
@@ -217,7 +217,7 @@ TEST_CASE("a failed execution and its on_aborting share one budget", "[lua][comp
     CHECK(used > 0.32);
     CHECK(used < 0.45);
 
-    Rig quick(
+    ScriptRig quick(
         "local led = output('led', 'TimedBoolean') function on_execute() while true do end end "
         "function on_aborting() led:write(true) end",
         {.budget = {0.1}});
@@ -243,12 +243,12 @@ TEST_CASE("modules are required by name, once each", "[lua][component][modules]"
         return failure("there is no module '" + std::string(name) + "'");
     };
     const ScriptContext context{.find_module = find};
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local a, again = require "a", require "a"
 local out = output("out", "TimedLong")
 assert(a == again and require "nothing" == true)
 function on_execute() out:write(a.double(21)) assert(require "b".twice(2) == 4) end)",
-            context);
+                  context);
     rig.activate().tick();
     CHECK(rig.out<std::int32_t>("out").read() == 42);
     CHECK(asked == std::vector<Text>{"a for behaviors/robot_controller.lua", "b for behaviors/a.lua",
@@ -269,7 +269,7 @@ function on_execute() out:write(a.double(21)) assert(require "b".twice(2) == 4) 
           "(called from robot_controller.lua:1)");
     CHECK(refusal("pcall(require, 'fails') pcall(require, 'fails') param('x', 1)", context) == "");
     CHECK(refusal("require 'a'") == "robot_controller.lua:1: require 'a': there are no modules here");
-    Rig late("function on_execute() require 'a' end", context);
+    ScriptRig late("function on_execute() require 'a' end", context);
     late.activate().tick();
     CHECK(late.error() ==
           "robot_controller.lua:1: require 'a': modules are loaded while the file loads; require it at its top");
@@ -287,9 +287,9 @@ TEST_CASE("an error in a module names the line of the behaviour that called it",
             "outer.lua");
     };
     const auto error_of = [&](const Text& body) {
-        Rig rig("local outer = require 'outer'\nlocal out = output('out', 'TimedLong')\nfunction on_execute()\n" +
-                    body + "\nend",
-                {.find_module = find});
+        ScriptRig rig("local outer = require 'outer'\nlocal out = output('out', 'TimedLong')\nfunction on_execute()\n" +
+                          body + "\nend",
+                      {.find_module = find});
         rig.activate().tick();
         return rig.error();
     };
@@ -332,7 +332,7 @@ TEST_CASE("compiled code is shared by all components of a file", "[lua][componen
 }
 
 TEST_CASE("a component of a script is small", "[lua][component]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local range  = input("in", "TimedShortSeq", "distance sensors; a larger value is nearer")
 local target = output("out", "TimedVelocity2D", "target velocity")
 param("speed_x", 0.0, { min = -1.5, max = 1.5, step = 0.01, widget = "slider", unit = "m/s", doc = "straight-ahead speed" })

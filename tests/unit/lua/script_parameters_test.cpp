@@ -4,7 +4,7 @@
 using namespace nezumi;
 
 TEST_CASE("a parameter's type follows its default", "[lua][parameters]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 param("whole", 30) param("number", 0.0) param("truth", true) param("text", "abc") param("array", { 1.0, 0.5 })
 function on_execute()
   assert(math.type(config.whole) == "integer" and math.type(config.number) == "float")
@@ -23,7 +23,7 @@ end)");
 }
 
 TEST_CASE("bounds are inclusive and hold whoever sets the value", "[lua][parameters]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 param("speed", 0.0, { min = -1.5, max = 1.5, step = 0.01, widget = "slider", unit = "m/s", doc = "how fast" })
 function on_execute() config.speed = 1.5 + config.speed end)");
     const ParameterSpec& spec = rig.component->parameters().find("speed")->spec;
@@ -39,7 +39,7 @@ function on_execute() config.speed = 1.5 + config.speed end)");
 }
 
 TEST_CASE("config.x = v in a script is checked at once and holds from the next tick", "[lua][parameters]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 param("x", 1)
 local seen = output("seen", "TimedLongSeq")
 function on_execute()
@@ -93,7 +93,7 @@ TEST_CASE("an array is read-only and replaced whole", "[lua][parameters]") {
 }
 
 TEST_CASE("an array of parameters can be written to a port and given to another parameter", "[lua][parameters]") {
-    Rig rig(
+    ScriptRig rig(
         "param('a', { 1.0, 0.5 }) param('b', { 0.0 })\nlocal out = output('out', 'TimedDoubleSeq')\n"
         "function on_execute() out:write(config.a) config.b = config.a end");
     rig.activate().tick(2);
@@ -169,7 +169,7 @@ TEST_CASE("choices bind whoever sets the value", "[lua][parameters]") {
 }
 
 TEST_CASE("the top level of a file reads the values that the system file gave, and sets none", "[lua][parameters]") {
-    Rig rig(
+    ScriptRig rig(
         "param('n', 1)\nlocal n = config.n\nlocal out = output('out', 'TimedLong')\nfunction on_activated() "
         "out:write(n) end",
         {.configured = {{"n", std::int64_t{7}}}});

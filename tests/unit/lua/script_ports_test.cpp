@@ -15,7 +15,7 @@ function on_execute() to:write(from:read()) end
 }  // namespace
 
 TEST_CASE("a script reads the latest value of an in-port and writes an out-port", "[lua][ports]") {
-    Rig rig(echo);
+    ScriptRig rig(echo);
     rig.activate();
     rig.tick();
     CHECK(rig.out<Shorts>("to").read().empty());  // an empty sequence before anything came
@@ -28,7 +28,7 @@ TEST_CASE("a script reads the latest value of an in-port and writes an out-port"
 }
 
 TEST_CASE("what is read is the script's own copy", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local from = input("from", "TimedPose2D")
 function on_execute()
   local pose = from:read()
@@ -49,7 +49,7 @@ local n, t, v, i = input("n", "TimedLong"), input("t", "TimedString"), input("v"
 }
 
 TEST_CASE("a queue gives the oldest unread message, then the last one again", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local from = input("from", "TimedLong", "", { queue = 3 })
 local to = output("to", "TimedLongSeq")
 function on_execute()
@@ -66,7 +66,7 @@ end)");
 
 TEST_CASE("an execution that writes without end is an error before it fills the memory", "[lua][ports]") {
     const auto error_of = [](const std::string& body) {
-        Rig rig(
+        ScriptRig rig(
             "local a = output('a', 'TimedString') local b = output('b', 'TimedVelocity2D')\nfunction on_execute()\n" +
                 body + "\nend",
             {.budget = Budget{20}});
@@ -77,14 +77,14 @@ TEST_CASE("an execution that writes without end is an error before it fills the 
           "robot_controller.lua:4: output 'a' (TimedString): more than 64 MB were written in one execution");
     CHECK(error_of("while true do b:write {} end") ==
           "robot_controller.lua:3: output 'b' (TimedVelocity2D): more than 64 MB were written in one execution");
-    Rig rig("local a = output('a', 'TimedString') function on_execute() a:write(('x'):rep(1e7)) end",
-            {.budget = Budget{20}});
+    ScriptRig rig("local a = output('a', 'TimedString') function on_execute() a:write(('x'):rep(1e7)) end",
+                  {.budget = Budget{20}});
     rig.activate().tick(10);  // each execution counts anew
     CHECK(rig.status() == "ACTIVE");
 }
 
 TEST_CASE("an execution that logs without end is cut short, and the next one is heard", "[lua][ports]") {
-    Rig rig("local text = ('x'):rep(300000) function on_execute() for i = 1, 10 do log.info(text) end end");
+    ScriptRig rig("local text = ('x'):rep(300000) function on_execute() for i = 1, 10 do log.info(text) end end");
     rig.activate().tick();
     REQUIRE(rig.log.size() == 4);
     CHECK(rig.log.back() == "warn: more than 1 MB of log in one execution: the rest is left out");
@@ -93,7 +93,7 @@ TEST_CASE("an execution that logs without end is cut short, and the next one is 
 }
 
 TEST_CASE("a full queue drops the oldest, counts it and warns once", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local from = input("from", "TimedLong", "", { queue = 2 })
 local to = output("to", "TimedLong")
 function on_execute() to:write(from:read()) end)");
@@ -109,7 +109,7 @@ function on_execute() to:write(from:read()) end)");
 }
 
 TEST_CASE("several writes in a tick: a queue gets each, the others the last", "[lua][ports]") {
-    Rig writer(R"(
+    ScriptRig writer(R"(
 local to = output("to", "TimedLong")
 function on_execute() to:write(1) to:write(2) to:write(3) end)");
     InPort<std::int32_t> queue("queue", "", 5), latest("latest");
@@ -126,7 +126,7 @@ function on_execute() to:write(1) to:write(2) to:write(3) end)");
 }
 
 TEST_CASE("properties of an in-port tell of the message and of the connection", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local from = input("from", "TimedLong")
 local out = output("out", "TimedString")
 local function text()
@@ -156,7 +156,7 @@ function on_execute() out:write(text()) from:read() end)");
 }
 
 TEST_CASE("with a queue the stamp is that of the message read last", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local from = input("from", "TimedLong", "", { queue = 5 })
 local out = output("out", "TimedDoubleSeq")
 local ticks = 0
@@ -196,7 +196,7 @@ TEST_CASE("a value that does not fit names the file, the line, the port and the 
 }
 
 TEST_CASE("a caught write of a wrong value is no write", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local out = output("out", "TimedShort")
 function on_execute() out:write(7) pcall(out.write, out, "x") end)");
     rig.activate().tick();
@@ -278,7 +278,7 @@ TEST_CASE("options of ports are checked strictly", "[lua][ports]") {
 
 TEST_CASE("outputs of velocities write zero once when their component leaves ACTIVE, others fall silent",
           "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local vel = output("vel", "TimedVelocity2D")
 local led = output("led", "TimedBoolean", "", { safe = false })
 local hz = output("hz", "TimedShort")
@@ -297,7 +297,7 @@ function on_execute() vel:write { vx = 1 } led:write(true) hz:write(440) end)");
 }
 
 TEST_CASE("on_deactivated may write what the engine would otherwise write for it", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local vel = output("vel", "TimedVelocity2D")
 function on_deactivated() vel:write { vx = 0.1 } end)");
     rig.activate().tick();
@@ -308,7 +308,7 @@ function on_deactivated() vel:write { vx = 0.1 } end)");
 }
 
 TEST_CASE("an execution that fails publishes nothing that it wrote", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local vel = output("vel", "TimedVelocity2D")
 local hz = output("hz", "TimedShort")
 local n = 0
@@ -322,7 +322,7 @@ function on_execute() n = n + 1 hz:write(n) vel:write { vx = n } if n == 3 then 
 }
 
 TEST_CASE("on_aborting and on_error may write, but no velocities", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local vel = output("vel", "TimedVelocity2D")
 local hz = output("hz", "TimedShort")
 function on_execute() error("stop") end
@@ -339,7 +339,7 @@ function on_error() hz:write(2) vel:write { vx = 1 } end)");
 }
 
 TEST_CASE("pixels are a string in Lua", "[lua][ports]") {
-    Rig rig(R"(
+    ScriptRig rig(R"(
 local image = input("image", "CameraImage")
 local out = output("out", "CameraImage")
 function on_execute()

@@ -181,9 +181,9 @@ TEST_CASE("a script that fails in any way ends in ERROR and nothing else does", 
           "table.move({}, 1, 1 << 60, 2)", "table.unpack(setmetatable({}, { __len = function() return 1 << 60 end }))",
           "state.f.g = 1", "coroutine.yield()"}) {
         INFO(body);
-        Rig rig("local vel = output('vel', 'TimedVelocity2D')\nfunction on_execute() vel:write { vx = 1 }\n" + body +
-                    "\nend",
-                {.budget = {0.05}, .memory_limit = 8 << 20});
+        ScriptRig rig("local vel = output('vel', 'TimedVelocity2D')\nfunction on_execute() vel:write { vx = 1 }\n" +
+                          body + "\nend",
+                      {.budget = {0.05}, .memory_limit = 8 << 20});
         rig.activate().tick();
         CHECK(rig.status() == "ERROR");
         CHECK(starts(rig.error(), 23) == "robot_controller.lua:3:");
@@ -196,12 +196,12 @@ TEST_CASE("an endless loop in any callback ends by its budget", "[lua][refusals]
     for (const std::string hook :
          {"on_activated", "on_execute", "on_deactivated", "on_aborting", "on_error", "on_reset"}) {
         INFO(hook);
-        Rig rig("function " + hook + "() while true do end end\n" +
-                    (hook == "on_execute" || hook == "on_activated" ? "" : "command('fail', print)\n") +
-                    (hook == "on_execute"
-                         ? ""
-                         : "function on_execute() if config.fail then error('x') end end\nparam('fail', false)"),
-                {.budget = {0.02}});
+        ScriptRig rig("function " + hook + "() while true do end end\n" +
+                          (hook == "on_execute" || hook == "on_activated" ? "" : "command('fail', print)\n") +
+                          (hook == "on_execute"
+                               ? ""
+                               : "function on_execute() if config.fail then error('x') end end\nparam('fail', false)"),
+                      {.budget = {0.02}});
         static_cast<void>(rig.component->activate(rig.now));
         static_cast<void>(rig.component->deactivate(rig.now));
         if (rig.status() == "INACTIVE") static_cast<void>(rig.component->activate(rig.now));

@@ -16,8 +16,8 @@ command("begin", function(name) start(name) end)
 command("give_up", function(name) return cancel(name) end)
 )";
 
-struct TaskRig : Rig {
-    explicit TaskRig(const Text& text) : Rig(notes + text) { activate(); }
+struct TaskRig : ScriptRig {
+    explicit TaskRig(const Text& text) : ScriptRig(notes + text) { activate(); }
     Text noted() { return out<Text>("out").read(); }
     // What a call of a command says: "" when it is well.
     Text call(const Text& command, const Text& name) {
@@ -242,7 +242,7 @@ TEST_CASE("an error in a module that a task calls names the task's line as well"
     context.find_module = [](std::string_view, std::string_view) {
         return source("return { fail = function() error('no luck') end }", "helper.lua");
     };
-    Rig rig("local helper = require 'helper'\ntask('t', function()\n  wait(0)\n  helper.fail()\nend)", context);
+    ScriptRig rig("local helper = require 'helper'\ntask('t', function()\n  wait(0)\n  helper.fail()\nend)", context);
     rig.activate().tick(2);
     CHECK(rig.error() == "helper.lua:1: no luck (called from robot_controller.lua:4)");
 }
