@@ -142,12 +142,14 @@ class ConsoleTest(Case):
     def test_the_end_of_a_run_is_told(self):
         console = start()
         other = nezumi.attach(timeout=PATIENCE)
+        self.addCleanup(other.close)
         console.close()
         self.assertIn("ended", self.refused(nezumi.Ended, other.eval, "1"))
         self.assertEqual(self.refused(nezumi.Ended, nezumi.attach),
                          "nothing is running: start a system with `nezumi run FILE`")
         with start() as console:
             other = nezumi.attach(timeout=PATIENCE)
+            self.addCleanup(other.close)
             other.run("quit()")
             self.refused(nezumi.Ended, console.eval, "1")
 
