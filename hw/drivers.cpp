@@ -1,7 +1,9 @@
 // One line for each driver of a robot or a device.
 #include "hw/drivers.hpp"
 
+#include "engine/devices/camera.hpp"
 #include "engine/devices/joystick.hpp"
+#include "hw/camera/video_camera.hpp"
 #include "hw/ev3/ev3_body.hpp"
 #include "hw/gamepad/evdev_gamepad.hpp"
 #include "hw/raspimouse/mouse_body.hpp"
@@ -16,6 +18,14 @@ ComponentMaker gamepads(const std::string& dev) {
     };
 }
 
+ComponentMaker cameras(const std::string& dev) {
+    return [dev](const ComponentEntry& entry, System& system) {
+        return make_camera(entry, system, [dev](const CameraMount& /*mount*/, const CameraSettings& settings) {
+            return open_camera(dev, settings);
+        });
+    };
+}
+
 }  // namespace
 
 ByBackend<BodyMaker> drivers(const DeviceRoots& roots) {
@@ -26,7 +36,7 @@ ByBackend<BodyMaker> drivers(const DeviceRoots& roots) {
 }
 
 decltype(Makers::components) device_drivers(const DeviceRoots& roots) {
-    return {{"Joystick", {{"gamepad", gamepads(roots.dev)}}}};
+    return {{"Joystick", {{"gamepad", gamepads(roots.dev)}}}, {"Camera", {{"video", cameras(roots.dev)}}}};
 }
 
 }  // namespace nezumi::hw

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <opencv2/core/utility.hpp>
 #include <utility>
 
@@ -29,7 +30,7 @@ SimCamera::SimCamera(const OdeWorld& world, std::optional<RobotId> carrier, cons
     cv::setNumThreads(1);
 }
 
-void SimCamera::expose(const Time& now) {
+std::optional<double> SimCamera::expose(const Time& now) {
     tick_ = now.tick;
     view_ = on_carrier_;
     if (carrier_) {
@@ -47,6 +48,7 @@ void SimCamera::expose(const Time& now) {
         scenery_.signs.push_back({&tag, marker.size * tag_cells / tag_border_cells, to_vec(marker.pose.position),
                                   rotation_of(marker.pose.orientation)});
     }
+    return now.seconds;
 }
 
 void SimCamera::develop(CameraImage& image) {
@@ -90,7 +92,7 @@ Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount&
         return failure(fmt::format("there is no robot '{}' that could carry a camera", shown(mount.robot)));
     const CameraIntrinsics wanted = settings.intrinsics();
     std::optional<Distortion> distortion;
-    if (wanted != pinhole(settings.width, settings.height, settings.field_of_view)) {
+    if (std::array{wanted.k1, wanted.k2, wanted.p1, wanted.p2, wanted.k3} != std::array<double, 5>{}) {
         auto made = Distortion::make(wanted);
         if (!made) return Unexpected(made.error());
         distortion = std::move(*made);

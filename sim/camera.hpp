@@ -23,7 +23,7 @@ public:
               const CameraSettings& settings, std::optional<Distortion> distortion);
 
     CameraIntrinsics intrinsics() const override { return intrinsics_; }
-    void expose(const Time& now) override;
+    std::optional<double> expose(const Time& now) override;
     void develop(CameraImage& image) override;
 
 private:

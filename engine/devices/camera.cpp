@@ -55,13 +55,23 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
              .max = 2.8,
              .unit = "rad",
              .doc = "angle between the picture's left and right edge"});
+    for (const auto& [name_of_it, doc] :
+         {std::pair{"fx", "focal length along a row, as it was measured; 0: by field_of_view"},
+          {"fy", "with fx: along a column; 0: as fx"},
+          {"cx", "with fx: column of the optical axis; 0: the middle"},
+          {"cy", "with fx: row of the optical axis; 0: the middle"}}) {
+        declare({.name = name_of_it, .initial = 0.0, .min = 0, .max = 1e6, .unit = "px", .doc = doc});
+    }
     for (const char* radial : {"k1", "k2", "k3"}) {
-        declare({.name = radial, .initial = 0.0, .min = -2, .max = 2, .doc = "radial distortion of the lens"});
+        declare({.name = radial, .initial = 0.0, .min = -20, .max = 20, .doc = "radial distortion of the lens"});
     }
     for (const char* tangential : {"p1", "p2"}) {
         declare(
             {.name = tangential, .initial = 0.0, .min = -0.2, .max = 0.2, .doc = "tangential distortion of the lens"});
     }
+    declare({.name = "undistort",
+             .initial = false,
+             .doc = "take the distortion out of the pictures: they are those of a pinhole"});
     declare({.name = "pitch", .initial = 0.0, .min = -1.58, .max = 1.58, .unit = "rad", .doc = "positive looks down"});
     declare({.name = "noise",
              .initial = 0.0,
@@ -96,7 +106,12 @@ CameraSettings Camera::settings() const {
             .color = value<std::string>(parameters_, "format") == "rgb8",
             .noise = value<double>(parameters_, "noise"),
             .blur = value<double>(parameters_, "blur"),
-            .seed = seed_of(seed_, name())};
+            .seed = seed_of(seed_, name()),
+            .fx = value<double>(parameters_, "fx"),
+            .fy = value<double>(parameters_, "fy"),
+            .cx = value<double>(parameters_, "cx"),
+            .cy = value<double>(parameters_, "cy"),
+            .undistort = value<bool>(parameters_, "undistort")};
 }
 
 Expected<void> Camera::open() {
@@ -108,6 +123,7 @@ Expected<void> Camera::open() {
     }
     CameraMount mount = mount_;
     mount.pitch = value<double>(parameters_, "pitch");
+    source_.reset();  // a device is had once
     auto source = open_(mount, wanted);
     if (!source) return Unexpected(source.error());
     source_ = std::move(*source);
@@ -136,15 +152,28 @@ void Camera::sense(const Time& now) {
             return;
         }
     }
+    for (std::string& fault : source_->take_faults()) log(LogLevel::warn, std::move(fault));
+    if (source_->is_device()) {
+        look_at_device(now);
+        return;
+    }
     take_picture(now);
     if (state() != LifeState::active || !is_due(now.tick, frame_rate_, tick_rate()) || picture_.busy()) return;
-    source_->expose(now);
+    exposed_at_ = source_->expose(now).value_or(now.seconds);
     picture_.start(now, latency_, [source = source_.get()] {
         CameraImage image;
         source->develop(image);
         return image;
     });
     take_picture(now);
+}
+
+void Camera::look_at_device(const Time& now) {
+    const auto exposed_at = source_->expose(now);
+    if (!exposed_at) return;
+    exposed_at_ = *exposed_at;
+    source_->develop(out_.next_pending());
+    publish_intrinsics();
 }
 
 void Camera::take_picture(const Time& now) {
@@ -155,12 +184,16 @@ void Camera::take_picture(const Time& now) {
         return;
     }
     out_.next_pending() = std::move(**picture);
-    intrinsics_.write(source_->intrinsics());
+    publish_intrinsics();
 }
 
-Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system) {
-    if (system.world() == nullptr)
-        return failure(fmt::format("component '{}': a Camera needs a world to look at", entry.name), entry.place);
+void Camera::publish_intrinsics() {
+    intrinsics_.write(source_->intrinsics());
+    out_.stamp(exposed_at_);
+    intrinsics_.stamp(exposed_at_);
+}
+
+Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open) {
     if (!entry.on.empty() && system.find_robot(entry.on) == nullptr) {
         std::vector<std::string_view> names;
         for (const Robot* robot : system.robots()) names.push_back(robot->name());
@@ -168,12 +201,17 @@ Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry&
                                    did_you_mean(entry.on, names)),
                        entry.place);
     }
-    return std::make_unique<Camera>(
-        entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw}, system.settings().seed,
-        [world = system.world()](const CameraMount& mount, const CameraSettings& settings) {
-            return world->open_camera(mount, settings);
-        },
-        !system.settings().real_time);
+    return std::make_unique<Camera>(entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw},
+                                    system.settings().seed, std::move(open), !system.settings().real_time);
+}
+
+Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system) {
+    if (system.world() == nullptr)
+        return failure(fmt::format("component '{}': a Camera needs a world to look at", entry.name), entry.place);
+    return make_camera(entry, system,
+                       [world = system.world()](const CameraMount& mount, const CameraSettings& settings) {
+                           return world->open_camera(mount, settings);
+                       });
 }
 
 }  // namespace nezumi

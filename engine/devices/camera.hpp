@@ -20,18 +20,23 @@ public:
     using Open = std::function<Expected<std::unique_ptr<CameraSource>>(const CameraMount&, const CameraSettings&)>;
 
     /// `open` is called on activation, and again when a parameter has changed. `wait`: the picture exposed at t is
-    /// published at t + latency exactly (simulation), else as soon as it is there (hardware).
+    /// published at t + latency exactly (simulation), else as soon as it is there (hardware). It is stamped with the
+    /// time of its exposure.
     Camera(std::string name, CameraMount mount, std::uint64_t seed, Open open, bool wait);
 
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
+    /// How its parameters set it.
+    CameraSettings settings() const;
+
 private:
     Expected<void> on_activated() override;
     Expected<void> on_deactivated() override;
-    CameraSettings settings() const;
     Expected<void> open();
     void take_picture(const Time& now);
+    void look_at_device(const Time& now);
+    void publish_intrinsics();
 
     CameraMount mount_;
     std::uint64_t seed_;
@@ -43,11 +48,15 @@ private:
     std::uint64_t parameters_version_ = 0;
     double frame_rate_ = 0;
     double latency_ = 0;
+    double exposed_at_ = 0;             // [s] the picture that is developed
     DelayedTask<CameraImage> picture_;  // after source_: it works with it
 };
 
-/// Makes the component `entry`, a camera in the world of `system`; what `Makers::components` wants for "Camera". An
-/// error when the system has no world, the world shows no pictures, or it has no robot `on`.
+/// Makes the component `entry`, a camera whose pictures `open` takes. An error when there is no robot `on` before it.
+Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open);
+
+/// Makes the component `entry`, a camera in the world of `system`; what `Makers::components` wants for "Camera". Errors
+/// as of `make_camera`, and when the system has no world, or the world shows no pictures.
 Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system);
 
 }  // namespace nezumi

@@ -15,13 +15,25 @@ CameraIntrinsics pinhole(int width, int height, double field_of_view) {
             .cy = (height - 1) / 2.0};
 }
 
-CameraIntrinsics CameraSettings::intrinsics() const {
+CameraIntrinsics CameraSettings::lens() const {
     CameraIntrinsics all = pinhole(width, height, field_of_view);
+    if (fx > 0) {
+        all.fx = fx;
+        all.fy = fy > 0 ? fy : fx;
+        all.cx = cx > 0 ? cx : all.cx;
+        all.cy = cy > 0 ? cy : all.cy;
+    }
     all.k1 = k1;
     all.k2 = k2;
     all.p1 = p1;
     all.p2 = p2;
     all.k3 = k3;
+    return all;
+}
+
+CameraIntrinsics CameraSettings::intrinsics() const {
+    CameraIntrinsics all = lens();
+    if (undistort) all.k1 = all.k2 = all.p1 = all.p2 = all.k3 = 0;
     return all;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/ports/messages.hpp"
 #include "engine/ports/port_base.hpp"
@@ -25,8 +27,12 @@ struct CameraSettings {
     double noise = 0;                               ///< standard deviation of a pixel's value, which goes from 0 to 255
     double blur = 0;                                ///< [px] standard deviation of a Gaussian
     std::uint64_t seed = 0;                         ///< of the noise
+    double fx = 0, fy = 0, cx = 0, cy = 0;          ///< as in `CameraIntrinsics`, instead of `field_of_view`; 0: not
+    bool undistort = false;                         ///< its pictures are made those of the pinhole
 
-    /// The pinhole of size and field of view, with the distortion.
+    /// What it looks through: the pinhole of size and field of view, or of `fx` and its like, with the distortion.
+    CameraIntrinsics lens() const;
+    /// Of the pictures: the lens', without its distortion where that is taken out.
     CameraIntrinsics intrinsics() const;
 };
 
@@ -42,12 +48,18 @@ struct CameraMount {
 class CameraSource {
 public:
     virtual ~CameraSource() = default;
-    /// Those of every picture: computed in a simulation, calibrated for a device; with an `fx` of 0 unknown.
+    /// Those of every picture; with an `fx` of 0 unknown.
     virtual CameraIntrinsics intrinsics() const = 0;
-    /// Keeps what there is to see now; quick, on the thread that ticks.
-    virtual void expose(const Time& now) = 0;
+    /// Whether it is a device, which takes pictures on its own: `expose` is called in every tick, and `develop` is
+    /// quick.
+    virtual bool is_device() const { return false; }
+    /// Keeps what there is to see now; quick, on the thread that ticks. Returns when [s] that was: now in a simulation.
+    /// Of a device it is the newest picture, and when that was exposed; nothing when there is no new one.
+    virtual std::optional<double> expose(const Time& now) = 0;
     /// Makes the picture of the last exposure; slow, on any thread, never together with `expose`.
     virtual void develop(CameraImage& image) = 0;
+    /// What has failed since the last call: one line for each with what to do about it.
+    virtual std::vector<std::string> take_faults() { return {}; }
 };
 
 /// The largest and the smallest picture that a camera makes, by width and height [px].

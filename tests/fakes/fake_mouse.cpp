@@ -1,4 +1,4 @@
-// A Raspberry Pi Mouse without the robot: its driver's nodes, and behind them the simulated world.
+// A Raspberry Pi Mouse with a camera, without the robot: its drivers' nodes, and behind them the simulated world.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "tests/fakes/camera_nodes.hpp"
 #include "tests/fakes/fake_robot.hpp"
+#include "tests/fakes/joined_files.hpp"
 #include "tests/fakes/mouse_nodes.hpp"
 
 using namespace nezumi;
@@ -49,13 +51,24 @@ void sense(const RobotSpec& spec, std::span<const SensorReading> readings, fakes
     nodes.set_lights(lights);
 }
 
-std::string answer(const std::string& line, fakes::MouseNodes& nodes) {
+std::string answer(const std::string& line, fakes::MouseNodes& nodes, fakes::CameraNodes& camera) {
     std::istringstream words(line);
     std::string command, name, value;
     words >> command >> name >> value;
+    if (name == fakes::CameraNodes::node) {
+        if (command == "unplug") {
+            camera.unplug();
+        } else if (command == "plug") {
+            camera.plug_in();
+        } else {
+            return command == "fault" && camera.set_fault(value) ? "" : "unknown command or fault";
+        }
+        return "";
+    }
     if (command == "fault") return nodes.set_fault(name, value) ? "" : "no such node or fault";
     if (command == "heal") {
         for (const std::string& node : nodes.names()) nodes.set_fault(node, "none");
+        camera.set_fault("none");
     } else if (command == "button") {
         nodes.press(std::stoul(name), value == "1");
     } else if (command == "reload") {
@@ -85,12 +98,14 @@ std::string answer(const std::string& line, fakes::MouseNodes& nodes) {
 int main(int count, char** words) {
     fakes::MouseNodes nodes;
     std::array<bool, 3> pressed{};
+    fakes::CameraNodes camera;
+    fakes::JoinedFiles all(nodes, camera, fakes::CameraNodes::node);
     return fakes::be_fake_robot(
-        count, words, nodes, [&](const RobotSpec& spec, RobotBody& body) { act(spec, body, nodes); },
+        count, words, all, [&](const RobotSpec& spec, RobotBody& body) { act(spec, body, nodes); },
         [&](const RobotSpec& spec, RobotBody& /*body*/, const WheelReading& /*wheels*/,
             std::span<const SensorReading> readings) {
             sense(spec, readings, nodes);
             sense_buttons(spec, readings, nodes, pressed);
         },
-        [&](const std::string& line) { return answer(line, nodes); });
+        [&](const std::string& line) { return answer(line, nodes, camera); }, &camera);
 }

@@ -5,16 +5,19 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <istream>
 #include <sstream>
 #include <thread>
 #include <utility>
 
 #include "bindings/lua/files/robot_file.hpp"
+#include "engine/world/chessboard.hpp"
 #include "sim/world.hpp"
 #include "tests/fakes/command_socket.hpp"
 #include "tests/fakes/fuse_folder.hpp"
@@ -58,6 +61,50 @@ void WorldBehind::step() {
     sense_(spec_, *body_, wheels, body_->read_sensors(now_, physics_step));
 }
 
+void WorldBehind::film(CameraNodes& camera) {
+    using Clock = std::chrono::steady_clock;
+    std::unique_ptr<CameraSource> source;
+    CameraImage image;
+    auto due = Clock::now();
+    for (;;) {
+        const auto wanted = camera.wanted();
+        due = std::max(due, Clock::now() - std::chrono::milliseconds(100));
+        due += std::chrono::microseconds(static_cast<int>(1e6 / (wanted ? wanted->frame_rate : 100)));
+        std::this_thread::sleep_until(due);
+        if (!wanted) continue;
+        double tm = 0;
+        {
+            const std::lock_guard lock(mutex_);
+            if (std::exchange(is_filmed_anew_, false) || lens_.width != wanted->width) {
+                lens_.width = wanted->width;
+                lens_.height = wanted->height;
+                source = std::move(*world_->open_camera(mount_, lens_));
+            }
+            tm = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+            source->expose(now_);
+        }
+        source->develop(image);
+        camera.give(image, tm);
+    }
+}
+
+void WorldBehind::answer_for_camera(const std::string& command, std::istream& words) {
+    if (command == "marker") {
+        Pose3D pose;
+        words >> pose.position.x >> pose.position.y >> pose.position.z >> pose.orientation.y;
+        static_cast<void>(world_->move_marker("target", pose));
+        return;
+    }
+    if (command == "look") {
+        CameraMount held;
+        const bool is_held = static_cast<bool>(words >> held.at.x >> held.at.y >> held.at.z >> held.yaw >> held.pitch);
+        mount_ = is_held ? held : CameraMount{.robot = "robot", .at = {0.05, 0, 0.06}};
+    } else {
+        words >> lens_.field_of_view >> lens_.k1 >> lens_.k2 >> lens_.p1 >> lens_.p2 >> lens_.k3;
+    }
+    is_filmed_anew_ = true;
+}
+
 bool WorldBehind::answer(const std::string& line, std::string& text) {
     std::istringstream words(line);
     std::string command, name;
@@ -88,6 +135,8 @@ bool WorldBehind::answer(const std::string& line, std::string& text) {
             world_->press(body_->id(), i, pressed);
             text.clear();
         }
+    } else if (command == "marker" || command == "look" || command == "lens") {
+        answer_for_camera(command, words);
     } else {
         return false;
     }
@@ -95,9 +144,9 @@ bool WorldBehind::answer(const std::string& line, std::string& text) {
 }
 
 int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act act, WorldBehind::Sense sense,
-                  std::function<std::string(const std::string& line)> answer) {
+                  std::function<std::string(const std::string& line)> answer, CameraNodes* camera) {
     if (count < 4) {
-        std::fprintf(stderr, "usage: %s MOUNT_POINT SOCKET ROBOT_FILE [BOX_X]\n", words[0]);
+        std::fprintf(stderr, "usage: %s MOUNT_POINT SOCKET ROBOT_FILE [BOX_X|board]\n", words[0]);
         return 2;
     }
     const std::filesystem::path model = words[3];
@@ -107,13 +156,19 @@ int be_fake_robot(int count, char** words, ServedFiles& files, WorldBehind::Act 
         return 2;
     }
     ArenaSpec arena;
-    if (count > 4) arena.boxes.push_back({.at = {std::strtod(words[4], nullptr), 0, 0.15}, .size = {0.1, 2.0, 0.3}});
+    arena.markers.push_back({.name = "target", .id = 7, .size = 0.1, .at = {0, 0, -5}});
+    if (count > 4 && words[4] == std::string("board")) {
+        arena.boxes = chessboard({});
+    } else if (count > 4) {
+        arena.boxes.push_back({.at = {std::strtod(words[4], nullptr), 0, 0.15}, .size = {0.1, 2.0, 0.3}});
+    }
     WorldBehind behind(std::move(*spec), arena, std::move(act), std::move(sense));
     const auto answer_all = [&](const std::string& line) {
         std::string text;
         return behind.answer(line, text) ? text : answer(line);
     };
     std::thread([&] { behind.run(); }).detach();
+    if (camera != nullptr) std::thread([&behind, camera] { behind.film(*camera); }).detach();
     return be_fake_device(count, words, files, answer_all);
 }
 

@@ -34,9 +34,11 @@ bool is_folder(const std::string& name) {
 }
 
 void* start(fuse_conn_info* /*connection*/, fuse_config* config) {
-    // Each call comes here: nothing is remembered by the kernel.
-    config->direct_io = 1;
+    // Each call comes here: nothing is remembered by the kernel but what is mapped.
     config->attr_timeout = config->entry_timeout = config->negative_timeout = 0;
+    files().tell_changes([fuse = fuse_get_context()->fuse](const std::string& name) {
+        fuse_invalidate_path(fuse, ("/" + name).c_str());
+    });
     served().ready();
     return fuse_get_context()->private_data;
 }
@@ -48,6 +50,7 @@ int get_attributes(const char* path, struct stat* status, fuse_file_info* /*info
     if (looked == 0 || (!name.empty() && !is_folder(name))) {
         status->st_mode = S_IFREG | 0666;
         status->st_nlink = 1;
+        if (looked == 0) status->st_size = static_cast<off_t>(files().mapped_size(name));
         return looked;
     }
     status->st_mode = S_IFDIR | 0755;
@@ -76,11 +79,22 @@ int open_file(const char* path, fuse_file_info* info) {
     std::uint64_t handle = 0;
     const int result = files().open(name_of(path), handle);
     info->fh = handle;
-    info->nonseekable = files().is_stream(name_of(path)) ? 1 : 0;
+    const bool is_mapped = files().mapped_size(name_of(path)) > 0;
+    info->direct_io = is_mapped ? 0 : 1;
+    info->nonseekable = files().is_stream(name_of(path)) && !is_mapped ? 1 : 0;
     return result;
 }
 
+int close_file(const char* path, fuse_file_info* info) {
+    files().close(name_of(path), info->fh);
+    return 0;
+}
+
 int read_file(const char* path, char* buffer, std::size_t size, off_t offset, fuse_file_info* info) {
+    if (files().mapped_size(name_of(path)) > 0) {
+        files().read_mapped(name_of(path), static_cast<std::size_t>(offset), size, buffer);
+        return static_cast<int>(size);
+    }
     const bool is_stream = files().is_stream(name_of(path));
     if (offset > 0 && !is_stream) return 0;
     std::string text;
@@ -132,6 +146,7 @@ int serve_folder(const std::string& mount_point, ServedFiles& files, void (*read
     operations.poll = poll_file;
     operations.read = read_file;
     operations.readdir = list;
+    operations.release = close_file;
     operations.truncate = truncate_file;
     operations.write = write_file;
     std::string program = "fake", foreground = "-f", mount = mount_point;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -22,6 +23,8 @@ public:
     virtual int look(const std::string& name) = 0;
     /// The handle that the other calls get; by its own count.
     virtual int open(const std::string& name, std::uint64_t& handle) = 0;
+    /// Nobody has this handle any more.
+    virtual void close(const std::string& /*name*/, std::uint64_t /*handle*/) {}
     /// What a reading from its beginning gives.
     virtual int read(const std::string& name, std::uint64_t handle, std::string& text) = 0;
     /// How many bytes it took.
@@ -45,6 +48,14 @@ public:
     virtual int control(const std::string& /*name*/, std::uint64_t /*handle*/, unsigned /*request*/, void* /*data*/) {
         return -ENOTTY;
     }
+
+    /// How many bytes of it can be mapped into memory; 0: none.
+    virtual std::size_t mapped_size(const std::string& /*name*/) const { return 0; }
+    /// These bytes of what is mapped.
+    virtual void read_mapped(const std::string& /*name*/, std::size_t /*from*/, std::size_t /*size*/, char* /*bytes*/) {
+    }
+    /// `changed` is to be called when what is mapped is no longer what has been read of it.
+    virtual void tell_changes(std::function<void(const std::string& name)> /*changed*/) {}
 };
 
 }  // namespace nezumi::fakes

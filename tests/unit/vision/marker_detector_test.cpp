@@ -60,6 +60,18 @@ TEST_CASE("what a picture shows is published after the camera's and the detector
     CHECK(watch.pos().position.x == Approx(1).margin(0.005));
 }
 
+TEST_CASE("a picture and its intrinsics are stamped with the time of its exposure", "[vision][camera]") {
+    Watch watch(one_marker(), {}, {{"latency", 0.05}, {"frame_rate", 10.0}});
+    watch.run(10);  // a tick before the second exposure
+    const Component& eye = *watch.system.find("eye");
+    CHECK(eye.find_out_port("out")->count() == 1);
+    CHECK(eye.find_out_port("out")->tm() == 0);
+    watch.run(8);
+    CHECK(eye.find_out_port("out")->count() == 2);
+    CHECK(eye.find_out_port("out")->tm() == Approx(0.1));
+    CHECK(eye.find_out_port("intrinsics")->tm() == Approx(0.1));
+}
+
 TEST_CASE("without latency everything comes in the tick of the picture", "[vision][detector]") {
     Watch watch(one_marker(), {{"latency", 0.0}}, {{"latency", 0.0}});
     watch.run(1);
@@ -182,6 +194,20 @@ TEST_CASE("what a lens distorts is found where it is", "[vision][detector]") {
     blind.run(20);
     REQUIRE(blind.visible());
     CHECK(std::abs(blind.pos().position.x - at.x) > 0.01);
+}
+
+TEST_CASE("a lens' distortion is taken out where that is asked for, and measured focal lengths are the camera's",
+          "[vision][camera]") {
+    const Point3D at{0.7, 0.2, 0.2};
+    Watch watch(one_marker(at), {},
+                {{"k1", -0.3}, {"k2", 0.1}, {"undistort", true}, {"fx", 500.0}, {"fy", 505.0}, {"cx", 330.0}});
+    watch.run(20);
+    const auto& seen = static_cast<const OutPort<CameraIntrinsics>&>(
+        *std::as_const(*watch.system.find("eye")).find_out_port("intrinsics"));
+    CHECK(seen.read() == CameraIntrinsics{.width = 640, .height = 480, .fx = 500, .fy = 505, .cx = 330, .cy = 239.5});
+    REQUIRE(watch.visible());
+    CHECK(watch.pos().position.x == Approx(at.x).margin(0.004));
+    CHECK(watch.pos().position.y == Approx(at.y).margin(0.003));
 }
 
 TEST_CASE("a picture of another size than its intrinsics' is told, and nothing is seen in it", "[vision][detector]") {

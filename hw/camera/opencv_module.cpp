@@ -1,0 +1,120 @@
+// The module for cameras: OpenCV's capture by Video4Linux. The one place that needs its videoio.
+#include <cstdint>
+#include <memory>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "hw/camera/module.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+class OpencvCapture final : public Capture {
+public:
+    OpencvCapture(const std::string& node, const CaptureSettings& settings) : settings_(settings) {
+        captures_.emplace_back();
+        // What does not work, a line of ours says, once.
+        cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+        if (!device().open(node, cv::CAP_V4L2)) return;
+        device().set(cv::CAP_PROP_FRAME_WIDTH, settings.width);
+        device().set(cv::CAP_PROP_FRAME_HEIGHT, settings.height);
+        device().set(cv::CAP_PROP_FPS, settings.frame_rate);
+        // The newest frame is wanted: what waits behind it is old.
+        device().set(cv::CAP_PROP_BUFFERSIZE, 2);
+        if (settings.undistort) make_maps();
+    }
+
+    bool is_open() const { return captures_.front().isOpened(); }
+    cv::Size size() const {
+        const cv::VideoCapture& device = captures_.front();
+        return {static_cast<int>(device.get(cv::CAP_PROP_FRAME_WIDTH)),
+                static_cast<int>(device.get(cv::CAP_PROP_FRAME_HEIGHT))};
+    }
+
+    Wait wait(double seconds) override {
+        try {
+            // OpenCV's own reading waits for 10 s when no frame comes. This grabs the frame as well.
+            const std::int64_t begin = cv::getTickCount();
+            std::vector<int> ready;
+            if (cv::VideoCapture::waitAny(captures_, ready, static_cast<std::int64_t>(seconds * 1e9)))
+                return Wait::frame;
+            // A device that has gone keeps nobody waiting.
+            const double waited = static_cast<double>(cv::getTickCount() - begin) / cv::getTickFrequency();
+            return waited < seconds / 2 ? Wait::failed : Wait::nothing;
+        } catch (const cv::Exception&) {
+            return Wait::failed;
+        }
+    }
+
+    double frame_time() const override { return captures_.front().get(cv::CAP_PROP_POS_MSEC) / 1000; }
+
+    bool take(std::vector<std::uint8_t>& pixels) override {
+        try {
+            if (!device().retrieve(frame_) || frame_.cols != settings_.width || frame_.rows != settings_.height)
+                return false;
+            pixels.resize(static_cast<std::size_t>(settings_.width) * settings_.height * (settings_.color ? 3 : 1));
+            cv::Mat picture(frame_.size(), settings_.color ? CV_8UC3 : CV_8UC1, pixels.data());
+            const cv::Mat* whole = &frame_;
+            if (settings_.undistort) {
+                cv::remap(frame_, straight_, places_, weights_, cv::INTER_LINEAR);
+                whole = &straight_;
+            }
+            cv::cvtColor(*whole, picture, settings_.color ? cv::COLOR_BGR2RGB : cv::COLOR_BGR2GRAY);
+            return picture.data == pixels.data();
+        } catch (const cv::Exception&) {
+            return false;
+        }
+    }
+
+private:
+    cv::VideoCapture& device() { return captures_.front(); }
+    void make_maps() {
+        const CameraIntrinsics& lens = settings_.lens;
+        const cv::Matx33d matrix(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
+        const cv::Vec<double, 5> distortion(lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
+        cv::initUndistortRectifyMap(matrix, distortion, cv::noArray(), matrix, {settings_.width, settings_.height},
+                                    CV_16SC2, places_, weights_);
+    }
+
+    const CaptureSettings settings_;
+    std::vector<cv::VideoCapture> captures_;  // the one, as `waitAny` wants it
+    cv::Mat frame_, straight_;                // kept for their memory
+    cv::Mat places_, weights_;
+};
+
+std::unique_ptr<Capture> open(const std::string& node, const CaptureSettings& settings, std::string& problem) {
+    try {
+        auto capture = std::make_unique<OpencvCapture>(node, settings);
+        if (!capture->is_open()) {
+            problem =
+                node + ": it gives no pictures that OpenCV can read. v4l2-ctl --list-formats-ext shows what it has";
+            return nullptr;
+        }
+        if (const cv::Size size = capture->size(); size != cv::Size(settings.width, settings.height)) {
+            problem = cv::format(
+                "%s: it gives %d x %d pixels, not %d x %d: set width = %d and height = %d, or another size that it "
+                "has: "
+                "v4l2-ctl --list-formats-ext",
+                node.c_str(), size.width, size.height, settings.width, settings.height, size.width, size.height);
+            return nullptr;
+        }
+        return capture;
+    } catch (const std::exception& thrown) {
+        problem = node + ": " + thrown.what();
+        return nullptr;
+    }
+}
+
+}  // namespace
+
+}  // namespace nezumi::hw
+
+extern "C" __attribute__((visibility("default"))) nezumi::hw::OpenInModule nezumi_open_camera;
+
+nezumi::hw::Capture* nezumi_open_camera(const std::string& node, const nezumi::hw::CaptureSettings& settings,
+                                        std::string& problem) {
+    return nezumi::hw::open(node, settings, problem).release();
+}
