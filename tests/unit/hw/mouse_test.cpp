@@ -144,7 +144,8 @@ TEST_CASE("a control loop that stalls leaves the wheels standing until it comman
         sleep_for(0.01);
     }
     CHECK_FALSE(has_moved);
-    mouse.run(0.8, {.vx = 0.1});
+    CHECK(mouse.run(3, {.vx = 0.1}, [&] { return fake.moves(); }));
+    INFO(mouse.all_log() << fake.say("log"));
     CHECK(fake.moves());
 }
 
