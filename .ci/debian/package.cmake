@@ -67,8 +67,8 @@ moment it is saved. Robots are simulated; a Raspberry Pi Mouse and a LEGO EV3
 run the same file. With scenario tests, a console, and a service that starts
 a system when the robot is switched on.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-# The second makes the service's user.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "systemd | systemd-standalone-sysusers | systemd-sysusers")
+# Python is for nezumi.py, systemd-sysusers makes the service's user.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "python3, systemd | systemd-standalone-sysusers | systemd-sysusers")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "alsa-utils, espeak-ng, openssh-client, rsync")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libreoffice-calc, polkitd, python3-uno")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm ${debian}/postrm ${debian}/conffiles)
