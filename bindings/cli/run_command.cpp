@@ -18,6 +18,7 @@
 #include "bindings/cli/real_time.hpp"
 #include "bindings/cli/recorder.hpp"
 #include "bindings/cli/run_console.hpp"
+#include "bindings/cli/run_devices.hpp"
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/run_journal.hpp"
 #include "bindings/cli/run_loop.hpp"
@@ -90,6 +91,11 @@ public:
           screen_(!options_.headless && !prompt_ && isatty(STDERR_FILENO) != 0) {}
 
     Expected<int> operator()() {
+        if (options_.hardware) {
+            auto devices = RunDevices::open(*options_.hardware);
+            if (!devices) return Unexpected(devices.error());
+            devices_.emplace(std::move(*devices));
+        }
         auto live = journal_.load(options_, live_options());
         if (!live) return Unexpected(why_no_system(live.error()));
         live_ = std::move(*live);
@@ -115,6 +121,7 @@ public:
         if (auto open = options_.replay.empty() ? open_console() : Expected<void>(); !open)
             return Unexpected(open.error());
         if (recorder_ || !options_.picture.empty()) loop.after_tick([this, &loop] { keep_trace(loop); });
+        if (devices_) devices_->follow(loop, [this](const std::string& line) { say(line); });
         if (options_.real_time) {
             real_time_.emplace();
             say(real_time_->told());
@@ -123,6 +130,7 @@ public:
         const auto begin = Pacer::Clock::now();
         loop.run();
         const std::string how = summary(loop, Pacer::Clock::now() - begin);
+        if (devices_) devices_->end();
         journal_.stop();
         if (journal_.error()) return give_up(*journal_.error());
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
@@ -155,7 +163,7 @@ private:
                       }};
         live.budget = options_.headless ? headless_budget : paced_budget;
         live.watch = !options_.headless;
-        if (options_.hardware) use_hardware(live, *options_.hardware);
+        if (devices_) use_hardware(live, *options_.hardware, devices_->roots());
         live.print = [this](std::string_view line) { say(std::string(line)); };
         return live;
     }
@@ -222,6 +230,7 @@ private:
         if (!options_.batch) screen_.say(how);
         const bool cut_off = options_.batch && loop_->interrupted();
         int status = (!console_ || console_->all_well()) && !cut_off ? kDone : kFailed;
+        if (devices_ && !devices_->finish()) status = kFailed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;
             screen_.say(
@@ -239,6 +248,7 @@ private:
     bool prompt_;
     Screen screen_;  // before all that speaks through it
     Problems problems_;
+    std::optional<RunDevices> devices_;
     RunJournal journal_;  // its files outlive the system
     std::unique_ptr<LiveSystem> live_;
     std::optional<Recorder> recorder_;

@@ -177,12 +177,12 @@ Expected<void> add_twins(SystemSpec& spec) {
     return {};
 }
 
-void use_hardware(LiveOptions& live, const Hardware& hardware) {
-    const hw::DeviceRoots roots{.dev = hardware.dev_root, .sys = hardware.sys_root};
+void use_hardware(LiveOptions& live, const Hardware& hardware, const hw::DeviceRoots& roots) {
     live.bodies = hw::drivers(roots);
     auto drivers = hw::device_drivers(roots);
     for (const auto& [type, by_backend] : drivers) live.components[type].insert(by_backend.begin(), by_backend.end());
-    live.prepare = [hardware, drivers = std::move(drivers), serial = serial_number(hardware.sys_root),
+    live.prepare = [hardware, drivers = std::move(drivers),
+                    serial = roots.files->are_real() ? serial_number(hardware.sys_root) : "",
                     files = LiveOptions{.installed = live.installed, .files = live.files}](SystemSpec& spec) {
         auto ready = choose_drivers(spec, hardware.robots, drivers);
         if (ready) ready = use_calibrations(spec, files, serial);

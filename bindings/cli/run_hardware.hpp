@@ -10,6 +10,7 @@
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/system/system_spec.hpp"
+#include "hw/device/roots.hpp"
 
 namespace nezumi::cli {
 
@@ -20,7 +21,9 @@ struct Hardware {
     std::vector<std::string> robots;  ///< and devices that are real; empty: all that the file does not keep simulated
     std::string dev_root = "/dev";
     std::string sys_root = "/sys";
-    bool twins = false;  ///< each real robot has its twin
+    bool twins = false;      ///< each real robot has its twin
+    std::string device_log;  ///< is written; "": none
+    std::string played_log;  ///< stands for the robots; "": none
 };
 
 /// Gives the real robots of a system the drivers that their models name, and its real devices the usual one of their
@@ -41,8 +44,8 @@ Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const
 /// An error when there is no real robot, or when such a name is taken.
 Expected<void> add_twins(SystemSpec& spec);
 
-/// Has systems made with real robots, at real time.
-void use_hardware(LiveOptions& live, const Hardware& hardware);
+/// Has systems made with real robots, at real time, that are reached by `roots`.
+void use_hardware(LiveOptions& live, const Hardware& hardware, const hw::DeviceRoots& roots);
 
 /// Where a real robot's model names a start button, nothing moves before it has been pressed.
 class StartButtons {

@@ -49,7 +49,10 @@ Expected<std::vector<std::string>> split(std::string_view option, std::string_vi
 // What real robots need, and what can't be had with them.
 Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     if (words.hw.text.empty()) {
-        for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root}, {"--sys-root", words.sys_root}}) {
+        for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},
+                                            {"--sys-root", words.sys_root},
+                                            {"--device-log", words.device_log},
+                                            {"--device-log-play", words.played_log}}) {
             if (!given.empty()) return failure(fmt::format("{} is for real robots: give --hw as well", option));
         }
         if (words.twin) return failure("--twin is for real robots: give --hw as well");
@@ -58,6 +61,12 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     for (const auto& [option, given] :
          {std::pair{"--speed", !words.speed.empty()}, {"--batch", words.batch}, {"--replay", !words.replay.empty()}}) {
         if (given) return failure(fmt::format("--hw: real robots know only real time: leave out {}", option));
+    }
+    for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},
+                                        {"--sys-root", words.sys_root},
+                                        {"--device-log", words.device_log}}) {
+        if (!words.played_log.empty() && !given.empty())
+            return failure(fmt::format("--device-log-play: no device is used: leave out {}", option));
     }
     if (words.twin && !words.threads.empty())
         return failure("--twin: the real robot and its twin share a thread: leave out --threads");
@@ -69,6 +78,8 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     }
     if (!words.dev_root.empty()) hardware.dev_root = words.dev_root;
     if (!words.sys_root.empty()) hardware.sys_root = words.sys_root;
+    hardware.device_log = words.device_log;
+    hardware.played_log = words.played_log;
     return hardware;
 }
 
@@ -110,6 +121,9 @@ std::vector<Option> run_options(RunWords& words) {
         {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
         {"--dev-root", &words.dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
         {"--sys-root", &words.sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
+        {"--device-log", &words.device_log, "with --hw: write all that the robots' drivers read and write", "FILE"},
+        {"--device-log-play", &words.played_log,
+         "with --hw: a device log stands for the robots, and what is written now is compared with it", "FILE"},
     };
 }
 

@@ -17,7 +17,7 @@ namespace nezumi::cli {
 struct RunWords {
     std::string file;
     std::string speed, duration, seed, threads, picture, record, ports, sounds, journal, replay;
-    std::string dev_root, sys_root;
+    std::string dev_root, sys_root, device_log, played_log;
     FlagText hw;
     bool headless = false;
     bool batch = false;

@@ -82,7 +82,7 @@ Expected<void> choose_robots(const TestOptions& command, SessionOptions& options
     }
     options.systems = [hardware, sockets = std::move(*sockets)] {
         LiveOptions live = simulated_systems();
-        use_hardware(live, hardware);
+        use_hardware(live, hardware, {.dev = hardware.dev_root, .sys = hardware.sys_root});
         live.rig = [sockets](const SystemSpec& spec) { return hw::open_rig(spec, sockets); };
         return live;
     };

@@ -7,9 +7,9 @@
 
 namespace nezumi::hw {
 
-Lights::Lights(const std::vector<std::string>& nodes, std::string on, Advice advice)
+Lights::Lights(const std::vector<DevicePath>& nodes, std::string on, Advice advice)
     : on_(std::move(on)), advice_(advice), is_on_(nodes.size(), false), wanted_(nodes.size(), false) {
-    for (const std::string& node : nodes) nodes_.emplace_back(node, Node::Access::write);
+    for (const DevicePath& node : nodes) nodes_.emplace_back(node, Node::Access::write);
 }
 
 void Lights::set(const std::vector<bool>& on) {

@@ -17,7 +17,7 @@ public:
     using Advice = std::string (*)(const NodeError& error);
 
     /// A node for each LED, which takes the text `on` or "0".
-    Lights(const std::vector<std::string>& nodes, std::string on, Advice advice);
+    Lights(const std::vector<DevicePath>& nodes, std::string on, Advice advice);
 
     /// From the control loop: the newest counts. LEDs that are not named stay as they are.
     void set(const std::vector<bool>& on);

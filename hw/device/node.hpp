@@ -1,9 +1,12 @@
 // A device's file: kept open, every return value looked at.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+
+#include "hw/device/files.hpp"
 
 namespace nezumi::hw {
 
@@ -20,30 +23,26 @@ std::string describe(const NodeError& error);
 /// in its place is truncated before each write. Not for two threads at once.
 class Node {
 public:
-    enum class Access { read, write };
+    using Access = hw::Access;
 
-    Node(std::string path, Access access) : path_(std::move(path)), access_(access) {}
-    ~Node() { close(); }
-    Node(Node&& other) noexcept;
-    Node& operator=(Node&&) = delete;
+    Node(DevicePath path, Access access) : path_(std::move(path)), access_(access) {}
 
     tl::expected<void, NodeError> open();
-    void close();
+    void close() { file_.reset(); }
     /// What it says, from its beginning: at most 255 bytes, good until the next call.
     tl::expected<std::string_view, NodeError> read();
     /// Writes all of the text at once. A device that took less of it failed (EIO).
     tl::expected<void, NodeError> write(std::string_view text);
 
-    const std::string& path() const { return path_; }
+    const std::string& path() const { return path_.text(); }
 
 private:
     tl::unexpected<NodeError> failed(int code);
 
-    std::string path_;
+    DevicePath path_;
     Access access_;
-    int file_ = -1;
-    bool is_plain_ = false;
-    char buffer_[256]{};  // some drivers write past a buffer of less than 64 bytes
+    std::unique_ptr<OpenFile> file_;  // null: it is not open
+    char buffer_[256]{};              // some drivers write past a buffer of less than 64 bytes
 };
 
 }  // namespace nezumi::hw

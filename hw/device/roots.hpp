@@ -1,13 +1,20 @@
 // Where devices are: /dev and /sys, or folders that stand for them.
 #pragma once
 
+#include <memory>
 #include <string>
+
+#include "hw/device/files.hpp"
 
 namespace nezumi::hw {
 
 struct DeviceRoots {
     std::string dev = "/dev";
     std::string sys = "/sys";
+    std::shared_ptr<DeviceFiles> files = kernel_files();  ///< through which drivers reach them
+
+    DevicePath in_dev() const { return {dev, files}; }
+    DevicePath in_sys() const { return {sys, files}; }
 };
 
 }  // namespace nezumi::hw

@@ -1,10 +1,7 @@
 // EVIOCGKEY of the keys' event device.
 #include "hw/ev3/brick_keys.hpp"
 
-#include <fcntl.h>
-#include <linux/input.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
+#include <linux/input-event-codes.h>
 
 #include <cerrno>
 #include <utility>
@@ -25,39 +22,36 @@ std::string why_not(const std::string& node, int code) {
 
 }  // namespace
 
-BrickKeys::BrickKeys(const std::string& dev)
+BrickKeys::BrickKeys(const DevicePath& dev)
     : Sampler("keys", period),
       nodes_{dev + "/input/by-path/platform-gpio_keys-event", dev + "/input/by-path/platform-gpio-keys.0-event"} {}
 
-BrickKeys::~BrickKeys() {
-    if (file_ >= 0) close(file_);
-}
-
 tl::expected<void, std::string> BrickKeys::open() {
     std::string why;
-    for (const std::string& node : nodes_) {
-        file_ = ::open(node.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-        if (file_ >= 0) {
-            node_ = node;
+    for (const DevicePath& node : nodes_) {
+        auto file = node.files().open(node.text(), Access::read);
+        if (file) {
+            file_ = std::move(*file);
+            node_ = node.text();
             return {};
         }
-        if (why.empty() || errno != ENOENT) why = why_not(node, errno);
+        if (why.empty() || file.error() != ENOENT) why = why_not(node.text(), file.error());
     }
     return tl::unexpected(why);
 }
 
 tl::expected<std::optional<BrickKeyValues>, std::string> BrickKeys::sample(double /*now*/) {
-    if (file_ < 0) {
+    if (!file_) {
         if (auto ok = open(); !ok) return tl::unexpected(ok.error());
     }
-    std::array<unsigned char, KEY_MAX / 8 + 1> down{};
-    if (ioctl(file_, EVIOCGKEY(sizeof down), down.data()) < 0) {
-        const int code = errno;
-        close(std::exchange(file_, -1));
-        return tl::unexpected(why_not(node_, code));
+    std::array<char, KEY_MAX / 8 + 1> down{};
+    if (const auto length = file_->keys(down); !length) {
+        file_.reset();
+        return tl::unexpected(why_not(node_, length.error()));
     }
     BrickKeyValues pressed{};
-    for (std::size_t i = 0; i < codes.size(); ++i) pressed[i] = (down[codes[i] / 8] >> (codes[i] % 8) & 1) != 0;
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        pressed[i] = (static_cast<unsigned char>(down[codes[i] / 8]) >> (codes[i] % 8) & 1) != 0;
     return pressed;
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "hw/device/files.hpp"
 #include "hw/device/sampler.hpp"
 
 namespace nezumi::hw {
@@ -20,8 +22,7 @@ using BrickKeyValues = std::array<bool, brick_keys.size()>;
 class BrickKeys final : public Sampler<BrickKeyValues> {
 public:
     /// `dev` stands for /dev.
-    explicit BrickKeys(const std::string& dev);
-    ~BrickKeys() override;
+    explicit BrickKeys(const DevicePath& dev);
 
     static constexpr double period = 0.03;  ///< [s] between readings
 
@@ -31,9 +32,9 @@ protected:
 private:
     tl::expected<void, std::string> open();
 
-    const std::array<std::string, 2> nodes_;  // of newer systems and of older ones
-    std::string node_;                        // the one that is open
-    int file_ = -1;
+    const std::array<DevicePath, 2> nodes_;  // of newer systems and of older ones
+    std::string node_;                       // the one that is open
+    std::unique_ptr<OpenFile> file_;
 };
 
 }  // namespace nezumi::hw

@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <charconv>
-#include <filesystem>
 #include <system_error>
 
 #include "engine/base/error.hpp"
@@ -19,7 +18,7 @@ std::string_view without_newline(std::string_view text) {
 }
 
 // "" when it can't be read: the device has gone meanwhile.
-std::string read_line(const std::string& path) {
+std::string read_line(const DevicePath& path) {
     Node node(path, Node::Access::read);
     const auto text = node.read();
     return text ? std::string(without_newline(*text)) : "";
@@ -33,14 +32,14 @@ std::string_view port_of(std::string_view address) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> DeviceClass::find(std::string_view driver, std::string_view port) const {
-    std::error_code error;
-    std::filesystem::directory_iterator devices(folder_, error);
-    if (error)
-        return tl::unexpected(describe(NodeError{folder_, error.value()}) + ": is this an EV3 brick with ev3dev?");
+tl::expected<DevicePath, std::string> DeviceClass::find(std::string_view driver, std::string_view port) const {
+    const auto devices = folder_.files().list(folder_.text());
+    if (!devices)
+        return tl::unexpected(describe(NodeError{folder_.text(), devices.error()}) +
+                              ": is this an EV3 brick with ev3dev?");
     std::string other;
-    for (; !error && devices != std::filesystem::directory_iterator(); devices.increment(error)) {
-        const std::string folder = devices->path().string();
+    for (const std::string& device : *devices) {
+        const DevicePath folder = folder_ + "/" + device;
         const std::string there = read_line(folder + "/driver_name"), address = read_line(folder + "/address");
         const bool is_port = port.empty() || port_of(address) == port;
         if (is_port && there == driver) return folder;

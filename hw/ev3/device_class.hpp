@@ -13,15 +13,15 @@ namespace nezumi::hw {
 /// it, whose number grows with every plugging in.
 class DeviceClass {
 public:
-    explicit DeviceClass(std::string folder) : folder_(std::move(folder)) {}
+    explicit DeviceClass(DevicePath folder) : folder_(std::move(folder)) {}
 
     /// The folder of the device with this driver ("lego-ev3-gyro") at this port ("in2"; "": at any). An error says what
     /// is there instead, and what to do.
-    tl::expected<std::string, std::string> find(std::string_view driver, std::string_view port) const;
-    const std::string& folder() const { return folder_; }
+    tl::expected<DevicePath, std::string> find(std::string_view driver, std::string_view port) const;
+    const DevicePath& folder() const { return folder_; }
 
 private:
-    std::string folder_;
+    DevicePath folder_;
 };
 
 /// Why a node of the brick does not work, with what to do.

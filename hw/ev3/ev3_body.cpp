@@ -91,10 +91,10 @@ Expected<void> check(const RobotSpec& spec) {
     return {};
 }
 
-std::vector<std::string> led_nodes(const std::string& sys) {
-    std::vector<std::string> nodes;
+std::vector<DevicePath> led_nodes(const DevicePath& sys) {
+    std::vector<DevicePath> nodes;
     for (const char* led : {"led0:red", "led0:green", "led1:red", "led1:green"})
-        nodes.push_back(fmt::format("{}/class/leds/{}:brick-status/brightness", sys, led));
+        nodes.push_back(sys + fmt::format("/class/leds/{}:brick-status/brightness", led));
     return nodes;
 }
 
@@ -119,7 +119,7 @@ std::optional<Rgb> floor_seen(const SensorValues& values) {
 
 Expected<std::unique_ptr<RobotBody>> Ev3Body::make(const RobotSpec& spec, const DeviceRoots& roots) {
     if (auto ok = check(spec); !ok) return Unexpected(ok.error());
-    const std::string motors = roots.sys + "/class/tacho-motor";
+    const DevicePath motors = roots.in_sys() + "/class/tacho-motor";
     const auto index = servo_of(spec);
     std::shared_ptr<ServoMotor> servo;
     std::vector<std::string> others;
@@ -146,9 +146,9 @@ Ev3Body::Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_pt
       servo_index_(servo_index),
       wheels_(std::move(wheels)),
       servo_(std::move(servo)),
-      lights_(std::make_shared<Lights>(led_nodes(roots.sys), "255", with_ev3_advice)),
-      screen_(std::make_shared<Screen>(roots.dev + "/fb0", roots.sys + "/class/graphics/fb0")),
-      battery_(std::make_shared<Battery>(roots.sys + "/class/power_supply")),
+      lights_(std::make_shared<Lights>(led_nodes(roots.in_sys()), "255", with_ev3_advice)),
+      screen_(std::make_shared<Screen>(roots.in_dev() + "/fb0", roots.in_sys() + "/class/graphics/fb0")),
+      battery_(std::make_shared<Battery>(roots.in_sys() + "/class/power_supply")),
       loudspeaker_(spec),
       wheels_worker_(wheels_),
       lights_worker_(lights_),
@@ -159,13 +159,13 @@ Ev3Body::Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_pt
         if (const auto key = key_of(spec.sensors[i])) keys_of_.emplace_back(i, *key);
     }
     if (!keys_of_.empty()) {
-        keys_ = std::make_shared<BrickKeys>(roots.dev);
+        keys_ = std::make_shared<BrickKeys>(roots.in_dev());
         keys_worker_.emplace(keys_);
     }
-    add_sensors(roots.sys + "/class/lego-sensor");
+    add_sensors(roots.in_sys() + "/class/lego-sensor");
 }
 
-void Ev3Body::add_sensors(const std::string& folder) {
+void Ev3Body::add_sensors(const DevicePath& folder) {
     const auto devices = devices_of(spec_);
     for (std::size_t i = 0; i < devices.size(); ++i) {
         const SensorSpec& sensor = spec_.sensors[i];

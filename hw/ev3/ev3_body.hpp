@@ -73,7 +73,7 @@ private:
     };
     Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<WheelMotors> wheels,
             std::shared_ptr<ServoMotor> servo, std::size_t servo_index);
-    void add_sensors(const std::string& folder);
+    void add_sensors(const DevicePath& folder);
     void read(std::size_t sensor, const SensorValues& values);
     bool is_touch_elsewhere(std::size_t sensor) const;
     void read_keys(const Time& now, double clock);

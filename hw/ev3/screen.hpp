@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/ports/messages.hpp"
+#include "hw/device/files.hpp"
 #include "hw/device/health.hpp"
 #include "hw/device/worker.hpp"
 
@@ -27,7 +28,7 @@ std::string paint_screen(const CameraImage& picture, const ScreenFormat& format)
 class Screen final : public Job {
 public:
     /// `frame_buffer` is "/dev/fb0"; `properties` the folder that says what it is, "/sys/class/graphics/fb0".
-    Screen(std::string frame_buffer, std::string properties)
+    Screen(DevicePath frame_buffer, DevicePath properties)
         : frame_buffer_(std::move(frame_buffer)), properties_(std::move(properties)) {}
 
     /// From the control loop: the newest counts.
@@ -39,7 +40,7 @@ public:
 private:
     ScreenFormat format() const;
 
-    const std::string frame_buffer_, properties_;
+    const DevicePath frame_buffer_, properties_;
     Health health_{"screen"};
     std::mutex mutex_;  // held for a copy at most
     std::optional<CameraImage> newest_;

@@ -9,7 +9,7 @@ namespace nezumi::hw {
 
 using Access = Node::Access;
 
-ModeSensor::Nodes::Nodes(const std::string& folder)
+ModeSensor::Nodes::Nodes(const DevicePath& folder)
     : get_mode(folder + "/mode", Access::read),
       set_mode(folder + "/mode", Access::write),
       decimals(folder + "/decimals", Access::read),
@@ -64,7 +64,7 @@ tl::expected<std::optional<SensorValues>, std::string> ModeSensor::sample(double
     return sensed;
 }
 
-Battery::Battery(const std::string& folder)
+Battery::Battery(const DevicePath& folder)
     : Sampler("battery", 0.2),
       voltage_(folder + "/lego-ev3-battery/voltage_now", Access::read),
       design_(folder + "/lego-ev3-battery/voltage_min_design", Access::read) {}

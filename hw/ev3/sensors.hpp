@@ -30,7 +30,7 @@ struct SensorValues {
 class ModeSensor final : public Sampler<SensorValues> {
 public:
     /// `folder` of the class lego-sensor; `port` as "in3", "": any; `name` as a person calls it.
-    ModeSensor(std::string name, const std::string& folder, SensorMode mode, std::string port)
+    ModeSensor(std::string name, const DevicePath& folder, SensorMode mode, std::string port)
         : Sampler(std::move(name), period), class_(folder), mode_(mode), port_(std::move(port)) {}
 
     static constexpr double period = 0.02;  ///< [s] between readings
@@ -47,7 +47,7 @@ protected:
 
 private:
     struct Nodes {
-        explicit Nodes(const std::string& folder);
+        explicit Nodes(const DevicePath& folder);
         Node get_mode, set_mode, decimals;
         std::array<Node, 3> values;
     };
@@ -69,7 +69,7 @@ private:
 class Battery final : public Sampler<double> {
 public:
     /// `folder` of the class power_supply.
-    explicit Battery(const std::string& folder);
+    explicit Battery(const DevicePath& folder);
 
     /// Low is below the least voltage that it was made for (`voltage_min_design`, or else 6.2 V, that of six alkaline
     /// cells) for so long [s], until it is `margin` [V] above.

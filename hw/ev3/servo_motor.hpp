@@ -17,7 +17,7 @@ namespace nezumi::hw {
 class ServoMotor final : public Job {
 public:
     /// `folder` of the class tacho-motor; `name` as a person calls it: "medium motor 'arm'".
-    ServoMotor(const std::string& folder, const std::string& port, std::string name)
+    ServoMotor(const DevicePath& folder, const std::string& port, std::string name)
         : motor_(folder, "lego-ev3-m-motor", port), health_(std::move(name)) {}
 
     /// Looks for it before the thread begins; returns the node for commands, "" when it is not there.

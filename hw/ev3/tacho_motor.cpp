@@ -11,7 +11,7 @@ namespace nezumi::hw {
 
 using Access = Node::Access;
 
-TachoMotor::Nodes::Nodes(const std::string& folder)
+TachoMotor::Nodes::Nodes(const DevicePath& folder)
     : command(folder + "/command", Access::write),
       speed(folder + "/speed_sp", Access::write),
       target(folder + "/position_sp", Access::write),
@@ -19,7 +19,7 @@ TachoMotor::Nodes::Nodes(const std::string& folder)
       after_stop(folder + "/stop_action", Access::write),
       position(folder + "/position", Access::read) {}
 
-TachoMotor::TachoMotor(const std::string& folder, std::string driver, std::string port)
+TachoMotor::TachoMotor(const DevicePath& folder, std::string driver, std::string port)
     : class_(folder), driver_(std::move(driver)), port_(std::move(port)) {}
 
 tl::expected<void, std::string> TachoMotor::find() {
@@ -37,7 +37,7 @@ tl::expected<void, std::string> TachoMotor::find() {
             return tl::unexpected(with_ev3_advice(ok.error()));
         }
     }
-    command_node_ = nodes_->command.path();
+    folder_ = *folder;
     fastest_ = static_cast<int>(*speed);
     pulses_per_turn_ = static_cast<int>(std::max(1LL, *pulses));
     after_stop_ = AfterStop::unknown;
@@ -68,9 +68,8 @@ tl::expected<void, std::string> TachoMotor::set_after_stop(AfterStop wanted) {
 tl::expected<void, std::string> TachoMotor::prepare() {
     if (auto ok = coast(); !ok) return ok;
     // Other programs may have left these; a ramp would lengthen the way to a stop.
-    const std::string folder = command_node_.substr(0, command_node_.rfind('/'));
     for (const auto& [name, text] : {std::pair("ramp_up_sp", "0"), {"ramp_down_sp", "0"}, {"polarity", "normal"}}) {
-        Node node(fmt::format("{}/{}", folder, name), Access::write);
+        Node node(folder_ + "/" + name, Access::write);
         if (auto ok = write(node, text); !ok) return ok;
     }
     return write(nodes_->time, std::to_string(std::lround(dead_man * 1e3)));

@@ -14,14 +14,14 @@ namespace nezumi::hw {
 class TachoMotor {
 public:
     /// `folder` of the class; `driver` as "lego-ev3-l-motor"; `port` as "outB".
-    TachoMotor(const std::string& folder, std::string driver, std::string port);
+    TachoMotor(const DevicePath& folder, std::string driver, std::string port);
 
     /// Looks for it; writes nothing.
     tl::expected<void, std::string> find();
     /// Whether it was found, and nothing has failed since.
     bool is_found() const { return nodes_.has_value(); }
     /// The node that takes "stop" of the motor that was found last.
-    const std::string& command_node() const { return command_node_; }
+    std::string command_node() const { return (folder_ + "/command").text(); }
 
     /// Lets it roll freely, without ramps, forward positive.
     tl::expected<void, std::string> prepare();
@@ -45,7 +45,7 @@ public:
 private:
     enum class AfterStop { unknown, hold, coast };
     struct Nodes {
-        explicit Nodes(const std::string& folder);
+        explicit Nodes(const DevicePath& folder);
         Node command, speed, target, time, after_stop, position;
     };
     std::string lost(const std::string& why);
@@ -55,7 +55,7 @@ private:
     DeviceClass class_;
     const std::string driver_, port_;
     std::optional<Nodes> nodes_;
-    std::string command_node_;
+    DevicePath folder_{""};  // of the one that was found last
     AfterStop after_stop_ = AfterStop::unknown;
     int fastest_ = 0;  // [pulses/s]
     int pulses_per_turn_ = 360;

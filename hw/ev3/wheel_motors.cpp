@@ -15,7 +15,7 @@ constexpr double tell_again = TachoMotor::dead_man / 2;  // [s]
 
 }  // namespace
 
-Expected<std::shared_ptr<WheelMotors>> WheelMotors::make(const std::string& folder,
+Expected<std::shared_ptr<WheelMotors>> WheelMotors::make(const DevicePath& folder,
                                                          const std::array<std::string, 2>& ports, double acceleration,
                                                          const std::vector<std::string>& others) {
     std::shared_ptr<WheelMotors> motors(new WheelMotors(folder, ports, acceleration));

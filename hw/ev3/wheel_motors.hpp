@@ -35,7 +35,7 @@ public:
     /// commands. `folder` is the class's; `ports` of the left motor and the right; `acceleration` [pulses/s^2] that the
     /// limits allow a wheel. An error, with what to do, when a motor is missing, and nothing has been written, or when
     /// another program drives them.
-    static Expected<std::shared_ptr<WheelMotors>> make(const std::string& folder,
+    static Expected<std::shared_ptr<WheelMotors>> make(const DevicePath& folder,
                                                        const std::array<std::string, 2>& ports, double acceleration,
                                                        const std::vector<std::string>& others);
 
@@ -51,7 +51,7 @@ public:
 
 private:
     struct Wheel {
-        Wheel(const std::string& folder, const std::string& port) : motor(folder, "lego-ev3-l-motor", port) {}
+        Wheel(const DevicePath& folder, const std::string& port) : motor(folder, "lego-ev3-l-motor", port) {}
         TachoMotor motor;
         PulseRate rate;
         enum class Told { nothing, roll, hold, run } told = Told::nothing;
@@ -59,7 +59,7 @@ private:
         double told_at = 0;  // [s] when it was last told to run
     };
 
-    WheelMotors(const std::string& folder, const std::array<std::string, 2>& ports, double acceleration)
+    WheelMotors(const DevicePath& folder, const std::array<std::string, 2>& ports, double acceleration)
         : wheels_{Wheel(folder, ports[0]), Wheel(folder, ports[1])}, acceleration_(acceleration) {}
     tl::expected<void, std::string> prepare();
     void stop_all();

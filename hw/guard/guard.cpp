@@ -15,8 +15,10 @@
 
 namespace nezumi::hw {
 
-Expected<std::unique_ptr<Guard>> Guard::start(const std::string& lease, std::vector<StopWrite> stop_writes) {
-    auto taken = Lease::take(lease);
+Expected<std::unique_ptr<Guard>> Guard::start(const DevicePath& lease, std::vector<StopWrite> stop_writes) {
+    const bool is_real = lease.files().are_real();
+    if (!is_real) stop_writes.clear();
+    auto taken = is_real ? Lease::take(lease.text()) : Lease::of_nothing();
     if (!taken) return Unexpected(taken.error());
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)

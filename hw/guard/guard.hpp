@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
+#include "hw/device/files.hpp"
 #include "hw/guard/guard_process.hpp"
 #include "hw/guard/lease.hpp"
 
@@ -19,9 +20,9 @@ namespace nezumi::hw {
 class Guard {
 public:
     /// Takes the lease on the node `lease` and forks the guard. `stop_writes` are done in this order. Call it on the
-    /// program's main thread: when the thread that called it has ended, the guard stops the motors. An error when
-    /// another program holds the lease.
-    static Expected<std::unique_ptr<Guard>> start(const std::string& lease, std::vector<StopWrite> stop_writes);
+    /// program's main thread: when the thread that called it has ended, the guard stops the motors. Where there are no
+    /// devices behind the node it stops nothing. An error when another program holds the lease.
+    static Expected<std::unique_ptr<Guard>> start(const DevicePath& lease, std::vector<StopWrite> stop_writes);
     /// The guard stops the motors once more and ends.
     ~Guard();
     Guard(const Guard&) = delete;

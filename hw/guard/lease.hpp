@@ -14,6 +14,8 @@ class Lease {
 public:
     /// An error when it can't be opened, a node for writing, or names the process that holds it.
     static Expected<Lease> take(const std::string& node);
+    /// Of a robot that is none: anybody may have one.
+    static Expected<Lease> of_nothing();
     ~Lease();
     Lease(Lease&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
     Lease& operator=(Lease&&) = delete;

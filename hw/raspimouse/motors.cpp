@@ -18,7 +18,7 @@ constexpr double attention = 0.05;  // the same while the motors have power
 
 }  // namespace
 
-Motors::Motors(const std::string& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration)
+Motors::Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration)
     : guard_(std::move(guard)),
       power_(folder + "/rtmotoren0", Node::Access::write),
       left_(folder + "/rtmotor_raw_l0", Node::Access::write),
@@ -27,17 +27,17 @@ Motors::Motors(const std::string& folder, std::unique_ptr<Guard> guard, Wheels m
       left_rate_(metres_per_pulse.left, acceleration),
       right_rate_(metres_per_pulse.right, acceleration) {}
 
-Expected<std::shared_ptr<Motors>> Motors::make(const std::string& folder, Wheels metres_per_pulse,
-                                               double acceleration) {
-    const std::string power = folder + "/rtmotoren0", left = folder + "/rtmotor_raw_l0",
-                      right = folder + "/rtmotor_raw_r0";
+Expected<std::shared_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels metres_per_pulse, double acceleration) {
+    const DevicePath power = folder + "/rtmotoren0", left = folder + "/rtmotor_raw_l0",
+                     right = folder + "/rtmotor_raw_r0";
     // All are looked at before any is written: where one is missing, nothing is touched.
-    for (const std::string& path : {power, left, right}) {
+    for (const DevicePath& path : {power, left, right}) {
         if (auto ok = Node(path, Node::Access::write).open(); !ok) return failure("motors: " + with_advice(ok.error()));
     }
     // Power first: without it nothing turns, whatever the others say.
-    auto guard =
-        Guard::start(power, {{power, encode_switch(false)}, {left, encode_number(0)}, {right, encode_number(0)}});
+    auto guard = Guard::start(
+        power,
+        {{power.text(), encode_switch(false)}, {left.text(), encode_number(0)}, {right.text(), encode_number(0)}});
     if (!guard) return Unexpected(guard.error());
     std::shared_ptr<Motors> motors(new Motors(folder, std::move(*guard), metres_per_pulse, acceleration));
     if (auto ok = motors->stop_all(); !ok) return failure("motors: " + with_advice(ok.error()));

@@ -44,7 +44,7 @@ public:
     /// Takes the motors' lease, starts the guard and has all motors stopped and without power. `folder` has the nodes.
     /// `metres_per_pulse` of the wheels' rims, `acceleration` [m/s^2] that the limits allow it. An error, with what to
     /// do, when another program drives the motors, or when motors or their power can't be written.
-    static Expected<std::shared_ptr<Motors>> make(const std::string& folder, Wheels metres_per_pulse,
+    static Expected<std::shared_ptr<Motors>> make(const DevicePath& folder, Wheels metres_per_pulse,
                                                   double acceleration);
 
     /// From the control loop, once a tick at least: whoever falls silent is stopped by the guard.
@@ -57,7 +57,7 @@ public:
     void end() override;
 
 private:
-    Motors(const std::string& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration);
+    Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration);
     /// All motors stopped and without power, whatever they were: every node is written, also after one that failed.
     tl::expected<void, NodeError> stop_all();
     bool has_guard_stopped();

@@ -12,9 +12,9 @@
 namespace nezumi::hw {
 namespace {
 
-std::vector<std::string> led_nodes(const std::string& folder) {
-    std::vector<std::string> nodes(4);
-    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = fmt::format("{}/rtled{}", folder, i);
+std::vector<DevicePath> led_nodes(const DevicePath& folder) {
+    std::vector<DevicePath> nodes;
+    for (int i = 0; i < 4; ++i) nodes.push_back(folder + fmt::format("/rtled{}", i));
     return nodes;
 }
 
@@ -80,7 +80,7 @@ Expected<std::unique_ptr<RobotBody>> MouseBody::make(const RobotSpec& spec, cons
     if (!ranges) return Unexpected(ranges.error());
     auto buttons = wire(spec, SensorSpec::Kind::button, "rtswitch", 3);
     if (!buttons) return Unexpected(buttons.error());
-    auto motors = Motors::make(roots.dev, metres_per_pulse(spec.drive), rim_acceleration(spec.drive));
+    auto motors = Motors::make(roots.in_dev(), metres_per_pulse(spec.drive), rim_acceleration(spec.drive));
     if (!motors) return Unexpected(motors.error());
     return std::unique_ptr<RobotBody>(
         new MouseBody(spec, roots, std::move(*motors), std::move(*ranges), std::move(*buttons)));
@@ -93,11 +93,11 @@ MouseBody::MouseBody(const RobotSpec& spec, const DeviceRoots& roots, std::share
       buttons_(std::move(buttons)),
       readings_(spec.sensors.size()),
       motors_(std::move(motors)),
-      counters_(std::make_shared<WheelCounters>(roots.dev, motors_->commanded())),
-      light_sensors_(std::make_shared<LightSensors>(roots.dev)),
-      switches_(std::make_shared<Switches>(roots.dev)),
-      lights_(std::make_shared<Lights>(led_nodes(roots.dev), encode_switch(true), with_advice)),
-      supply_(std::make_shared<Supply>(roots.sys + "/class/hwmon")),
+      counters_(std::make_shared<WheelCounters>(roots.in_dev(), motors_->commanded())),
+      light_sensors_(std::make_shared<LightSensors>(roots.in_dev())),
+      switches_(std::make_shared<Switches>(roots.in_dev())),
+      lights_(std::make_shared<Lights>(led_nodes(roots.in_dev()), encode_switch(true), with_advice)),
+      supply_(std::make_shared<Supply>(roots.in_sys() + "/class/hwmon")),
       loudspeaker_(spec),
       motors_worker_(motors_),
       counters_worker_(counters_),

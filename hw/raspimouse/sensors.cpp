@@ -22,7 +22,7 @@ constexpr int zeros_to_lose = 10;
 
 }  // namespace
 
-LightSensors::LightSensors(const std::string& folder)
+LightSensors::LightSensors(const DevicePath& folder)
     : Sampler("light sensors", light_period), node_(folder + "/rtlightsensor0", Access::read) {}
 
 tl::expected<std::optional<LightValues>, std::string> LightSensors::sample(double /*now*/) {
@@ -38,7 +38,7 @@ tl::expected<std::optional<LightValues>, std::string> LightSensors::sample(doubl
     return *values;
 }
 
-Switches::Switches(const std::string& folder)
+Switches::Switches(const DevicePath& folder)
     : Sampler("switches", switch_period),
       nodes_{Node(folder + "/rtswitch0", Access::read), Node(folder + "/rtswitch1", Access::read),
              Node(folder + "/rtswitch2", Access::read)} {}
@@ -55,7 +55,7 @@ tl::expected<std::optional<SwitchValues>, std::string> Switches::sample(double /
     return values;
 }
 
-WheelCounters::WheelCounters(const std::string& folder, std::shared_ptr<CommandedWheels> commanded)
+WheelCounters::WheelCounters(const DevicePath& folder, std::shared_ptr<CommandedWheels> commanded)
     : Sampler("wheel counters", counter_period),
       commanded_(std::move(commanded)),
       left_(folder + "/rtcounter_l0"),

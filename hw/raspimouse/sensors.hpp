@@ -17,7 +17,7 @@ namespace nezumi::hw {
 
 class LightSensors final : public Sampler<LightValues> {
 public:
-    explicit LightSensors(const std::string& folder);
+    explicit LightSensors(const DevicePath& folder);
 
     /// So many times `0 0 0 0` in a row is no measurement: noise alone would be more.
     static constexpr int zeros_to_doubt = 100;
@@ -35,7 +35,7 @@ using SwitchValues = std::array<bool, 3>;
 
 class Switches final : public Sampler<SwitchValues> {
 public:
-    explicit Switches(const std::string& folder);
+    explicit Switches(const DevicePath& folder);
 
 protected:
     tl::expected<std::optional<SwitchValues>, std::string> sample(double now) override;
@@ -46,14 +46,14 @@ private:
 
 class WheelCounters final : public Sampler<WheelValues> {
 public:
-    WheelCounters(const std::string& folder, std::shared_ptr<CommandedWheels> commanded);
+    WheelCounters(const DevicePath& folder, std::shared_ptr<CommandedWheels> commanded);
 
 protected:
     tl::expected<std::optional<WheelValues>, std::string> sample(double now) override;
 
 private:
     struct Wheel {
-        explicit Wheel(std::string path) : node(std::move(path), Node::Access::read) {}
+        explicit Wheel(DevicePath path) : node(std::move(path), Node::Access::read) {}
         Node node;
         PulseCounter counter;
         PulseRate rate;

@@ -1,8 +1,7 @@
 // Looks for the Pi's monitor by its name: its number says nothing.
 #include "hw/raspimouse/supply.hpp"
 
-#include <filesystem>
-#include <system_error>
+#include <string>
 
 #include "hw/raspimouse/advice.hpp"
 #include "hw/raspimouse/codec.hpp"
@@ -10,13 +9,13 @@
 namespace nezumi::hw {
 
 void Supply::find() {
-    std::error_code error;
-    for (std::filesystem::directory_iterator monitor(folder_, error), end; !error && monitor != end;
-         monitor.increment(error)) {
-        Node name(monitor->path().string() + "/name", Node::Access::read);
+    const auto monitors = folder_.files().list(folder_.text());
+    if (!monitors) return;
+    for (const std::string& monitor : *monitors) {
+        Node name(folder_ + "/" + monitor + "/name", Node::Access::read);
         const auto text = name.read();
         if (text && text->starts_with("rpi_volt"))
-            alarm_.emplace(monitor->path().string() + "/in0_lcrit_alarm", Node::Access::read);
+            alarm_.emplace(folder_ + "/" + monitor + "/in0_lcrit_alarm", Node::Access::read);
     }
 }
 

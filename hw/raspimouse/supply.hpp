@@ -15,7 +15,7 @@ namespace nezumi::hw {
 class Supply final : public Sampler<bool> {
 public:
     /// `folder` of the class hwmon.
-    explicit Supply(std::string folder) : Sampler("power supply", period), folder_(std::move(folder)) {}
+    explicit Supply(DevicePath folder) : Sampler("power supply", period), folder_(std::move(folder)) {}
 
     static constexpr double period = 0.2;  ///< [s] between readings
 
@@ -28,7 +28,7 @@ protected:
 private:
     void find();
 
-    const std::string folder_;
+    const DevicePath folder_;
     std::optional<Node> alarm_;
     std::atomic<bool> is_low_ = false;
 };

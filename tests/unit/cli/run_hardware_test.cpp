@@ -159,6 +159,13 @@ TEST_CASE("options that real robots don't know are refused", "[cli][hw]") {
           "nezumi: --hw: expected names of robots as in --hw=mouse, got 'mouse,,'\n");
     CHECK(said({"--dev-root", "x"}) == "nezumi: --dev-root is for real robots: give --hw as well\n");
     CHECK(said({"--sys-root", "x"}) == "nezumi: --sys-root is for real robots: give --hw as well\n");
+    CHECK(said({"--device-log", "x"}) == "nezumi: --device-log is for real robots: give --hw as well\n");
+    CHECK(said({"--device-log-play", "x"}) == "nezumi: --device-log-play is for real robots: give --hw as well\n");
+    for (const char* option : {"--dev-root", "--sys-root", "--device-log"})
+        CHECK(said({"--hw", "--device-log-play", "x", option, "y"}) ==
+              std::string("nezumi: --device-log-play: no device is used: leave out ") + option + "\n");
+    CHECK(said({"--hw", "--headless", "--device-log", "/no/such/folder/x.log"}) ==
+          "/no/such/folder/x.log: can't be written: No such file or directory\n");
     CHECK(said({"--hw=moose", "--headless"}) ==
           "nezumi: --hw: there is no robot or device 'moose' in behaviors/systems/stop_at_wall.lua (did you mean "
           "'mouse'?)\n");
