@@ -54,8 +54,9 @@ function on_execute()
     end
     plan:write(corners)
   end
+  if not way then return target:write { va = 1 } end -- looks round: what it takes for a wall may be none
   local left = path.length { here.position, { x = config.goal[1], y = config.goal[2] } }
-  if not way or left < 0.03 then return target:write {} end
+  if left < 0.03 then return target:write {} end
   local ahead = path.ahead(way, here.position, 0.1)
   local bearing = angles.wrap(math.atan(ahead.y - here.position.y, ahead.x - here.position.x) - here.heading)
   local speed = math.abs(bearing) < math.pi / 4 and math.min(config.speed, left) or 0
