@@ -21,7 +21,11 @@ namespace fs = std::filesystem;
 using Text = std::string;
 using Clock = std::chrono::steady_clock;
 
-void write(const Text& path, const Text& text) { std::ofstream(path) << text; }
+// Whole, by renaming: on a busy machine a file that is written in place may be read while it is still empty.
+void write(const Text& path, const Text& text) {
+    std::ofstream(path + ".new") << text;
+    fs::rename(path + ".new", path);
+}
 
 // A system that ticks at 100 Hz by the clock.
 struct Live {
