@@ -12,9 +12,9 @@ namespace {
 
 // ODE knows one initialisation and one set of handlers a process; these are the counterpart to that.
 struct Process {
-    std::mutex mutex;
+    Mutex mutex;
     int users = 0;
-    std::mutex random_numbers;
+    Mutex random_numbers;
     std::vector<void*>* kept = nullptr;  // never freed: what it keeps stays known to the end of the process
 };
 Process& process() {
@@ -86,7 +86,7 @@ void OdeLibrary::keep(void* object) {
     p.kept->push_back(object);
 }
 
-std::mutex& OdeLibrary::random_numbers() { return process().random_numbers; }
+Mutex& OdeLibrary::random_numbers() { return process().random_numbers; }
 
 OdeMessages::OdeMessages(const Sink& sink) : before_(std::exchange(thread_sink(), &sink)) {}
 OdeMessages::~OdeMessages() { thread_sink() = before_; }

@@ -4,9 +4,10 @@
 #include <ode/ode.h>
 
 #include <functional>
-#include <mutex>
 #include <string>
 #include <utility>
+
+#include "engine/base/mutex.hpp"
 
 namespace nezumi::sim {
 
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    static std::mutex& random_numbers();
+    static Mutex& random_numbers();
 };
 
 /// Thrown through ODE by an error after which it would end the process, while an `OdeMessages` lives on the thread. The

@@ -62,7 +62,7 @@ void SoundFiles::complain(std::string why) {
 }
 
 void SoundFiles::serve() {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     while (true) {
         changed_.wait(lock, [this] { return quit_ || !waiting_.empty(); });
         if (waiting_.empty()) return;

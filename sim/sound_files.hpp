@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "engine/world/sound.hpp"
 
 namespace nezumi::sim {
@@ -53,7 +53,7 @@ private:
     bool has_looked_for_speaker_ = false;
     bool can_speak_ = false;
 
-    std::mutex mutex_;
+    Mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> waiting_;
     std::vector<std::string> complaints_;

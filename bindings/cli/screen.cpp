@@ -96,7 +96,7 @@ void Screen::show_status(std::string line, int columns) {
 }
 
 void Screen::write_all() {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     int shown_columns = 0;
     for (bool ends = false; !ends;) {
         news_.wait(lock, [this] { return ends_ || status_is_new_ || !waiting_.empty(); });

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <condition_variable>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "engine/base/log.hpp"
+#include "engine/base/mutex.hpp"
 
 namespace nezumi::cli {
 
@@ -39,7 +39,7 @@ private:
     static constexpr std::size_t kMostWaiting = 10000;
 
     bool live_;
-    std::mutex mutex_;  // of all below
+    Mutex mutex_;  // of all below
     std::condition_variable news_;
     std::vector<std::string> waiting_;
     std::size_t lost_ = 0;

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +18,7 @@
 #include "bindings/console/worker.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/base/log.hpp"
+#include "engine/base/mutex.hpp"
 
 namespace nezumi {
 
@@ -83,7 +83,7 @@ private:
     std::map<ClientId, Console> consoles_;
     std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone
     ClientId last_served_ = 0;
-    std::mutex mutex_;                 // of listeners_
+    Mutex mutex_;                      // of listeners_
     std::vector<ClientId> listeners_;  // who wants the log
     Transport transport_;
 };

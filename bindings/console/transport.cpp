@@ -127,7 +127,7 @@ void Transport::finish_request(ClientId id) {
 }
 
 void Transport::send(ClientId id, Event event) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     auto found = clients_.find(id);
     if (found != clients_.end() && found->second->flow == Flow::lossless) {
         drained_.wait(lock, [&] {

@@ -10,7 +10,6 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -19,6 +18,7 @@
 #include "bindings/console/file_handle.hpp"
 #include "bindings/console/protocol.hpp"
 #include "bindings/console/socket_directory.hpp"
+#include "engine/base/mutex.hpp"
 
 namespace nezumi {
 
@@ -99,7 +99,7 @@ private:
     FileHandle wake_;  // eventfd: something for the thread
     int problem_ = 0;  // an errno: there is no thread
 
-    std::mutex mutex_;  // of all below, and of the first part of each client
+    Mutex mutex_;  // of all below, and of the first part of each client
     std::condition_variable drained_;
     std::optional<Listener> listener_;
     uid_t user_ = geteuid();

@@ -54,7 +54,7 @@ void Worker::run() {
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
     end_calls_when(stop_);
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     for (;;) {
         wake_.wait(lock, [this] { return job_ || closed_; });
         if (!job_) break;
@@ -90,7 +90,7 @@ bool Worker::is_idle() const {
     return !running_;
 }
 
-bool Worker::serve_post(std::unique_lock<std::mutex>& lock) {
+bool Worker::serve_post(Lock& lock) {
     if (posts_.empty()) return false;
     const Post post = std::move(posts_.front());
     posts_.pop_front();
@@ -103,12 +103,12 @@ bool Worker::serve_post(std::unique_lock<std::mutex>& lock) {
 }
 
 void Worker::serve_posts() {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     for (std::size_t count = posts_.size(); count > 0 && serve_post(lock); --count) continue;
 }
 
 void Worker::serve(Clock::time_point until) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     do {
         if (serve_post(lock)) continue;
         if (asked_ == nullptr) return;
@@ -155,7 +155,7 @@ bool Worker::has_ended() const {
 bool Worker::join(Clock::time_point until) {
     bool ended = false;
     {
-        std::unique_lock lock(mutex_);
+        Lock lock(mutex_);
         ended = wake_.wait_until(lock, until, [this] { return ended_; });
     }
     if (ended) {
@@ -167,7 +167,7 @@ bool Worker::join(Clock::time_point until) {
 }
 
 void Worker::post(std::size_t bytes, std::function<void()> work) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     wake_.wait(lock, [this] { return revoked_ || posted_ < most_posted; });
     if (revoked_) return;
     posts_.push_back({bytes + 64, std::move(work)});
@@ -180,7 +180,7 @@ bool Worker::perform(const Work& work) {
     bool done = false;
     {
         const CallPause pause;  // whoever does it may read the arguments off Lua's stack
-        std::unique_lock lock(mutex_);
+        Lock lock(mutex_);
         spent_ = 0;
         if (!revoked_) {
             asked_ = &work;

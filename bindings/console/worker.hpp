@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <mutex>
 #include <thread>
 
 #include "bindings/console/file_handle.hpp"
+#include "engine/base/mutex.hpp"
 
 namespace nezumi {
 
@@ -88,9 +88,9 @@ private:
     void run();
     void drop_all();  // with the lock
     void ring();      // with the lock
-    bool serve_post(std::unique_lock<std::mutex>& lock);
+    bool serve_post(Lock& lock);
 
-    mutable std::mutex mutex_;  // of all below but stop_ and thread_
+    mutable Mutex mutex_;  // of all below but stop_ and thread_
     std::condition_variable wake_;
     const Bell* bell_;
     std::function<void()> job_;

@@ -31,7 +31,7 @@ void FileWriter::put(std::string text) {
 
 void FileWriter::put(std::size_t bytes, std::function<std::string()> make) {
     {
-        std::unique_lock lock(mutex_);
+        Lock lock(mutex_);
         space_.wait(lock, [this] { return waiting_bytes_ <= most_waiting_ || problem_ != 0; });
         if (problem_ != 0) return;
         waiting_bytes_ += bytes;
@@ -63,7 +63,7 @@ int FileWriter::close() {
 }
 
 void FileWriter::run() {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     for (;;) {
         news_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
         if (waiting_.empty()) return;

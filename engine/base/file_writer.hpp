@@ -6,9 +6,10 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <thread>
+
+#include "engine/base/mutex.hpp"
 
 namespace nezumi {
 
@@ -34,7 +35,7 @@ public:
 private:
     void run();
 
-    mutable std::mutex mutex_;
+    mutable Mutex mutex_;
     std::condition_variable news_;   // for the thread
     std::condition_variable space_;  // for who puts
     struct Piece {

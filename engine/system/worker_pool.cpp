@@ -28,13 +28,13 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t, st
     }
     wake_.notify_all();
     work(0, count / size(), 0);
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     done_.wait(lock, [this] { return running_ == 0; });
 }
 
 void WorkerPool::serve(std::size_t worker) {
     std::size_t served = 0;
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     while (true) {
         wake_.wait(lock, [&] { return quit_ || round_ != served; });
         if (quit_) return;

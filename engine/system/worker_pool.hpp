@@ -4,9 +4,10 @@
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
+
+#include "engine/base/mutex.hpp"
 
 namespace nezumi {
 
@@ -28,7 +29,7 @@ public:
 private:
     void serve(std::size_t worker);
 
-    std::mutex mutex_;
+    Mutex mutex_;
     std::condition_variable wake_;
     std::condition_variable done_;
     const std::function<void(std::size_t, std::size_t, std::size_t)>* work_ = nullptr;

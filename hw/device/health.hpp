@@ -1,11 +1,11 @@
 // What a device has to say about itself: lost, and back again.
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "hw/device/clock.hpp"
 
 namespace nezumi::hw {
@@ -34,7 +34,7 @@ public:
 
 private:
     const std::string device_;
-    mutable std::mutex mutex_;
+    mutable Mutex mutex_;
     bool is_lost_ = false;
     bool is_told_ = false;              // that it is lost
     std::optional<double> well_since_;  // [s]

@@ -1,10 +1,10 @@
 // A robot's LEDs, switched on a thread of their own.
 #pragma once
 
-#include <mutex>
 #include <string>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "hw/device/health.hpp"
 #include "hw/device/node.hpp"
 #include "hw/device/worker.hpp"
@@ -31,7 +31,7 @@ private:
     const Advice advice_;
     std::vector<bool> is_on_;  // as written
     Health health_{"LEDs"};
-    std::mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held for a copy at most
     std::vector<bool> wanted_;
 };
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 #include <utility>
+
+#include "engine/base/mutex.hpp"
 
 namespace nezumi::hw {
 
@@ -26,7 +27,7 @@ public:
     }
 
 private:
-    std::mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held for a copy at most
     T value_{};
     std::uint64_t count_ = 0, taken_ = 0;
 };

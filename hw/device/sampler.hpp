@@ -1,13 +1,13 @@
 // A device that is read again and again beside the loop, which gets the newest sample with its time.
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <utility>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "hw/device/clock.hpp"
 #include "hw/device/health.hpp"
 #include "hw/device/worker.hpp"
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    mutable std::mutex mutex_;  // held for a copy at most
+    mutable Mutex mutex_;  // held for a copy at most
     std::optional<Sample<T>> sample_;
 };
 

@@ -16,7 +16,7 @@ Worker::Worker(std::shared_ptr<Job> job) : state_(std::make_shared<State>()) {
 }
 
 Worker::~Worker() {
-    std::unique_lock lock(state_->mutex);
+    Lock lock(state_->mutex);
     state_->should_end = true;
     state_->bell.ring();
     state_->ended.wait_for(lock, std::chrono::duration<double>(patience), [this] { return state_->has_ended; });

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <condition_variable>
 #include <memory>
-#include <mutex>
 
+#include "engine/base/mutex.hpp"
 #include "hw/device/wake.hpp"
 
 namespace nezumi::hw {
@@ -53,7 +53,7 @@ private:
     struct State {
         std::shared_ptr<Job> job;
         Wake bell;
-        std::mutex mutex;
+        Mutex mutex;
         std::condition_variable ended;
         bool should_end = false;
         bool has_ended = false;

@@ -1,11 +1,11 @@
 // The brick's screen, painted on a thread of its own.
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "engine/ports/messages.hpp"
 #include "hw/device/files.hpp"
 #include "hw/device/health.hpp"
@@ -42,7 +42,7 @@ private:
 
     const DevicePath frame_buffer_, properties_;
     Health health_{"screen"};
-    std::mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held for a copy at most
     std::optional<CameraImage> newest_;
 };
 

@@ -1,11 +1,11 @@
 // The EV3's medium motor, which turns to an angle, on a thread of its own.
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "hw/device/health.hpp"
 #include "hw/device/worker.hpp"
 #include "hw/ev3/tacho_motor.hpp"
@@ -41,7 +41,7 @@ private:
 
     TachoMotor motor_;
     Health health_;
-    mutable std::mutex mutex_;  // held for a copy at most
+    mutable Mutex mutex_;  // held for a copy at most
     std::optional<Target> target_;
     bool is_new_ = false;
     double angle_ = 0;

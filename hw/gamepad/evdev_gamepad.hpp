@@ -2,11 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "engine/devices/joystick.hpp"
 #include "hw/device/health.hpp"
 #include "hw/device/worker.hpp"
@@ -59,7 +59,7 @@ private:
     std::optional<unsigned> dead_man_, stop_;
     int stops_ = 0;
     Health health_{"gamepad"};
-    std::mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held for a copy at most
     std::optional<GamepadState> state_;
 };
 

@@ -1,7 +1,7 @@
 // How many pulses a motor has been told to make, forward and backward: what its counter should have counted.
 #pragma once
 
-#include <mutex>
+#include "engine/base/mutex.hpp"
 
 namespace nezumi::hw {
 
@@ -22,7 +22,7 @@ public:
 private:
     PulseTotals sum(double now) const;
 
-    mutable std::mutex mutex_;
+    mutable Mutex mutex_;
     PulseTotals before_;
     int rate_ = 0;
     double since_ = 0;

@@ -4,12 +4,12 @@
 #include <atomic>
 #include <deque>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "engine/world/robot_spec.hpp"
 #include "engine/world/sound.hpp"
 #include "hw/device/health.hpp"
@@ -44,7 +44,7 @@ private:
     const std::string device_;
     Health player_health_{"loudspeaker"}, speech_health_{"speech"}, queue_health_{"loudspeaker"};
     std::atomic<bool> is_silenced_ = false, has_ended_ = false;
-    std::mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held for a copy at most
     std::deque<Sound> waiting_;
 };
 

@@ -180,7 +180,7 @@ FileWatcher::FileWatcher(double look_every, Reader read)
 FileWatcher::~FileWatcher() {
     shared_->quit = true;
     ::eventfd_write(shared_->wake, 1);
-    std::unique_lock lock(shared_->mutex);
+    Lock lock(shared_->mutex);
     const bool ended = shared_->end.wait_for(lock, kLongestEnd, [this] { return shared_->ended; });
     lock.unlock();
     if (ended) {

@@ -7,12 +7,12 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "bindings/lua/project/script_source.hpp"
+#include "engine/base/mutex.hpp"
 
 namespace nezumi {
 
@@ -67,7 +67,7 @@ private:
         Shared(const Shared&) = delete;
         Shared& operator=(const Shared&) = delete;
 
-        std::mutex mutex;  // over the next six
+        Mutex mutex;  // over the next six
         std::condition_variable end;
         bool ended = false;
         Files known;

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <map>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
 #include "engine/base/error.hpp"
+#include "engine/base/mutex.hpp"
 
 namespace nezumi {
 
@@ -30,7 +30,7 @@ private:
         Chunk chunk;
     };
 
-    std::mutex mutex_;
+    Mutex mutex_;
     std::map<std::string, Entry> entries_;  // by path, name shown and kind
 };
 
