@@ -4,12 +4,12 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "engine/world/camera_source.hpp"
 #include "hw/camera/capture.hpp"
 #include "hw/device/health.hpp"
@@ -56,7 +56,7 @@ private:
     std::vector<std::uint8_t> filled_;  // where the next picture is made
     Health health_{"camera"};
     std::atomic<double> alive_at_;  // [s] when its thread went through `run`
-    std::mutex mutex_;              // held for a swap at most
+    Mutex mutex_;                   // held for a swap at most
     std::vector<std::uint8_t> newest_;
     std::optional<double> newest_at_;
     std::vector<std::uint8_t> looked_at_;  // the control loop's own

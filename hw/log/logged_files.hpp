@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
+#include "engine/base/mutex.hpp"
 #include "hw/device/files.hpp"
 #include "hw/device/roots.hpp"
 #include "hw/log/device_log.hpp"
@@ -56,7 +56,7 @@ private:
     const DeviceRoots roots_;
     const double began_;  // [s] by `clock_seconds`
     FileWriter writer_;
-    std::mutex mutex_;  // held for a copy at most
+    Mutex mutex_;  // held for a copy at most
     std::uint64_t calls_ = 0;
     std::map<std::uint64_t, DeviceCall> waiting_;  // that have not come back
     bool is_closed_ = false;

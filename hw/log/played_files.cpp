@@ -91,7 +91,7 @@ const DeviceCall* PlayedFiles::newest(const Track& track) const {
     return next == track.calls.begin() ? track.calls.front() : *std::prev(next);
 }
 
-void PlayedFiles::wait_for(std::unique_lock<std::mutex>& lock, const DeviceCall& call) {
+void PlayedFiles::wait_for(Lock& lock, const DeviceCall& call) {
     // One that has not begun yet is known ahead of its time.
     while (!is_finished_ && call.begin <= now() + patience && now() < call.end()) {
         const double left = std::min(call.end() - now(), 1.0);
@@ -100,7 +100,7 @@ void PlayedFiles::wait_for(std::unique_lock<std::mutex>& lock, const DeviceCall&
 }
 
 Answer<std::unique_ptr<OpenFile>> PlayedFiles::open(const std::string& path, Access access) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     const DeviceCall* call = newest(track(access == Access::read ? Kind::open_read : Kind::open_write, path));
     if (call == nullptr) return tl::unexpected(ENOENT);
     if (call->took > hang) wait_for(lock, *call);
@@ -109,7 +109,7 @@ Answer<std::unique_ptr<OpenFile>> PlayedFiles::open(const std::string& path, Acc
 }
 
 Answer<std::vector<std::string>> PlayedFiles::list(const std::string& folder) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     const DeviceCall* call = newest(track(Kind::list, folder));
     if (call == nullptr) return tl::unexpected(ENOENT);
     if (call->took > hang) wait_for(lock, *call);
@@ -124,7 +124,7 @@ Answer<std::vector<std::string>> PlayedFiles::list(const std::string& folder) {
 }
 
 Answer<std::size_t> PlayedFiles::read(Kind kind, const std::string& path, std::span<char> buffer) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     Track& its = track(kind, path);
     if (its.calls.empty()) return tl::unexpected(ENODATA);
     const auto count = static_cast<std::ptrdiff_t>(its.calls.size());
@@ -143,7 +143,7 @@ Answer<std::size_t> PlayedFiles::read(Kind kind, const std::string& path, std::s
 }
 
 Answer<std::size_t> PlayedFiles::write(const std::string& path, std::string_view text) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     const std::string kept = text.size() > longest_text ? fingerprint(text) : std::string(text);
     if (!is_finished_) comparison_.wrote(path, now(), kept);
     const DeviceCall* call = newest(track(Kind::write, path));

@@ -3,10 +3,10 @@
 
 #include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
+#include "engine/base/mutex.hpp"
 #include "hw/device/files.hpp"
 #include "hw/log/device_log.hpp"
 #include "hw/log/write_comparison.hpp"
@@ -46,12 +46,12 @@ private:
     Track& track(DeviceCall::Kind kind, const std::string& path);
     double now() const;
     const DeviceCall* newest(const Track& track) const;
-    void wait_for(std::unique_lock<std::mutex>& lock, const DeviceCall& call);
+    void wait_for(Lock& lock, const DeviceCall& call);
     Answer<std::size_t> read(DeviceCall::Kind kind, const std::string& path, std::span<char> buffer);
     Answer<std::size_t> write(const std::string& path, std::string_view text);
 
     const DeviceLog log_;
-    mutable std::mutex mutex_;
+    mutable Mutex mutex_;
     std::condition_variable over_;
     bool is_finished_ = false;
     double zero_;  // [s] by `clock_seconds`: time 0 of the log
