@@ -1,5 +1,6 @@
 // Reads anything as a device log: what comes out is written as it was read, and plays; or there is one line that says
 // where and why not.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -27,6 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (call.kind == hw::DeviceCall::Kind::write)
             writes[call.path].push_back({.tm = call.begin, .text = call.text, .line = call.line});
     }
+    for (auto& [path, each] : writes)
+        std::stable_sort(each.begin(), each.end(), [](const auto& a, const auto& b) { return a.tm < b.tm; });
     const auto read = hw::read_device_log(again, "again.log");
     require(read && read->calls.size() == log->calls.size());
     for (std::size_t i = 0; i < log->calls.size(); ++i) {
