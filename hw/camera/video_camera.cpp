@@ -14,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "hw/device/clock.hpp"
 #include "hw/device/node.hpp"
@@ -205,8 +206,8 @@ namespace {
 
 class WorkedCamera final : public CameraSource {
 public:
-    WorkedCamera(std::shared_ptr<VideoCamera> camera, const CameraSettings& settings)
-        : settings_(settings), camera_(std::move(camera)), worker_(camera_) {}
+    WorkedCamera(std::shared_ptr<VideoCamera> camera, CameraSettings settings)
+        : settings_(std::move(settings)), camera_(std::move(camera)), worker_(camera_) {}
 
     CameraIntrinsics intrinsics() const override { return settings_.intrinsics(); }
     bool is_device() const override { return true; }

@@ -66,7 +66,8 @@ Expected<std::shared_ptr<LoggedFiles>> LoggedFiles::create(const std::string& fi
     return log;
 }
 
-LoggedFiles::LoggedFiles(int file, const DeviceRoots& roots) : roots_(roots), began_(clock_seconds()), writer_(file) {}
+LoggedFiles::LoggedFiles(int file, DeviceRoots roots)
+    : roots_(std::move(roots)), began_(clock_seconds()), writer_(file) {}
 
 double LoggedFiles::now() const { return clock_seconds() - began_; }
 

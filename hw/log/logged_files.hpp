@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    LoggedFiles(int file, const DeviceRoots& roots);
+    LoggedFiles(int file, DeviceRoots roots);
     double now() const;
     std::string canonical(const std::string& path) const;
     std::uint64_t begin(DeviceCall& call);

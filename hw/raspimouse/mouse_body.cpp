@@ -13,8 +13,10 @@ namespace nezumi::hw {
 namespace {
 
 std::vector<DevicePath> led_nodes(const DevicePath& folder) {
+    constexpr int count = 4;
     std::vector<DevicePath> nodes;
-    for (int i = 0; i < 4; ++i) nodes.push_back(folder + fmt::format("/rtled{}", i));
+    nodes.reserve(count);
+    for (int i = 0; i < count; ++i) nodes.push_back(folder + fmt::format("/rtled{}", i));
     return nodes;
 }
 

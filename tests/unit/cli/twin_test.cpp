@@ -235,9 +235,9 @@ TEST_CASE("twins that can't be are refused", "[cli][hw][twin]") {
     CHECK(refused(one_mouse + "robot 'mouse_twin' { model = 'raspimouse', backend = 'sim' }\n") ==
           "--twin: the twin of 'mouse' is called 'mouse_twin': give this one another name");
     const std::string file = "behaviors/systems/stop_at_wall.lua";
-    const Outcome simulated = run_nezumi({"run", file, "--twin"});
-    CHECK(simulated.status == 2);
-    CHECK(simulated.error == "nezumi: --twin is for real robots: give --hw as well\n");
+    const Outcome without_robot = run_nezumi({"run", file, "--twin"});
+    CHECK(without_robot.status == 2);
+    CHECK(without_robot.error == "nezumi: --twin is for real robots: give --hw as well\n");
     const Outcome threads = run_nezumi({"run", file, "--hw", "--twin", "--threads", "2"});
     CHECK(threads.status == 2);
     CHECK(threads.error == "nezumi: --twin: the real robot and its twin share a thread: leave out --threads\n");

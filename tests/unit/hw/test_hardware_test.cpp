@@ -196,9 +196,10 @@ TEST_CASE("a rig that is not there, or does not answer, is told and ends the run
     const Outcome slip = with("mouse");
     CHECK(slip.status == 2);
     CHECK(slip.error == "nezumi: --rig: expected a socket for each robot as in mouse=/tmp/mouse, got 'mouse'\n");
-    const Outcome simulated = run_nezumi({"test", "it_test.lua", "--rig", "mouse=x"}, fake.folder.path("").string());
-    CHECK(simulated.status == 2);
-    CHECK(simulated.error == "nezumi: --rig is for real robots: give --hw as well\n");
+    const Outcome without_robot =
+        run_nezumi({"test", "it_test.lua", "--rig", "mouse=x"}, fake.folder.path("").string());
+    CHECK(without_robot.status == 2);
+    CHECK(without_robot.error == "nezumi: --rig is for real robots: give --hw as well\n");
 }
 
 TEST_CASE("the seminar's scenarios of the mouse pass on the fake mouse", "[.seminar][hw][fakes]") {
