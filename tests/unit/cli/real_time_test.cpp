@@ -46,6 +46,7 @@ std::map<std::string, int> policies_of(pid_t process) {
     for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
         std::string text;
         std::getline(std::ifstream(thread.path() / "stat"), text);
+        if (text.empty()) continue;  // it has ended meanwhile
         std::istringstream fields(text.substr(text.rfind(')') + 2));
         std::string field;
         for (int i = 3; i <= 41; ++i) fields >> field;
