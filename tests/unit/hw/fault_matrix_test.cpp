@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/base/whole_file.hpp"
+#include "hw/device/health.hpp"
 #include "tests/unit/hw/fake_ev3_rig.hpp"
 #include "tests/unit/hw/fake_mouse_rig.hpp"
 
@@ -16,6 +17,9 @@ using namespace nezumi::hw;
 namespace {
 
 const std::string page = source_root() + "/docs/hardware.md";
+
+// [s] after which at the latest it is told that a device works again.
+constexpr double told_back = Health::proven_after + 0.5;
 
 // A device of a robot: the node that fails, and the ports that hang on the device.
 struct FailingDevice {
@@ -63,7 +67,7 @@ std::string row(Fake& fake, DrivenRobot& driven, const FailingDevice& device, co
                            [&](const auto& port) { return driven.speaks(port); });
     };
     REQUIRE(drive(driven, 10, [&] { return fake.moves() && speak(); }));
-    drive(driven, 0.3);
+    drive(driven, told_back);
     driven.log.clear();
     const bool is_cable = fault == "unplugged";
     if (is_cable) {
