@@ -40,7 +40,7 @@ struct TestOptions {
     std::string rig, dev_root, sys_root;
 };
 
-// Sockets by robot, of "mouse=/tmp/a,ev3=/tmp/b".
+// Sockets by robot, of "mouse=a.socket,ev3=b.socket".
 Expected<std::map<std::string, std::string>> read_rig(const std::string& words) {
     std::map<std::string, std::string> sockets;
     std::istringstream parts(words);
@@ -48,8 +48,8 @@ Expected<std::map<std::string, std::string>> read_rig(const std::string& words) 
         const auto equals = part.find('=');
         if (equals == std::string::npos || equals == 0 || equals + 1 == part.size() ||
             !sockets.try_emplace(part.substr(0, equals), part.substr(equals + 1)).second)
-            return failure(
-                fmt::format("--rig: expected a socket for each robot as in mouse=/tmp/mouse, got '{}'", shown(words)));
+            return failure(fmt::format("--rig: expected a socket for each robot as in mouse=mouse.socket, got '{}'",
+                                       shown(words)));
     }
     return sockets;
 }

@@ -9,15 +9,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "hw/device/clock.hpp"
 #include "hw/device/node.hpp"
+#include "hw/device/numbered_nodes.hpp"
 #include "hw/device/tick_clock.hpp"
 
 namespace nezumi::hw {
@@ -78,35 +76,6 @@ int why_not(const std::string& node, const CaptureSettings& settings) {
     return camera.ask(VIDIOC_S_FMT, format) ? 0 : errno;
 }
 
-// "video7" is 7.
-std::optional<int> video_number(const std::string& name) {
-    constexpr std::string_view begin = "video";
-    int number = 0;
-    if (!name.starts_with(begin)) return std::nullopt;
-    const auto [end, error] = std::from_chars(name.data() + begin.size(), name.data() + name.size(), number);
-    if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
-    return number;
-}
-
-std::vector<std::string> video_nodes(const std::string& dev) {
-    std::vector<std::pair<int, std::string>> found;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(dev, error), end; !error && entry != end; entry.increment(error)) {
-        if (const auto number = video_number(entry->path().filename().string()))
-            found.emplace_back(*number, entry->path().string());
-    }
-    std::sort(found.begin(), found.end());
-    std::vector<std::string> nodes;
-    nodes.reserve(found.size());
-    for (auto& [number, node] : found) nodes.push_back(std::move(node));
-    return nodes;
-}
-
-std::string under(const std::string& dev, const std::string& device) {
-    constexpr std::string_view root = "/dev/";
-    return device.starts_with(root) ? fmt::format("{}/{}", dev, device.substr(root.size())) : device;
-}
-
 CaptureSettings capture_settings(const CameraSettings& settings) {
     return {.width = settings.width,
             .height = settings.height,
@@ -120,7 +89,7 @@ CaptureSettings capture_settings(const CameraSettings& settings) {
 
 VideoCamera::VideoCamera(std::string dev, const CameraSettings& settings, OpenCapture open)
     : dev_(std::move(dev)),
-      wanted_(under(dev_, settings.device)),
+      wanted_(under_dev(dev_, settings.device)),
       open_(std::move(open)),
       settings_(capture_settings(settings)),
       alive_at_(clock_seconds()) {}
@@ -135,7 +104,7 @@ std::optional<double> VideoCamera::look(double now) {
 
 tl::expected<void, std::string> VideoCamera::find() {
     std::string why = fmt::format("none is plugged in: there is none in {}", dev_);
-    for (const std::string& node : wanted_.empty() ? video_nodes(dev_) : std::vector{wanted_}) {
+    for (const std::string& node : wanted_.empty() ? numbered_nodes(dev_, "video") : std::vector{wanted_}) {
         const int code = why_not(node, settings_);
         if (code == 0) {
             auto capture = open_(node, settings_);

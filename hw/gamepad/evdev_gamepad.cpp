@@ -8,15 +8,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "engine/base/error.hpp"
 #include "hw/device/clock.hpp"
 #include "hw/device/node.hpp"
+#include "hw/device/numbered_nodes.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -41,37 +39,6 @@ std::string with_advice(const NodeError& error) {
     }
 }
 
-// "event7" is 7.
-std::optional<int> event_number(const std::string& name) {
-    constexpr std::string_view begin = "event";
-    int number = 0;
-    if (!name.starts_with(begin)) return std::nullopt;
-    const auto [end, error] = std::from_chars(name.data() + begin.size(), name.data() + name.size(), number);
-    if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
-    return number;
-}
-
-// In the order of their numbers: the first is the one that was plugged in first.
-std::vector<std::string> event_nodes(const std::string& folder) {
-    std::vector<std::pair<int, std::string>> found;
-    std::error_code error;
-    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (const auto number = event_number(entry->path().filename().string()))
-            found.emplace_back(*number, entry->path().string());
-    }
-    std::sort(found.begin(), found.end());
-    std::vector<std::string> nodes;
-    nodes.reserve(found.size());
-    for (auto& [number, node] : found) nodes.push_back(std::move(node));
-    return nodes;
-}
-
-std::string under(const std::string& dev, const std::string& device) {
-    constexpr std::string_view root = "/dev/";
-    return device.starts_with(root) ? fmt::format("{}/{}", dev, device.substr(root.size())) : device;
-}
-
 }  // namespace
 
 void EvdevGamepad::Close::operator()(libevdev* device) const {
@@ -89,7 +56,7 @@ double EvdevGamepad::Axis::at(int value) const {
 
 EvdevGamepad::EvdevGamepad(const std::string& dev, const GamepadSettings& settings)
     : folder_(dev + "/input"),
-      wanted_(under(dev, settings.device)),
+      wanted_(under_dev(dev, settings.device)),
       dead_man_name_(settings.dead_man_button),
       stop_name_(settings.stop_button) {}
 
@@ -160,7 +127,7 @@ tl::expected<void, std::string> EvdevGamepad::find() {
         return take(std::move(*device), wanted_);
     }
     std::string why = fmt::format("none is plugged in: there is none in {}", folder_);
-    for (const std::string& node : event_nodes(folder_)) {
+    for (const std::string& node : numbered_nodes(folder_, "event")) {
         auto device = open(node);
         if (!device) {
             why = device.error();

@@ -31,16 +31,7 @@ struct DrivenCamera {
         REQUIRE(system.add(std::move(*made)));
         REQUIRE(camera->activate(system.now()));
     }
-    bool run(double seconds, const std::function<bool()>& until = nullptr) {
-        Pacer pacer(100, 1);
-        const double end = system.now().seconds + seconds;
-        while (system.now().seconds < end) {
-            pacer.wait();
-            system.tick();
-            if (until && until()) return true;
-        }
-        return !until;
-    }
+    bool run(double seconds, const std::function<bool()>& until = nullptr) { return run_paced(system, seconds, until); }
     template <class T = CameraImage>
     const OutPort<T>& port(const char* name) const {
         return static_cast<const OutPort<T>&>(*std::as_const(*camera).find_out_port(name));

@@ -20,10 +20,10 @@
 #include <vector>
 
 #include "bindings/lua/files/robot_file.hpp"
-#include "engine/system/pacer.hpp"
 #include "engine/system/system.hpp"
 #include "hw/device/clock.hpp"
 #include "hw/drivers.hpp"
+#include "tests/unit/hw/paced_run.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
 
@@ -204,15 +204,9 @@ struct DrivenRobot {
 
 private:
     bool tick_for(double seconds, const Velocity2D* velocity, const std::function<bool()>& until) {
-        Pacer pacer(100, 1);
-        const double end = system.now().seconds + seconds;
-        while (system.now().seconds < end) {
-            pacer.wait();
+        return run_paced(system, seconds, until, [&] {
             if (velocity != nullptr) velocity_in().inject(*velocity);
-            system.tick();
-            if (until && until()) return true;
-        }
-        return !until;
+        });
     }
 };
 

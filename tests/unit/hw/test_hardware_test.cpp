@@ -195,7 +195,7 @@ TEST_CASE("a rig that is not there, or does not answer, is told and ends the run
     CHECK(has(gone.out, "--rig: mouse: nobody: No such file or directory"));
     const Outcome slip = with("mouse");
     CHECK(slip.status == 2);
-    CHECK(slip.error == "nezumi: --rig: expected a socket for each robot as in mouse=/tmp/mouse, got 'mouse'\n");
+    CHECK(slip.error == "nezumi: --rig: expected a socket for each robot as in mouse=mouse.socket, got 'mouse'\n");
     const Outcome without_robot =
         run_nezumi({"test", "it_test.lua", "--rig", "mouse=x"}, fake.folder.path("").string());
     CHECK(without_robot.status == 2);
