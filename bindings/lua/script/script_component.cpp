@@ -40,6 +40,25 @@ void describe_lost(const Parameters& before, const Parameters& after, std::vecto
     }
 }
 
+// "speed_x = 0.3 (its default is 0.2)": values that a reload kept, where that may surprise: somebody set them since the
+// start, or the file has another default now, which they do not follow.
+std::string kept_text(const Parameters& before, const Parameters& after, const ParameterValues& configured) {
+    constexpr std::size_t shown = 5;
+    std::size_t count = 0;
+    std::string text;
+    for (const auto& now : after.all()) {
+        const auto* old = before.find(now.spec.name);
+        if (!now.set || old == nullptr || !old->set || now.value == now.spec.initial) continue;
+        const auto given = configured.find(now.spec.name);
+        const bool by_hand = given == configured.end() || check_value(now.spec, given->second) != now.value;
+        if ((!by_hand && old->spec.initial == now.spec.initial) || ++count > shown) continue;
+        text += fmt::format("{}{} = {} (its default is {})", text.empty() ? "" : ", ", now.spec.name,
+                            to_text(now.value), to_text(now.spec.initial));
+    }
+    if (count > shown) text += fmt::format(" and {} more", count - shown);
+    return text;
+}
+
 void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings) {
     constexpr std::size_t shown = 10;
     for (std::size_t i = 0; i < dropped.size() && i < shown; ++i) {
@@ -155,6 +174,8 @@ void ScriptComponent::commit(Version next, int reload) {
     old.replaced_by = reload;
     if (state() == LifeState::active && !script_->tasks().empty())
         log(LogLevel::info, fmt::format("tasks begin anew: {}", script_->tasks().names()));
+    if (const std::string kept = kept_text(old.parameters, parameters_, configured); !kept.empty())
+        log(LogLevel::info, "keeps what was set: " + kept);
     past_.push_back(std::move(old));
     std::size_t memory = 0;
     std::size_t kept = 0;

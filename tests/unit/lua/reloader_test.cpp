@@ -83,6 +83,36 @@ TEST_CASE("a set parameter is kept while name, type and bounds fit, an unset one
     CHECK(value("unset") == "3");
 }
 
+TEST_CASE("a reload says which values it kept and what their defaults are now, where that may surprise",
+          "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it =
+        world.add_text("it", "param('hand', 1.0) param('system', 1) param('moved', 1) param('free', 1)");
+    it.configured = {{"system", std::int64_t{5}}, {"moved", std::int64_t{6}}};
+    REQUIRE(it.parameters().set_all(it.configured));
+    REQUIRE(it.parameters().set("hand", 2.0));
+    // What the system file gave goes without saying, unless the file's author has just changed the default.
+    CHECK(world.change("it.lua", "param('hand', 1.0) param('system', 1) param('moved', 9) param('free', 9)") == "");
+    CHECK(world.said("it: keeps what was set: hand = 2.0 (its default is 1.0), moved = 6 (its default is 9)"));
+    CHECK_FALSE(world.said("system = 5"));
+    CHECK_FALSE(world.said("free ="));
+    world.log.clear();
+    it.parameters().follow_default("hand");
+    CHECK(world.change("it.lua", "param('hand', 3.0) param('system', 1) param('moved', 9)") == "");
+    CHECK_FALSE(world.said("keeps what was set"));
+}
+
+TEST_CASE("of many values that a reload kept five are named", "[lua][reload]") {
+    ReloadRig world;
+    Text text;
+    for (int i = 1; i <= 7; ++i) text += "param('p" + std::to_string(i) + "', 0) ";
+    ScriptComponent& it = world.add_text("it", text);
+    for (int i = 1; i <= 7; ++i) REQUIRE(it.parameters().set("p" + std::to_string(i), std::int64_t{i}));
+    CHECK(world.change("it.lua", text + "-- changed") == "");
+    CHECK(world.said("p5 = 5 (its default is 0) and 2 more"));
+    CHECK_FALSE(world.said("p6 ="));
+}
+
 TEST_CASE("unread values of in-ports are kept, also when the queue changes its length", "[lua][reload]") {
     ReloadRig world;
     const auto text = [](int queue) {
