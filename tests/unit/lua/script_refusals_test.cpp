@@ -44,6 +44,10 @@ TEST_CASE("a library that behaviours don't have is refused with what there is in
     CHECK(refusal("io.write('x')") ==
           "robot_controller.lua:1:1: unknown global 'io': `log` writes lines, and `nezumi run --record` what ports "
           "carry");
+    CHECK(refusal("self.count = 1") ==
+          "robot_controller.lua:1:1: unknown global 'self': a behaviour is its file: parameters are in `config`, what "
+          "is kept in `state` and locals");
+    CHECK(refusal("local m = {} function m:count() self.n = 1 end function on_execute() m:count() end").empty());
     CHECK(refusal("debug.traceback()") ==
           "robot_controller.lua:1:1: unknown global 'debug': `print` and the console show values");
     for (const std::string name : {"load", "loadfile", "dofile", "package"}) {
