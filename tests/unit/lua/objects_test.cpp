@@ -217,6 +217,14 @@ TEST_CASE("setting a part of the truth is an error that says what to use", "[lua
     CHECK(it.run("mouse:teleport(mouse.truth.pose) return mouse.truth.pose.position.x") == "0.0");
 }
 
+TEST_CASE("what is nearer to zero than any measurement is shown as zero", "[lua][objects]") {
+    Objective it;
+    it.tick();
+    CHECK(it.run("mouse:teleport { x = 1e-8, y = -1e-10, heading = 1e-12 } local pose = mouse.truth.pose "
+                 "return pose.position.x > 0, pose.position.y, pose.heading") == "true 0.0 0.0");
+    CHECK_THAT(it.run("return tostring(mouse.truth)"), Catch::Contains("y = 0 }, heading = 0 }\nvelocity"));
+}
+
 TEST_CASE("a robot shows the truth, its lights and its limits, and can be carried", "[lua][objects]") {
     Objective it;
     it.tick(50);
