@@ -10,9 +10,9 @@
 #include "bindings/console/input_text.hpp"
 #include "bindings/console/session_parts.hpp"
 #include "bindings/console/words.hpp"
-#include "bindings/lua/live/inspect.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 
 namespace nezumi {

@@ -5,8 +5,8 @@
 #include <cctype>
 
 #include "bindings/console/words.hpp"
-#include "bindings/lua/live/inspect.hpp"
 #include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/script/script_component.hpp"
 
 namespace nezumi {

@@ -1,4 +1,5 @@
 // The basic functions: those of Lua that can neither swallow the end of a budget nor undermine the sandbox.
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
@@ -112,18 +113,8 @@ int to_text(lua_State* lua) {
 }
 
 int print(lua_State* lua) {
-    const int count = lua_gettop(lua);
-    luaL_Buffer line;
-    luaL_buffinit(lua, &line);
-    for (int i = 1; i <= count; ++i) {
-        if (i > 1) luaL_addchar(&line, '\t');
-        push_text(lua, i);
-        luaL_addvalue(&line);
-    }
-    luaL_pushresult(&line);
-    std::size_t length = 0;
-    const char* text = lua_tolstring(lua, -1, &length);
-    LuaState::of(lua).print({text, length});
+    push_line(lua);
+    LuaState::of(lua).print(string_at(lua, -1));
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bindings/lua/modules/native_modules.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/script/script_call.hpp"
@@ -30,15 +31,7 @@ int word_now(lua_State* L) {
 
 template <LogLevel level>
 int word_log(lua_State* L) {
-    const int count = lua_gettop(L);
-    luaL_Buffer line;
-    luaL_buffinit(L, &line);
-    for (int i = 1; i <= count; ++i) {
-        if (i > 1) luaL_addchar(&line, '\t');
-        push_text(L, i);
-        luaL_addvalue(&line);
-    }
-    luaL_pushresult(&line);
+    push_line(L);
     script_of(L).log(level, std::string(string_at(L, -1)));
     return 0;
 }

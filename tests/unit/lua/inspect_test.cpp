@@ -1,7 +1,7 @@
 // How values are shown: every limit to the letter.
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/live/inspect.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "sandbox_support.hpp"
 
 using namespace nezumi;

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <ctime>
 
-#include "bindings/lua/live/inspect.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "tests/unit/live_rig.hpp"
 #include "tests/unit/lua/sandbox_support.hpp"

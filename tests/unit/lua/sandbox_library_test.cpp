@@ -1,4 +1,5 @@
 // The library that a script gets: what is there, what is not, and what can't be done with it.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "machine_speed.hpp"
@@ -46,6 +47,52 @@ TEST_CASE("print gives lines to the log", "[lua][library]") {
     CHECK(box.printed[0].empty());
     CHECK(box.printed[1] == std::string("1\t1.5\ta\0b\tnil\ttrue", 18));
     CHECK(box.printed[2] == "mine");
+}
+
+TEST_CASE("print shows tables as the console does", "[lua][library]") {
+    Box box;
+    CHECK(box.run("print({ 1, 2.5, 'x', b = { c = true } }, 'text', {})").empty());
+    CHECK(box.run("local t = { 1 } t.me = t print(t)").empty());
+    CHECK(box.run("print({ { { { { { { 7 } } } } } } })").empty());
+    CHECK(box.run("local t = {} for i = 1, 200 do t[i] = 0 end print(t)").empty());
+    CHECK(box.run("print(setmetatable({ 1 }, { __name = 'Robot' }), setmetatable({}, { __tostring = function() return "
+                  "'mine' end }))")
+              .empty());
+    CHECK(box.run("print(('x'):rep(5000), tostring({}))").empty());
+    REQUIRE(box.printed.size() == 6);
+    CHECK(box.printed[0] == "{ 1, 2.5, \"x\", b = { c = true } }\ttext\t{}");
+    CHECK(box.printed[1] == "{ 1, me = <cycle> }");
+    CHECK(box.printed[2] == "{ { { { { { {...} } } } } } }");
+    CHECK(std::count(box.printed[3].begin(), box.printed[3].end(), '0') == 100);
+    CHECK(box.printed[3].ends_with("  ...\n}"));
+    CHECK(box.printed[4] == "{ 1 }\tmine");
+    CHECK(box.printed[5] == std::string(5000, 'x') + "\ttable: 1");
+}
+
+TEST_CASE("what all tables of one print may take is shared", "[lua][library]") {
+    Box box;
+    CHECK(box.run("local t = {} for i = 1, 90 do t[i] = ('x'):rep(1900) end print(t, t, t)").empty());
+    REQUIRE(box.printed.size() == 1);
+    CHECK(box.printed[0].size() < 100'000);
+    CHECK(box.printed[0].ends_with("\t{...}\t{...}"));
+}
+
+TEST_CASE("a table that can't be shown costs its text and no more", "[lua][library]") {
+    Box box;
+    CHECK(box.run("print({ [{}] = 1 }) return 'goes on'") == "goes on");
+    CHECK(box.run("print({ setmetatable({}, { __tostring = function() error('no', 0) end }) }) return 'goes on'") ==
+          "goes on");
+    REQUIRE(box.printed.size() == 2);
+    CHECK(box.printed[0].find("<can't be shown: a table with a table or function as a key") == 0);
+    CHECK(box.printed[1] == "<can't be shown: no>");
+}
+
+TEST_CASE("showing a table takes of the time of the script that prints it", "[lua][library][wallclock][watchdog]") {
+    Box box;
+    const std::string outcome = box.run_for_a_moment(
+        "print({ setmetatable({}, { __tostring = function() while true do end end }) }) return 'goes on'");
+    CHECK(outcome.find("ran for more than 0.1 s") != std::string::npos);
+    CHECK(box.over_budget);
 }
 
 TEST_CASE("no text shows an address", "[lua][library]") {

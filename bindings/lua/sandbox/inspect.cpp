@@ -1,5 +1,5 @@
 // Tries each table in one line, and takes several where that is too long.
-#include "bindings/lua/live/inspect.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
 
 #include <algorithm>
 #include <map>
@@ -10,9 +10,9 @@
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/sandbox/text.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
 #include "engine/base/names.hpp"
 #include "engine/components/parameter.hpp"
-#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {
@@ -27,6 +27,7 @@ public:
 
     void value(int index, int depth, std::size_t indent, bool quote);
     std::string take() { return std::move(out_); }
+    const std::string& shown() const { return out_; }
 
 private:
     void text(int index, bool quote);
@@ -51,6 +52,13 @@ private:
 };
 
 void quote_into(std::string& out, std::string_view text) noexcept { out += to_text(ParameterValue(std::string(text))); }
+
+// Whether the value says itself what its text is.
+bool has_text(lua_State* L, int index) {
+    if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) return false;
+    lua_pop(L, 1);
+    return true;
+}
 
 void Inspector::text(int index, bool quote) {
     std::size_t length = 0;
@@ -77,9 +85,7 @@ void Inspector::value(int index, int depth, std::size_t indent, bool quote) {
     index = lua_absindex(lua_, index);
     const int type = lua_type(lua_, index);
     if (type == LUA_TSTRING) return text(index, quote);
-    const bool has_text = luaL_getmetafield(lua_, index, "__tostring") != LUA_TNIL;
-    if (has_text) lua_pop(lua_, 1);
-    if (type == LUA_TTABLE && !has_text) return table(index, depth, indent);
+    if (type == LUA_TTABLE && !has_text(lua_, index)) return table(index, depth, indent);
     std::size_t length = 0;
     const char* shown = push_text(lua_, index, &length);
     // What an object says may take several lines; within a table its first is enough.
@@ -230,6 +236,36 @@ void Inspector::table(int index, int depth, std::size_t indent) {
     open_.pop_back();
 }
 
+// Arguments: a table, its inspector. Returns its text.
+int show_table(lua_State* L) {
+    auto& inspector = *static_cast<Inspector*>(lua_touserdata(L, 2));
+    inspector.value(1, 0, 0, false);
+    lua_pushlstring(L, inspector.shown().data(), inspector.shown().size());
+    return 1;
+}
+
+// Pushes the text of the table at `index`. What its metamethods do wrong is told in the place of the text: to print a
+// table must not cost a robot its behaviour. What ends the script's call is raised.
+void push_table_text(lua_State* L, int index, InspectWork& work) {
+    int status = LUA_OK;
+    {
+        const InspectOptions options{.quote = false};
+        Inspector inspector(L, options, work);
+        lua_pushcfunction(L, show_table);
+        lua_pushvalue(L, index);
+        lua_pushlightuserdata(L, &inspector);
+        status = lua_pcall(L, 2, 1, 0);
+        work.bytes -= std::min(work.bytes, inspector.shown().size());
+    }  // from here on an error skips no destructor
+    if (status == LUA_OK) return;
+    poll_budget(L);
+    if (status == LUA_ERRMEM) lua_error(L);
+    push_text(L, -1);
+    lua_pushfstring(L, "<can't be shown: %s>", lua_tostring(L, -1));
+    lua_replace(L, -3);
+    lua_pop(L, 1);
+}
+
 }  // namespace
 
 std::string inspect(lua_State* L, int index, const InspectOptions& options) {
@@ -255,6 +291,24 @@ std::string inspect(lua_State* L, int index, const InspectOptions& options) {
         return text;
     }
     return "<can't be shown: " + describe(shown.error()) + ">";
+}
+
+void push_line(lua_State* L) {
+    const int count = lua_gettop(L);
+    luaL_checkstack(L, LUA_MINSTACK, nullptr);
+    InspectWork work;
+    luaL_Buffer line;
+    luaL_buffinit(L, &line);
+    for (int i = 1; i <= count; ++i) {
+        if (i > 1) luaL_addchar(&line, '\t');
+        if (lua_type(L, i) == LUA_TTABLE && !has_text(L, i)) {
+            push_table_text(L, i, work);
+        } else {
+            push_text(L, i);
+        }
+        luaL_addvalue(&line);
+    }
+    luaL_pushresult(&line);
 }
 
 }  // namespace nezumi

@@ -1,4 +1,4 @@
-// Any value of Lua as text for people: what the console shows and its `print` prints.
+// Any value of Lua as text for people: what the console shows, and what `print` and `log` say.
 #pragma once
 
 #include <cstddef>
@@ -27,5 +27,9 @@ struct InspectOptions {
 /// within itself as <cycle>. Of a table with more entries than may be looked at, what it has from 1 on is shown. Calls
 /// metamethods, within a budget of 10 ms. Raises no Lua error: what can't be shown says why.
 std::string inspect(lua_State* L, int index, const InspectOptions& options = {});
+
+/// Pushes what `print` and `log` say of all values on the stack: tables as above, everything else as `tostring` gives
+/// it, tabs between. Runs within the call that prints, in its time: the same in every run. May raise a Lua error.
+void push_line(lua_State* L);
 
 }  // namespace nezumi
