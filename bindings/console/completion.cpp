@@ -1,5 +1,7 @@
 // What could stand before the cursor, from the system that runs.
 #include <algorithm>
+#include <initializer_list>
+#include <span>
 
 #include "bindings/console/cursor_text.hpp"
 #include "bindings/console/session_parts.hpp"
@@ -7,6 +9,7 @@
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/stubs/message_shape.hpp"
 #include "engine/base/names.hpp"
 
 namespace nezumi {
@@ -19,6 +22,7 @@ struct Place {
     enum class Kind { nothing, system, component, ports, port, config, truth, value, table } kind = Kind::nothing;
     std::string component;
     std::string port;  // also of `value`
+    Names fields{};    // below `value` and `truth`
 };
 
 Names names_of(const System& system) {
@@ -40,14 +44,29 @@ Names without(Names all, const Names& some) {
     return all;
 }
 
-Names value_fields(const Port& port) {
-    return with_payload_type(port.type(), []<class T>() -> Names {
-        Names names;
-        if constexpr (Described<T>) {
-            std::apply([&](const auto&... field) { (names.emplace_back(field.name), ...); }, Describe<T>::fields);
-        }
-        return names;
-    });
+// The fields of what lies at this path in a value of a message type.
+Names value_fields(std::size_t type, std::span<const std::string> path) {
+    const std::vector<MessageShape> messages = message_shapes();
+    const Shape* shape = &messages[type].shape;
+    for (const std::string& name : path) {
+        if (shape->sequence) return {};
+        const auto& fields = shape->fields;
+        const auto found =
+            std::find_if(fields.begin(), fields.end(), [&](const auto& each) { return each.name == name; });
+        if (found == fields.end()) return {};
+        shape = &found->shape;
+    }
+    Names names;
+    if (shape->sequence) return names;
+    for (const FieldShape& field : shape->fields) names.emplace_back(field.name);
+    return names;
+}
+
+Names truth_fields(std::span<const std::string> path) {
+    if (path.empty()) return Objects::truth_members();
+    if (path.front() == "pose") return value_fields(type_index<Pose2D>(), path.subspan(1));
+    if (path.front() == "velocity") return value_fields(type_index<Velocity2D>(), path.subspan(1));
+    return {};
 }
 
 Names table_keys(lua_State* L, int table) {
@@ -96,10 +115,10 @@ private:
             case Kind::port:
                 if (port == nullptr) return {};
                 return called ? Objects::port_methods() : without(Objects::port_members(), Objects::port_methods());
-            case Kind::value: return called || port == nullptr ? Names{} : value_fields(*port);
+            case Kind::value: return called || port == nullptr ? Names{} : value_fields(port->type(), place.fields);
             case Kind::ports: return called ? Names{} : port_names(*component);
             case Kind::config: return called ? Names{} : parameter_names(*component);
-            case Kind::truth: return called ? Names{} : Objects::truth_members();
+            case Kind::truth: return called ? Names{} : truth_fields(place.fields);
             default: return {};
         }
     }
@@ -162,6 +181,12 @@ private:
                 return {Kind::port, place.component, name};
             case Kind::ports: return {Kind::port, place.component, name};
             case Kind::port: return name == "value" ? Place{Kind::value, place.component, place.port} : Place{};
+            case Kind::truth:
+            case Kind::value: {
+                Place within = place;
+                within.fields.push_back(name);
+                return within;
+            }
             case Kind::table: return push_raw(name) ? value() : Place{};
             default: return {};
         }
@@ -186,6 +211,29 @@ Names port_paths(const System& system, bool in, bool out, const Port* like = nul
         }
     }
     return paths;
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// The fields that a table has as the value of a port: `port:write { v`, `inject("name.port", { v`.
+Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
+    const TextAtCursor& call = field.call;
+    Names chain;
+    if (call.callee.separator == ':' && call.argument == 1 && is_one_of(call.word, {"write", "inject", "hold"})) {
+        chain = call.callee.chain;
+    } else if (call.callee.separator == 0 && call.argument == 2 && is_one_of(call.word, {"inject", "hold"})) {
+        chain = call.first_chain;
+        const std::size_t dot = call.first.find('.');
+        if (chain.empty() && dot != std::string::npos) chain = {call.first.substr(0, dot), call.first.substr(dot + 1)};
+    }
+    Walk walk(parts);
+    Place place = walk.follow(chain);
+    if (place.kind != Place::Kind::port) return {};
+    place.kind = Place::Kind::value;
+    place.fields = field.path;
+    return walk.names(place, '.');
 }
 
 // The sets of the component that a chain of names leads to.
@@ -248,7 +296,11 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
     } else {
         const NameAtCursor name = name_at_cursor(text);
         completion.from = name.from;
-        if (name.separator == 0) {
+        const FieldAtCursor field = name.separator == 0 ? field_at_cursor(text) : FieldAtCursor{};
+        Names fields = field.open ? field_names(parts, field) : Names{};
+        if (!fields.empty()) {
+            completion.candidates = std::move(fields);
+        } else if (name.separator == 0) {
             completion.candidates = names_in_scope(parts);
             if (name.from < text.size())
                 completion.candidates.insert(completion.candidates.end(), lua_keywords().begin(), lua_keywords().end());

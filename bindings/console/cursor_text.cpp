@@ -2,6 +2,7 @@
 #include "bindings/console/cursor_text.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "bindings/lua/sandbox/lexer.hpp"
@@ -65,6 +66,35 @@ NameAtCursor name_before(Tokens tokens, std::size_t from) {
     return result;
 }
 
+// The names of `controller.out`, where these tokens are that and nothing else.
+std::vector<std::string> chain_of(Tokens tokens) {
+    std::string last;
+    const bool subscript = !tokens.empty() && tokens.back().is("]");
+    if (!take_name(tokens, last)) return {};
+    std::vector<std::string> chain;
+    if (!tokens.empty() && subscript) {
+        chain = chain_of(tokens);
+        if (chain.empty()) return {};
+    } else if (!tokens.empty()) {
+        NameAtCursor before = name_before(tokens, 0);
+        if (before.separator != '.' || before.broken) return {};
+        chain = std::move(before.chain);
+    }
+    chain.push_back(std::move(last));
+    return chain;
+}
+
+// The bracket of any kind that is open behind these tokens: the number of tokens before it; none: there is none.
+std::optional<std::size_t> open_bracket(Tokens tokens) {
+    int depth = 0;
+    for (std::size_t at = tokens.size(); at > 0; --at) {
+        const Token& token = tokens[at - 1];
+        if (token.is(")") || token.is("]") || token.is("}")) ++depth;
+        if ((token.is("(") || token.is("[") || token.is("{")) && depth-- == 0) return at - 1;
+    }
+    return std::nullopt;
+}
+
 struct Before {
     std::vector<Token> tokens;
     bool comment = false;
@@ -94,6 +124,9 @@ void find_callee(TextAtCursor& result, Tokens before, std::string_view text) {
         }
         if (bracket == 0 || !before[bracket - 1].is("(")) return;
         if (bracket < before.size() && before[bracket].kind == Kind::literal) result.first = inside(before[bracket]);
+        const Tokens arguments = before.subspan(bracket);
+        const auto comma = std::find_if(arguments.begin(), arguments.end(), [](const Token& t) { return t.is(","); });
+        result.first_chain = chain_of(arguments.first(static_cast<std::size_t>(comma - arguments.begin())));
         callee = bracket - 1;
     }
     if (callee == 0 || !is_word(before[callee - 1])) return;
@@ -102,13 +135,18 @@ void find_callee(TextAtCursor& result, Tokens before, std::string_view text) {
     result.word = word.text;
 }
 
+// The last token ends at the cursor.
+bool touches_cursor(Tokens tokens, std::string_view text) {
+    return !tokens.empty() && tokens.back().text.data() + tokens.back().text.size() == text.data() + text.size();
+}
+
 }  // namespace
 
 NameAtCursor name_at_cursor(std::string_view text) {
     const Before before = read(text);
     Tokens tokens = before.tokens;
     std::size_t from = text.size();
-    const bool touches = !tokens.empty() && tokens.back().text.data() + tokens.back().text.size() == text.data() + from;
+    const bool touches = touches_cursor(tokens, text);
     if (touches && tokens.back().kind == Kind::literal) {  // "3." is a number
         NameAtCursor result;
         result.from = from;
@@ -131,6 +169,27 @@ TextAtCursor text_at_cursor(std::string_view text) {
     result.open = true;
     result.from = text.size() - inside(before.tokens.back()).size();
     find_callee(result, Tokens(before.tokens).first(before.tokens.size() - 1), text);
+    return result;
+}
+
+FieldAtCursor field_at_cursor(std::string_view text) {
+    FieldAtCursor result;
+    const Before before = read(text);
+    Tokens tokens = before.tokens;
+    if (touches_cursor(tokens, text) && is_word(tokens.back())) tokens = tokens.first(tokens.size() - 1);
+    if (tokens.empty() || !(tokens.back().is("{") || tokens.back().is(",") || tokens.back().is(";"))) return result;
+    for (;;) {
+        const auto bracket = open_bracket(tokens);
+        if (!bracket || !tokens[*bracket].is("{")) return result;
+        tokens = tokens.first(*bracket);
+        if (tokens.empty() || !tokens.back().is("=")) break;
+        tokens = tokens.first(tokens.size() - 1);
+        std::string name;
+        if (!take_name(tokens, name)) return result;
+        result.path.insert(result.path.begin(), std::move(name));
+    }
+    find_callee(result.call, tokens, text);
+    result.open = !result.call.word.empty();
     return result;
 }
 

@@ -18,17 +18,27 @@ struct NameAtCursor {
 
 /// `connect("controller.out", "mo` is the word "connect", its second argument, and the text "mo".
 struct TextAtCursor {
-    bool open = false;     ///< the cursor is in a quoted text
-    std::size_t from = 0;  ///< [bytes] where the text begins, behind its quote
-    NameAtCursor callee;   ///< what is called with it; its part is `word`
-    std::string word;      ///< "" for none
-    int argument = 1;      ///< which one it is, from 1
-    std::string first;     ///< the first argument, where that is a quoted text too
-    bool comment = false;  ///< the cursor is in a comment
+    bool open = false;                     ///< the cursor is in a quoted text
+    std::size_t from = 0;                  ///< [bytes] where the text begins, behind its quote
+    NameAtCursor callee;                   ///< what is called with it; its part is `word`
+    std::string word;                      ///< "" for none
+    int argument = 1;                      ///< which one it is, from 1
+    std::string first;                     ///< the first argument, where that is a quoted text too
+    std::vector<std::string> first_chain;  ///< the same, where it is a chain of names
+    bool comment = false;                  ///< the cursor is in a comment
+};
+
+/// `controller.out:write { v` is a field's name in the table that `controller.out:write` is called with; in
+/// `write { position = { x` the table lies at "position".
+struct FieldAtCursor {
+    bool open = false;              ///< a field's name can stand here
+    TextAtCursor call;              ///< what the table is an argument of; no text is open there
+    std::vector<std::string> path;  ///< fields from that argument to the table around the cursor
 };
 
 /// `text` ends at the cursor.
 TextAtCursor text_at_cursor(std::string_view text);
 NameAtCursor name_at_cursor(std::string_view text);
+FieldAtCursor field_at_cursor(std::string_view text);
 
 }  // namespace nezumi

@@ -56,6 +56,39 @@ TEST_CASE("members are completed from the live system", "[console][completion]")
     CHECK(offer(it, "c.config.", 9).empty());
 }
 
+TEST_CASE("fields are completed within values", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "mouse.truth.pose.", 17) == "heading position");
+    CHECK(offer(it, "mouse.truth.pose.position.", 26) == "x y");
+    CHECK(offer(it, "mouse.truth.velocity.v", 21) == "va vx vy");
+    CHECK(offer(it, "mouse.truth.tilt.", 17).empty());
+    CHECK(offer(it, "mouse.truth.pose.heading.", 25).empty());
+    CHECK(offer(it, "mouse.current_pose_out.value.position.", 38) == "x y");
+    CHECK(offer(it, "mouse.ir_sensor_out.value.", 26).empty());
+    it.type("t = mouse.truth p = controller.out");
+    CHECK(offer(it, "t.pose.p", 7) == "position");
+    CHECK(offer(it, "p.value.", 8) == "va vx vy");
+}
+
+TEST_CASE("fields are completed in the table that a port is given", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "controller.out:write { v", 23) == "va vx vy");
+    CHECK(offer(it, "controller.out:write({ vx = 1, v", 31) == "va vx vy");
+    CHECK(offer(it, "controller.out:hold { vx = math.max(1, 2), v", 43) == "va vx vy");
+    CHECK(offer(it, "inject(controller.out, { v", 25) == "va vx vy");
+    CHECK(offer(it, "inject(mouse.ports[\"target_velocity_in\"], { v", 44) == "va vx vy");
+    CHECK(offer(it, "hold('mouse.target_velocity_in', { v", 35) == "va vx vy");
+    CHECK(offer(it, "mouse.pose_update:write { p", 26) == "position");
+    CHECK(offer(it, "mouse.pose_update:write { position = { ", 39) == "x y");
+    CHECK(offer(it, "mouse.pose_update:write { position = { x = 1 }, h", 48) == "heading");
+    // What is no value of a port is as everywhere.
+    CHECK(offer(it, "x = { contr", 6) == "controller");
+    CHECK(offer(it, "print { contr", 8) == "controller");
+    CHECK(offer(it, "controller.out:write { vx = contr", 28) == "controller");
+    CHECK(offer(it, "inject({ contr", 9) == "controller");
+    CHECK(offer(it, "controller.in:write { contr", 22) == "controller");
+}
+
 TEST_CASE("ports are completed within the quotes of a word", "[console][completion]") {
     SessionRig it;
     CHECK(offer(it, "connect(\"contr", 9) == "controller.out");
