@@ -23,8 +23,10 @@ function on_execute()
   local seen = ranges:read()
   if #seen < 4 then return end
   keep.kp, keep.kd, keep.min = config.kp, config.kd, -config.speed / ROUND
+  local distance = side:update(seen[3])
+  probe("error", config.distance - distance)
   -- Nearer than asked for gives an output above 0: to the right, which is a negative rate.
-  local rate = -keep:update(config.distance, side:update(seen[3]), dt)
+  local rate = -keep:update(config.distance, distance, dt)
   if math.min(seen[1], seen[4]) < config.turn_at then
     target:write { va = -TURN }
   else

@@ -135,7 +135,7 @@ Expected<void> Channel::check(const System& system, const Component& owner) cons
     std::vector<std::string_view> names;
     for (const auto& port : owner.in_ports()) names.push_back(port->name());
     for (const auto& port : owner.out_ports()) names.push_back(port->name());
-    for (const std::string_view other : {"config", "state", "tasks", "truth"}) {
+    for (const std::string_view other : {"config", "probes", "state", "tasks", "truth"}) {
         Channel tried(owner_, other, "");
         tried.resolve(system);
         if (tried.kind_ != Kind::none) names.push_back(other);

@@ -734,6 +734,11 @@ function about(fields) end
 ---@param doc? string
 function command(name, fn, doc) end
 
+---Shows a value from inside as `component.probes.name`: the last of a tick counts. Recorded, and no part of the trace.
+---@param name string
+---@param value number|boolean|string|table a table is flat, with at most 64 entries
+function probe(name, value) end
+
 ---Declares what is done one after the other: it starts on activation and runs in slices, from one wait to the next.
 ---@param name string
 ---@param fn fun()
@@ -873,6 +878,11 @@ function robot_model(fields) end
 ---@field waiting? string what it is waiting for, and how long yet
 ---@field line? integer where it waits
 
+---@class ProbeView
+---@field value number|boolean|string|table
+---@field tm number [s] when it was set
+---@field age number [s]
+
 ---@class Component
 ---@field name string
 ---@field type string
@@ -884,6 +894,7 @@ function robot_model(fields) end
 ---@field config table<string, ParameterValue>
 ---@field state table
 ---@field tasks table<string, TaskView>
+---@field probes table<string, ProbeView>
 ---@field set string?
 ---@field sets table
 ---@field commands table

@@ -19,6 +19,19 @@ scenario("a PID controller leads the mouse along the wall", { timeout = 120, swe
     end)
   end)
 
+scenario("a behaviour shows its inside by probes", { timeout = 10 }, function(s)
+  local world = s:load "systems/wall_follower.lua"
+  s:run(2)
+  local seen = world.follower.probes.error
+  s:near(seen.value, 0.12 - world.follower.ranges.value[3], 0.02)
+  s:check(seen.age <= 0.02 and seen.tm > 1.9, seen.age)
+  s:check(world.follower.probes.nothing == nil)
+  s:check(s:reload("follower", { file = "wall_follower" }))
+  s:check(world.follower.probes.error == nil, "a reload empties them")
+  s:run(0.1)
+  s:check(world.follower.probes.error.tm > 2)
+end)
+
 scenario("a reload in the middle keeps what filters and controllers remember", { timeout = 60 }, function(s)
   local world = s:load "systems/wall_follower.lua"
   s:run(2)

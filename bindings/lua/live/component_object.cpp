@@ -161,11 +161,12 @@ int command(lua_State* L) {
 }
 
 // What a script shows as plain data; other components show an empty table.
-Expected<PlainLook> data_of(const Component& component, std::string_view word, const PlainLimit& limit) {
+Expected<PlainLook> data_of(const ComponentAt& at, std::string_view word, const PlainLimit& limit) {
     PlainLook look;
-    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
+    if (const auto* script = dynamic_cast<const ScriptComponent*>(at.component)) {
         if (word == "state") return script->look_at_state(limit);
-        look.data = script->describe_tasks();
+        look.data =
+            word == "tasks" ? script->describe_tasks() : script->describe_probes(at.live->system().now().seconds);
     } else {
         look.data.values.emplace_back(PlainData::TableRef{0});
         look.data.tables.emplace_back();
@@ -189,8 +190,8 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
     if (word == "type") return Answer{component.type()};
     if (word == "status") return now_in(at);
     if (word == "version") return Answer{std::int64_t{component.version()}};
-    if (word == "state" || word == "tasks") {
-        auto look = data_of(component, word, ObjectAccess::look_limit(*ref.objects));
+    if (word == "state" || word == "tasks" || word == "probes") {
+        auto look = data_of(at, word, ObjectAccess::look_limit(*ref.objects));
         if (!look) return Unexpected(look.error());
         return Answer{LockedValue{fmt::format("{}.{}", component.name(), word), std::move(*look)}};
     }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/base/names.hpp"
 #include "engine/ports/payload.hpp"
 
 namespace nezumi {
@@ -101,6 +102,35 @@ std::string about_text(const Component& component) {
     return text;
 }
 
+// A value of a script as a port's is shown: "0.25", "{ left = 1, right = 2 }". Tables in tables do not come here.
+std::string plain_text(const PlainData& data, const PlainData::Value& value, std::size_t width) {
+    std::string text;
+    if (const auto* table = std::get_if<PlainData::TableRef>(&value)) {
+        std::int64_t next = 1;
+        for (const auto& [key, entry] : data.tables[table->index]) {
+            text += text.empty() ? " " : ", ";
+            if (text.size() >= width) return "{" + text + "... }";
+            const auto* place = std::get_if<std::int64_t>(&key);
+            const auto* name = std::get_if<std::string>(&key);
+            if (place == nullptr || *place != next++) {
+                text += name != nullptr && is_identifier(*name) ? *name : "[" + plain_text(data, key, width) + "]";
+                text += " = ";
+            }
+            text += plain_text(data, entry, width);
+        }
+        return text.empty() ? "{}" : "{" + text + " }";
+    }
+    std::visit(
+        [&]<class T>(const T& v) {
+            if constexpr (!std::is_same_v<T, std::monostate> && !std::is_same_v<T, PlainData::TableRef>)
+                append(text, v, width);
+        },
+        value);
+    return text;
+}
+
+std::string probe_text(const PlainData& probe) { return plain_text(probe, probe.values.front(), 80); }
+
 }  // namespace
 
 double port_age(const System& system, const Port& port) {
@@ -168,6 +198,8 @@ std::string component_text(const System& system, const Component& component) {
             text += fmt::format("\n  :{}(...)  {}", command.name, first_line(command.doc));
         for (const Task& task : script->script().tasks().all())
             text += fmt::format("\n  task {}  {}", task.name, to_text(task, component.now().seconds));
+        for (const Probes::Probe& probe : script->script().probes().all())
+            text += fmt::format("\n  probe {} = {}", probe.name, probe_text(probe.value));
     }
     return text;
 }

@@ -4,6 +4,7 @@
 //   X.ports.NAME, X.NAME   a port; X.NAME gives way to the words below, X.ports.NAME never
 //   X.config               parameters, read and written within their bounds
 //   X.state                what the script keeps in `state`: a copy that can't be changed
+//   X.probes               what the script shows by `probe`: X.probes.NAME has .value .tm .age
 //   X.status               "INACTIVE", "ACTIVE" or "ERROR"
 //   X.version X.type X.name X.rate X.set X.sets X.error X.commands
 //   X:activate() X:deactivate() X:reset()  return the status that follows; X:use "set" the set's name

@@ -17,6 +17,7 @@
 #include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/script/probes.hpp"
 #include "bindings/lua/script/script_chunk.hpp"
 #include "bindings/lua/script/tasks.hpp"
 #include "bindings/lua/values/plain_data.hpp"
@@ -108,6 +109,8 @@ public:
     const ScriptAbout& about() const { return about_; }
     Tasks& tasks() { return tasks_; }
     const Tasks& tasks() const { return tasks_; }
+    Probes& probes() { return probes_; }
+    const Probes& probes() const { return probes_; }
     bool has(Hook hook) const { return hooks_[static_cast<std::size_t>(hook)] != LUA_NOREF; }
     /// The component's while this version is live; before, as the file declares them.
     Parameters& parameters();
@@ -211,6 +214,7 @@ private:
     std::vector<CommandDeclaration> commands_;
     ScriptAbout about_;
     Tasks tasks_;
+    Probes probes_;
     Parameters parameters_;
     std::array<int, 9> hooks_{};  // registry references, by Hook
     std::array<int, 9> hook_lines_{};

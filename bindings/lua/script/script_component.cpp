@@ -111,7 +111,8 @@ Expected<PlainData> ScriptComponent::copy_state() const {
 
 bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& visit) const {
     if (member == "tasks") visit_plain(describe_tasks(), visit);
-    if (member != "state") return member == "tasks";
+    if (member == "probes") visit_plain(script_->probes().values(), visit);
+    if (member != "state") return member == "tasks" || member == "probes";
     if (const auto state = look_at_state({})) visit_plain(state->data, visit);
     return true;
 }
@@ -236,7 +237,10 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
     old.parameters = std::move(parameters_);
     old.in_ports = std::move(in_ports_);
     old.out_ports = std::move(out_ports_);
-    if (old.script != nullptr) old.script->go_live(false);
+    if (old.script != nullptr) {
+        old.script->go_live(false);
+        old.script->probes().clear();
+    }
 
     in_ports_.clear();
     out_ports_.clear();

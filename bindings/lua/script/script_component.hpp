@@ -31,6 +31,8 @@ public:
     Expected<PlainLook> look_at_state(const PlainLimit& limit) const { return script_->look_at_state(limit); }
     /// Its tasks by name, for a look at them: `status`, `since`, and of those that wait `waiting` and `line`.
     PlainData describe_tasks() const { return script_->tasks().describe(now().seconds); }
+    /// Its probes by name, for a look at them at this time [s]: `value`, `tm` and `age`.
+    PlainData describe_probes(double seconds) const { return script_->probes().describe(seconds); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
 
     // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.

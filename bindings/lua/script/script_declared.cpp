@@ -44,7 +44,7 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
         return failure(fmt::format("{} '{}': the name is no identifier{}", kind, shown(name), keyword));
     }
     if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
-    if (contains(script_words(), name) || contains(later_script_words(), name) || contains(component_words(), name)) {
+    if (contains(script_words(), name) || contains(component_words(), name)) {
         return failure(fmt::format("{} '{}': the name is one of a component's own words", kind, name));
     }
     if (contains(sandbox_names(), name))

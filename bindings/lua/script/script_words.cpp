@@ -113,7 +113,7 @@ int global_newindex(lua_State* L) {
     return 0;
 }
 
-// `dt` costs those who read it, and nobody else, as do the words of tasks.
+// `dt` costs those who read it, and nobody else, as do the words of tasks and probes.
 int global_index(lua_State* L) {
     Script& script = script_of(L);
     if (lua_type(L, 2) == LUA_TSTRING && string_at(L, 2) == "dt") {
@@ -121,10 +121,11 @@ int global_index(lua_State* L) {
         return 1;
     }
     push_text(L, 2);
-    // Most scripts have no tasks, and do without the memory of their words.
-    if (is_task_word(string_at(L, -1))) {
+    // Most scripts have no tasks and no probes, and do without the memory of their words.
+    const bool probes = string_at(L, -1) == "probe";
+    if (probes || is_task_word(string_at(L, -1))) {
         lua_pushglobaltable(L);
-        set_task_words(L, script);
+        probes ? set_probe_word(L, script) : set_task_words(L, script);
         lua_pushvalue(L, 2);
         lua_rawget(L, -2);
         return 1;
@@ -177,14 +178,9 @@ void install_words(lua_State* L, Script& script, const PlainData* state) {
 }
 
 const std::vector<std::string_view>& script_words() {
-    static const std::vector<std::string_view> words{"about", "cancel", "command", "config",    "dt",      "input",
-                                                     "log",   "now",    "output",  "param",     "require", "start",
-                                                     "state", "task",   "wait",    "wait_until"};
-    return words;
-}
-
-const std::vector<std::string_view>& later_script_words() {
-    static const std::vector<std::string_view> words{"probe"};
+    static const std::vector<std::string_view> words{"about", "cancel", "command", "config", "dt",        "input",
+                                                     "log",   "now",    "output",  "param",  "probe",     "require",
+                                                     "start", "state",  "task",    "wait",   "wait_until"};
     return words;
 }
 

@@ -1,5 +1,5 @@
 // The words that scripts have beside Lua's library: input, output, param, config, state, now, log, about, command,
-// require.
+// probe, require.
 #pragma once
 
 #include <lua.hpp>
@@ -16,9 +16,6 @@ void install_words(lua_State* L, Script& script, const PlainData* state);
 
 /// The words, without those of the library.
 const std::vector<std::string_view>& script_words();
-
-/// Words that scripts will have: nothing of a script is called like them, so that none breaks then.
-const std::vector<std::string_view>& later_script_words();
 
 /// The names of all callbacks, in the order of `Hook` from on_activated on.
 const std::vector<std::string_view>& hook_names();

@@ -46,6 +46,11 @@ function about(fields) end
 ---@param doc? string
 function command(name, fn, doc) end
 
+---Shows a value from inside as `component.probes.name`: the last of a tick counts. Recorded, and no part of the trace.
+---@param name string
+---@param value number|boolean|string|table a table is flat, with at most 64 entries
+function probe(name, value) end
+
 ---Declares what is done one after the other: it starts on activation and runs in slices, from one wait to the next.
 ---@param name string
 ---@param fn fun()

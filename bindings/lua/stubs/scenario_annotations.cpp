@@ -34,6 +34,11 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field waiting? string what it is waiting for, and how long yet
 ---@field line? integer where it waits
 
+---@class ProbeView
+---@field value number|boolean|string|table
+---@field tm number [s] when it was set
+---@field age number [s]
+
 ---@class Component
 ---@field name string
 ---@field type string
@@ -45,6 +50,7 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field config table<string, ParameterValue>
 ---@field state table
 ---@field tasks table<string, TaskView>
+---@field probes table<string, ProbeView>
 ---@field set string?
 ---@field sets table
 ---@field commands table

@@ -7,7 +7,7 @@
 namespace nezumi {
 namespace {
 
-constexpr std::array<MemberName, 27> members{{
+constexpr std::array<MemberName, 28> members{{
     {.name = "activate", .called = true, .usage = "()"},
     {.name = "buzzer", .robot = true, .yields = true},
     {.name = "collided", .robot = true},
@@ -21,6 +21,7 @@ constexpr std::array<MemberName, 27> members{{
     {.name = "name"},
     {.name = "ports"},
     {.name = "press", .robot = true, .called = true, .yields = true, .most = 2, .usage = "(sensor, pressed)"},
+    {.name = "probes"},
     {.name = "rate", .yields = true},
     {.name = "reset", .called = true, .usage = "()"},
     {.name = "said", .robot = true, .yields = true},
@@ -37,11 +38,8 @@ constexpr std::array<MemberName, 27> members{{
     {.name = "version"},
 }};
 
-// Members of later versions.
-constexpr std::array<std::string_view, 1> kept_free{"probes"};
-
 std::vector<std::string_view> taken_names(bool of_robots) {
-    std::vector<std::string_view> names(kept_free.begin(), kept_free.end());
+    std::vector<std::string_view> names;
     for (const MemberName& member : members) {
         if (!member.yields && (of_robots || !member.robot)) names.push_back(member.name);
     }

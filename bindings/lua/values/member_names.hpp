@@ -20,8 +20,7 @@ struct MemberName {
 /// All members, sorted by name.
 std::span<const MemberName> member_names();
 
-/// What ports, parameters and commands of scripts can't be called: the members that do not yield, and those kept free
-/// for what is to come. Sorted.
+/// What ports, parameters and commands of scripts can't be called: the members that do not yield. Sorted.
 const std::vector<std::string_view>& component_words();
 /// The same for the ports of robots.
 const std::vector<std::string_view>& robot_words();

@@ -27,7 +27,6 @@ std::vector<std::string> exported_words() {
     append(all, std::vector<std::string>{"scenario", "range"});
     append(all, system_word_names());
     append(all, script_words());
-    append(all, later_script_words());
     return all;
 }
 

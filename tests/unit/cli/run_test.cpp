@@ -272,6 +272,27 @@ TEST_CASE("a component in ERROR at the end is said, and makes the status 1", "[c
     CHECK(outcome.error.find("it.lua:2: no way") != std::string::npos);
 }
 
+TEST_CASE("probes and what is printed never change the trace hash", "[cli][run]") {
+    const auto hash = [](const std::string& more) {
+        const Project project("local out = output('out', 'TimedDouble')\nfunction on_execute()\n  out:write(now()) " +
+                              more + "\nend\n");
+        return project.run({"--duration", "0.2", "--trace-hash"}).out;
+    };
+    const std::string plain = hash("");
+    CHECK(plain.substr(0, 12) == "trace hash: ");
+    CHECK(hash("probe('x', now()) probe('y', { now() }) print({ now() })") == plain);
+}
+
+TEST_CASE("probes are recorded where that is asked for", "[cli][run]") {
+    const Project project("function on_execute()\n  probe('x', now()) probe('y', { left = true })\nend\n");
+    const std::string csv = project.scratch.path("probes.csv").string();
+    const Outcome outcome = project.run({"--duration", "0.02", "--record", csv, "--ports", "it.probes"});
+    CHECK(outcome.status == 0);
+    const std::string text = text_of_file(csv);
+    CHECK_THAT(text, Catch::StartsWith("time,it.probes.x,it.probes.y.left\n"));
+    CHECK_THAT(text, Catch::Contains("\n0.01,0.01,1\n"));
+}
+
 TEST_CASE("a saved behaviour is taken while a run goes on, but not in a headless one", "[cli][run]") {
     const Project project("param('x', 1)\nfunction on_activated() log.info('first') end\nfunction on_execute() end\n");
     const std::string second =

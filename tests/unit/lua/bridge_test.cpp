@@ -68,6 +68,9 @@ TEST_CASE("every word of a script refuses an argument too many and one of a wron
         {"wait_until",
          {"wait_until(print, {}, 3)", "wait_until: expected at most 2 arguments, got 3: wait_until(condition, options)",
           "wait_until(5)", "wait_until expected a function, got number"}},
+        {"probe",
+         {"probe('a', 1, 2)", "probe: expected at most 2 arguments, got 3: probe(name, value)", "probe(5, 1)",
+          "probe expected a name, got number"}},
         {"now", {"now(1)", "now: expected no arguments, got 1: now()", "", ""}},
     };
     check_covered(table, script_words(), {"config", "dt", "log", "state"});

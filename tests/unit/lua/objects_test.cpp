@@ -217,6 +217,25 @@ TEST_CASE("setting a part of the truth is an error that says what to use", "[lua
     CHECK(it.run("mouse:teleport(mouse.truth.pose) return mouse.truth.pose.position.x") == "0.0");
 }
 
+TEST_CASE("probes are seen from outside, with their time and age", "[lua][objects]") {
+    Objective it(
+        counter_system,
+        {{"counter",
+          "local range = input('in', 'TimedShortSeq') local out = output('out', "
+          "'TimedVelocity2D') param('speed_x', 0.1)\nfunction on_execute() if now() < 0.05 then probe('error', "
+          "now()) end probe('flat', { 1, two = 'x' }) end"}});
+    CHECK(it.run("return next(controller.probes) == nil, controller.probes.error") == "true nil");
+    it.tick(10);
+    CHECK(it.run(
+              "local e = controller.probes.error return e.value == e.tm, e.tm < 0.05, ('%.2f'):format(e.tm + e.age)") ==
+          "true true 0.10");
+    CHECK(it.run("return controller.probes.flat.value[1], controller.probes.flat.value.two") == "1 x");
+    CHECK(it.run("controller.probes.error = 1") ==
+          "box.lua:1: can't set 'controller.probes.error': 'controller.probes' is read-only");
+    CHECK_THAT(it.run("return tostring(controller)"), Catch::Contains("\n  probe flat = { 1, two = \"x\" }"));
+    CHECK(it.run("return next(mouse.probes) == nil") == "true");
+}
+
 TEST_CASE("what is nearer to zero than any measurement is shown as zero", "[lua][objects]") {
     Objective it;
     it.tick();

@@ -1,0 +1,155 @@
+// A probe's value is checked and copied while the script runs; who looks reads the copy.
+#include "bindings/lua/script/probes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/text.hpp"
+#include "bindings/lua/script/script_call.hpp"
+#include "bindings/lua/values/bridge.hpp"
+#include "bindings/lua/values/plain_data.hpp"
+#include "engine/base/names.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::string_view expected = "expected a number, a truth value, a text or a flat table of them";
+
+bool is_scalar(int type) { return type == LUA_TNUMBER || type == LUA_TBOOLEAN || type == LUA_TSTRING; }
+
+// The table at `index` is flat and small. Raises nothing, and leaves the stack as it was.
+Expected<void> check_flat(lua_State* L, int index) {
+    const int top = lua_gettop(L);
+    const int table = push_behind_lock(L, index) ? lua_gettop(L) : index;
+    std::size_t entries = 0;
+    bool flat = true;
+    for (lua_pushnil(L); entries <= Probes::most_entries && flat && lua_next(L, table) != 0; lua_pop(L, 1)) {
+        ++entries;
+        flat = is_scalar(lua_type(L, -2)) && is_scalar(lua_type(L, -1));
+    }
+    lua_settop(L, top);
+    if (!flat) return failure(fmt::format("{}, got a table that holds something else", expected));
+    if (entries > Probes::most_entries)
+        return failure(fmt::format("a table has at most {} entries here", Probes::most_entries));
+    return {};
+}
+
+std::size_t text_size(const PlainData& data) {
+    std::size_t size = 0;
+    const auto add = [&](const PlainData::Value& value) {
+        if (const auto* text = std::get_if<std::string>(&value)) size += text->size();
+    };
+    for (const PlainData::Value& value : data.values) add(value);
+    for (const PlainData::Table& table : data.tables) {
+        for (const auto& [key, value] : table) {
+            add(key);
+            add(value);
+        }
+    }
+    return size;
+}
+
+// A copy of the value at index 2, which is the topmost.
+Expected<PlainData> read_value(lua_State* L, Budget budget) {
+    const int type = lua_type(L, 2);
+    if (type == LUA_TTABLE) {
+        if (auto ok = check_flat(L, 2); !ok) return Unexpected(ok.error());
+    } else if (!is_scalar(type)) {
+        return failure(fmt::format("{}, got {}", expected, Arguments{L}.kind(2)));
+    }
+    if (type == LUA_TSTRING && string_at(L, 2).size() > Probes::most_text)
+        return failure(fmt::format("its texts have at most {} bytes", Probes::most_text));
+    std::vector<Dropped> dropped;
+    auto value = take_plain(L, 1, budget, {"value"}, dropped);
+    if (!value) return value;
+    if (text_size(*value) > Probes::most_text)
+        return failure(fmt::format("its texts have at most {} bytes", Probes::most_text));
+    return value;
+}
+
+// probe(name, value)
+int word_probe(lua_State* L) {
+    Script& script = script_of(L);
+    return bridge(L, [&]() -> Expected<void> {
+        if (auto ok = Arguments{L}.at_most("probe", 2, "(name, value)"); !ok) return ok;
+        if (lua_type(L, 1) != LUA_TSTRING)
+            return failure(fmt::format("probe expected a name, got {}", Arguments{L}.kind(1)));
+        const std::string_view name = string_at(L, 1);
+        if (script.phase() == Script::Phase::loading)
+            return failure(fmt::format("probe '{}': nothing can be probed while the file loads", shown(name)));
+        lua_settop(L, 2);
+        auto value = read_value(L, script.context().budget);
+        if (!value) return failure(fmt::format("probe '{}': {}", shown(name), value.error().message));
+        return script.probes().set(name, std::move(*value), script.seconds());
+    });
+}
+
+// A table of all probes by name, sorted as every table; `add(probe, data)` gives each its entry.
+template <class Add>
+PlainData table_of(const std::vector<Probes::Probe>& probes, const Add& add) {
+    PlainData data;
+    data.values.emplace_back(PlainData::TableRef{0});
+    data.tables.emplace_back();
+    for (const Probes::Probe& probe : probes) {
+        PlainData::Value entry = add(probe, data);
+        data.tables.front().emplace_back(probe.name, std::move(entry));
+    }
+    std::sort(data.tables.front().begin(), data.tables.front().end(), [](const auto& a, const auto& b) {
+        return std::get<std::string>(a.first) < std::get<std::string>(b.first);
+    });
+    return data;
+}
+
+// The value of a probe, its table put among those of `data`.
+PlainData::Value value_in(const Probes::Probe& probe, PlainData& data) {
+    if (probe.value.tables.empty()) return probe.value.values.front();
+    data.tables.push_back(probe.value.tables.front());
+    return PlainData::TableRef{data.tables.size() - 1};
+}
+
+}  // namespace
+
+Expected<void> Probes::set(std::string_view name, PlainData value, double seconds) {
+    const auto found =
+        std::find_if(probes_.begin(), probes_.end(), [&](const Probe& probe) { return probe.name == name; });
+    if (found != probes_.end()) {
+        found->value = std::move(value);
+        found->tm = seconds;
+        return {};
+    }
+    if (!is_identifier(name) || name.size() > longest_name)
+        return failure(
+            fmt::format("probe '{}': the name is no identifier: use letters, digits and _, no digit first, "
+                        "at most {} of them",
+                        shown(name.substr(0, longest_name)), longest_name));
+    if (probes_.size() >= most)
+        return failure(fmt::format("probe '{}': a component has at most {} probes", name, most));
+    probes_.push_back({std::string(name), std::move(value), seconds});
+    return {};
+}
+
+PlainData Probes::values() const { return table_of(probes_, value_in); }
+
+PlainData Probes::describe(double now) const {
+    return table_of(probes_, [now](const Probe& probe, PlainData& data) -> PlainData::Value {
+        PlainData::Value value = value_in(probe, data);
+        PlainData::Table fields;
+        fields.emplace_back("age", now - probe.tm);
+        fields.emplace_back("tm", probe.tm);
+        fields.emplace_back("value", std::move(value));
+        data.tables.push_back(std::move(fields));
+        return PlainData::TableRef{data.tables.size() - 1};
+    });
+}
+
+void set_probe_word(lua_State* L, Script& script) {
+    // Past the metatable, which takes new globals for slips.
+    lua_pushliteral(L, "probe");
+    lua_pushlightuserdata(L, &script);
+    lua_pushcclosure(L, word_probe, 1);
+    lua_rawset(L, -3);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,49 @@
+// Values that a script shows of its inside: `probe(name, value)`.
+#pragma once
+
+#include <cstddef>
+#include <lua.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/components/plain_data.hpp"
+
+namespace nezumi {
+
+class Script;
+
+/// The probes of one version of a script. They are seen from outside and recorded, and no part of the trace hash.
+class Probes {
+public:
+    static constexpr std::size_t most = 64;          ///< of a component
+    static constexpr std::size_t most_entries = 64;  ///< of a table
+    static constexpr std::size_t most_text = 1000;   ///< [bytes] of all texts of a value
+    static constexpr std::size_t longest_name = 100;
+
+    struct Probe {
+        std::string name;
+        PlainData value;  ///< one number, truth value or text, or one flat table of them
+        double tm = 0;    ///< [s] when it was set
+    };
+
+    /// Sets one. An error when its name is no identifier, or when there are too many.
+    Expected<void> set(std::string_view name, PlainData value, double seconds);
+    void clear() { probes_.clear(); }
+    /// In the order in which they came.
+    const std::vector<Probe>& all() const { return probes_; }
+
+    /// For a look: a table from each name to its `value`, `tm` and `age` at this time [s].
+    PlainData describe(double now) const;
+    /// For recordings: a table from each name to its value.
+    PlainData values() const;
+
+private:
+    std::vector<Probe> probes_;
+};
+
+/// Sets the word in the table of globals, which is on top of the stack. May raise a Lua error (memory).
+void set_probe_word(lua_State* L, Script& script);
+
+}  // namespace nezumi
