@@ -272,11 +272,10 @@ Names texts(const System& system, const TextAtCursor& text) {
         return things;
     }
     if (word == "speed") return {"max"};
-    Names words;
-    if (word == "help") {
-        for (const Word& each : console_words()) words.emplace_back(each.name);
-    }
-    return words;
+    if (word != "help") return {};
+    Names names = names_of(system);
+    for (const Word& each : console_words()) names.emplace_back(each.name);
+    return names;
 }
 
 }  // namespace

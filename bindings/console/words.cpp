@@ -87,7 +87,8 @@ const std::vector<Word>& console_words() {
          true},
         {"now", "now()", "shows the simulated time", 0, word_now},
         {"print", "print(...)", "prints values", 250, word_print, true},
-        {"help", "help() or help \"step\"", "explains the words", 1, word_help, true},
+        {"help", "help() or help \"step\" or help(component)",
+         "explains words, components, ports, parameters and members", 1, word_help, true},
         {"quit", "quit()", "ends the run", 0, word_quit},
         {"exit", "exit()", "is quit()", 0, word_quit},
     };

@@ -5,7 +5,9 @@
 #include <cctype>
 
 #include "bindings/console/words.hpp"
+#include "bindings/lua/live/help_text.hpp"
 #include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/script/script_component.hpp"
 
@@ -58,6 +60,37 @@ void find_in(Finder& finder, const Component& component) {
 }
 
 std::string word_line(const Word& word) { return fmt::format("  {:40} {}", word.usage, word.help); }
+
+// The word that is asked for, by itself or by its name; null when it is none.
+const Word* word_asked(const Arguments& arguments) {
+    if (const Word* word = word_at(arguments.lua, 1)) return word;
+    if (lua_type(arguments.lua, 1) != LUA_TSTRING) return nullptr;
+    for (const Word& word : console_words()) {
+        if (word.name == text_at(arguments.lua, 1)) return &word;
+    }
+    return nullptr;
+}
+
+// "controller.out": where what is asked for is in the system. The error says what can be asked for.
+Expected<std::string> path_asked(Session::Parts& parts, const Arguments& arguments) {
+    if (const ObjectRef* ref = to_object(arguments.lua, 1)) {
+        switch (ref->kind) {
+            case ObjectKind::system: return failure("help() explains the words, ls() shows the system");
+            case ObjectKind::component: return std::string(ref->component());
+            case ObjectKind::port: return fmt::format("{}.ports.{}", ref->component(), ref->port());
+            case ObjectKind::ports: return fmt::format("{}.ports", ref->component());
+            case ObjectKind::config: return fmt::format("{}.config", ref->component());
+            case ObjectKind::truth: return fmt::format("{}.truth", ref->component());
+        }
+    }
+    auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");
+    if (!name || name->find_first_of(".:") != std::string::npos) return name;
+    std::vector<std::string> components = component_names(parts);
+    if (std::find(components.begin(), components.end(), *name) != components.end()) return name;
+    std::vector<std::string_view> names(components.begin(), components.end());
+    for (const Word& word : console_words()) names.emplace_back(word.name);
+    return failure(fmt::format("there is no word '{}'{}", shown(*name), did_you_mean(*name, names)));
+}
 
 }  // namespace
 
@@ -124,19 +157,16 @@ Expected<WordEnd> word_errors(Session::Parts& parts, const Arguments&) {
 
 Expected<WordEnd> word_help(Session::Parts& parts, const Arguments& arguments) {
     if (arguments.has(1)) {
-        const Word* asked = word_at(arguments.lua, 1);
-        if (asked == nullptr) {
-            const auto name = arguments.text(1, "a word, as in help \"step\"");
-            if (!name) return Unexpected(name.error());
-            std::vector<std::string_view> names;
-            for (const Word& word : console_words()) {
-                names.emplace_back(word.name);
-                if (word.name == *name) asked = &word;
-            }
-            if (asked == nullptr)
-                return failure(fmt::format("there is no word '{}'{}", shown(*name), did_you_mean(*name, names)));
+        if (const Word* word = word_asked(arguments)) {
+            parts.show(fmt::format("{}: {}", word->usage, word->help));
+            return WordEnd::done;
         }
-        parts.show(fmt::format("{}: {}", asked->usage, asked->help));
+        const auto path = path_asked(parts, arguments);
+        if (!path) return Unexpected(path.error());
+        const auto text =
+            parts.at_system([&]() -> Expected<std::string> { return help_text(parts.live.system(), *path); });
+        if (!text) return Unexpected(text.error());
+        parts.show(*text);
         return WordEnd::done;
     }
     std::string text =

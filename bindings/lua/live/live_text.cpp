@@ -87,21 +87,6 @@ std::string note_text(const Port& port) {
     return port.note().empty() ? "" : fmt::format("  ({})", first_line(port.note()));
 }
 
-// "\n  about version 1.2, vendor Acme": what a script says of itself; "" when it says nothing.
-std::string about_text(const Component& component) {
-    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
-    if (script == nullptr) return "";
-    const ScriptAbout& about = script->script().about();
-    std::string text;
-    const auto add = [&text](std::string_view name, const std::string& value) {
-        if (!value.empty()) text += fmt::format("{} {} {}", text.empty() ? "\n  about" : ",", name, first_line(value));
-    };
-    add("version", about.version);
-    add("vendor", about.vendor);
-    add("category", about.category);
-    return text;
-}
-
 // A value of a script as a port's is shown: "0.25", "{ left = 1, right = 2 }". Tables in tables do not come here.
 std::string plain_text(const PlainData& data, const PlainData::Value& value, std::size_t width) {
     std::string text;
@@ -204,15 +189,35 @@ std::string component_text(const System& system, const Component& component) {
     return text;
 }
 
+std::string about_text(const Component& component) {
+    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
+    if (script == nullptr) return "";
+    const ScriptAbout& about = script->script().about();
+    std::string text;
+    const auto add = [&text](std::string_view name, const std::string& value) {
+        if (!value.empty()) text += fmt::format("{} {} {}", text.empty() ? "\n  about" : ",", name, first_line(value));
+    };
+    add("version", about.version);
+    add("vendor", about.vendor);
+    add("category", about.category);
+    return text;
+}
+
+std::string parameter_text(const Parameters::Parameter& parameter) {
+    const ParameterSpec& spec = parameter.spec;
+    std::string text = fmt::format("{} = {}", spec.name, to_text(parameter.value));
+    const std::string bounds = bounds_text(spec);
+    if (!spec.unit.empty() || !bounds.empty())
+        text += fmt::format("  {}{}{}", spec.unit, spec.unit.empty() || bounds.empty() ? "" : ", ", bounds);
+    if (!spec.doc.empty()) text += "  " + first_line(spec.doc);
+    return text;
+}
+
 std::string config_text(const Component& component) {
     std::string text;
-    for (const auto& [spec, value, set] : component.parameters().all()) {
+    for (const auto& parameter : component.parameters().all()) {
         if (!text.empty()) text += "\n";
-        text += fmt::format("{} = {}", spec.name, to_text(value));
-        const std::string bounds = bounds_text(spec);
-        if (!spec.unit.empty() || !bounds.empty())
-            text += fmt::format("  {}{}{}", spec.unit, spec.unit.empty() || bounds.empty() ? "" : ", ", bounds);
-        if (!spec.doc.empty()) text += "  " + first_line(spec.doc);
+        text += parameter_text(parameter);
     }
     return text.empty() ? component.name() + " has no parameters" : text;
 }

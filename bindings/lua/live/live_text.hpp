@@ -27,7 +27,11 @@ std::string port_text(const System& system, const Component& component, const Po
 std::string component_title(const Component& component);
 /// A line for the component, what it says `about` itself, a line for each port, its configuration and its commands.
 std::string component_text(const System& system, const Component& component);
-/// "speed_x = 0.1  m/s, -1.5 to 1.5  straight-ahead speed": a line for each parameter.
+/// "\n  about version 1.2, vendor Acme": what a script says of itself; "" when it says nothing.
+std::string about_text(const Component& component);
+/// "speed_x = 0.1  m/s, -1.5 to 1.5  straight-ahead speed".
+std::string parameter_text(const Parameters::Parameter& parameter);
+/// A line for each parameter.
 std::string config_text(const Component& component);
 
 }  // namespace nezumi

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/script/first_comment.hpp"
 #include "bindings/lua/script/script_config.hpp"
 #include "bindings/lua/script/script_words.hpp"
 #include "engine/ports/payload.hpp"
@@ -23,7 +24,8 @@ int stack_depth(lua_State* L) {
 
 }  // namespace
 
-Script::Script(const SourceText& source, ScriptContext context) : file_(source), context_(std::move(context)) {
+Script::Script(const SourceText& source, ScriptContext context)
+    : file_(source), doc_(first_comment(source.text)), context_(std::move(context)) {
     hooks_.fill(LUA_NOREF);
 }
 

@@ -107,6 +107,8 @@ public:
     std::list<PortSlot>& slots() { return slots_; }
     const std::vector<CommandDeclaration>& commands() const { return commands_; }
     const ScriptAbout& about() const { return about_; }
+    /// The comment that its file begins with.
+    const std::string& doc() const { return doc_; }
     Tasks& tasks() { return tasks_; }
     const Tasks& tasks() const { return tasks_; }
     Probes& probes() { return probes_; }
@@ -203,6 +205,7 @@ private:
     std::string hint(std::string_view message) const;
 
     ScriptFile file_;
+    std::string doc_;
     ScriptContext context_;
     Inheritance inheritance_;  // while it loads
     std::vector<ScriptFile> modules_;

@@ -15,6 +15,7 @@ struct MemberName {
     bool yields = false;       ///< where a port has the name, `X.name` is the port; else no port can have it
     int most = 0;              ///< arguments at most, where it is called
     std::string_view usage{};  ///< "(pose)"
+    std::string_view doc{};    ///< what it is, for people
 };
 
 /// All members, sorted by name.

@@ -7,6 +7,7 @@
 
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/values/bridge.hpp"
+#include "bindings/lua/values/member_names.hpp"
 #include "tests/unit/live_rig.hpp"
 #include "tests/unit/lua/sandbox_support.hpp"
 
@@ -215,6 +216,13 @@ TEST_CASE("setting a part of the truth is an error that says what to use", "[lua
     CHECK_THAT(it.run("mouse.truth.pose = { x = 1 }"),
                Catch::Contains("what is true can't be set: use teleport for the pose, disturb for the velocity"));
     CHECK(it.run("mouse:teleport(mouse.truth.pose) return mouse.truth.pose.position.x") == "0.0");
+}
+
+TEST_CASE("every member says what it is", "[lua][objects]") {
+    for (const MemberName& member : member_names()) {
+        CAPTURE(member.name);
+        CHECK_FALSE(member.doc.empty());
+    }
 }
 
 TEST_CASE("probes are seen from outside, with their time and age", "[lua][objects]") {

@@ -1,4 +1,6 @@
 // Probes: what a script shows of its inside.
+#include <fmt/format.h>
+
 #include "tests/unit/lua/reload_rig.hpp"
 #include "tests/unit/lua/rig.hpp"
 

@@ -1,0 +1,137 @@
+// Says what each thing was described as where it was declared.
+#include "bindings/lua/live/help_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/live/objects.hpp"
+#include "bindings/lua/script/script_component.hpp"
+#include "bindings/lua/stubs/message_shape.hpp"
+#include "bindings/lua/values/member_names.hpp"
+#include "engine/base/names.hpp"
+#include "engine/robot/robot.hpp"
+
+namespace nezumi {
+namespace {
+
+// A text of several lines, each moved to the right.
+std::string indented(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        result += "\n  " + std::string(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return result;
+}
+
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
+
+// "  text", or nothing.
+std::string behind(std::string_view text) { return text.empty() ? "" : "  " + std::string(text); }
+
+void add_fields(std::string& text, const Shape& shape, const std::string& path) {
+    for (const FieldShape& field : shape.fields) {
+        const std::string name = fmt::format("{}.{}", path, field.name);
+        if (!field.shape.fields.empty() && !field.shape.sequence) {
+            add_fields(text, field.shape, name);
+        } else {
+            text += fmt::format("\n  {}{}{}", name, behind(field.unit), behind(field.doc));
+        }
+    }
+}
+
+std::string port_help(const Component& component, const Port& port) {
+    const std::vector<MessageShape> messages = message_shapes();
+    const MessageShape& message = messages[port.type()];
+    std::string text = fmt::format("{}.{}  {} {}: {}", component.name(), port.name(),
+                                   port.direction() == Direction::in ? "in" : "out", message.name, message.doc);
+    text += indented(port.doc());
+    if (!message.shape.sequence) add_fields(text, message.shape, "value");
+    return text + fmt::format("\n  it has {}", fmt::join(Objects::port_members(), ", "));
+}
+
+std::string component_help(const Component& component) {
+    std::string text = fmt::format("{}  {}", component.name(), component_title(component));
+    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
+    if (script != nullptr) text += indented(script->script().doc());
+    text += about_text(component);
+    const auto add_port = [&](const Port& port) {
+        text += fmt::format("\n  {:3} {}  {}{}", port.direction() == Direction::in ? "in" : "out", port.name(),
+                            port.type_name(), behind(first_line(port.doc())));
+    };
+    for (const auto& port : component.in_ports()) add_port(*port);
+    for (const auto& port : component.out_ports()) add_port(*port);
+    for (const auto& parameter : component.parameters().all()) text += "\n  config." + parameter_text(parameter);
+    if (script != nullptr) {
+        for (const CommandDeclaration& command : script->commands())
+            text += fmt::format("\n  :{}(...){}", command.name, behind(first_line(command.doc)));
+    }
+    return text + fmt::format("\n  help \"{0}.status\" explains a member; they are {1}", component.name(),
+                              fmt::join(Objects::members(component), ", "));
+}
+
+std::string member_help(const Component& component, const MemberName& member) {
+    return fmt::format("{}{}{}{}  {}", component.name(), member.called ? ":" : ".", member.name, member.usage,
+                       member.doc);
+}
+
+template <class Names>
+Error unknown(const Component& component, std::string_view what, std::string_view name, const Names& known) {
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    return {fmt::format("{} has no {}'{}'{}", component.name(), what, shown(name), did_you_mean(name, names)), {}};
+}
+
+Expected<std::string> parameter_help(const Component& component, std::string_view name) {
+    const auto* parameter = component.parameters().find(name);
+    if (parameter != nullptr) {
+        return fmt::format("{}.config.{}\n  its default is {}, {}", component.name(), parameter_text(*parameter),
+                           to_text(parameter->spec.initial),
+                           parameter->set ? "and somebody set it" : "which it follows");
+    }
+    std::vector<std::string> names;
+    for (const auto& each : component.parameters().all()) names.push_back(each.spec.name);
+    return Unexpected(unknown(component, "parameter ", name, names));
+}
+
+// What `X.name` is, in the order in which `X.name` looks for it.
+Expected<std::string> named_help(const Component& component, std::string_view name) {
+    const auto all = member_names();
+    const bool is_robot = dynamic_cast<const Robot*>(&component) != nullptr;
+    const auto own = std::find_if(
+        all.begin(), all.end(), [&](const MemberName& each) { return each.name == name && (!each.robot || is_robot); });
+    if (own != all.end() && !own->yields) return member_help(component, *own);
+    if (const Port* port = component.find_port(name)) return port_help(component, *port);
+    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
+        for (const CommandDeclaration& command : script->commands()) {
+            if (command.name == name)
+                return fmt::format("{}:{}(...){}", component.name(), command.name, behind(command.doc));
+        }
+    }
+    if (own != all.end()) return member_help(component, *own);
+    return Unexpected(unknown(component, "", name, Objects::members(component)));
+}
+
+}  // namespace
+
+Expected<std::string> help_text(const System& system, std::string_view path) {
+    const std::size_t end = std::min(path.find_first_of(".:"), path.size());
+    const auto component = system.component(path.substr(0, end));
+    if (!component) return Unexpected(component.error());
+    if (end == path.size()) return component_help(**component);
+    const std::string_view rest = path.substr(end + 1);
+    const std::string_view member = rest.substr(0, rest.find('.'));
+    const std::string_view below = member.size() < rest.size() ? rest.substr(member.size() + 1) : "";
+    if (member == "config") return below.empty() ? config_text(**component) : parameter_help(**component, below);
+    if (member == "ports" && !below.empty()) {
+        const std::string_view name = below.substr(0, below.find('.'));
+        if (const Port* port = (*component)->find_port(name)) return port_help(**component, *port);
+        return Unexpected(unknown(**component, "port ", name, Objects::members(**component)));
+    }
+    return named_help(**component, member);
+}
+
+}  // namespace nezumi
