@@ -167,7 +167,7 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
         // What could not be handled is not the message whose place was found.
         const std::size_t prefix = status == LUA_ERRERR ? 0 : call.error_prefix;
         error = {{describe_value(lua, prefix), to_place(call.error_place)}, false};
-        error.message += state.hint(error.message);
+        error.message += state.hint(error);
     }
     if (call.seen != 0) error.used_seconds = static_cast<double>(thread_time() - call.seen) * 1e-9;
     lua_pop(lua, 1);

@@ -55,9 +55,9 @@ public:
     }
 
     /// Adds a hint to the text of an error that leaves a call, such as what a nil upvalue means after a reload. Gets
-    /// the message without its place; what it returns is appended. Empty: no hints. Must not throw.
-    void set_hint(std::function<std::string(std::string_view)> hint) { hint_ = std::move(hint); }
-    std::string hint(std::string_view message) const { return hint_ ? hint_(message) : std::string(); }
+    /// the error as it is told; what it returns is appended. Empty: no hints. Must not throw.
+    void set_hint(std::function<std::string(const Error&)> hint) { hint_ = std::move(hint); }
+    std::string hint(const Error& error) const { return hint_ ? hint_(error) : std::string(); }
 
     /// The next number that tells a table, function, userdata or coroutine from the others in its text ("table: 1").
     std::int64_t next_identity() { return ++identities_; }
@@ -94,7 +94,7 @@ private:
     Random random_;
     std::uint64_t random_seed_ = 0;
     std::function<void(std::string_view)> print_;
-    std::function<std::string(std::string_view)> hint_;
+    std::function<std::string(const Error&)> hint_;
 };
 
 }  // namespace nezumi

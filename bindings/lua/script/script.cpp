@@ -8,6 +8,7 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/first_comment.hpp"
 #include "bindings/lua/script/script_config.hpp"
+#include "bindings/lua/script/script_ports.hpp"
 #include "bindings/lua/script/script_words.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
@@ -41,7 +42,7 @@ Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptC
          }});
     if (!lua) return Unexpected(lua.error());
     script->lua_ = std::move(*lua);
-    script->lua_->set_hint([self](std::string_view message) { return self->hint(message); });
+    script->lua_->set_hint([self](const Error& error) { return self->hint(error); });
     script->inheritance_ = inheritance;
     auto ok = script->run_top_level(source);
     script->inheritance_ = {};
@@ -154,6 +155,7 @@ void Script::log(LogLevel level, std::string text) {
 Expected<void> Script::begin_call() {
     written_bytes_ = 0;
     logged_bytes_ = 0;
+    missing_.port = nullptr;
     Parameters& now = parameters();
     if (now.version() == seen_parameters_) return {};
     auto ok = protect(lua(), context_.budget, [&](lua_State* L) {
@@ -277,10 +279,17 @@ Expected<PlainLook> Script::look_at_state(const PlainLimit& limit) {
     return with_state([&](lua_State* L) { return look_at_plain(L, context_.budget, limit); });
 }
 
-// Locals are new after a reload, and on_activated, which may have set them, does not run again.
-std::string Script::hint(std::string_view message) const {
-    if (was_activated_ || context_.version == 1 || message.find("nil value (upvalue '") == std::string_view::npos)
-        return "";
+std::string Script::hint(const Error& error) const {
+    const auto says = [&](std::string_view text) { return error.message.find(text) != std::string::npos; };
+    // Lua knows no name of an element: what is nil is "field '?'", or nothing at all in a comparison.
+    const bool of_an_element = says("nil value (field '?')") || says("nil value (field 'integer index')") ||
+                               (says("attempt to compare ") && says("nil"));
+    if (of_an_element && missing_.port != nullptr && missing_.place.line == error.place.line &&
+        missing_.place.file == error.place.file) {
+        return fmt::format(": element {} of {} of {}", missing_.index, missing_.count, port_title(*missing_.port));
+    }
+    // Locals are new after a reload, and on_activated, which may have set them, does not run again.
+    if (was_activated_ || context_.version == 1 || !says("nil value (upvalue '")) return "";
     return "; a reload makes the file's locals new and does not run on_activated again: set it at the top of the file "
            "or in "
            "on_reload, or keep it in `state`";

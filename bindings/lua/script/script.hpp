@@ -17,6 +17,7 @@
 #include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
 #include "bindings/lua/script/probes.hpp"
 #include "bindings/lua/script/script_chunk.hpp"
 #include "bindings/lua/script/tasks.hpp"
@@ -166,6 +167,15 @@ public:
     double dt() const;
     void log(LogLevel level, std::string text);
 
+    /// An element that is not there, read of what a port gave: an error of the same line tells of it.
+    struct MissingElement {
+        const PortDeclaration* port = nullptr;
+        lua_Integer index = 0;
+        std::size_t count = 0;  ///< of the elements that are there
+        CallRecord::ScriptPlace place;
+    };
+    void note_missing(const MissingElement& element) { missing_ = element; }
+
     Expected<PortSlot*> declare_port(PortDeclaration declaration);
     Expected<void> declare_parameter(ParameterSpec spec);
     Expected<void> declare_command(CommandDeclaration declaration);
@@ -202,7 +212,7 @@ private:
     static int call_with_tasks(lua_State* L);
     Expected<Chunk> compile(const SourceText& source, ScriptKind kind) const;
     Error to_error(const CallError& error) const;
-    std::string hint(std::string_view message) const;
+    std::string hint(const Error& error) const;
 
     ScriptFile file_;
     std::string doc_;
@@ -225,6 +235,7 @@ private:
     double failed_seconds_ = 0;      // of CPU time, that the last call that failed had used
     std::size_t written_bytes_ = 0;  // in this execution
     std::size_t logged_bytes_ = 0;   // likewise
+    MissingElement missing_{};       // the last one, in this execution
     Component* owner_ = nullptr;
     Phase phase_ = Phase::loading;
     bool was_activated_ = false;         // in this version

@@ -9,6 +9,7 @@
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "bindings/lua/values/plain_data.hpp"
 
 namespace nezumi {
 namespace {
@@ -64,6 +65,25 @@ int port_read(lua_State* L) {
     if constexpr (!std::is_arithmetic_v<T>) luaL_checkstack(L, 20, nullptr);
     auto& port = *static_cast<InPort<T>*>(slot.port);
     push_value(L, slot.live ? port.read() : port.latest().data);  // on_reload may look, the version before may need it
+    if constexpr (Sequence<T>) {
+        lua_pushvalue(L, lua_upvalueindex(2));
+        lua_setmetatable(L, -2);
+    }
+    return 1;
+}
+
+// __index of what a port of a sequence gave: nil, as of any table; should that lead to an error in the same line, the
+// error tells of it. `ipairs`, which ends so, has no line.
+int missing_element(lua_State* L) {
+    const PortSlot& slot = slot_of(L);
+    lua_Debug activation;
+    if (lua_isinteger(L, 2) != 0 && lua_getstack(L, 1, &activation) != 0 && lua_getinfo(L, "Sl", &activation) != 0 &&
+        activation.currentline > 0) {
+        Script::MissingElement element{slot.declaration, lua_tointeger(L, 2), lua_rawlen(L, 1), {}};
+        element.place.set(activation);
+        slot.script->note_missing(element);
+    }
+    lua_pushnil(L);
     return 1;
 }
 
@@ -114,13 +134,14 @@ struct PortFunctions {
     lua_CFunction read;
     lua_CFunction write;
     double (*stamp)(const InPortBase&);
+    bool sequence;
 };
 
 const PortFunctions& functions_of(std::size_t type) {
     static constexpr auto table = []<std::size_t... I>(std::index_sequence<I...>) {
         return std::array<PortFunctions, message_type_count>{PortFunctions{
             port_read<std::variant_alternative_t<I, AnyPayload>>, port_write<std::variant_alternative_t<I, AnyPayload>>,
-            stamp<std::variant_alternative_t<I, AnyPayload>>}...};
+            stamp<std::variant_alternative_t<I, AnyPayload>>, Sequence<std::variant_alternative_t<I, AnyPayload>>}...};
     }
     (std::make_index_sequence<message_type_count>{});
     return table[type];
@@ -208,14 +229,23 @@ std::string port_title(const PortDeclaration& declaration) {
 }
 
 void push_port_object(lua_State* L, PortSlot& slot) {
-    luaL_checkstack(L, 6, nullptr);
+    luaL_checkstack(L, 8, nullptr);
     const bool in = slot.declaration->direction == Direction::in;
     const PortFunctions& functions = functions_of(slot.declaration->type);
     slot.object = lua_newuserdatauv(L, 0, 0);
 
     lua_createtable(L, 0, 6);  // the metatable
     lua_createtable(L, 0, 1);  // the methods
-    set_closure(L, slot, in ? "read" : "write", in ? functions.read : functions.write);
+    if (in && functions.sequence) {
+        lua_pushlightuserdata(L, &slot);
+        lua_createtable(L, 0, 2);  // the metatable of what it reads
+        set_closure(L, slot, "__index", missing_element);
+        mark_as_plain(L);
+        lua_pushcclosure(L, functions.read, 2);
+        lua_setfield(L, -2, "read");
+    } else {
+        set_closure(L, slot, in ? "read" : "write", in ? functions.read : functions.write);
+    }
     lua_createtable(L, 0, 1);
     set_closure(L, slot, "__index", port_index);
     lua_setmetatable(L, -2);

@@ -180,7 +180,7 @@ TEST_CASE("help explains components, ports, parameters and members", "[console][
     CHECK(it.type("help 'controller.config.speed_x'") ==
           "controller.config.speed_x = 0.25  m/s, -1.5 to 1.5  straight-ahead speed\n  its default is 0.25, which it "
           "follows");
-    CHECK_THAT(it.type("controller.config.stop_d = 31 help 'controller.config.stop_d'"),
+    CHECK_THAT(it.type("controller.config.stop_d = 31 step(1) help 'controller.config.stop_d'"),
                Contains("stop_d = 31\n  its default is 30, and somebody set it"));
     CHECK(it.type("help(controller.config)") == it.type("print(controller.config)"));
     CHECK(it.type("help 'controller.status'") == "controller.status  \"INACTIVE\", \"ACTIVE\" or \"ERROR\"");
