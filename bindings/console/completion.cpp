@@ -19,11 +19,15 @@ using Names = std::vector<std::string>;
 
 // What a chain of names leads to, if it is there.
 struct Place {
-    enum class Kind { nothing, system, component, ports, port, config, truth, value, table } kind = Kind::nothing;
+    enum class Kind { nothing, system, component, ports, port, config, truth, value, data, table } kind = Kind::nothing;
     std::string component;
-    std::string port;  // also of `value`
-    Names fields{};    // below `value` and `truth`
+    std::string port;  // also of `value`; the member, as "state", of `data`
+    Names fields{};    // below `value`, `truth` and `data`
 };
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 Names names_of(const System& system) {
     Names names;
@@ -59,6 +63,22 @@ Names value_fields(std::size_t type, std::span<const std::string> path) {
     Names names;
     if (shape->sequence) return names;
     for (const FieldShape& field : shape->fields) names.emplace_back(field.name);
+    return names;
+}
+
+// What lies at this path in the plain data of a member: "state", "tasks" or "probes".
+Names data_fields(const Component& component, std::string_view member, std::span<const std::string> path) {
+    if (member == "probes" && !path.empty()) return path.size() == 1 ? Names{"age", "tm", "value"} : Names{};
+    std::string prefix;
+    for (const std::string& name : path) prefix += name + ".";
+    Names names;
+    component.visit_member(member, [&](const LeafPath& leaf, const Leaf&) {
+        const std::string text = leaf.text();
+        if (!text.starts_with(prefix)) return;
+        const std::string rest = text.substr(prefix.size());
+        const std::string name = rest.substr(0, rest.find_first_of(".["));
+        if (is_identifier(name)) names.push_back(name);
+    });
     return names;
 }
 
@@ -119,6 +139,7 @@ private:
             case Kind::ports: return called ? Names{} : port_names(*component);
             case Kind::config: return called ? Names{} : parameter_names(*component);
             case Kind::truth: return called ? Names{} : truth_fields(place.fields);
+            case Kind::data: return called ? Names{} : data_fields(*component, place.port, place.fields);
             default: return {};
         }
     }
@@ -178,10 +199,12 @@ private:
                 if (name == "ports") return {Kind::ports, place.component};
                 if (name == "config") return {Kind::config, place.component};
                 if (name == "truth") return {Kind::truth, place.component};
+                if (is_one_of(name, {"state", "tasks", "probes"})) return {Kind::data, place.component, name};
                 return {Kind::port, place.component, name};
             case Kind::ports: return {Kind::port, place.component, name};
             case Kind::port: return name == "value" ? Place{Kind::value, place.component, place.port} : Place{};
             case Kind::truth:
+            case Kind::data:
             case Kind::value: {
                 Place within = place;
                 within.fields.push_back(name);
@@ -211,10 +234,6 @@ Names port_paths(const System& system, bool in, bool out, const Port* like = nul
         }
     }
     return paths;
-}
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 // The fields that a table has as the value of a port: `port:write { v`, `inject("name.port", { v`.

@@ -53,11 +53,18 @@ private:
 
 void quote_into(std::string& out, std::string_view text) noexcept { out += to_text(ParameterValue(std::string(text))); }
 
-// Whether the value says itself what its text is.
-bool has_text(lua_State* L, int index) {
-    if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) return false;
+bool has_metafield(lua_State* L, int index, const char* name) {
+    if (luaL_getmetafield(L, index, name) == LUA_TNIL) return false;
     lua_pop(L, 1);
     return true;
+}
+
+// Whether the value is shown by its entries: a table, or an object as `config`, that does not say itself what its text
+// is.
+bool has_entries(lua_State* L, int index) {
+    const int type = lua_type(L, index);
+    if (type != LUA_TTABLE && !(type == LUA_TUSERDATA && has_metafield(L, index, "__pairs"))) return false;
+    return !has_metafield(L, index, "__tostring");
 }
 
 void Inspector::text(int index, bool quote) {
@@ -85,7 +92,7 @@ void Inspector::value(int index, int depth, std::size_t indent, bool quote) {
     index = lua_absindex(lua_, index);
     const int type = lua_type(lua_, index);
     if (type == LUA_TSTRING) return text(index, quote);
-    if (type == LUA_TTABLE && !has_text(lua_, index)) return table(index, depth, indent);
+    if (has_entries(lua_, index)) return table(index, depth, indent);
     std::size_t length = 0;
     const char* shown = push_text(lua_, index, &length);
     // What an object says may take several lines; within a table its first is enough.
@@ -301,7 +308,7 @@ void push_line(lua_State* L) {
     luaL_buffinit(L, &line);
     for (int i = 1; i <= count; ++i) {
         if (i > 1) luaL_addchar(&line, '\t');
-        if (lua_type(L, i) == LUA_TTABLE && !has_text(L, i)) {
+        if (has_entries(L, i)) {
             push_table_text(L, i, work);
         } else {
             push_text(L, i);

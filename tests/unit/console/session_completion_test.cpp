@@ -65,9 +65,24 @@ TEST_CASE("fields are completed within values", "[console][completion]") {
     CHECK(offer(it, "mouse.truth.pose.heading.", 25).empty());
     CHECK(offer(it, "mouse.current_pose_out.value.position.", 38) == "x y");
     CHECK(offer(it, "mouse.ir_sensor_out.value.", 26).empty());
+    CHECK(offer(it, "controller.state.", 17) == "count list");
+    CHECK(offer(it, "controller.state.count.", 23).empty());
+    CHECK(offer(it, "controller.probes.", 18).empty());
     it.type("t = mouse.truth p = controller.out");
     CHECK(offer(it, "t.pose.p", 7) == "position");
     CHECK(offer(it, "p.value.", 8) == "va vx vy");
+}
+
+TEST_CASE("probes and tasks are completed by their names", "[console][completion]") {
+    SessionRig it("behavior 'it' { script = 'it' }",
+                  {{"it",
+                    "task('go', function() wait(9) end) function on_execute() probe('error', 1) probe('gains', { 1, "
+                    "d = 2 }) end"}});
+    it.type("step(2)");
+    CHECK(offer(it, "it.probes.", 10) == "error gains");
+    CHECK(offer(it, "it.probes.gains.", 16) == "age tm value");
+    CHECK(offer(it, "it.tasks.", 9) == "go");
+    CHECK(offer(it, "it.tasks.go.", 12) == "line since status waiting");
 }
 
 TEST_CASE("fields are completed in the table that a port is given", "[console][completion]") {

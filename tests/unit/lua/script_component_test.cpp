@@ -130,11 +130,13 @@ TEST_CASE("print is log.info, and log has four levels", "[lua][component]") {
 TEST_CASE("print and log show tables, ports and parameters as people read them", "[lua][component]") {
     ScriptRig rig(
         "local range = input('range', 'TimedShortSeq') param('gains', { 1.0, 0.5 })\n"
-        "function on_execute() print(range:read(), range, config.gains) log.warn({ x = 1 }, 'then', { 2 }) end");
+        "function on_execute() print(range:read(), range, config.gains, config) log.warn({ x = 1 }, 'then', { 2 }) "
+        "end");
     rig.activate().feed<std::vector<std::int16_t>>("range", {3, 1});
     rig.tick();
-    CHECK(rig.log == std::vector<Text>{"info: { 3, 1 }\tinput 'range' (TimedShortSeq)\t{ 1.0, 0.5 }",
-                                       "warn: { x = 1 }\tthen\t{ 2 }"});
+    CHECK(rig.log ==
+          std::vector<Text>{"info: { 3, 1 }\tinput 'range' (TimedShortSeq)\t{ 1.0, 0.5 }\t{ gains = { 1.0, 0.5 } }",
+                            "warn: { x = 1 }\tthen\t{ 2 }"});
 }
 
 TEST_CASE("what a file prints while it loads is not lost", "[lua][component]") {
