@@ -1,17 +1,21 @@
 // `nezumi calibrate`: guided runs that measure one robot and write what it is like beside its system.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include "bindings/cli/calibrate_camera.hpp"
 #include "bindings/cli/calibrate_odometry.hpp"
 #include "bindings/cli/calibrate_ranges.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/guided_camera.hpp"
 #include "bindings/cli/guided_setup.hpp"
 #include "bindings/cli/person.hpp"
 #include "bindings/cli/stop_signals.hpp"
@@ -22,12 +26,30 @@ namespace nezumi::cli {
 namespace {
 
 struct CalibrateOptions {
-    std::string file, robot, dev_root, sys_root;
+    std::string file, robot, camera, dev_root, sys_root;
+    std::string board = "9x6";
     double side = OdometryCourse{}.side;
     double wall = 0.02;
     bool simulated = false;
     bool is_sure = false;
 };
+
+// "9x6".
+BoardSize board_of(const std::string& text) {
+    BoardSize board;
+    std::istringstream words(text);
+    char by = 0;
+    words >> board.columns >> by >> board.rows;
+    return board;
+}
+
+std::string board_problem(const std::string& text) {
+    const BoardSize board = board_of(text);
+    if (fmt::format("{}x{}", board.columns, board.rows) == text && std::min(board.columns, board.rows) >= 3 &&
+        std::max(board.columns, board.rows) <= 50)
+        return "";
+    return "expected its inner corners as COLUMNSxROWS, from 3 to 50, as 9x6";
+}
 
 // One calibration, from the robot to the file.
 class Session {
@@ -49,7 +71,7 @@ public:
             "track {:.5f} m, left radius {:.6f} m, right radius {:.6f} m; the ends are {:.4f} m off, {:.4f} m "
             "before\n",
             fit->wheels.track, fit->wheels.left_radius, fit->wheels.right_radius, fit->after, fit->before);
-        return write([&](Calibration& calibration) { calibration.odometry = fit->wheels; });
+        return write(robot_entry(), [&](Calibration& calibration) { calibration.odometry = fit->wheels; });
     }
 
     Expected<int> ranges() {
@@ -71,20 +93,57 @@ public:
             for (const auto& point : range.points) fmt::print(" {:.3f} m {:.0f},", point.distance, point.value);
             fmt::print("\n");
         }
-        return write([&](Calibration& calibration) { calibration.ranges = std::move(*ranges); });
+        return write(robot_entry(), [&](Calibration& calibration) { calibration.ranges = std::move(*ranges); });
+    }
+
+    Expected<int> camera() {
+        if (auto there = person_.is_there(); !there) return Unexpected(there.error());
+        const Hardware hardware = roots();
+        const BoardCourse course{.board = board_of(options_.board)};
+        auto camera = GuidedCamera::make(
+            {.file = options_.file, .camera = options_.camera, .simulated = options_.simulated, .hardware = hardware},
+            signals_.received());
+        if (!camera) return Unexpected(camera.error());
+        auto asked = person_.confirm(fmt::format(
+            "Show it a chessboard of {} x {} inner corners with a white margin, on something flat and stiff: all of it "
+            "in the picture, and held still for a moment, {} times, each time elsewhere: near and far, in the corners "
+            "of the picture, tilted to all sides.",
+            course.board.columns, course.board.rows, course.views));
+        if (!asked) return Unexpected(asked.error());
+        const auto fit = calibrate_camera(
+            course, [&] { return (*camera)->next(); }, [&](const std::string& text) { person_.tell(text); });
+        if (!fit) return Unexpected(fit.error());
+        const CameraIntrinsics& lens = fit->intrinsics;
+        fmt::print(
+            "fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f} px, k1 {:.4f}, k2 {:.4f}, p1 {:.5f}, p2 {:.5f}, k3 {:.4f}; the "
+            "corners are {:.3f} px off\n",
+            lens.fx, lens.fy, lens.cx, lens.cy, lens.k1, lens.k2, lens.p1, lens.p2, lens.k3, fit->error);
+        return write((*camera)->robot(),
+                     [&](Calibration& calibration) { calibration.cameras[(*camera)->name()] = lens; });
     }
 
 private:
     Expected<void> begin() {
         if (auto there = person_.is_there(); !there) return there;
-        GuidedSetup setup{.file = options_.file, .robot = options_.robot, .simulated = options_.simulated};
-        if (!options_.dev_root.empty()) setup.hardware.dev_root = options_.dev_root;
-        if (!options_.sys_root.empty()) setup.hardware.sys_root = options_.sys_root;
-        serial_ = serial_number(setup.hardware.sys_root);
+        const GuidedSetup setup{
+            .file = options_.file, .robot = options_.robot, .simulated = options_.simulated, .hardware = roots()};
         auto robot = guided_by_file(setup, signals_.received());
         if (!robot) return Unexpected(robot.error());
         robot_ = std::move(*robot);
         return {};
+    }
+
+    Hardware roots() {
+        Hardware hardware;
+        if (!options_.dev_root.empty()) hardware.dev_root = options_.dev_root;
+        if (!options_.sys_root.empty()) hardware.sys_root = options_.sys_root;
+        serial_ = serial_number(hardware.sys_root);
+        return hardware;
+    }
+    const RobotEntry& robot_entry() const {
+        const std::string& name = robot_->robot().name();
+        return std::get<RobotEntry>(*std::find_if(robot_->spec().entries.begin(), robot_->spec().entries.end(),
+                                                  [&](const Entry& each) { return name_of(each) == name; }));
     }
 
     Expected<void> place(const std::string& drive) {
@@ -117,15 +176,12 @@ private:
 
     // The file as it is, with what is new in it.
     template <class Change>
-    Expected<int> write(Change change) {
+    Expected<int> write(const RobotEntry& robot, Change change) {
         if (options_.simulated) {
             fmt::print("nothing is written: it was simulated\n");
             return kDone;
         }
-        const std::string& name = robot_->robot().name();
-        const auto entry = std::find_if(robot_->spec().entries.begin(), robot_->spec().entries.end(),
-                                        [&](const Entry& each) { return name_of(each) == name; });
-        const std::filesystem::path path = calibration_path(options_.file, name);
+        const std::filesystem::path path = calibration_path(options_.file, robot.name);
         Calibration calibration;
         if (std::error_code none; std::filesystem::exists(path, none)) {
             const auto text = read_whole(path, path.string());
@@ -134,8 +190,8 @@ private:
             if (!read) return Unexpected(read.error());
             calibration = std::move(*read);
         }
-        calibration.robot = name;
-        calibration.model = std::get<RobotEntry>(*entry).model;
+        calibration.robot = robot.name;
+        calibration.model = robot.model;
         calibration.serial = serial_;
         change(calibration);
         if (auto written = write_whole(path, write_calibration(calibration)); !written)
@@ -165,7 +221,6 @@ Command calibrate_command() {
     const auto with = [&](std::vector<Option> own) {
         own.insert(own.begin(), {"FILE", &options->file, "the system file that the robot belongs to"});
         const std::vector<Option> common{
-            {"--robot", &options->robot, "its name in the file; may be left out when there is only one", "NAME"},
             {"--sim", &options->simulated, "rehearse it in simulation: measured by the truth, nothing is written"},
             {"--yes", &options->is_sure, "nothing is confirmed; measurements are read from standard input"},
             {"--dev-root", &options->dev_root, "the folder of the devices' nodes (default /dev)", "DIR"},
@@ -173,6 +228,8 @@ Command calibrate_command() {
         own.insert(own.end(), common.begin(), common.end());
         return own;
     };
+    const Option robot{"--robot", &options->robot, "its name in the file; may be left out when there is only one",
+                       "NAME"};
     const std::string footer =
         "Writes ROBOT.calibration.lua beside FILE, which nezumi run --hw uses from then on.\nExit status: 0 written, 2 "
         "it "
@@ -180,19 +237,29 @@ Command calibrate_command() {
     const Command odometry{.name = "odometry",
                            .help = "Measure the wheels' radii and track by a line and two squares",
                            .options = with({{"--side", &options->side, "of the squares [m]; the line is twice as long",
-                                             "M", number_from(0.1, 10)}}),
+                                             "M", number_from(0.1, 10)},
+                                            robot}),
                            .run = [options] { return run(*options, &Session::odometry); },
                            .footer = footer};
     const Command ranges{
         .name = "ir",
         .help = "Measure what the distance sensors say of a wall at known distances",
         .options = with({{"--wall", &options->wall, "from the foremost sensors to the wall, where the robot starts [m]",
-                          "M", number_from(0.015, 1)}}),
+                          "M", number_from(0.015, 1)},
+                         robot}),
         .run = [options] { return run(*options, &Session::ranges); },
         .footer = footer};
+    const Command camera{.name = "camera",
+                         .help = "Measure how a camera on a robot sees, by views of a chessboard",
+                         .options = with({{"--camera", &options->camera,
+                                           "its name in the file; may be left out when there is only one", "NAME"},
+                                          {"--board", &options->board, "the chessboard's inner corners (default 9x6)",
+                                           "COLUMNSxROWS", board_problem}}),
+                         .run = [options] { return run(*options, &Session::camera); },
+                         .footer = footer};
     return {.name = "calibrate",
             .help = "Measure what a real robot is like, by guided runs",
-            .commands = {odometry, ranges}};
+            .commands = {odometry, ranges, camera}};
 }
 
 }  // namespace nezumi::cli

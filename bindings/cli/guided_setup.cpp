@@ -36,18 +36,23 @@ Expected<std::string> chosen(const SystemSpec& spec, const std::string& wanted) 
     for (const Entry& entry : spec.entries) {
         if (std::holds_alternative<RobotEntry>(entry)) names.push_back(name_of(entry));
     }
+    return the_one(names, wanted, "robot", spec.file);
+}
+
+}  // namespace
+
+Expected<std::string> the_one(const std::vector<std::string_view>& names, const std::string& wanted,
+                              std::string_view kind, const std::string& file) {
     for (const std::string_view name : names) {
         if (name == wanted || (wanted.empty() && names.size() == 1)) return std::string(name);
     }
     if (!wanted.empty())
         return failure(
-            fmt::format("there is no robot '{}' in {}{}", shown(wanted), spec.file, did_you_mean(wanted, names)));
-    if (names.empty()) return failure(fmt::format("{} has no robot", spec.file));
+            fmt::format("there is no {} '{}' in {}{}", kind, shown(wanted), file, did_you_mean(wanted, names)));
+    if (names.empty()) return failure(fmt::format("{} has no {}", file, kind));
     return failure(
-        fmt::format("{} has several robots: say by --robot which one, of {}", spec.file, fmt::join(names, ", ")));
+        fmt::format("{} has several {}s: say by --{} which one, of {}", file, kind, kind, fmt::join(names, ", ")));
 }
-
-}  // namespace
 
 Expected<std::unique_ptr<GuidedRobot>> guided_by_file(const GuidedSetup& setup, const volatile std::sig_atomic_t& end) {
     const LiveOptions live = simulated_systems();

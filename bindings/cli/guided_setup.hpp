@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bindings/cli/guided_robot.hpp"
 #include "bindings/cli/run_hardware.hpp"
@@ -18,6 +19,11 @@ struct GuidedSetup {
     bool simulated = false;  ///< in the system's arena, as fast as can be
     Hardware hardware;       ///< of a real one; `robots` does not count
 };
+
+/// Which of these a person means: the only one, or the one that they want. An error says what there is in `file`; an
+/// option `--KIND` says which one is wanted.
+Expected<std::string> the_one(const std::vector<std::string_view>& names, const std::string& wanted,
+                              std::string_view kind, const std::string& file);
 
 /// The robot of a system file, as its calibration says where it has one. What it logs goes to standard error.
 Expected<std::unique_ptr<GuidedRobot>> guided_by_file(const GuidedSetup& setup, const volatile std::sig_atomic_t& end);

@@ -1,6 +1,8 @@
 // What one robot really is like, where it differs from its model: measured by `nezumi calibrate`, kept in a file.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,10 +34,11 @@ struct Calibration {
     std::string serial;         ///< of its computer; "": not known
     WheelCalibration odometry;  ///< as long as it is there
     std::vector<RangeCalibration> ranges;
+    std::map<std::string, CameraIntrinsics, std::less<>> cameras;  ///< that it carries, by their names in the system
 };
 
 /// Makes a model's description that of the robot. With a calibrated odometry its hardware may do what its model may. An
-/// error when a sensor is not there, or when its points make no table.
+/// error when a sensor is not there, or when its points make no table. Cameras are components, not the model's.
 Expected<void> apply(const Calibration& calibration, RobotSpec& spec);
 
 template <>
@@ -77,7 +80,15 @@ struct Describe<Calibration> {
             "what its range sensors say at distances [m], by `nezumi calibrate ir`: `right_front = { table = { { 0.02, "
             "795 }, ... } }`",
             {.by_hand = true}},
+        Extra{"cameras",
+              "table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: "
+              "number, k2: number, p1: number, p2: number, k3: number }>",
+              "",
+              "how the cameras see that it carries, by `nezumi calibrate camera`: by their names, the fields of a "
+              "CameraIntrinsics",
+              {.by_hand = true}},
         Internal{&Calibration::ranges},
+        Internal{&Calibration::cameras},
     };
 };
 

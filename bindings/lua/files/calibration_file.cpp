@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "bindings/lua/files/data_file.hpp"
@@ -12,6 +13,7 @@
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/files/write_record.hpp"
 #include "bindings/lua/values/bridge.hpp"
+#include "engine/world/camera_source.hpp"
 
 namespace nezumi {
 namespace {
@@ -28,6 +30,26 @@ void read_sensors(Fields sensors, Calibration& out) {
             out.ranges.push_back({each.name, read_points(sensor, *table->table())});
         }
         sensor.done();
+    }
+}
+
+// All fields of each: who leaves one out has torn it.
+void read_cameras(Fields cameras, Calibration& out) {
+    for (const FileField& each : cameras.all()) {
+        Fields camera = cameras.inner(each.name);
+        for_each_field(out.cameras[each.name], [&](const auto& field, auto& value) {
+            const bool is_focal = field.name == "fx" || field.name == "fy";
+            if constexpr (std::is_integral_v<std::remove_reference_t<decltype(value)>>) {
+                camera.require(field.name, "a whole number of pixels");
+                std::int64_t pixels = 0;
+                if (camera.whole(field.name, pixels, least_picture, largest_picture))
+                    value = static_cast<std::uint16_t>(pixels);
+            } else {
+                camera.require(field.name, "a number");
+                camera.number(field.name, value, is_focal ? NumberRange::positive : NumberRange::any);
+            }
+        });
+        camera.done();
     }
 }
 
@@ -60,6 +82,7 @@ private:
             });
         }
         if (fields.has("sensors")) read_sensors(fields.inner("sensors"), out);
+        if (fields.has("cameras")) read_cameras(fields.inner("cameras"), out);
         fields.done();
         if (auto ok = check.result(); !ok) return Unexpected(file_.fail(ok.error()));
         calibration = std::move(out);
@@ -68,6 +91,35 @@ private:
 
     DataFile& file_;
 };
+
+// What was measured of the cameras on a robot becomes their parameters.
+Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Calibration& calibration) {
+    for (Entry& entry : spec.entries) {
+        auto* camera = std::get_if<ComponentEntry>(&entry);
+        if (camera == nullptr || camera->on != robot.name || camera->type != "Camera") continue;
+        const auto found = calibration.cameras.find(camera->name);
+        if (found == calibration.cameras.end()) continue;
+        const CameraIntrinsics& lens = found->second;
+        const auto pixels = [&](const char* name, std::int64_t otherwise) {
+            const auto given = camera->config.find(name);
+            const auto* number = given == camera->config.end() ? nullptr : std::get_if<std::int64_t>(&given->second);
+            return number == nullptr ? otherwise : *number;
+        };
+        const std::int64_t width = pixels("width", CameraSettings{}.width);
+        const std::int64_t height = pixels("height", CameraSettings{}.height);
+        if (width != lens.width || height != lens.height)
+            return failure(
+                fmt::format("camera '{}' was calibrated with {} x {} pixels, and here it has {} x {}: set its "
+                            "width and height to those, or calibrate it anew by nezumi calibrate camera",
+                            camera->name, lens.width, lens.height, width, height),
+                camera->place);
+        for_each_field(lens, [&](const auto& field, const auto& value) {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>)
+                camera->config[std::string(field.name)] = value;
+        });
+    }
+    return {};
+}
 
 }  // namespace
 
@@ -100,6 +152,16 @@ std::string write_calibration(const Calibration& calibration) {
         text += " } },\n";
     }
     if (!calibration.ranges.empty()) text += "  },\n";
+    if (!calibration.cameras.empty()) text += "  cameras = {\n";
+    for (const auto& [camera, intrinsics] : calibration.cameras) {
+        text += fmt::format("    {} = {{", lua_key(camera));
+        for_each_field(intrinsics, [&](const auto& field, const auto& value) {
+            const bool is_whole = std::is_integral_v<std::remove_cvref_t<decltype(value)>>;
+            text += fmt::format(" {} = {},", field.name, is_whole ? fmt::to_string(value) : lua_number(value));
+        });
+        text += " },\n";
+    }
+    if (!calibration.cameras.empty()) text += "  },\n";
     return text + "}\n";
 }
 
@@ -129,6 +191,7 @@ Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Projec
     if (calibration->model != robot.model) return of_another("model", calibration->model, robot.model);
     if (!use.serial.empty() && !calibration->serial.empty() && calibration->serial != use.serial)
         return of_another("computer's number", calibration->serial, use.serial);
+    if (auto used = use_cameras(spec, robot, *calibration); !used) return used;
     RobotSpec own = spec.models.at(robot.model);
     if (auto applied = apply(*calibration, own); !applied) return failure(applied.error().message, {shown});
     robot.description = fmt::format("{} of {}", robot.model, robot.name);

@@ -325,3 +325,39 @@ TEST_CASE("a camera that never gives a picture is told, and its first one is tak
     CHECK(driven.sees(12));
     CHECK(driven.is_back_again());
 }
+
+TEST_CASE("nezumi calibrate camera measures a real camera's lens by a chessboard, beside what was measured before",
+          "[hw][camera][calibration][fakes][wallclock]") {
+    FakeMouse fake({"board"});
+    CHECK(fake.say("lens 1.15 -0.22 0.06 0 0 0").empty());
+    fake.folder.write("system.lua",
+                      "robot 'mouse' { model = 'raspimouse' }\ncomponent 'eye' { type = 'Camera', on = 'mouse' }\n");
+    fake.folder.write("mouse.calibration.lua",
+                      "calibration { robot = 'mouse', model = 'raspimouse',\n"
+                      "  odometry = { track = 0.095, left_radius = 0.024, right_radius = 0.024 } }\n");
+    Program program({"calibrate", "camera", "system.lua", "--yes", "--dev-root", fake.dev()},
+                    fake.folder.path("").string());
+    for (int i = 0; i < 60; ++i) {
+        const CameraMount held = view_of_chessboard({}, i);
+        CHECK(fake.say(fmt::format("look {} {} {} {} {}", held.at.x, held.at.y, held.at.z, held.yaw, held.pitch))
+                  .empty());
+        if (program.wait_for_error("view 20 of 20", 0.3)) break;
+    }
+    REQUIRE(program.wait() == 0);
+    std::ifstream file(fake.folder.path("mouse.calibration.lua"));
+    std::stringstream text;
+    text << file.rdbuf();
+    INFO(text.str());
+    const auto number = [&](const std::string& name) {
+        const std::size_t at = text.str().find(" " + name + " = ");
+        REQUIRE(at != std::string::npos);
+        return std::stod(text.str().substr(at + name.size() + 4));
+    };
+    CHECK(number("track") == 0.095);
+    const double truth = 320 / std::tan(1.15 / 2);
+    CHECK(number("width") == 640);
+    CHECK(number("fx") == Approx(truth).epsilon(0.01));
+    CHECK(number("fy") == Approx(truth).epsilon(0.01));
+    CHECK(number("cx") == Approx(319.5).margin(5));
+    CHECK(number("k1") == Approx(-0.22).margin(0.05));
+}

@@ -118,6 +118,7 @@ TEST_CASE("a calibration that is torn in the middle is refused wherever it is to
     Calibration calibration{.robot = "mouse", .model = "raspimouse", .serial = "12"};
     calibration.odometry = {.track = 0.0955, .left_radius = 0.0243, .right_radius = 0.0238};
     calibration.ranges = {{"right_front", {{0.02, 900.5}, {0.1, 50}}}};
+    calibration.cameras["eye"] = {.width = 640, .height = 480, .fx = 520, .fy = 520};
     const std::string whole = write_calibration(calibration);
     CHECK(project.refused(whole).empty());
     for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
@@ -138,4 +139,56 @@ TEST_CASE("what does not belong into a calibration is told with its line", "[lua
     CHECK(project.refused(head + "sensors = { right_front = { table = { { 0.1, 9 }, { 0.02, 5 } } } } }") ==
           "mouse.calibration.lua: sensor 'right_front': distances must ascend: 0.02 m comes after 0.1 m");
     CHECK(project.refused(head + "odometri = {} }").find("odometri") != std::string::npos);
+}
+
+TEST_CASE("a camera on a calibrated robot sees as it was measured", "[lua][calibration][camera]") {
+    CalibratedProject project;
+    project.system += "\ncomponent 'eye' { type = 'Camera', on = 'mouse', config = { k1 = 0.1 } }";
+    Calibration calibration{.robot = "mouse", .model = "raspimouse"};
+    calibration.cameras["eye"] = {.width = 640,
+                                  .height = 480,
+                                  .fx = 521.25,
+                                  .fy = 520,
+                                  .cx = 318,
+                                  .cy = 241.5,
+                                  .k1 = -0.25,
+                                  .k2 = 0.08,
+                                  .p1 = 0.001,
+                                  .p2 = -0.002,
+                                  .k3 = -0.01};
+    const std::string text = write_calibration(calibration);
+    CHECK(
+        text.find("    eye = { width = 640, height = 480, fx = 521.25, fy = 520.0, cx = 318.0, cy = 241.5, k1 = -0.25, "
+                  "k2 = 0.08, p1 = 0.001, p2 = -0.002, k3 = -0.01, },\n") != std::string::npos);
+    project.folder.write("mouse.calibration.lua", text);
+    auto spec = project.read();
+    INFO((spec ? "" : describe(spec.error())));
+    REQUIRE(spec);
+    const auto& config = std::get<ComponentEntry>(spec->entries.back()).config;
+    CHECK(config.size() == 9);
+    CHECK(std::get<double>(config.at("fx")) == 521.25);
+    CHECK(std::get<double>(config.at("cy")) == 241.5);
+    CHECK(std::get<double>(config.at("k1")) == -0.25);
+}
+
+TEST_CASE("a camera that was calibrated with pictures of another size is refused", "[lua][calibration][camera]") {
+    CalibratedProject project;
+    project.system += "\ncomponent 'eye' { type = 'Camera', on = 'mouse', config = { width = 320, height = 240 } }";
+    const std::string lens = "fx = 500, fy = 500, cx = 300, cy = 200, k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0 } } }";
+    const std::string said = project.refused(head + "cameras = { eye = { width = 640, height = 480, " + lens);
+    CHECK(
+        said ==
+        "system.lua:2: camera 'eye' was calibrated with 640 x 480 pixels, and here it has 320 x 240: set its width and "
+        "height to those, or calibrate it anew by nezumi calibrate camera");
+    CHECK(project.refused(head + "cameras = { nose = { width = 640, height = 480, " + lens).empty());
+    CHECK(project.refused(head + "cameras = { eye = { width = 320, height = 240, " + lens).empty());
+}
+
+TEST_CASE("what a camera's calibration lacks is told with its line", "[lua][calibration][camera]") {
+    const CalibratedProject project;
+    CHECK(project.refused(head +
+                          "\ncameras = { eye = { width = 640, height = 480, fx = 500, fy = 500, cx = 300, cy = 200, "
+                          "k1 = 0, k2 = 0, p1 = 0, p2 = 0 } } }") ==
+          "mouse.calibration.lua:2:1: calibration: field 'cameras.eye.k3' is missing: expected a number");
+    CHECK(project.refused(head + "cameras = { eye = { fx = -1 } } }").find("cameras.eye.width") != std::string::npos);
 }

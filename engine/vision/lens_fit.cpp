@@ -1,0 +1,90 @@
+// OpenCV finds the corners, refines them, and calibrates.
+#include "engine/vision/lens_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace nezumi {
+namespace {
+
+constexpr double most_error = 1.0 / 640;   // of the pictures' width: corners that are farther off fit no lens
+constexpr double most_uncertainty = 0.02;  // of the focal lengths, as a standard deviation
+
+}  // namespace
+
+std::optional<Corners> find_corners(const GrayImage& image, const BoardSize& board) {
+    const cv::Mat gray(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
+    std::vector<cv::Point2f> found;
+    const int flags = cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK;
+    if (!cv::findChessboardCorners(gray, {board.columns, board.rows}, found, flags)) return std::nullopt;
+    // No window may reach the next corner.
+    const int reach = std::clamp(static_cast<int>(cv::norm(found[1] - found[0]) / 3), 2, 8);
+    cv::cornerSubPix(gray, found, {reach, reach}, {-1, -1},
+                     {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
+    Corners corners;
+    for (const cv::Point2f& corner : found) corners.push_back({corner.x, corner.y});
+    return corners;
+}
+
+double mean_distance(const Corners& a, const Corners& b) {
+    return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0, std::plus<>(),
+                                 [](const Point2D& p, const Point2D& q) { return std::hypot(p.x - q.x, p.y - q.y); }) /
+           static_cast<double>(a.size());
+}
+
+Expected<LensFit> fit_lens(const std::vector<Corners>& views, const BoardSize& board, int width, int height) {
+    std::vector<cv::Point3f> squares;
+    for (int row = 0; row < board.rows; ++row) {
+        for (int column = 0; column < board.columns; ++column)
+            squares.emplace_back(static_cast<float>(column), static_cast<float>(row), 0.0F);
+    }
+    const std::vector<std::vector<cv::Point3f>> places(views.size(), squares);
+    std::vector<std::vector<cv::Point2f>> seen;
+    for (const Corners& view : views) {
+        seen.emplace_back();
+        for (const Point2D& corner : view)
+            seen.back().emplace_back(static_cast<float>(corner.x), static_cast<float>(corner.y));
+    }
+    cv::Matx33d matrix = cv::Matx33d::eye();
+    cv::Mat distortion;
+    std::vector<double> deviations;
+    double error = 0;
+    try {
+        error = cv::calibrateCamera(places, seen, {width, height}, matrix, distortion, cv::noArray(), cv::noArray(),
+                                    deviations, cv::noArray(), cv::noArray());
+    } catch (const cv::Exception& thrown) {
+        return failure(fmt::format("no lens fits these views of the board: {}", thrown.err));
+    }
+    const double fx = matrix(0, 0), fy = matrix(1, 1);
+    if (!(std::max(deviations[0] / fx, deviations[1] / fy) < most_uncertainty))
+        return failure(
+            fmt::format("the focal length is not sure to {} %: the views are too much alike. Hold the board "
+                        "tilted, to all sides, by 30 degrees or more",
+                        100 * most_uncertainty));
+    if (!(error < most_error * width))
+        return failure(
+            fmt::format("the corners are {:.2f} px off where a lens could have them: is the board flat, has it {} x {} "
+                        "inner corners, and was it held still?",
+                        error, board.columns, board.rows));
+    const auto coefficient = [&](int index) { return distortion.at<double>(index); };
+    return LensFit{.intrinsics = {.width = static_cast<std::uint16_t>(width),
+                                  .height = static_cast<std::uint16_t>(height),
+                                  .fx = fx,
+                                  .fy = fy,
+                                  .cx = matrix(0, 2),
+                                  .cy = matrix(1, 2),
+                                  .k1 = coefficient(0),
+                                  .k2 = coefficient(1),
+                                  .p1 = coefficient(2),
+                                  .p2 = coefficient(3),
+                                  .k3 = coefficient(4)},
+                   .error = error};
+}
+
+}  // namespace nezumi
