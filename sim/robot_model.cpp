@@ -59,7 +59,7 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     clearance = bottom;
 
     wheel_contact.surface.mode = sprung | dContactFDir1 | dContactSlip1 | dContactSlip2;
-    wheel_contact.surface.mu = wheel_friction;
+    wheel_contact.surface.mu = robot.friction;
     wheel_contact.surface.slip1 = wheel_contact.surface.slip2 = per_kilogram::slip / mass;
     wheel_contact.surface.soft_erp = firm.erp;
     wheel_contact.surface.soft_cfm = firm.cfm;
@@ -67,7 +67,7 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     wheel_contact.surface.mode |= dContactMotion1;
     coasting_contact.surface.mode |= dContactMu2;  // free along, firm across
     coasting_contact.surface.mu = rolling_friction;
-    coasting_contact.surface.mu2 = wheel_friction;
+    coasting_contact.surface.mu2 = robot.friction;
     const Spring soft = Spring::from(stiffness * mass, damping * mass, step);
     skid_contact.surface.mode = sprung;
     skid_contact.surface.soft_erp = soft.erp;

@@ -35,8 +35,7 @@ inline constexpr double slip = 8e-4;                          ///< [m/s for each
 /// What the surfaces of all contacts have in common.
 inline constexpr int sprung = dContactSoftERP | dContactSoftCFM | dContactApprox1;
 
-inline constexpr double gravity = 9.81;        // [m/s^2]
-inline constexpr double wheel_friction = 1.0;  // rubber
+inline constexpr double gravity = 9.81;  // [m/s^2]
 inline constexpr double rolling_friction = 0.01;
 inline constexpr double hull_friction = 0.3;
 inline constexpr double thing_friction = 0.35;  // a mouse can push half a kilogram

@@ -25,13 +25,15 @@ SimulatedBody::SimulatedBody(const RobotSpec& spec, std::uint64_t seed)
     for (SensorReading& reading : readings_) reading.is_there = true;
 }
 
-double SimulatedBody::with_noise(std::size_t sensor, double value, std::int64_t tick) const {
-    const double deviation = spec_.sensors[sensor].noise;
-    if (deviation <= 0) return value;
+double SimulatedBody::with_noise(const Draw& draw, double value, double deviation) const {
+    // Two that are independent of each other.
+    const double both = spec_.noise > 0 ? std::hypot(deviation, spec_.noise * value) : deviation;
+    if (both <= 0) return value;
     // Box and Muller (1958), from hashes of (seed, sensor, tick): no state, so any tick can be drawn again.
-    const std::uint64_t hash = mix(mix(seed_, sensor), static_cast<std::uint64_t>(tick));
+    std::uint64_t hash = mix(mix(seed_, draw.sensor), static_cast<std::uint64_t>(draw.tick));
+    if (draw.part > 0) hash = mix(hash, draw.part + 1);
     const double radius = std::sqrt(-2 * std::log(uniform(hash)));
-    return value + deviation * radius * std::cos(2 * std::numbers::pi * uniform(mix(hash, 1)));
+    return value + both * radius * std::cos(2 * std::numbers::pi * uniform(mix(hash, 1)));
 }
 
 WheelReading SimulatedBody::read_wheels(const Time& now, double period) {
@@ -63,12 +65,14 @@ void SimulatedBody::measure_ranges(std::int64_t tick) {
         reading.physical = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
         reading.value = sensor.has_response ? sensor.response(seen) : reading.physical;
         // An echo that does not come back has no length that could be measured wrongly.
-        if (sensor.noise > 0 && (sensor.has_response || seen < sensor.range)) {
-            const double noisy = with_noise(index, reading.value, tick);
-            reading.value =
-                sensor.has_response ? sensor.response.clamp(noisy) : std::clamp(noisy, sensor.minimum, sensor.range);
-            if (!sensor.has_response) reading.physical = reading.value;
-        }
+        if (!sensor.has_response && seen >= sensor.range) continue;
+        const double noisy = with_noise({index, tick}, reading.value, sensor.noise);
+        if (noisy == reading.value) continue;
+        // What lies behind a noisy value is known from that value alone.
+        reading.value =
+            sensor.has_response ? sensor.response.clamp(noisy) : std::clamp(noisy, sensor.minimum, sensor.range);
+        const double behind = sensor.has_response ? distance_at(sensor.response, reading.value) : reading.value;
+        reading.physical = std::clamp(behind, sensor.minimum, sensor.range);
     }
 }
 
@@ -78,7 +82,9 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
         const SensorSpec& sensor = spec_.sensors[i];
         SensorReading& reading = readings_[i];
         reading.tm = now.seconds;
-        const auto percent = [&](double light) { return std::clamp(with_noise(i, light, now.tick), 0.0, 100.0); };
+        const auto percent = [&](double light) {
+            return std::clamp(with_noise({i, now.tick}, light, sensor.noise), 0.0, 100.0);
+        };
         switch (sensor.kind) {
             case SensorSpec::Kind::button:
             case SensorSpec::Kind::touch: reading.value = is_pressed(i) ? 1 : 0; break;
@@ -86,9 +92,10 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
                 const double turned = yaw_rate();
                 const double felt =
                     sensor.max_rate > 0 ? std::clamp(turned, -sensor.max_rate, sensor.max_rate) : turned;
-                reading.physical = felt + sensor.drift;
-                gyro_angle_ += reading.physical * period;
-                reading.value = with_noise(i, gyro_angle_, now.tick);
+                const double rate = felt + sensor.drift;
+                gyro_angle_ += rate * period;
+                reading.physical = with_noise({i, now.tick, 1}, rate, 0);
+                reading.value = with_noise({i, now.tick}, gyro_angle_, sensor.noise);
                 break;
             }
             case SensorSpec::Kind::color: reading.value = static_cast<double>(floor_color(i)); break;

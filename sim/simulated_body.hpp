@@ -43,7 +43,15 @@ private:
         double speed = 0;   // [rad/s]; 0: any
     };
 
-    double with_noise(std::size_t sensor, double value, std::int64_t tick) const;
+    // Which random number it is.
+    struct Draw {
+        std::size_t sensor;
+        std::int64_t tick;
+        std::size_t part = 0;  // of what the sensor measures in this tick
+    };
+
+    /// `deviation` is the sensor's own; the robot's `noise`, a part of the value, comes to it.
+    double with_noise(const Draw& draw, double value, double deviation) const;
     void measure_ranges(std::int64_t tick);
     void turn_servos(double period);
 

@@ -91,6 +91,20 @@ double ResponseTable::operator()(double distance) const {
                  (right.value - left.value) * ((distance - left.distance) / (right.distance - left.distance)));
 }
 
+// Halving finds the place either way.
+double distance_at(const ResponseTable& response, double value) {
+    double near = 0, far = response.range();
+    const double at_near = response(near), at_far = response(far);
+    const bool falls = at_near > at_far;
+    if (falls ? value <= at_far : value >= at_far) return far;
+    if (falls ? value >= at_near : value <= at_near) return near;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = (near + far) / 2;
+        ((response(middle) > value) == falls ? near : far) = middle;
+    }
+    return far;
+}
+
 Expected<std::vector<ResponseTable::Point>> read_csv_response(std::string_view text, const std::string& file) {
     const auto rows =
         read_csv(text, file, {{"distance_m", CsvColumn::Range::not_negative}, {"value", CsvColumn::Range::any}});

@@ -94,6 +94,10 @@ private:
     double samples_per_metre_ = 0;
 };
 
+/// The distance [m] at which a sensor with this response has this value: what is measured, from what is read. The
+/// response rises with the distance, or falls, throughout.
+double distance_at(const ResponseTable& response, double value);
+
 /// The points of a response table in CSV: columns `distance_m` (ascending, not negative) and `value`. `file` is named
 /// in errors.
 Expected<std::vector<ResponseTable::Point>> read_csv_response(std::string_view text, const std::string& file);
@@ -167,7 +171,9 @@ struct HardwareSpec {
 struct RobotSpec {
     std::string model;
     std::string doc;
-    double mass = 0.5;  ///< [kg]
+    double mass = 0.5;      ///< [kg]
+    double friction = 1.0;  ///< coefficient between wheels and floor, in simulation
+    double noise = 0;       ///< in simulation, standard deviation of each sensor that measures, as a part of its value
     BodySpec body;
     DriveSpec drive;
     std::vector<SensorSpec> sensors;

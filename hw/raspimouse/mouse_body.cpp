@@ -22,20 +22,6 @@ std::vector<DevicePath> led_nodes(const DevicePath& folder) {
 
 }  // namespace
 
-// Responses fall with the distance, or rise: halving finds the place either way.
-double distance_at(const ResponseTable& response, double value) {
-    double near = 0, far = response.range();
-    const double at_near = response(near), at_far = response(far);
-    const bool falls = at_near > at_far;
-    if (falls ? value <= at_far : value >= at_far) return far;
-    if (falls ? value >= at_near : value <= at_near) return near;
-    for (int i = 0; i < 40; ++i) {
-        const double middle = (near + far) / 2;
-        ((response(middle) > value) == falls ? near : far) = middle;
-    }
-    return far;
-}
-
 Expected<std::vector<MouseBody::Wired>> MouseBody::wire(const RobotSpec& spec, SensorSpec::Kind kind,
                                                         std::string_view port_begin, std::size_t devices) {
     std::vector<Wired> wired;

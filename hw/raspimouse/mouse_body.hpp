@@ -20,9 +20,6 @@
 
 namespace nezumi::hw {
 
-/// The distance [m] at which a sensor with this response has this value: what is measured, from what is read.
-double distance_at(const ResponseTable& response, double value);
-
 /// Nothing of it waits for a device: each has a thread of its own.
 class MouseBody final : public RobotBody {
 public:

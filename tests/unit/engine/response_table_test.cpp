@@ -141,3 +141,13 @@ TEST_CASE("a response table's file names the line of a bad row", "[engine][respo
     CHECK(csv_error("distance_m,value\n0.1,5\n") == "table.csv: a response table needs at least two rows, got 1");
     CHECK(csv_error("distance_m,value\n0.1,-5\n0.2,x\n") == "table.csv:3: column 'value': expected a number, got 'x'");
 }
+
+TEST_CASE("a distance is found back from its value", "[engine][response]") {
+    const auto table = ResponseTable::from_points({{0.01, 1000}, {0.1, 100}, {0.3, 10}}, 0.6, 0, 0, 4095);
+    REQUIRE(table);
+    for (const double distance : {0.01, 0.02, 0.1, 0.2, 0.3, 0.45})
+        CHECK(distance_at(*table, (*table)(distance)) == Approx(distance).margin(1e-6));
+    CHECK(distance_at(*table, 0) == 0.6);
+    CHECK(distance_at(*table, -3) == 0.6);
+    CHECK(distance_at(*table, 4095) < 0.01);
+}

@@ -13,16 +13,6 @@ using namespace nezumi::hw;
 
 using Lines = std::vector<std::string>;
 
-TEST_CASE("a distance is found back from its value", "[hw][mouse]") {
-    const auto table = ResponseTable::from_points({{0.01, 1000}, {0.1, 100}, {0.3, 10}}, 0.6, 0, 0, 4095);
-    REQUIRE(table);
-    for (const double distance : {0.01, 0.02, 0.1, 0.2, 0.3, 0.45})
-        CHECK(distance_at(*table, (*table)(distance)) == Approx(distance).margin(1e-6));
-    CHECK(distance_at(*table, 0) == 0.6);
-    CHECK(distance_at(*table, -3) == 0.6);
-    CHECK(distance_at(*table, 4095) < 0.01);
-}
-
 TEST_CASE("where motors or their power are missing nothing is touched, and what to do is said", "[hw][mouse][safety]") {
     const RobotSpec spec = mouse_spec();
     for (const std::string missing : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0"}) {

@@ -224,3 +224,15 @@ TEST_CASE("the files that a robot was read from are known", "[lua][robot_file]")
     REQUIRE(read_robot_file(path, Project::of(path), &files).has_value());
     CHECK(files == std::vector<std::string>{"engine/robots/raspimouse.lua", "engine/robots/ir_table.csv"});
 }
+
+TEST_CASE("a robot file says how noisy its sensors are and how its wheels hold on", "[lua][robot_file]") {
+    const RobotSpec plain = robot_of(with(""));
+    CHECK(plain.noise == 0);
+    CHECK(plain.friction == 1);
+    const RobotSpec spec = robot_of(with("noise = 0.05, friction = 0.8"));
+    CHECK(spec.noise == 0.05);
+    CHECK(spec.friction == 0.8);
+    CHECK(error(with("noise = 5")) == "r.lua:2:1: robot_model: field 'noise' expected a number up to 1, got 5");
+    CHECK(error(with("friction = -1")) ==
+          "r.lua:2:1: robot_model: field 'friction' expected a number from 0 on, got -1");
+}

@@ -326,3 +326,23 @@ TEST_CASE("nobody starts or is put outside of an arena with a border", "[sim][ro
         CHECK(w.truth().pose.position.y == Approx(0).margin(1e-9));
     }
 }
+
+TEST_CASE("the less friction its wheels have, the longer a robot slides", "[sim][robot]") {
+    const auto way_to_stand = [](double friction) {
+        RobotSpec spec = mouse_spec();
+        spec.friction = friction;
+        TryWorld world;
+        const RobotId id = world.add(spec, 0, 0);
+        world.ramp(id, {0.4, 0.4}, 4);
+        const double speed = world.truth(id).velocity.vx;
+        const double from = world.truth(id).pose.position.x;
+        world.bodies[id]->set_wheel_speeds({});
+        world.run(3);
+        CHECK(std::abs(world.truth(id).velocity.vx) < 1e-3);
+        return (world.truth(id).pose.position.x - from) / (speed * speed);
+    };
+    // Coulomb: v^2 / (2 mu g), with 70 % of the weight on the wheels.
+    CHECK(way_to_stand(0.1) == Approx(1 / (2 * 0.1 * 0.7 * 9.81)).epsilon(0.2));
+    CHECK(way_to_stand(0.05) == Approx(1 / (2 * 0.05 * 0.7 * 9.81)).epsilon(0.2));
+    CHECK(way_to_stand(1) < 0.2);
+}

@@ -111,6 +111,42 @@ TEST_CASE("noise never leaves a sensor's range, averages to nothing and follows 
     values(7, {});
 }
 
+TEST_CASE("the noise of a robot is a part of each value that its sensors measure", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    spec.noise = 0.05;
+    Felt body(spec);
+    body.ranges = {0.3, 0.2};
+    body.pressed = true;
+    body.turns = 1;
+    const ResponseTable& table = body.spec->sensors[response].response;
+    double distances = 0, values = 0, rates = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const auto all = body.tick();
+        distances += std::pow(all[metre].value / 0.3 - 1, 2);
+        values += std::pow(all[response].value / table(0.2) - 1, 2);
+        rates += std::pow(all[gyro].physical - 1, 2);
+        // The distance is what the noisy value says, as of a real sensor.
+        REQUIRE(all[response].physical == distance_at(table, all[response].value));
+        REQUIRE(all[button].value == 1);
+    }
+    CHECK(std::sqrt(distances / 2000) == Approx(0.05).epsilon(0.1));
+    CHECK(std::sqrt(values / 2000) == Approx(0.05).epsilon(0.1));
+    CHECK(std::sqrt(rates / 2000) == Approx(0.05).epsilon(0.1));
+    body.ranges = {};
+    for (int i = 0; i < 100; ++i) REQUIRE(body.tick()[metre].value == 0.6);
+}
+
+TEST_CASE("the noise of a robot comes to that of its sensors", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    spec.noise = 0.1;  // of 0.3 m: 0.03 m
+    spec.sensors[metre].noise = 0.04;
+    Felt body(spec);
+    body.ranges = {0.3};
+    double squares = 0;
+    for (int i = 0; i < 2000; ++i) squares += std::pow(body.tick()[metre].value - 0.3, 2);
+    CHECK(std::sqrt(squares / 2000) == Approx(0.05).epsilon(0.1));
+}
+
 TEST_CASE("a distance beyond the range is told exactly, however noisy the sensor", "[sim][sensor]") {
     RobotSpec spec = fake_mouse();
     spec.sensors[metre].noise = 0.05;
