@@ -58,7 +58,7 @@ Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::v
 Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vector<std::string>& names) {
     auto free = is_free("robot", robot, names);
     if (!free || !*free || !robot.backend.empty()) return free;
-    const auto model = spec.models.find(robot.model);
+    const auto model = spec.models.find(robot.described_by());
     robot.backend = model == spec.models.end() ? "" : model->second.hardware.driver;
     if (!robot.backend.empty()) return true;
     return failure(fmt::format("robot '{}': its model '{}' names no driver: add hardware = {{ driver = ... }} to the "

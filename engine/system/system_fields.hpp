@@ -30,6 +30,7 @@ struct Describe<RobotEntry> {
         Internal{&RobotEntry::name},
         Internal{&RobotEntry::place},
         Internal{&RobotEntry::description},
+        Internal{&RobotEntry::changes},
         Internal{&RobotEntry::twin_of},
     };
 };

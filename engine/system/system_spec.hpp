@@ -31,6 +31,7 @@ struct RobotEntry {
     bool active = true;
     Place place;
     std::string description;  ///< key of `SystemSpec::models` of this robot's own; "": `model`
+    std::string changes;      ///< the fields of a robot file in which it differs from its model, as a table's text
     std::string twin_of;      ///< the real robot before it that this one is the twin of; "": none
 
     /// The key of its description in `SystemSpec::models`.

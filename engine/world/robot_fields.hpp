@@ -304,6 +304,13 @@ struct Describe<RobotSpec> {
     static constexpr std::string_view name = "robot_model";
     static constexpr std::string_view doc = "A model of robot: `return robot_model { ... }` is a robot file.";
     static constexpr std::tuple fields{
+        Extra{
+            "base",
+            "string",
+            "",
+            "a robot file that this one builds on: what it leaves out is as there. Tables with names merge, lists and "
+            "places are replaced whole, `false` takes a thing away",
+            {.by_hand = true}},
         Setting{"doc", &RobotSpec::doc, "", "what it is"},
         Setting{"mass",
                 &RobotSpec::mass,

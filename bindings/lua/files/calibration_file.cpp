@@ -166,7 +166,8 @@ std::string write_calibration(const Calibration& calibration) {
 }
 
 Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Project& project, const CalibrationUse& use) {
-    if (!robot.description.empty()) return {};
+    const std::string own_name = fmt::format("{} of {}", robot.model, robot.name);
+    if (robot.description == own_name || !robot.twin_of.empty()) return {};
     const fs::path path = calibration_path(spec.file, robot.name);
     const std::string shown = project.shown(path);
     const auto text = project.read(path);
@@ -192,9 +193,9 @@ Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Projec
     if (!use.serial.empty() && !calibration->serial.empty() && calibration->serial != use.serial)
         return of_another("computer's number", calibration->serial, use.serial);
     if (auto used = use_cameras(spec, robot, *calibration); !used) return used;
-    RobotSpec own = spec.models.at(robot.model);
+    RobotSpec own = spec.models.at(robot.described_by());
     if (auto applied = apply(*calibration, own); !applied) return failure(applied.error().message, {shown});
-    robot.description = fmt::format("{} of {}", robot.model, robot.name);
+    robot.description = own_name;
     spec.models.insert_or_assign(robot.description, std::move(own));
     spec.files.push_back(shown);
     return {};

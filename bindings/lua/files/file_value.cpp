@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
+#include "bindings/lua/files/lua_value_text.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 
 namespace nezumi {
@@ -158,6 +160,25 @@ std::string kind_of(const FileValue& value) {
         "nil", "boolean", "number", "number", "string", "table", "thing of the arena", "function"};
     if (const auto* other = std::get_if<FileOther>(&value.data)) return other->kind;
     return std::string(kinds[value.data.index()]);
+}
+
+std::string to_lua(const FileValue& value) {
+    return std::visit(
+        [](const auto& v) -> std::string {
+            using T = std::decay_t<decltype(v)>;
+            if constexpr (std::is_same_v<T, FileTable>) {
+                std::string text;
+                for (const FileValue& element : v.elements) text += (text.empty() ? "{ " : ", ") + to_lua(element);
+                for (const FileField& field : v.fields)
+                    text += (text.empty() ? "{ " : ", ") + lua_key(field.name) + " = " + to_lua(field.value);
+                return text.empty() ? "{}" : text + " }";
+            } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+                return lua_text(v);
+            } else {
+                return "nil";
+            }
+        },
+        value.data);
 }
 
 Expected<ParameterValue> to_parameter(const FileValue& value) {

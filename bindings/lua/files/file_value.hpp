@@ -66,6 +66,9 @@ void push_file_thing(lua_State* lua, FileThing thing);
 /// Lua's name of the value's type: "number", "table", "nil", ...
 std::string kind_of(const FileValue& value);
 
+/// As a file writes it: `{ noise = 0.05, at = { 0.1, 0.0 } }`. What has no text (a function) is `nil`.
+std::string to_lua(const FileValue& value);
+
 /// As a parameter's value: a truth value, a number, a text, or an array of one of them. The error says what it is
 /// instead.
 Expected<ParameterValue> to_parameter(const FileValue& value);

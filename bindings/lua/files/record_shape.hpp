@@ -128,7 +128,7 @@ std::string type_of(const Rule& rule) {
         return "string|string[]";
     } else {
         static_assert(IsVector<T>::value);
-        return "table<string, " + class_of(Describe<typename T::value_type>::name) + ">";
+        return "table<string, " + class_of(Describe<typename T::value_type>::name) + "|false>";
     }
 }
 

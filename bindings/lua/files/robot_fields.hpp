@@ -12,8 +12,9 @@ namespace nezumi {
 
 /// What the description needs from outside its table.
 struct RobotFileHelp {
-    /// The points of the table in this file, looked up beside the robot file.
-    std::function<Expected<std::vector<ResponseTable::Point>>(const std::string& file)> read_table;
+    /// The points of the table in this file, looked up beside the file that names it at this path.
+    std::function<Expected<std::vector<ResponseTable::Point>>(const FieldPath& path, const std::string& file)>
+        read_table;
     /// What the function at this path of the table returns for each of these distances [m]. Infinite values are let
     /// through.
     std::function<Expected<std::vector<double>>(const FieldPath& path, const std::vector<double>& distances)> call;

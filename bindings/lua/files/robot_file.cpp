@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bindings/lua/files/data_file.hpp"
+#include "bindings/lua/files/merge_value.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
@@ -20,69 +21,185 @@ namespace fs = std::filesystem;
 
 // The result of `robot_model { ... }`, for the file to return.
 const char model_mark = 0;
+// Key of the registry's place for the table that it was given.
+const char fields_key = 0;
 
-class Reader {
+const FileValue* value_at(const FileValue& value, const FieldPath& path) {
+    const FileValue* found = &value;
+    for (const std::string& part : path) {
+        const FileTable* table = found->table();
+        found = table != nullptr ? table->find(part) : nullptr;
+        if (found == nullptr) return nullptr;
+    }
+    return found;
+}
+
+bool is_function_at(const FileValue& value, const FieldPath& path) {
+    const FileValue* found = value_at(value, path);
+    return found != nullptr && std::holds_alternative<FileFunction>(found->data);
+}
+
+}  // namespace
+
+// One robot file, over the one that it builds on. Its Lua state stays, for its functions.
+class RobotFile::Layer {
 public:
-    Reader(DataFile& file, const Project& project) : file_(file), project_(project) {}
+    // `above`: the files that build on this one, as the project shows them.
+    Layer(const Project& project, std::vector<std::string> above) : project_(project), above_(std::move(above)) {}
 
+    Expected<void> run(std::string_view text, const std::string& shown) {
+        auto file = DataFile::create(project_, {});
+        if (!file) return Unexpected(file.error());
+        file_ = std::move(*file);
+        shown_ = shown;
+        if (auto ran = file_->run(text, shown, {{"robot_model", robot_model, this}}); !ran) return ran;
+        if (!spec_ || lua_touserdata(file_->lua(), -1) != &model_mark)
+            return failure("a robot file ends with `return robot_model { ... }`", {shown});
+        spec_->model = fs::path(shown).stem().string();
+        if (spec_->place.file != shown) spec_->place = {shown};
+        return {};
+    }
+
+    // All that was wrong with a run, where that is more than its result says.
+    std::vector<Error> errors() const { return file_ != nullptr ? file_->errors() : std::vector<Error>{}; }
+    const RobotSpec& spec() const { return *spec_; }
+
+    std::vector<std::string> files() const {
+        std::vector<std::string> files = file_->files();
+        files.insert(files.end(), tables_.begin(), tables_.end());
+        if (base_ == nullptr) return files;
+        for (std::string& file : base_->files()) {
+            if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(std::move(file));
+        }
+        return files;
+    }
+
+    RobotSpec changed(FieldCheck& check, const FileValue& changes, const std::string& named_in) {
+        const FileValue whole = merge_values(check, whole_, changes);
+        const auto table = [&](const FieldPath& path, const std::string& name) {
+            return value_at(changes, path) != nullptr ? read_points_in(name, named_in) : read_table(path, name);
+        };
+        const auto call_at = [&](const FieldPath& path,
+                                 const std::vector<double>& distances) -> Expected<std::vector<double>> {
+            if (is_function_at(changes, path))
+                return failure("a function belongs into a robot file: write one with base = ..., or give a 'table'");
+            return call(path, distances);
+        };
+        RobotSpec spec = read_robot_fields(check, whole, {table, call_at});
+        spec.model = spec_->model;
+        spec.place = spec_->place;
+        return spec;
+    }
+
+private:
     static int robot_model(lua_State* lua) {
-        auto& reader = *static_cast<Reader*>(lua_touserdata(lua, lua_upvalueindex(1)));
-        bridge(lua, [&] { return reader.read(lua); });
+        auto& layer = *static_cast<Layer*>(lua_touserdata(lua, lua_upvalueindex(1)));
+        // May raise an error for want of memory: nothing of C++ is on the way.
+        lua_settop(lua, std::max(lua_gettop(lua), 1));
+        lua_pushvalue(lua, 1);
+        lua_rawsetp(lua, LUA_REGISTRYINDEX, &fields_key);
+        bridge(lua, [&] { return layer.read(lua); });
         lua_pushlightuserdata(lua, const_cast<char*>(&model_mark));
         return 1;
     }
 
-    std::optional<RobotSpec> spec;
-    std::vector<std::string> tables;  // files that were read beside the robot file
-
-private:
     // Raises no Lua error.
     Expected<void> read(lua_State* lua) {
         const Place place = calling_place(lua);
         const auto refuse = [&](const std::string& text) {
-            return Unexpected(file_.fail({"robot_model: " + text, place}));
+            return Unexpected(file_->fail({"robot_model: " + text, place}));
         };
-        if (spec) return refuse(fmt::format("is called twice, first in line {}", spec->place.line));
+        if (spec_) return refuse(fmt::format("is called twice, first in line {}", spec_->place.line));
         if (const int count = Arguments{lua}.count(); count > 1)
             return refuse(fmt::format("expected one table, got {} arguments", count));
-        const auto value = read_file_value(lua, 1);
+        auto value = read_file_value(lua, 1);
         if (!value) return refuse(value.error().message);
         if (value->is_nil()) return refuse("expected a table, got nil");
-        FieldCheck check("robot_model", "robot_model", place, file_.source(place.file));
-        RobotSpec read = read_robot_fields(
-            check, *value,
-            {[&](const std::string& name) { return read_table(name, place); },
-             [&](const FieldPath& path, const std::vector<double>& distances) { return call(lua, path, distances); }});
-        if (auto ok = check.result(); !ok) return Unexpected(file_.fail(ok.error()));
-        read.place = place;
-        spec = std::move(read);
+        own_ = std::move(*value);
+        FieldCheck check("robot_model", "robot_model", place, file_->source(place.file));
+        if (auto built = build_on_base(check, place); !built) return Unexpected(file_->fail(built.error()));
+        whole_ = base_ != nullptr ? merge_values(check, base_->whole_, own_) : own_;
+        RobotSpec spec =
+            read_robot_fields(check, whole_,
+                              {[&](const FieldPath& path, const std::string& name) { return read_table(path, name); },
+                               [&](const FieldPath& path, const std::vector<double>& d) { return call(path, d); }});
+        if (auto ok = check.result(); !ok) return Unexpected(file_->fail(ok.error()));
+        spec.place = place;
+        spec_ = std::move(spec);
         return {};
     }
 
-    Expected<std::vector<ResponseTable::Point>> read_table(const std::string& name, const Place& place) {
-        const auto path = project_.find(FileKind::data, name, place.file);
+    // Reads the file that `base` names, if the table has it.
+    Expected<void> build_on_base(FieldCheck& check, const Place& place) {
+        Fields fields(check, own_);
+        std::string name;
+        if (!fields.text("base", name)) return {};
+        const auto refuse = [&](const std::string& why) { check.explain({"base"}, why); };
+        const auto path = project_.find(FileKind::model, name, place.file);
+        if (!path) {
+            refuse(path.error().message);
+            return {};
+        }
+        const std::string shown = project_.shown(*path);
+        std::vector<std::string> above = above_;
+        above.push_back(shown_);
+        if (std::find(above.begin(), above.end(), shown) != above.end()) {
+            refuse(fmt::format("{} would be built on itself: {}, {}", shown, fmt::join(above, ", "), shown));
+            return {};
+        }
+        const auto text = project_.read(*path);
+        if (!text) return Unexpected(text.error());
+        auto base = std::make_unique<Layer>(project_, std::move(above));
+        if (auto ran = base->run(*text, shown); !ran) return ran;
+        base_ = std::move(base);
+        return {};
+    }
+
+    // The one of the files that has this field last: its tables lie beside it, and its functions are in its state.
+    Layer& owner_of(const FieldPath& path) {
+        return base_ == nullptr || value_at(own_, path) != nullptr ? *this : base_->owner_of(path);
+    }
+
+    using Points = Expected<std::vector<ResponseTable::Point>>;
+
+    Points read_table(const FieldPath& path, const std::string& name) {
+        Layer& owner = owner_of(path);
+        return owner.read_points_in(name, owner.shown_);
+    }
+
+    Points read_points_in(const std::string& name, const std::string& named_in) {
+        const auto path = project_.find(FileKind::data, name, named_in);
         if (!path) return Unexpected(path.error());
         const std::string shown = project_.shown(*path);
         const auto text = project_.read(*path);
         if (!text) return Unexpected(text.error());
-        if (std::find(tables.begin(), tables.end(), shown) == tables.end()) tables.push_back(shown);
+        if (std::find(tables_.begin(), tables_.end(), shown) == tables_.end()) tables_.push_back(shown);
         return read_csv_response(*text, shown);
     }
 
-    // Calls the function at this path of the first argument with each distance.
-    Expected<std::vector<double>> call(lua_State* lua, const FieldPath& path, const std::vector<double>& distances) {
+    // Calls the function at this path with each distance.
+    Expected<std::vector<double>> call(const FieldPath& path, const std::vector<double>& distances) {
+        Layer& owner = owner_of(path);
+        return owner.call_own(path, distances);
+    }
+
+    Expected<std::vector<double>> call_own(const FieldPath& path, const std::vector<double>& distances) {
+        lua_State* lua = file_->lua();
         const int top = lua_gettop(lua);
         if (lua_checkstack(lua, static_cast<int>(path.size()) + 4) == 0) return failure("stack overflow");
-        lua_pushvalue(lua, 1);
+        lua_rawgetp(lua, LUA_REGISTRYINDEX, &fields_key);
         for (const std::string& part : path) {
-            if (!detail::push_raw_field(lua, lua_gettop(lua), part)) return failure("is gone");
+            if (!detail::push_raw_field(lua, lua_gettop(lua), part)) {
+                lua_settop(lua, top);
+                return failure("is gone");
+            }
         }
         std::vector<double> values;
         for (const double distance : distances) {
             lua_pushvalue(lua, -1);
             lua_pushnumber(lua, distance);
-            if (const auto called = protected_call(lua, 1, 1, file_.budget()); !called) {
-                Error error = file_.to_error(called.error());
+            if (const auto called = protected_call(lua, 1, 1, file_->budget()); !called) {
+                Error error = file_->to_error(called.error());
                 lua_settop(lua, top);
                 error.message = fmt::format("response({}): {}", distance, error.message);
                 return Unexpected(std::move(error));
@@ -101,53 +218,78 @@ private:
         return values;
     }
 
-    DataFile& file_;
     const Project& project_;
+    std::vector<std::string> above_;
+    std::string shown_;
+    std::unique_ptr<DataFile> file_;
+    std::unique_ptr<Layer> base_;
+    FileValue own_, whole_;  // what the file gives, and that over what its base gives
+    std::optional<RobotSpec> spec_;
+    std::vector<std::string> tables_;  // files that were read beside the robot file
 };
 
-// Reads a text and, when it fails, tells all that is wrong.
-Expected<RobotSpec> read_robot(std::string_view text, const std::string& shown, const Project& project,
-                               std::vector<std::string>* files, std::vector<Error>& errors) {
-    auto file = DataFile::create(project, {});
-    if (!file) return Unexpected(file.error());
-    Reader reader(**file, project);
-    if (auto ran = (*file)->run(text, shown, {{"robot_model", Reader::robot_model, &reader}}); !ran) {
-        errors = (*file)->errors();
-        return Unexpected(ran.error());
-    }
-    if (!reader.spec || lua_touserdata((*file)->lua(), -1) != &model_mark) {
-        return failure("a robot file ends with `return robot_model { ... }`", {shown});
-    }
-    RobotSpec spec = std::move(*reader.spec);
-    spec.model = fs::path(shown).stem().string();
-    if (spec.place.file != shown) spec.place = {shown};
-    if (files != nullptr) {
-        files->insert(files->end(), (*file)->files().begin(), (*file)->files().end());
-        files->insert(files->end(), reader.tables.begin(), reader.tables.end());
-    }
-    return spec;
+RobotFile::RobotFile(std::unique_ptr<Layer> layer) : layer_(std::move(layer)) {}
+RobotFile::~RobotFile() = default;
+
+const RobotSpec& RobotFile::spec() const { return layer_->spec(); }
+std::vector<std::string> RobotFile::files() const { return layer_->files(); }
+
+RobotSpec RobotFile::changed(FieldCheck& check, const FileValue& changes, const std::string& named_in) {
+    return layer_->changed(check, changes, named_in);
 }
 
-}  // namespace
+Expected<std::unique_ptr<RobotFile>> RobotFile::read(const fs::path& path, const Project& project) {
+    const std::string shown = project.shown(path);
+    const auto text = project.read(path);
+    if (!text) return Unexpected(text.error());
+    auto layer = std::make_unique<Layer>(project, std::vector<std::string>{});
+    if (auto ran = layer->run(*text, shown); !ran) return Unexpected(ran.error());
+    return std::unique_ptr<RobotFile>(new RobotFile(std::move(layer)));
+}
 
 Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& shown, const Project& project,
                                     std::vector<std::string>* files) {
-    std::vector<Error> errors;
-    return read_robot(text, shown, project, files, errors);
+    RobotFile::Layer layer(project, {});
+    if (auto ran = layer.run(text, shown); !ran) return Unexpected(ran.error());
+    if (files != nullptr) {
+        const auto read = layer.files();
+        files->insert(files->end(), read.begin(), read.end());
+    }
+    return layer.spec();
 }
 
 std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project) {
-    std::vector<Error> errors;
-    const auto spec = read_robot(text, shown, project, nullptr, errors);
-    if (!spec && errors.empty()) errors.push_back(spec.error());
+    RobotFile::Layer layer(project, {});
+    const auto ran = layer.run(text, shown);
+    if (ran) return {};
+    auto errors = layer.errors();
+    if (errors.empty()) errors.push_back(ran.error());
     return errors;
 }
 
 Expected<RobotSpec> read_robot_file(const fs::path& path, const Project& project, std::vector<std::string>* files) {
-    const std::string shown = project.shown(path);
-    const auto text = project.read(path);
-    if (!text) return Unexpected(text.error());
-    return read_robot_text(*text, shown, project, files);
+    return read_changed_robot(path, "", project, files);
+}
+
+Expected<RobotSpec> read_changed_robot(const fs::path& model, const std::string& changes, const Project& project,
+                                       std::vector<std::string>* files) {
+    auto file = RobotFile::read(model, project);
+    if (!file) return Unexpected(file.error());
+    if (files != nullptr) {
+        const auto read = (*file)->files();
+        files->insert(files->end(), read.begin(), read.end());
+    }
+    if (changes.empty()) return (*file)->spec();
+    const std::string shown = project.shown(model);
+    auto table = DataFile::create(project, {});
+    if (!table) return Unexpected(table.error());
+    if (auto ran = (*table)->run("return " + changes, shown, {}); !ran) return Unexpected(ran.error());
+    const auto value = read_file_value((*table)->lua(), -1);
+    if (!value) return failure(value.error().message, {shown});
+    FieldCheck check("robot", "robot", {shown}, nullptr);
+    RobotSpec spec = (*file)->changed(check, *value, shown);
+    if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    return spec;
 }
 
 }  // namespace nezumi

@@ -2,14 +2,44 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bindings/lua/files/file_fields.hpp"
+#include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "engine/world/robot_spec.hpp"
 
 namespace nezumi {
+
+/// A robot file that was read, with the files that it builds on: kept for robots that differ from it. Its functions are
+/// called when what they depend on changes.
+class RobotFile {
+public:
+    /// `project` must outlive it. Errors say file and line.
+    static Expected<std::unique_ptr<RobotFile>> read(const std::filesystem::path& path, const Project& project);
+    ~RobotFile();
+    RobotFile(const RobotFile&) = delete;
+    RobotFile& operator=(const RobotFile&) = delete;
+
+    const RobotSpec& spec() const;
+    /// Every file that was read, as the project shows them.
+    std::vector<std::string> files() const;
+    /// This robot with other values of some fields of the file, as `merge_values` puts them over its own. What is wrong
+    /// is said to `check`; then the result is of no use. Tables are looked up beside `named_in`.
+    RobotSpec changed(FieldCheck& check, const FileValue& changes, const std::string& named_in);
+
+private:
+    class Layer;
+    explicit RobotFile(std::unique_ptr<Layer> layer);
+    friend Expected<RobotSpec> read_robot_text(std::string_view, const std::string&, const Project&,
+                                               std::vector<std::string>*);
+    friend std::vector<Error> check_robot_text(std::string_view, const std::string&, const Project&);
+
+    std::unique_ptr<Layer> layer_;
+};
 
 /// Reads a robot file. Tables (`table = "x.csv"`) are looked up beside it. Errors say file and line. `files`, if given,
 /// gets every file that was read, as the project shows them.
@@ -19,6 +49,11 @@ Expected<RobotSpec> read_robot_file(const std::filesystem::path& path, const Pro
 /// The same from text; `shown` is the file's name in errors, and its folder is where tables are looked up.
 Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& shown, const Project& project,
                                     std::vector<std::string>* files = nullptr);
+
+/// The same of a robot of a system: `changes` is the text of a table with the fields in which it differs from its
+/// model, or "".
+Expected<RobotSpec> read_changed_robot(const std::filesystem::path& model, const std::string& changes,
+                                       const Project& project, std::vector<std::string>* files = nullptr);
 
 /// All that is wrong with a robot file; empty when it can be read. For editors: every unknown global is one error, of
 /// anything else the first.

@@ -22,7 +22,7 @@ void read_table(Fields& sensor, SensorSpec& spec, bool range_given, double nothi
     const FileValue& value = *sensor.field("table");
     std::vector<ResponseTable::Point> points;
     if (const std::string* file = value.text()) {
-        auto read = help.read_table(*file);
+        auto read = help.read_table(path, *file);
         if (!read) {
             const Error& error = read.error();
             return error.place.file.empty() ? check.explain(path, error.message) : check.wrong(error);

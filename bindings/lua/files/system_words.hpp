@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -80,6 +82,9 @@ private:
     Expected<BehaviorEntry> read_behavior(const WordCall& call, const std::string& name, const FileValue& fields);
     Expected<ComponentEntry> read_component(const WordCall& call, const std::string& name, const FileValue& fields);
     Expected<void> load_model(const WordCall& call, const std::string& model);
+    Expected<void> describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
+                                    const FileValue& changes);
+    Expected<RobotFile*> robot_file(const WordCall& call, const std::string& model);
     Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const FileValue& name);
     Expected<void> place_things(const WordCall& call, const std::vector<FileValue>& elements);
     Expected<void> check_rates() const;
@@ -92,7 +97,8 @@ private:
     std::optional<Place> size_place_, border_place_, seed_place_, physics_place_;
     std::map<std::string, std::size_t, std::less<>> names_;  // of the entries: their places in `spec_`
     std::set<std::pair<std::string, std::string>> wired_;
-    std::map<std::string, Place> rate_places_;  // of behaviours and components, by name
+    std::map<std::string, std::unique_ptr<RobotFile>> robot_files_;  // as far as they were read, as they are shown
+    std::map<std::string, Place> rate_places_;                       // of behaviours and components, by name
 };
 
 }  // namespace nezumi

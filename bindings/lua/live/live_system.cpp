@@ -227,12 +227,12 @@ Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*
 Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
     SystemSpec& spec = running_->spec;
     if (const auto* robot = std::get_if<RobotEntry>(&act.entry);
-        robot != nullptr && !spec.models.contains(robot->model)) {
+        robot != nullptr && !spec.models.contains(robot->described_by())) {
         const auto path = project_.find(FileKind::model, robot->model, robot->place.file);
         if (!path) return Unexpected(path.error());
-        auto model = read_robot_file(*path, project_, &spec.files);
+        auto model = read_changed_robot(*path, robot->changes, project_, &spec.files);
         if (!model) return Unexpected(model.error());
-        spec.models.emplace(robot->model, std::move(*model));
+        spec.models.emplace(robot->described_by(), std::move(*model));
     }
     if (auto added = add_entry(*running_->system, act.entry, spec, running_->makers); !added)
         return Unexpected(added.error());

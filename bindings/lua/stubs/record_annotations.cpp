@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "bindings/lua/live/act_fields.hpp"
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "engine/components/parameter_fields.hpp"
@@ -26,6 +28,27 @@ std::string word(const RecordShape& record, Form form, bool methods) {
         text += fmt::format("---@overload fun({}name: string): fun(fields: {})\n", receiver, table);
     if (form == Form::thing) text += "---@return Thing\n";
     return text + fmt::format("function {}({}fields) end\n\n", name, form == Form::entry ? "name, " : "");
+}
+
+// Of a robot file: what one leaves out, another may have that it builds on.
+RecordShape of_robot(RecordShape shape) {
+    for (FieldRow& row : shape.rows) {
+        if (std::exchange(row.required, false)) row.fallback = "required";
+    }
+    return shape;
+}
+
+// A robot of a system has the fields of a robot file as well.
+RecordShape robot_of_system() {
+    RecordShape shape = shape_of_record<RobotEntry>();
+    RecordShape model = shape_of_record<RobotSpec>();
+    for (FieldRow& row : model.rows) {
+        if (row.name == "base") continue;
+        row.required = false;
+        row.fallback = "as of the model";
+        shape.rows.push_back(std::move(row));
+    }
+    return shape;
 }
 
 // A word that takes no table.
@@ -60,17 +83,17 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<BorderSpec>(),
         shape_of_record<ArenaSpec>(),
         shape_of_record<LimitChanges>(),
-        shape_of_record<RobotEntry>(),
+        robot_of_system(),
         shape_of_record<BehaviorEntry>(),
         shape_of_record<ComponentEntry>(),
         shape_of_record<PhysicsFields>(),
-        shape_of_record<BodySpec>(),
-        shape_of_record<DriveSpec>(),
-        shape_of_record<SensorSpec>(),
-        shape_of_record<ActuatorSpec>(),
-        shape_of_record<PortSpec>(),
-        shape_of_record<HardwareSpec>(),
-        shape_of_record<RobotSpec>(),
+        of_robot(shape_of_record<BodySpec>()),
+        of_robot(shape_of_record<DriveSpec>()),
+        of_robot(shape_of_record<SensorSpec>()),
+        of_robot(shape_of_record<ActuatorSpec>()),
+        of_robot(shape_of_record<PortSpec>()),
+        of_robot(shape_of_record<HardwareSpec>()),
+        of_robot(shape_of_record<RobotSpec>()),
         shape_of_record<RobotPlace>(),
         shape_of_record<MarkerPlace>(),
         shape_of_record<Push>(),

@@ -43,7 +43,7 @@ const std::map<std::string, std::string> systems{
     {"border", "arena { border = { % } }"},
     {"arena", "arena { % }"},
     {"limits", "robot 'm' { model = 'raspimouse', limits = { % } }"},
-    {"robot", "robot 'm' { % }"},
+    {"robot", "robot 'm' { model = 'raspimouse', % }"},
     {"behavior", "behavior 'b' { % }"},
     {"component", "component 'c' { % }"},
     {"physics", "physics { % }"},

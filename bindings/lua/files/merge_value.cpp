@@ -1,0 +1,82 @@
+// Merges tables field by field, as far as both have names.
+#include "bindings/lua/files/merge_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "engine/base/names.hpp"
+
+namespace nezumi {
+namespace {
+
+// Two ways to say one thing: who writes one of them means it in the place of the other.
+constexpr std::pair<std::string_view, std::string_view> alternatives[] = {
+    {"table", "response"}, {"size", "radius"}, {"size", "height"}, {"from", "to"}};
+
+bool is_false(const FileValue& value) {
+    const bool* truth = std::get_if<bool>(&value.data);
+    return truth != nullptr && !*truth;
+}
+
+bool is_place(const FileTable& table) {
+    return !table.fields.empty() && std::all_of(table.fields.begin(), table.fields.end(), [](const FileField& field) {
+        return (field.name == "x" || field.name == "y" || field.name == "z") && field.value.table() == nullptr;
+    });
+}
+
+bool is_group(const FileTable* table) { return table != nullptr && table->elements.empty() && !is_place(*table); }
+
+// A sensor of another kind has other fields.
+bool changes_kind(const FileTable& base, const FileTable& changes) {
+    for (const std::string_view name : {"kind", "shape"}) {
+        const FileValue *before = base.find(name), *after = changes.find(name);
+        if (before == nullptr || after == nullptr || before->text() == nullptr || after->text() == nullptr) continue;
+        if (*before->text() != *after->text()) return true;
+    }
+    return false;
+}
+
+bool is_table_of_names(const FieldPath& path) {
+    return path.size() == 1 && (path[0] == "sensors" || path[0] == "actuators" || path[0] == "ports");
+}
+
+void erase(FileTable& table, std::string_view name) {
+    std::erase_if(table.fields, [&](const FileField& field) { return field.name == name; });
+}
+
+std::string nearest(std::string_view name, const FileTable& table) {
+    std::vector<std::string_view> names;
+    for (const FileField& field : table.fields) names.push_back(field.name);
+    return did_you_mean(name, names);
+}
+
+}  // namespace
+
+FileValue merge_values(FieldCheck& check, const FileValue& base, const FileValue& changes, const FieldPath& path) {
+    const FileTable *from = base.table(), *over = changes.table();
+    if (!is_group(from) || !is_group(over) || changes_kind(*from, *over)) return changes;
+    FileTable merged = *from;
+    for (const FileField& change : over->fields) {
+        FieldPath inner = path;
+        inner.push_back(change.name);
+        const FileValue* before = from->find(change.name);
+        if (is_false(change.value) && before == nullptr && is_table_of_names(path))
+            check.wrong(inner, fmt::format("takes away what is not there{}", nearest(change.name, *from)));
+        for (const auto& [one, other] : alternatives) {
+            if (change.name == one) erase(merged, other);
+            if (change.name == other) erase(merged, one);
+        }
+        erase(merged, change.name);
+        if (is_false(change.value) && before != nullptr) continue;
+        FileValue value = before != nullptr ? merge_values(check, *before, change.value, inner) : change.value;
+        const auto place = std::find_if(merged.fields.begin(), merged.fields.end(),
+                                        [&](const FileField& field) { return field.name > change.name; });
+        merged.fields.insert(place, {change.name, std::move(value)});
+    }
+    return {std::move(merged)};
+}
+
+}  // namespace nezumi
