@@ -17,6 +17,16 @@ void SimRobotBody::read_ranges(std::span<double> distances) const { world_.read_
 
 double SimRobotBody::yaw_rate() const { return world_.robot(id_).body.w[2]; }
 
+PlaceMotion SimRobotBody::motion(std::size_t index) const {
+    const SimRobot& robot = world_.robot(id_);
+    const SensorSpec& sensor = robot.model->spec->sensors[index];
+    const Rotation hull = robot.body.rotation(), frame = hull * yaw_rotation(sensor.yaw);
+    const Vec3 at = rotate(hull, to_vec(sensor.at) + robot.model->origin);
+    return {.axes = {{to_point(frame.col(0)), to_point(frame.col(1)), to_point(frame.col(2))}},
+            .velocity = to_point(robot.body.velocity_at(at)),
+            .spin = to_point(robot.body.spin())};
+}
+
 bool SimRobotBody::is_pressed(std::size_t index) const {
     const SimRobot& robot = world_.robot(id_);
     if (robot.pressed[index]) return true;

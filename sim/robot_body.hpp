@@ -21,6 +21,7 @@ public:
     void read_ranges(std::span<double> distances) const override;
     bool is_pressed(std::size_t index) const override;
     double yaw_rate() const override;
+    PlaceMotion motion(std::size_t index) const override;
     FloorColor floor_color(std::size_t index) const override;
     double reflected_light(std::size_t index) const override;
     void set_wheel_speeds(Wheels speeds) override;

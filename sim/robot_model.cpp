@@ -78,7 +78,8 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     for (const Vec3& point : skids) reach = std::max(reach, point.norm());
 
     for (std::size_t i = 0; i < robot.sensors.size(); ++i) {
-        if (robot.sensors[i].kind != SensorSpec::Kind::range) continue;
+        if (robot.sensors[i].kind != SensorSpec::Kind::range && robot.sensors[i].kind != SensorSpec::Kind::scan)
+            continue;
         range_sensors.push_back(i);
         if (!robot.sensors[i].on.empty()) has_servo_sensors = true;
     }
@@ -87,8 +88,9 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
 
 RayFan RobotModel::fan_at(const std::vector<double>& servo_angles) const {
     RayFan rays;
-    for (std::size_t i = 0; i < range_sensors.size(); ++i) {
-        const SensorSpec& sensor = spec->sensors[range_sensors[i]];
+    std::size_t slot = 0;  // of the distances
+    for (const std::size_t index : range_sensors) {
+        const SensorSpec& sensor = spec->sensors[index];
         Vec3 at = to_vec(sensor.at);
         double yaw = sensor.yaw;
         for (std::size_t a = 0; a < spec->actuators.size(); ++a) {
@@ -97,13 +99,22 @@ RayFan RobotModel::fan_at(const std::vector<double>& servo_angles) const {
             at = to_vec(servo.at) + rotate(yaw_rotation(servo_angles[a]), at - to_vec(servo.at));
             yaw += servo_angles[a];
         }
+        if (sensor.kind == SensorSpec::Kind::scan) {
+            const ScanAngles angles = angles_of(sensor);
+            for (int k = 0; k < sensor.rays; ++k) {
+                const double angle = yaw + angles.first + angles.step * k;
+                rays.add({at + origin, {std::cos(angle), std::sin(angle), 0}, sensor.range, slot++});
+            }
+            continue;
+        }
         const int count = sensor.cone > 0 ? std::max(1, sensor.rays) : 1;
         for (int k = 0; k < count; ++k) {
             const double angle = count == 1 ? yaw : yaw + sensor.cone * (static_cast<double>(k) / (count - 1) - 0.5);
-            rays.add({at + origin, {std::cos(angle), std::sin(angle), 0}, sensor.range, i});
+            rays.add({at + origin, {std::cos(angle), std::sin(angle), 0}, sensor.range, slot});
         }
+        ++slot;
     }
-    rays.sensors = range_sensors.size();
+    rays.sensors = slot;
     return rays;
 }
 

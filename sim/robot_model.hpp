@@ -62,7 +62,7 @@ struct RobotModel {
     dContact coasting_contact{};  ///< of a wheel that rolls freely: lacks its place and direction
     dContact skid_contact{};      ///< lacks its place
 
-    RayFan fan;                              ///< of the range sensors, servos at 0; distances in the order of the spec
+    RayFan fan;                              ///< of range sensors and scans, servos at 0; distances in the spec's order
     std::vector<std::size_t> range_sensors;  ///< which sensors of the spec they are
     bool has_servo_sensors = false;
 

@@ -18,11 +18,22 @@ double uniform(std::uint64_t hash) { return (static_cast<double>(hash >> 11) + 1
 
 SimulatedBody::SimulatedBody(const RobotSpec& spec, std::uint64_t seed)
     : spec_(spec), seed_(seed), readings_(spec.sensors.size()), servos_(spec.actuators.size()) {
+    std::size_t rays = 0;
     for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
-        if (spec.sensors[i].kind == SensorSpec::Kind::range) range_sensors_.push_back(i);
+        const SensorSpec& sensor = spec.sensors[i];
+        const bool is_scan = sensor.kind == SensorSpec::Kind::scan;
+        if (sensor.kind == SensorSpec::Kind::imu) inertial_.push_back({.sensor = i});
+        if (!is_scan && sensor.kind != SensorSpec::Kind::range) continue;
+        ranging_.push_back({i, rays, is_scan ? static_cast<std::size_t>(sensor.rays) : 1});
+        rays += ranging_.back().count;
     }
-    seen_.assign(range_sensors_.size(), std::numeric_limits<double>::infinity());
+    seen_.assign(rays, std::numeric_limits<double>::infinity());
     for (SensorReading& reading : readings_) reading.is_there = true;
+    for (const Ranging& each : ranging_) {
+        if (spec.sensors[each.sensor].kind == SensorSpec::Kind::scan)
+            readings_[each.sensor].values = std::span(seen_).subspan(each.first, each.count);
+    }
+    for (const Inertial& each : inertial_) readings_[each.sensor].values = each.values;
 }
 
 double SimulatedBody::with_noise(const Draw& draw, double value, double deviation) const {
@@ -55,29 +66,60 @@ WheelReading SimulatedBody::read_wheels(const Time& now, double period) {
     return reading;
 }
 
+// An echo that does not come back has no length that could be measured wrongly.
+double SimulatedBody::seen_by(const SensorSpec& sensor, const Draw& draw, double distance) const {
+    if (distance >= sensor.range) return sensor.range;
+    return std::clamp(with_noise(draw, std::max(distance, sensor.minimum), sensor.noise), sensor.minimum, sensor.range);
+}
+
 void SimulatedBody::measure_ranges(std::int64_t tick) {
     read_ranges(seen_);
-    for (std::size_t i = 0; i < range_sensors_.size(); ++i) {
-        const std::size_t index = range_sensors_[i];
+    for (const auto& [index, first, count] : ranging_) {
         const SensorSpec& sensor = spec_.sensors[index];
         SensorReading& reading = readings_[index];
-        const double seen = seen_[i];
-        reading.physical = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
-        reading.value = sensor.has_response ? sensor.response(seen) : reading.physical;
-        // An echo that does not come back has no length that could be measured wrongly.
-        if (!sensor.has_response && seen >= sensor.range) continue;
-        const double noisy = with_noise({index, tick}, reading.value, sensor.noise);
-        if (noisy == reading.value) continue;
-        // What lies behind a noisy value is known from that value alone.
-        reading.value =
-            sensor.has_response ? sensor.response.clamp(noisy) : std::clamp(noisy, sensor.minimum, sensor.range);
-        const double behind = sensor.has_response ? distance_at(sensor.response, reading.value) : reading.value;
-        reading.physical = std::clamp(behind, sensor.minimum, sensor.range);
+        const double seen = seen_[first];
+        if (sensor.kind == SensorSpec::Kind::scan) {
+            for (std::size_t ray = 0; ray < count; ++ray)
+                seen_[first + ray] = seen_by(sensor, {index, tick, ray}, seen_[first + ray]);
+        } else if (sensor.has_response) {
+            reading.physical = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
+            reading.value = sensor.response(seen);
+            const double noisy = with_noise({index, tick}, reading.value, sensor.noise);
+            if (noisy == reading.value) continue;
+            // What lies behind a noisy value is known from that value alone.
+            reading.value = sensor.response.clamp(noisy);
+            reading.physical = std::clamp(distance_at(sensor.response, reading.value), sensor.minimum, sensor.range);
+        } else {
+            reading.physical = reading.value = seen_by(sensor, {index, tick}, seen);
+        }
+    }
+}
+
+// An accelerometer feels what holds it: at rest, gravity upwards. Accelerations are the mean since the last reading.
+void SimulatedBody::measure_motion(std::int64_t tick, double period) {
+    constexpr double gravity = 9.81;  // [m/s^2]
+    const auto dot = [](const Point3D& a, const Point3D& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+    for (Inertial& each : inertial_) {
+        const SensorSpec& sensor = spec_.sensors[each.sensor];
+        const PlaceMotion motion = this->motion(each.sensor);
+        const Point3D& now = motion.velocity;
+        const Point3D before = each.before.value_or(now);
+        each.before = now;
+        const Point3D felt{(now.x - before.x) / period, (now.y - before.y) / period,
+                           (now.z - before.z) / period + gravity};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double turned = dot(motion.axes[axis], motion.spin);
+            const double rate = sensor.max_rate > 0 ? std::clamp(turned, -sensor.max_rate, sensor.max_rate) : turned;
+            each.values[axis] = with_noise({each.sensor, tick, axis}, rate, sensor.noise);
+            each.values[axis + 3] =
+                with_noise({each.sensor, tick, axis + 3}, dot(motion.axes[axis], felt), sensor.acceleration_noise);
+        }
     }
 }
 
 std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, double period) {
     measure_ranges(now.tick);
+    measure_motion(now.tick, period);
     for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
         const SensorSpec& sensor = spec_.sensors[i];
         SensorReading& reading = readings_[i];
@@ -101,7 +143,9 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
             case SensorSpec::Kind::color: reading.value = static_cast<double>(floor_color(i)); break;
             case SensorSpec::Kind::reflect: reading.value = percent(reflected_light(i)); break;
             case SensorSpec::Kind::ambient: reading.value = percent(sensor.level); break;
-            case SensorSpec::Kind::range: break;
+            case SensorSpec::Kind::range:
+            case SensorSpec::Kind::scan:
+            case SensorSpec::Kind::imu: break;
         }
     }
     return readings_;

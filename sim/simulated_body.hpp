@@ -1,14 +1,23 @@
 // A robot's body as if it were a device: perfect senses behind responses, noise, drift and encoders.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/world/world.hpp"
 
 namespace nezumi::sim {
+
+/// How a place on a robot moves.
+struct PlaceMotion {
+    std::array<Point3D, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< x, y, z of its frame in the world
+    Point3D velocity{};                                              ///< [m/s] in the world
+    Point3D spin{};                                                  ///< [rad/s] in the world
+};
 
 /// Who derives from it says what is the case; this makes of it what the robot's devices would tell.
 class SimulatedBody : public RobotBody {
@@ -18,12 +27,15 @@ public:
 
     /// Angle [rad] that each wheel has turned since the start, forward positive. Not wrapped.
     virtual Wheels wheel_angles() const = 0;
-    /// Distances [m] seen by the range sensors of the spec, in its order, one for each; infinity: nothing in sight.
+    /// Distances [m] seen by the range sensors and scans of the spec, in its order, one for each and one for each ray
+    /// of a scan; infinity: nothing in sight.
     virtual void read_ranges(std::span<double> distances) const = 0;
     /// Whether sensor `index` of the spec (a button or touch sensor) is closed.
     virtual bool is_pressed(std::size_t index) const = 0;
     /// Yaw rate [rad/s] of the hull, as a gyro feels it.
     virtual double yaw_rate() const = 0;
+    /// How the place of sensor `index` of the spec (an imu) moves.
+    virtual PlaceMotion motion(std::size_t index) const = 0;
     /// The colour that sensor `index` of the spec sees on the floor.
     virtual FloorColor floor_color(std::size_t index) const = 0;
     /// How much light the floor gives back to sensor `index` of the spec: 0 (none) to 100 (as white paper).
@@ -52,16 +64,30 @@ private:
 
     /// `deviation` is the sensor's own; the robot's `noise`, a part of the value, comes to it.
     double with_noise(const Draw& draw, double value, double deviation) const;
+    double seen_by(const SensorSpec& sensor, const Draw& draw, double distance) const;
     void measure_ranges(std::int64_t tick);
+    void measure_motion(std::int64_t tick, double period);
     void turn_servos(double period);
 
     const RobotSpec& spec_;
     std::uint64_t seed_;
-    std::vector<std::size_t> range_sensors_;  // indices into spec_.sensors, in order
-    std::vector<double> seen_;                // of the range sensors
-    std::vector<SensorReading> readings_;     // of all sensors
-    std::vector<Servo> servos_;               // by actuator of the spec
-    Wheels angles_;                           // [rad] at the last call of read_wheels
+    // A range sensor or scan: its index in the spec, and its part of `seen_`.
+    struct Ranging {
+        std::size_t sensor, first, count;
+    };
+    // An imu: its index in the spec, what it says, and how fast it was [m/s].
+    struct Inertial {
+        std::size_t sensor;
+        std::array<double, 6> values{};
+        std::optional<Point3D> before{};
+    };
+
+    std::vector<Ranging> ranging_;  // in the order of the spec
+    std::vector<double> seen_;      // by those
+    std::vector<Inertial> inertial_;
+    std::vector<SensorReading> readings_;  // of all sensors
+    std::vector<Servo> servos_;            // by actuator of the spec
+    Wheels angles_;                        // [rad] at the last call of read_wheels
     bool has_read_wheels_ = false;
     bool servos_turn_ = false;
     double gyro_angle_ = 0;

@@ -87,6 +87,8 @@ private:
         void (*write)(const SensorPort& port, std::span<const SensorReading> readings, double rate,
                       const Pose3D* turned);
         std::vector<std::size_t> sensors;
+        // Of the one sensor that has several values: from the first, so many. 0: each has one.
+        std::size_t first, count;
         bool physical;  // what lies behind the value instead of the value
         double rate;
         // Where the message tells the pose: that of its sensors in the body frame, and the servo that turns them.

@@ -39,7 +39,9 @@ template <class T>
 struct Writer {
     template <class Port>
     static void write(const Port& port, std::span<const SensorReading> readings, double rate, const Pose3D* turned) {
+        const std::size_t size = port.count > 0 ? port.count : port.sensors.size();
         const auto value = [&](std::size_t i) {
+            if (port.count > 0) return readings[port.sensors.front()].values[port.first + i];
             const SensorReading& reading = readings[port.sensors[i]];
             return port.physical ? reading.physical : reading.value;
         };
@@ -47,13 +49,13 @@ struct Writer {
         if constexpr (can_carry<T>) {
             slot = element<T>(value(0));
         } else if constexpr (std::is_same_v<T, RangeData>) {
-            slot.ranges.resize(port.sensors.size());
-            for (std::size_t i = 0; i < port.sensors.size(); ++i) slot.ranges[i] = value(i);
+            slot.ranges.resize(size);
+            for (std::size_t i = 0; i < size; ++i) slot.ranges[i] = value(i);
             slot.config.frequency = rate;
             if (turned != nullptr) slot.geometry.pose = *turned;
         } else {
-            slot.resize(port.sensors.size());
-            for (std::size_t i = 0; i < port.sensors.size(); ++i) slot[i] = element<typename T::value_type>(value(i));
+            slot.resize(size);
+            for (std::size_t i = 0; i < size; ++i) slot[i] = element<typename T::value_type>(value(i));
         }
     }
 };
@@ -82,6 +84,14 @@ Expected<RangeData> describe_ranges(const RobotSpec& spec, const std::vector<std
                     .maxRange = first.range,
                     .rangeRes = 0,
                     .frequency = 0};
+    if (first.kind == SensorSpec::Kind::scan) {
+        const ScanAngles angles = angles_of(first);
+        range.geometry.pose = {.position = first.at, .orientation = {.r = 0, .p = 0, .y = first.yaw}};
+        range.config.minAngle = angles.first;
+        range.config.maxAngle = angles.first + angles.step * (first.rays - 1);
+        range.config.angularRes = angles.step;
+        return range;
+    }
     if (sensors.size() == 1) {
         range.geometry.pose = {.position = first.at, .orientation = {.r = 0, .p = 0, .y = first.yaw}};
         return range;
@@ -110,6 +120,31 @@ Expected<RangeData> describe_ranges(const RobotSpec& spec, const std::vector<std
     range.config.maxAngle = range.config.minAngle + step * static_cast<double>(sensors.size() - 1);
     range.config.angularRes = step;
     return range;
+}
+
+// How many values a sensor has: 0 for a single one.
+std::size_t values_of(const SensorSpec& sensor) {
+    switch (sensor.kind) {
+        case SensorSpec::Kind::scan: return static_cast<std::size_t>(sensor.rays);
+        case SensorSpec::Kind::imu: return 6;
+        default: return 0;
+    }
+}
+
+// Why a sensor has nothing of this quantity, or "".
+std::string_view lacks(const SensorSpec& sensor, PortSpec::Quantity quantity) {
+    using Kind = SensorSpec::Kind;
+    switch (quantity) {
+        case PortSpec::Quantity::value: return "";
+        case PortSpec::Quantity::distance:
+            return sensor.kind == Kind::range || sensor.kind == Kind::scan ? ""
+                                                                           : "is no range sensor: it has no distance";
+        case PortSpec::Quantity::rate:
+            return sensor.kind == Kind::gyro || sensor.kind == Kind::imu ? "" : "is no gyro: it has no rate";
+        case PortSpec::Quantity::acceleration:
+            return sensor.kind == Kind::imu ? "" : "is no imu: it has no acceleration";
+    }
+    return "";
 }
 
 // Whether a message of type T carries colours' names, and no numbers.
@@ -166,15 +201,24 @@ Expected<void> Robot::add_output(const PortSpec& port) {
                 if (is_text<T> && sensor.kind != SensorSpec::Kind::color)
                     return failure(
                         fmt::format("a {} carries colours, and '{}' is no color sensor", port.type, sensor.name));
-                if (port.quantity == PortSpec::Quantity::rate && sensor.kind != SensorSpec::Kind::gyro)
-                    return failure(fmt::format("'{}' is no gyro: it has no rate", sensor.name));
-                if ((port.quantity == PortSpec::Quantity::distance || std::is_same_v<T, RangeData>)&&sensor.kind !=
-                    SensorSpec::Kind::range)
-                    return failure(fmt::format("'{}' is no range sensor: it has no distance", sensor.name));
+                const std::string_view lack =
+                    lacks(sensor, std::is_same_v<T, RangeData> ? PortSpec::Quantity::distance : port.quantity);
+                if (!lack.empty()) return failure(fmt::format("'{}' {}", sensor.name, lack));
+                if (values_of(sensor) == 0) continue;
+                if (sensors.size() > 1)
+                    return failure(fmt::format("'{}' has several values: it has a port of its own", sensor.name));
+                if (can_carry<T> || is_text<T>)
+                    return failure(
+                        fmt::format("'{}' has several values, and a {} carries one", sensor.name, port.type));
             }
+            const bool is_acceleration = port.quantity == PortSpec::Quantity::acceleration;
+            const bool is_half = is_acceleration || port.quantity == PortSpec::Quantity::rate;
+            const std::size_t count = values_of(spec_.sensors[sensors.front()]);
             SensorPort made{.port = nullptr,
                             .write = Writer<T>::template write<SensorPort>,
                             .sensors = sensors,
+                            .first = is_acceleration ? count / 2 : 0,
+                            .count = is_half ? count / 2 : count,
                             .physical = port.quantity != PortSpec::Quantity::value || std::is_same_v<T, RangeData>,
                             .rate = port.rate,
                             .pose = {},

@@ -108,8 +108,8 @@ struct Describe<DriveSpec> {
 
 template <>
 struct Choices<SensorSpec::Kind> {
-    static constexpr std::array<std::string_view, 7> names{"range", "button",  "touch",  "gyro",
-                                                           "color", "reflect", "ambient"};
+    static constexpr std::array<std::string_view, 9> names{"range",   "button",  "touch", "gyro", "color",
+                                                           "reflect", "ambient", "scan",  "imu"};
 };
 
 template <>
@@ -117,37 +117,44 @@ struct Describe<SensorSpec> {
     static constexpr std::string_view name = "sensor";
     static constexpr std::string_view doc =
         "A sensor: a distance, a button, a bumper, a yaw angle, the floor's colour, light from the floor or of the "
-        "room.";
+        "room, a scan of distances, rates and accelerations.";
     static constexpr auto& kinds = Choices<SensorSpec::Kind>::names;
     static constexpr unsigned range_only = 1U << 0U, touch_only = 1U << 2U, gyro_only = 1U << 3U,
-                              reflect_only = 1U << 5U, ambient_only = 1U << 6U;
+                              reflect_only = 1U << 5U, ambient_only = 1U << 6U, scan_only = 1U << 7U,
+                              imu_only = 1U << 8U, ranging = range_only | scan_only;
     static constexpr std::tuple fields{
         Setting{"kind", &SensorSpec::kind, "", "what it measures", {.required = true, .selects = true}},
         Setting{"at", &SensorSpec::at, "m", "from the hull's centre", {.level = true}},
         Setting{"yaw", &SensorSpec::yaw, "rad", "where it looks, counter-clockwise"},
         Setting{"on", &SensorSpec::on, "", "the servo that carries it, in the place of the hull"},
         Setting{
-            "range", &SensorSpec::range, "m", "it sees no farther", {.range = NumberRange::positive, .of = range_only}},
+            "range", &SensorSpec::range, "m", "it sees no farther", {.range = NumberRange::positive, .of = ranging}},
         Setting{"minimum",
                 &SensorSpec::minimum,
                 "m",
                 "it sees no nearer",
-                {.range = NumberRange::not_negative, .of = range_only}},
+                {.range = NumberRange::not_negative, .of = ranging}},
         Setting{"cone",
                 &SensorSpec::cone,
                 "rad",
-                "full opening angle; 0: a single ray",
-                {.range = NumberRange::not_negative, .of = range_only}},
+                "full opening angle, 0: a single ray; of a scan, its field of view",
+                {.range = NumberRange::not_negative, .of = ranging, .fallback = "0; of a scan a full turn"}},
         Setting{"rays",
                 &SensorSpec::rays,
                 "",
-                "that share the cone: the nearest counts",
-                {.min = 1, .max = 1000, .of = range_only, .fallback = "5 with a `cone`, else 1"}},
+                "that share the cone: the nearest counts; a scan tells the distance of each, from right to left",
+                {.min = 1, .max = 1000, .of = ranging, .fallback = "5 with a `cone`, else 1; of a scan 360"}},
         Setting{"noise",
                 &SensorSpec::noise,
                 "",
-                "standard deviation, in the value's unit",
-                {.range = NumberRange::not_negative, .of = range_only | gyro_only | reflect_only | ambient_only}},
+                "standard deviation, in the value's unit; of an imu, of its rates in rad/s",
+                {.range = NumberRange::not_negative,
+                 .of = range_only | gyro_only | reflect_only | ambient_only | scan_only | imu_only}},
+        Setting{"acceleration_noise",
+                &SensorSpec::acceleration_noise,
+                "m/s^2",
+                "standard deviation of its accelerations",
+                {.range = NumberRange::not_negative, .of = imu_only}},
         Extra{
             "table",
             "string|number[][]",
@@ -171,7 +178,7 @@ struct Describe<SensorSpec> {
                 &SensorSpec::max_rate,
                 "rad/s",
                 "it can follow; 0: any",
-                {.range = NumberRange::not_negative, .of = gyro_only}},
+                {.range = NumberRange::not_negative, .of = gyro_only | imu_only}},
         Setting{"travel",
                 &SensorSpec::travel,
                 "m",
@@ -233,7 +240,7 @@ struct Describe<ActuatorSpec> {
 
 template <>
 struct Choices<PortSpec::Quantity> {
-    static constexpr std::array<std::string_view, 3> names{"value", "distance", "rate"};
+    static constexpr std::array<std::string_view, 4> names{"value", "distance", "rate", "acceleration"};
 };
 
 template <>
@@ -263,7 +270,9 @@ struct Describe<PortSpec> {
         Setting{"quantity",
                 &PortSpec::quantity,
                 "",
-                "`\"distance\"`: metres instead of a range sensor's value; `\"rate\"`: of a gyro instead of its angle",
+                "`\"distance\"`: metres instead of a range sensor's value; `\"rate\"`: of a gyro instead of its angle, "
+                "of an "
+                "imu its three rates; `\"acceleration\"`: of an imu its three accelerations",
                 {.of = out_only}},
         Setting{"queue",
                 &PortSpec::queue,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -112,26 +113,41 @@ struct SensorSpec {
         color,    ///< the colour of the floor, a `FloorColor`
         reflect,  ///< light reflected by the floor, 0 to 100
         ambient,  ///< light of the room, 0 to 100
+        scan,     ///< a scanner in the plane: a distance for each of its rays
+        imu,  ///< rates of turning [rad/s] about x, y, z and accelerations [m/s^2] along them, as felt: with gravity
     };
 
     std::string name;
     Kind kind = Kind::range;
-    Point3D at{};               ///< [m] in the body frame
-    double yaw = 0;             ///< [rad] direction of the ray in the body frame
-    double range = 0.6;         ///< [m] a range sensor sees no farther
-    double minimum = 0;         ///< [m] a range sensor sees no nearer
-    double cone = 0;            ///< [rad] full opening angle; 0: a single ray
-    int rays = 1;               ///< rays spread evenly over the cone, the nearest counts
-    double noise = 0;           ///< standard deviation, in units of the value
-    double drift = 0;           ///< gyro: [rad/s]
-    double max_rate = 0;        ///< gyro: [rad/s] it can follow; 0: any
-    double travel = 0;          ///< touch: [m] until it closes
-    double level = 0;           ///< ambient: of the simulated room, 0 to 100
-    std::string on;             ///< the actuator that carries it, or "" for the hull
-    ResponseTable response;     ///< range: from distance to value
-    bool has_response = false;  ///< without a response the value is the distance itself
-    std::string port;           ///< which device of the real robot it is; "": the driver's own choice
+    Point3D at{};                   ///< [m] in the body frame
+    double yaw = 0;                 ///< [rad] direction of the ray in the body frame
+    double range = 0.6;             ///< [m] a range sensor sees no farther
+    double minimum = 0;             ///< [m] a range sensor sees no nearer
+    double cone = 0;                ///< [rad] full opening angle; 0: a single ray. Of a scan, its field of view
+    int rays = 1;                   ///< rays spread evenly over the cone, the nearest counts; of a scan, all count
+    double noise = 0;               ///< standard deviation, in units of the value; of an imu, of its rates
+    double acceleration_noise = 0;  ///< imu: [m/s^2] standard deviation of its accelerations
+    double drift = 0;               ///< gyro: [rad/s]
+    double max_rate = 0;            ///< gyro: [rad/s] it can follow; 0: any
+    double travel = 0;              ///< touch: [m] until it closes
+    double level = 0;               ///< ambient: of the simulated room, 0 to 100
+    std::string on;                 ///< the actuator that carries it, or "" for the hull
+    ResponseTable response;         ///< range: from distance to value
+    bool has_response = false;      ///< without a response the value is the distance itself
+    std::string port;               ///< which device of the real robot it is; "": the driver's own choice
 };
+
+/// Where the rays of a scan look.
+struct ScanAngles {
+    double first = 0;  ///< [rad] of the first ray from where the scanner looks: the rightmost one
+    double step = 0;   ///< [rad] from each ray to the next, counter-clockwise
+};
+
+/// Over a full turn the last ray is the neighbour of the first, and not the same. `scan.rays` are at least two.
+inline ScanAngles angles_of(const SensorSpec& scan) {
+    const bool is_closed = scan.cone > 2 * std::numbers::pi - 1e-6;
+    return {-scan.cone / 2, scan.cone / (is_closed ? scan.rays : scan.rays - 1)};
+}
 
 /// One actuator beside the wheels.
 struct ActuatorSpec {
@@ -153,7 +169,7 @@ struct PortSpec {
     std::string type;  ///< a message type's name
     std::vector<std::string>
         items;  ///< what it carries: sensors' or an actuator's names, or one of "velocity", "odometry", "drive"
-    enum class Quantity { value, distance, rate } quantity = Quantity::value;
+    enum class Quantity { value, distance, rate, acceleration } quantity = Quantity::value;
     double rate = 0;               ///< [Hz] of an out-port; 0: every tick
     std::size_t queue = 0;         ///< length of an in-port's queue; 0: the latest value
     bool off_when_silent = false;  ///< in-port of an actuator: it goes off when nothing came for `silence` seconds

@@ -59,6 +59,9 @@ struct SensorReading {
     double tm = 0;          ///< [s] when it was measured
     double value = 0;       ///< what its response makes of it, 0 or 1, an angle [rad], a `FloorColor`, 0 to 100
     double physical = 0;    ///< behind that value: of a range sensor the distance [m], of a gyro the rate [rad/s]
+    /// Of a scan the distances [m] of its rays from right to left, of an imu three rates [rad/s] and three
+    /// accelerations [m/s^2]; good until the next call of `read_sensors`.
+    std::span<const double> values{};
 };
 
 /// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,

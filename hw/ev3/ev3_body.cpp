@@ -24,7 +24,9 @@ std::optional<SensorMode> mode_of(Kind kind) {
         case Kind::color:
         case Kind::reflect: return SensorMode{"lego-ev3-color", "RGB-RAW", 3};
         case Kind::ambient: return SensorMode{"lego-ev3-color", "COL-AMBIENT"};
-        case Kind::button: return std::nullopt;
+        case Kind::button:
+        case Kind::scan:
+        case Kind::imu: return std::nullopt;
     }
     return std::nullopt;
 }
@@ -221,6 +223,8 @@ void Ev3Body::read(std::size_t sensor, const SensorValues& values) {
         case Kind::touch:
         case Kind::ambient:
         case Kind::button: reading.value = first; break;
+        case Kind::scan:
+        case Kind::imu: break;  // no device of a brick
     }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/robot_fields.hpp"
@@ -95,11 +96,28 @@ void read_response(Fields& sensor, SensorSpec& spec, bool nothing_given, double 
     spec.has_response = true;
 }
 
-void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& help) {
-    const bool range_given = sensor.has("range");
+void check_minimum(Fields& sensor, const SensorSpec& spec) {
     if (spec.minimum >= spec.range)
         sensor.check().wrong(sensor.path_of("minimum"),
                              fmt::format("expected less than the range of {} m, got {}", spec.range, spec.minimum));
+}
+
+void read_scan(Fields& sensor, SensorSpec& spec) {
+    constexpr double full_turn = 2 * std::numbers::pi;
+    check_minimum(sensor, spec);
+    if (!sensor.has("cone")) spec.cone = full_turn;
+    if (!sensor.has("rays")) spec.rays = 360;
+    if (spec.cone <= 0 || spec.cone > full_turn + 1e-6)
+        sensor.check().wrong(sensor.path_of("cone"),
+                             fmt::format("expected an angle of up to 2 pi, the field of view, got {}", spec.cone));
+    if (spec.rays < 2)
+        sensor.check().wrong(sensor.path_of("rays"),
+                             fmt::format("expected 2 or more of a scan, got {}: a single ray is a 'range'", spec.rays));
+}
+
+void read_range_sensor(Fields& sensor, SensorSpec& spec, const RobotFileHelp& help) {
+    const bool range_given = sensor.has("range");
+    check_minimum(sensor, spec);
     if (!sensor.has("rays")) spec.rays = spec.cone > 0 ? 5 : 1;
     double nothing = 0;
     double minimum = -infinity;
@@ -166,6 +184,7 @@ SensorSpec read_sensor_fields(const std::string& name, Fields& sensor, const Bod
     }
     spec.at = on_body(body, spec.at);
     if (spec.kind == SensorSpec::Kind::range) read_range_sensor(sensor, spec, help);
+    if (spec.kind == SensorSpec::Kind::scan) read_scan(sensor, spec);
     return spec;
 }
 

@@ -247,3 +247,64 @@ TEST_CASE("a guard gives what was commanded, within its limits, until silence", 
     CHECK(guard.advance(1.5, 1) == Velocity2D{});
     CHECK(guard.advance(9, 1) == Velocity2D{});
 }
+
+TEST_CASE("a scan is a RangeData with the angles of its rays", "[engine][sensor]") {
+    RobotSpec spec = fake_mouse();
+    SensorSpec scan;
+    scan.name = "scan";
+    scan.kind = SensorSpec::Kind::scan;
+    scan.at = {0.1, 0.0, 0.2};
+    scan.yaw = 0.5;
+    scan.range = 4;
+    scan.minimum = 0.1;
+    scan.cone = M_PI;
+    scan.rays = 5;
+    spec.sensors.push_back(scan);
+    PortSpec port;
+    port.name = "scan";
+    port.type = "RangeData";
+    port.items = {"scan"};
+    spec.ports.push_back(port);
+    port.name = "distances";
+    port.type = "TimedFloatSeq";
+    spec.ports.push_back(port);
+    FakeRun run(spec);
+    const std::vector<double> seen{1, 2, 3, 4, 0.5};
+    run.hull().readings[spec.sensors.size() - 1] = {.is_there = true, .values = seen};
+    run.system.tick();
+    const auto range = run.value<RangeData>("scan");
+    CHECK(range.ranges == seen);
+    CHECK(range.config.minAngle == Approx(-M_PI / 2));
+    CHECK(range.config.maxAngle == Approx(M_PI / 2));
+    CHECK(range.config.angularRes == Approx(M_PI / 4));
+    CHECK(range.config.minRange == 0.1);
+    CHECK(range.config.maxRange == 4);
+    CHECK(range.geometry.pose.position == Point3D{0.1, 0.0, 0.2});
+    CHECK(range.geometry.pose.orientation.y == 0.5);
+    CHECK(run.value<std::vector<float>>("distances") == std::vector<float>{1, 2, 3, 4, 0.5});
+}
+
+TEST_CASE("an imu's three rates and three accelerations go out together or apart", "[engine][sensor]") {
+    RobotSpec spec = fake_mouse();
+    SensorSpec imu;
+    imu.name = "imu";
+    imu.kind = SensorSpec::Kind::imu;
+    spec.sensors.push_back(imu);
+    PortSpec port;
+    port.type = "TimedDoubleSeq";
+    port.items = {"imu"};
+    for (const auto& [name, quantity] : {std::pair("both", PortSpec::Quantity::value),
+                                         {"rates", PortSpec::Quantity::rate},
+                                         {"accelerations", PortSpec::Quantity::acceleration}}) {
+        port.name = name;
+        port.quantity = quantity;
+        spec.ports.push_back(port);
+    }
+    FakeRun run(spec);
+    const std::vector<double> felt{1, 2, 3, 4, 5, 9.81};
+    run.hull().readings[spec.sensors.size() - 1] = {.is_there = true, .values = felt};
+    run.system.tick();
+    CHECK(run.value<std::vector<double>>("both") == felt);
+    CHECK(run.value<std::vector<double>>("rates") == std::vector<double>{1, 2, 3});
+    CHECK(run.value<std::vector<double>>("accelerations") == std::vector<double>{4, 5, 9.81});
+}

@@ -188,7 +188,7 @@ TEST_CASE("what a robot of a system changes is checked at its place", "[lua][sys
           "2: robot 'm': unknown field 'sensors.right.nose' (did you mean 'noise'?)");
     CHECK(robots.system_error("sensors = { rigt = { noise = 8 } }") ==
           "2: robot 'm': field 'sensors.rigt.kind' is missing: expected one of range, button, touch, gyro, color, "
-          "reflect, ambient: what it measures");
+          "reflect, ambient, scan, imu: what it measures");
     CHECK(robots.system_error("base = 'plain'").find("unknown field 'base'") != std::string::npos);
     CHECK(
         robots.system_error("sensors = { left = { response = function(d) return d end } }") ==

@@ -236,3 +236,47 @@ TEST_CASE("a robot file says how noisy its sensors are and how its wheels hold o
     CHECK(error(with("friction = -1")) ==
           "r.lua:2:1: robot_model: field 'friction' expected a number from 0 on, got -1");
 }
+
+TEST_CASE("a scan looks all around unless its file says otherwise", "[lua][robot_file]") {
+    const RobotSpec spec = robot_of(with(
+        "sensors = { all = { kind = 'scan', range = 4 }, ahead = { kind = 'scan', cone = math.rad(180), rays = 181, "
+        "minimum = 0.1, noise = 0.01 } }, ports = { all = { type = 'RangeData', from = 'all', rate = 10 }, "
+        "ahead = { type = 'TimedDoubleSeq', from = 'ahead' } }"));
+    const SensorSpec& all = sensor_of(spec, "all");
+    CHECK(all.kind == SensorSpec::Kind::scan);
+    CHECK(all.cone == Approx(2 * M_PI));
+    CHECK(all.rays == 360);
+    CHECK(angles_of(all).first == Approx(-M_PI));
+    CHECK(angles_of(all).step == Approx(M_PI / 180));  // the last ray is not the first
+    const SensorSpec& ahead = sensor_of(spec, "ahead");
+    CHECK(angles_of(ahead).first == Approx(-M_PI / 2));
+    CHECK(angles_of(ahead).step == Approx(M_PI / 180));
+    CHECK(ahead.noise == 0.01);
+    CHECK(error(with("sensors = { a = { kind = 'scan', cone = 7 } }")) ==
+          "r.lua:2:34: robot_model: field 'sensors.a.cone' expected an angle of up to 2 pi, the field of view, got 7");
+    CHECK(error(with("sensors = { a = { kind = 'scan', rays = 1 } }")) ==
+          "r.lua:2:34: robot_model: field 'sensors.a.rays' expected 2 or more of a scan, got 1: a single ray is a "
+          "'range'");
+    CHECK(error(with("sensors = { a = { kind = 'scan', minimum = 2 } }")) ==
+          "r.lua:2:34: robot_model: field 'sensors.a.minimum' expected less than the range of 0.6 m, got 2");
+    CHECK(error(with("sensors = { a = { kind = 'scan', table = 'x.csv' } }")).find("unknown field 'sensors.a.table'") !=
+          std::string::npos);
+}
+
+TEST_CASE("an imu's ports carry its rates, its accelerations or both", "[lua][robot_file]") {
+    const RobotSpec spec = robot_of(
+        with("sensors = { imu = { kind = 'imu', noise = 0.01, acceleration_noise = 0.1, max_rate = 4 } }, ports = "
+             "{ rates = { type = 'TimedDoubleSeq', from = 'imu', quantity = 'rate' }, accelerations = { type = "
+             "'TimedDoubleSeq', from = 'imu', quantity = 'acceleration' }, both = { type = 'TimedFloatSeq', from "
+             "= 'imu' } }"));
+    CHECK(sensor_of(spec, "imu").acceleration_noise == 0.1);
+    CHECK(port_of(spec, "accelerations").quantity == PortSpec::Quantity::acceleration);
+    CHECK(error(with("sensors = { imu = { kind = 'imu' } }, ports = { p = { type = 'TimedDouble', from = 'imu' } }")) ==
+          "r.lua:2:49: robot_model: port 'p': 'imu' has several values, and a TimedDouble carries one");
+    CHECK(error(with("sensors = { imu = { kind = 'imu' }, g = { kind = 'gyro' } }, ports = { p = { type = "
+                     "'TimedDoubleSeq', from = { 'imu', 'g' } } }")) ==
+          "r.lua:2:72: robot_model: port 'p': 'imu' has several values: it has a port of its own");
+    CHECK(error(with(
+              "sensors = { g = { kind = 'gyro' } }, ports = { p = { type = 'TimedDouble', from = 'g', quantity = "
+              "'acceleration' } }")) == "r.lua:2:48: robot_model: port 'p': 'g' is no imu: it has no acceleration");
+}

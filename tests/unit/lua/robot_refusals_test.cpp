@@ -66,8 +66,7 @@ TEST_CASE("a robot's value of the wrong kind is told with its field", "[lua][rob
           "r.lua:1:32: robot_model: field 'body' expected a table, got string");
     CHECK(error(with("sensors = { a = { kind = 'rnage' } }")) ==
           "r.lua:2:19: robot_model: field 'sensors.a.kind' expected one of range, button, touch, gyro, color, reflect, "
-          "ambient, "
-          "got 'rnage' (did you mean 'range'?)");
+          "ambient, scan, imu, got 'rnage' (did you mean 'range'?)");
     CHECK(error(with("sensors = { a = 5 }")) ==
           "r.lua:2:13: robot_model: field 'sensors.a' expected a table, got number");
     CHECK(error(with("sensors = { a = { kind = 'range', noise = -1 } }")) ==
@@ -123,7 +122,7 @@ TEST_CASE("a robot's missing field is told with what belongs there", "[lua][robo
         "r.lua:1:63: robot_model: field 'drive.track' is missing: expected a positive number in m: between the wheels");
     CHECK(error(with("sensors = { a = {} }")) ==
           "r.lua:2:13: robot_model: field 'sensors.a.kind' is missing: expected one of range, button, touch, gyro, "
-          "color, reflect, ambient: what it measures");
+          "color, reflect, ambient, scan, imu: what it measures");
     CHECK(error(with("ports = { a = { to = 'drive' } }")) ==
           "r.lua:2:11: robot_model: field 'ports.a.type' is missing: expected a text: a message type");
 }

@@ -26,6 +26,7 @@ struct Felt final : sim::SimulatedBody {
     }
     bool is_pressed(std::size_t) const override { return pressed; }
     double yaw_rate() const override { return turns; }
+    sim::PlaceMotion motion(std::size_t) const override { return moves; }
     FloorColor floor_color(std::size_t) const override { return FloorColor::red; }
     double reflected_light(std::size_t) const override { return light; }
     void set_servo(std::size_t, double angle) override { servo_angles.push_back(angle); }
@@ -48,6 +49,7 @@ struct Felt final : sim::SimulatedBody {
     std::vector<double> ranges;
     bool pressed = false;
     double turns = 0, light = 0;
+    sim::PlaceMotion moves;
     std::vector<double> servo_angles;
 };
 
@@ -232,4 +234,60 @@ TEST_CASE("a servo goes to its angle no faster than it is told and than it can",
         body.tick();
         CHECK(body.servo_angles.size() == turned);
     }
+}
+
+TEST_CASE("each ray of a scan has a distance and noise of its own", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    SensorSpec& scan = spec.sensors[metre];
+    scan.kind = SensorSpec::Kind::scan;
+    scan.cone = 1;
+    scan.rays = 3;
+    scan.noise = 0.01;
+    Felt body(spec);
+    body.ranges = {0.2, 0.4, 9, 0.3};  // three of the scan, then the response
+    std::vector<double> sums(2), products(1);
+    for (int i = 0; i < 2000; ++i) {
+        const auto all = body.tick();
+        REQUIRE(all[metre].values.size() == 3);
+        REQUIRE(all[metre].values[2] == 0.6);  // nothing in sight
+        REQUIRE(all[response].value == 100);
+        const double first = all[metre].values[0] - 0.2, second = all[metre].values[1] - 0.4;
+        sums[0] += first * first;
+        sums[1] += second * second;
+        products[0] += first * second;
+    }
+    CHECK(std::sqrt(sums[0] / 2000) == Approx(0.01).epsilon(0.1));
+    CHECK(std::sqrt(sums[1] / 2000) == Approx(0.01).epsilon(0.1));
+    CHECK(std::abs(products[0] / 2000) < 1e-5);  // independent
+}
+
+TEST_CASE("an imu tells rates and what holds it in its own frame", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    spec.sensors[button].kind = SensorSpec::Kind::imu;
+    spec.sensors[button].max_rate = 2;
+    Felt body(spec);
+    body.moves.axes = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};  // it looks along the world's y axis
+    body.moves.spin = {0.5, 0, 3};
+    const auto felt = [&] {
+        const auto values = body.tick()[button].values;
+        return std::vector<double>(values.begin(), values.end());
+    };
+    CHECK(felt() == std::vector<double>{0, -0.5, 2, 0, 0, 9.81});
+    body.moves.velocity = {0, 0.01, 0};  // 1 m/s2 ahead
+    CHECK(felt()[3] == Approx(1));
+    CHECK(felt()[3] == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("rates and accelerations of an imu have noise of their own size", "[sim][sensor]") {
+    RobotSpec spec = fake_mouse();
+    spec.sensors[button].kind = SensorSpec::Kind::imu;
+    spec.sensors[button].noise = 0.01;
+    spec.sensors[button].acceleration_noise = 0.2;
+    Felt body(spec);
+    std::vector<double> squares(6);
+    for (int i = 0; i < 2000; ++i) {
+        const auto values = body.tick()[button].values;
+        for (std::size_t k = 0; k < 6; ++k) squares[k] += std::pow(values[k] - (k == 5 ? 9.81 : 0), 2);
+    }
+    for (std::size_t k = 0; k < 6; ++k) CHECK(std::sqrt(squares[k] / 2000) == Approx(k < 3 ? 0.01 : 0.2).epsilon(0.1));
 }
