@@ -7,7 +7,6 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr Rgb floor_color = 0xc9c4ba;
 constexpr Rgb back_color = 0xd8d8d8;  // of a sign
 constexpr double floor_reach = 200;   // [m]
 constexpr int prism_sides = 24;
@@ -116,7 +115,7 @@ void add_floor(const Scenery& scenery, const View& view, Looker& looker) {
                            {x + half_x, y - half_y, 0},
                            {x - half_x, y - half_y, 0}});
     };
-    rectangle(view.at.x(), view.at.y(), floor_reach, floor_reach).color = floor_color;
+    rectangle(view.at.x(), view.at.y(), floor_reach, floor_reach).color = plain_floor_color;
     if (scenery.floor == nullptr) return;
     const double x = scenery.floor_size.x / 2, y = scenery.floor_size.y / 2;
     Face& picture = rectangle(0, 0, x, y);

@@ -38,6 +38,8 @@ struct View {
     Rotation rotation = Rotation::Identity();
 };
 
+/// Of a floor without a picture.
+inline constexpr Rgb plain_floor_color = 0xc9c4ba;
 /// The colour over the horizon.
 inline constexpr Rgb sky = 0xdfe6ee;
 

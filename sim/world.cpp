@@ -11,6 +11,7 @@
 
 #include "engine/ports/payload.hpp"
 #include "sim/ode_world.hpp"
+#include "sim/paint_line.hpp"
 
 namespace nezumi::sim {
 
@@ -63,7 +64,12 @@ Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const Physic
     if (arena.floor) {
         auto picture = read_picture(arena.floor->image);
         if (!picture) return failure("floor: " + picture.error().message, arena.floor->place);
+        for (const LineSpec& line : arena.lines) paint_line(*picture, arena.floor->size, line);
         world->take_floor(std::move(*picture), arena.floor->size);
+    } else if (arena.size && !arena.lines.empty()) {
+        Picture picture = plain_floor(*arena.size);
+        for (const LineSpec& line : arena.lines) paint_line(picture, *arena.size, line);
+        world->take_floor(std::move(picture), *arena.size);
     }
     return world;
 }

@@ -186,9 +186,23 @@ private:
             }
             cairo_stroke(context());
         }
-        if (!picture_.floor) return;
-        const auto& [image, size, place] = *picture_.floor;
-        canvas_.image(image, x(-size.x / 2), y(size.y / 2), size.x * scale_, size.y * scale_);
+        if (picture_.floor) {
+            const auto& [image, size, place] = *picture_.floor;
+            canvas_.image(image, x(-size.x / 2), y(size.y / 2), size.x * scale_, size.y * scale_);
+        }
+        for (const LineSpec& line : picture_.lines) draw(line);
+    }
+
+    void draw(const LineSpec& line) {
+        cairo_save(context());
+        cairo_set_line_width(context(), line.width * scale_);
+        cairo_set_line_cap(context(), CAIRO_LINE_CAP_ROUND);
+        cairo_set_line_join(context(), CAIRO_LINE_JOIN_ROUND);
+        canvas_.set(colour_of(line.color));
+        cairo_new_path(context());
+        for (const Point2D& point : line.points) cairo_line_to(context(), x(point.x), y(point.y));
+        cairo_stroke(context());
+        cairo_restore(context());
     }
 
     void trace(const ThingPose& thing, double shift) {
@@ -366,7 +380,10 @@ private:
 
 PictureOf look_at(const LiveSystem& live, const Trajectories& trajectories, std::string title) {
     const System& system = live.system();
-    PictureOf picture{.title = std::move(title), .seconds = system.now().seconds, .floor = live.spec().arena.floor};
+    PictureOf picture{.title = std::move(title),
+                      .seconds = system.now().seconds,
+                      .floor = live.spec().arena.floor,
+                      .lines = live.spec().arena.lines};
     const World* world = system.world();
     if (world == nullptr) return picture;
     picture.things = world->things();

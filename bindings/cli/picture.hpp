@@ -27,6 +27,7 @@ struct PictureOf {
     std::string title;
     double seconds = 0;  ///< simulated time
     std::optional<FloorSpec> floor;
+    std::vector<LineSpec> lines{};
     std::vector<ThingPose> things;
     std::vector<Robot> robots;
 };

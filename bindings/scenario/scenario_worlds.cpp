@@ -11,8 +11,8 @@ namespace nezumi {
 namespace {
 
 std::size_t count_things(const ArenaSpec& arena) {
-    return arena.boxes.size() + arena.cylinders.size() + arena.markers.size() + (arena.floor ? 1 : 0) +
-           (arena.size ? 1 : 0);
+    return arena.boxes.size() + arena.cylinders.size() + arena.markers.size() + arena.lines.size() +
+           (arena.floor ? 1 : 0) + (arena.size ? 1 : 0);
 }
 
 bool says_anything(const SystemSpec& spec) {
@@ -31,6 +31,7 @@ void merge(SystemSpec& spec, const SystemSpec& more) {
     append(spec.arena.boxes, more.arena.boxes);
     append(spec.arena.cylinders, more.arena.cylinders);
     append(spec.arena.markers, more.arena.markers);
+    append(spec.arena.lines, more.arena.lines);
     if (more.arena.floor) spec.arena.floor = more.arena.floor;
     if (more.arena.size) spec.arena.size = more.arena.size;
     spec.models.insert(more.models.begin(), more.models.end());

@@ -8,6 +8,7 @@
 namespace nezumi {
 
 inline constexpr double least_length = 1e-4;  ///< [m] thinner things have no physics
+inline constexpr double least_line = 1e-3;    ///< [m] no sensor sees a thinner line
 inline constexpr double least_mass = 1e-3;    ///< [kg] what is lighter is thrown about by rounding
 inline constexpr int last_tag = 586;          ///< AprilTag family 36h11 has 587 tags
 
@@ -151,6 +152,23 @@ struct Describe<FloorSpec> {
 };
 
 template <>
+struct Describe<LineSpec> {
+    static constexpr std::string_view name = "line";
+    static constexpr std::string_view doc = "A line painted on the floor; needs the arena's `size`, or a `floor`.";
+    static constexpr std::tuple fields{
+        Extra{"points",
+              "number[][]",
+              "m",
+              "`{ { x, y }, ... }`, two or more; a line whose last point is its first is closed",
+              {.by_hand = true, .fallback = "required"}},
+        Setting{"width", &LineSpec::width, "m", "", {.range = NumberRange::positive, .least = least_line}},
+        Setting{"color", &LineSpec::color, "", "as of a box", {.fallback = "\"black\"", .adopt = adopt_color}},
+        Internal{&LineSpec::points},
+        Internal{&LineSpec::place},
+    };
+};
+
+template <>
 struct Describe<MazePlan> {
     static constexpr std::string_view name = "maze_plan";
     static constexpr std::string_view doc = "A maze to be made: between any two cells there is exactly one way.";
@@ -204,6 +222,7 @@ struct Describe<ArenaSpec> {
         Internal{&ArenaSpec::cylinders},
         Internal{&ArenaSpec::markers},
         Internal{&ArenaSpec::floor},
+        Internal{&ArenaSpec::lines},
     };
 };
 

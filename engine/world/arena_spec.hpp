@@ -48,6 +48,14 @@ struct FloorSpec {
     Place place;
 };
 
+/// A line painted on the floor: pieces from point to point, with round ends and corners.
+struct LineSpec {
+    std::vector<Point2D> points;  ///< [m] two or more
+    double width = 0.02;          ///< [m]
+    std::string color = "#1c1c1c";
+    Place place;
+};
+
 /// The walls around an arena.
 struct BorderSpec {
     double thickness = 0.02;  ///< [m]
@@ -62,6 +70,7 @@ struct ArenaSpec {
     std::vector<CylinderSpec> cylinders;
     std::vector<MarkerSpec> markers;
     std::optional<FloorSpec> floor;
+    std::vector<LineSpec> lines;  ///< over the floor's picture or, without one, over all of `size`
 };
 
 }  // namespace nezumi

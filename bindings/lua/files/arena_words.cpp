@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/system_words.hpp"
@@ -93,8 +94,53 @@ std::vector<BoxSpec> read_maze(Fields& fields, const Place& place) {
     return walls;
 }
 
+// A place as `{ x, y }`; nothing when it is something else.
+std::optional<Point2D> point_of(const FileValue& value) {
+    const FileTable* table = value.table();
+    if (table == nullptr || table->elements.size() != 2 || !table->fields.empty()) return std::nullopt;
+    double numbers[2] = {0, 0};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const FileValue& element = table->elements[i];
+        if (const auto* whole = std::get_if<std::int64_t>(&element.data)) {
+            numbers[i] = static_cast<double>(*whole);
+        } else if (const auto* real = std::get_if<double>(&element.data)) {
+            numbers[i] = *real;
+        } else {
+            return std::nullopt;
+        }
+        if (!(std::abs(numbers[i]) <= Rule{}.most)) return std::nullopt;
+    }
+    return Point2D{numbers[0], numbers[1]};
+}
+
+LineSpec read_line(Fields& fields) {
+    LineSpec line;
+    read_record(fields, line);
+    const FileValue* points = fields.field("points");
+    const FieldPath path = fields.path_of("points");
+    if (points == nullptr) {
+        fields.require("points", "{ { x, y }, ... } in m");
+        return line;
+    }
+    const FileTable* table = points->table();
+    if (table == nullptr || !table->fields.empty()) {
+        fields.check().wrong(path, fmt::format("expected a list of {{ x, y }}, got {}", kind_of(*points)));
+        return line;
+    }
+    for (const FileValue& element : table->elements) {
+        const auto point = point_of(element);
+        FieldPath place = path;
+        place.push_back(fmt::format("[{}]", line.points.size() + 1));
+        if (!point) fields.check().wrong(place, "expected { x, y }, two numbers in m");
+        line.points.push_back(point.value_or(Point2D{}));
+    }
+    if (line.points.size() < 2)
+        fields.check().wrong(path, fmt::format("expected two points or more, got {}", line.points.size()));
+    return line;
+}
+
 std::string hint_for_arena(std::string_view name) {
-    for (const std::string_view word : {"box", "wall", "cylinder", "marker", "maze", "floor", "csv"}) {
+    for (const std::string_view word : {"box", "wall", "cylinder", "marker", "maze", "floor", "line", "csv"}) {
         if (name == word)
             return fmt::format(": write {0} {1}, without =", word, word == "csv" ? "\"map.csv\"" : "{ ... }");
     }
@@ -125,6 +171,8 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& va
         made = put(read_cylinder(fields));
     } else if (call.word == "marker") {
         made = put(read_marker(fields));
+    } else if (call.word == "line") {
+        made = put(read_line(fields));
     } else if (call.word == "maze") {
         made = read_maze(fields, call.place);
     } else {
@@ -173,8 +221,8 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
         const auto* handle = std::get_if<FileThing>(&element.data);
         if (handle == nullptr || handle->index >= things_.size()) {
             return failure(
-                fmt::format("arena: element {} is no box, wall, cylinder, marker, maze, floor or csv, but a {}", number,
-                            kind_of(element)),
+                fmt::format("arena: element {} is no box, wall, cylinder, marker, maze, floor, line or csv, but a {}",
+                            number, kind_of(element)),
                 call.place);
         }
         Thing& thing = things_[handle->index];
@@ -188,6 +236,8 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
             spec_.arena.boxes.insert(spec_.arena.boxes.end(), boxes->begin(), boxes->end());
         } else if (auto* cylinder = std::get_if<CylinderSpec>(&thing.made)) {
             spec_.arena.cylinders.push_back(*cylinder);
+        } else if (auto* line = std::get_if<LineSpec>(&thing.made)) {
+            spec_.arena.lines.push_back(*line);
         } else if (auto* marker = std::get_if<MarkerSpec>(&thing.made)) {
             for (const MarkerSpec& other : spec_.arena.markers) {
                 if (other.name != marker->name) continue;
@@ -232,6 +282,23 @@ Expected<void> SystemWords::arena(const WordCall& call, const FileValue& value) 
     if (has_border) {
         spec_.arena.border = given.border;
         border_place_ = call.place;
+    }
+    return {};
+}
+
+Expected<void> SystemWords::check_lines() const {
+    const ArenaSpec& arena = spec_.arena;
+    for (const LineSpec& line : arena.lines) {
+        if (!arena.floor && !arena.size)
+            return failure("line: there is nothing that it could be painted on: give the arena a size or a floor",
+                           line.place);
+        const Point2D canvas = arena.floor ? arena.floor->size : *arena.size;
+        for (const Point2D& point : line.points) {
+            if (std::abs(point.x) <= canvas.x / 2 && std::abs(point.y) <= canvas.y / 2) continue;
+            return failure(fmt::format("line: the point {{ {}, {} }} lies outside of the {}, {} x {} m", point.x,
+                                       point.y, arena.floor ? "floor's picture" : "arena", canvas.x, canvas.y),
+                           line.place);
+        }
     }
     return {};
 }

@@ -22,6 +22,7 @@ enum Word : int {
     csv,
     cylinder,
     floor,
+    line,
     marker,
     maze,
     physics,
@@ -141,9 +142,9 @@ int take_table(lua_State* lua) {
 }  // namespace
 
 const std::vector<const char*>& system_word_names() {
-    static const std::vector<const char*> names{"arena",   "behavior", "box",   "component", "connect",
-                                                "csv",     "cylinder", "floor", "marker",    "maze",
-                                                "physics", "rate",     "robot", "seed",      "wall"};
+    static const std::vector<const char*> names{"arena",    "behavior", "box",  "component", "connect", "csv",
+                                                "cylinder", "floor",    "line", "marker",    "maze",    "physics",
+                                                "rate",     "robot",    "seed", "wall"};
     return names;
 }
 

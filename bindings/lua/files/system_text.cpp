@@ -29,6 +29,13 @@ std::string table_of(const RobotEntry& entry) {
                        std::string_view(entry.changes).substr(2));
 }
 
+std::string thing(const LineSpec& line) {
+    std::string points;
+    for (const Point2D& point : line.points) points += (points.empty() ? "{ " : ", ") + lua_text(point);
+    const std::string own = write_record(line);
+    return fmt::format("line {{ points = {} }}{}", points, own == "{}" ? " }" : ", " + own.substr(2));
+}
+
 std::string arena(const ArenaSpec& arena) {
     std::vector<std::string> parts;
     const std::string own = write_record(arena);
@@ -37,6 +44,7 @@ std::string arena(const ArenaSpec& arena) {
     for (const CylinderSpec& cylinder : arena.cylinders) parts.push_back(thing(cylinder));
     for (const MarkerSpec& marker : arena.markers) parts.push_back(thing(marker));
     if (arena.floor) parts.push_back(thing(*arena.floor));
+    for (const LineSpec& line : arena.lines) parts.push_back(thing(line));
     if (parts.empty()) return "";
     std::string text = "arena {\n";
     for (const std::string& part : parts) text += "  " + part + ",\n";

@@ -322,6 +322,7 @@ Expected<void> SystemWords::finish() const {
                        thing.call.place);
     }
     if (auto ok = check_rates(); !ok) return ok;
+    if (auto ok = check_lines(); !ok) return ok;
     std::vector<std::string_view> robots;
     for (const Entry& entry : spec_.entries) {
         if (std::holds_alternative<RobotEntry>(entry)) robots.push_back(name_of(entry));

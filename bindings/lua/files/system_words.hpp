@@ -45,7 +45,8 @@ public:
 
     Expected<void> connect(const WordCall& call, const FileValue& from, const FileValue& to);
 
-    /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor` and `csv` make a thing; `arena` puts it in its place.
+    /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line` and `csv` make a thing; `arena` puts it in its
+    /// place.
     Expected<FileThing> thing(const WordCall& call, const FileValue& fields);
     Expected<void> arena(const WordCall& call, const FileValue& fields);
 
@@ -65,7 +66,7 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
-    using Made = std::variant<std::vector<BoxSpec>, CylinderSpec, MarkerSpec, FloorSpec>;
+    using Made = std::variant<std::vector<BoxSpec>, CylinderSpec, MarkerSpec, FloorSpec, LineSpec>;
     struct Thing {
         WordCall call;
         Made made;
@@ -88,6 +89,7 @@ private:
     Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const FileValue& name);
     Expected<void> place_things(const WordCall& call, const std::vector<FileValue>& elements);
     Expected<void> check_rates() const;
+    Expected<void> check_lines() const;
 
     const Project& project_;
     SystemSpec spec_;

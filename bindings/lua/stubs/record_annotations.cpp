@@ -80,6 +80,7 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<MazeSpec>(),
         shape_of_record<MazePlan>(),
         shape_of_record<FloorSpec>(),
+        shape_of_record<LineSpec>(),
         shape_of_record<BorderSpec>(),
         shape_of_record<ArenaSpec>(),
         shape_of_record<LimitChanges>(),
@@ -124,7 +125,8 @@ std::string system_word_annotations(bool methods) {
     for (const RecordShape& record : file_records()) {
         const bool is_entry = record.name == "robot" || record.name == "behavior" || record.name == "component";
         const bool is_thing = record.name == "box" || record.name == "wall" || record.name == "cylinder" ||
-                              record.name == "marker" || record.name == "maze" || record.name == "floor";
+                              record.name == "marker" || record.name == "maze" || record.name == "floor" ||
+                              record.name == "line";
         if (is_entry || is_thing || record.name == "arena" || record.name == "physics")
             text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
     }

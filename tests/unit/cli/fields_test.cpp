@@ -40,6 +40,7 @@ const std::map<std::string, std::string> systems{
     {"maze", "arena { maze { % } }"},
     {"maze_plan", "arena { maze { generate = { % } } }"},
     {"floor", "arena { floor { % } }"},
+    {"line", "arena { size = { 2, 2 }, line { % } }"},
     {"border", "arena { border = { % } }"},
     {"arena", "arena { % }"},
     {"limits", "robot 'm' { model = 'raspimouse', limits = { % } }"},

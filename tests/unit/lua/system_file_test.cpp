@@ -270,3 +270,32 @@ TEST_CASE("every system that is shipped can be read", "[lua][system_file]") {
     }
     CHECK(count >= 3);
 }
+
+TEST_CASE("a line is painted from point to point", "[lua][system_file]") {
+    const auto spec = system_of(
+        "arena { size = { 2, 2 }, line { points = { { 0, 0 }, { 0.5, 0.25 }, { 1, 1 } } },\n"
+        "line { points = { { -1, -1 }, { 0, 0 } }, width = 0.05, color = 'red' } }");
+    REQUIRE(spec.arena.lines.size() == 2);
+    CHECK(spec.arena.lines[0].points == std::vector<Point2D>{{0, 0}, {0.5, 0.25}, {1, 1}});
+    CHECK(spec.arena.lines[0].width == 0.02);
+    CHECK(spec.arena.lines[0].color == "#1c1c1c");
+    CHECK(spec.arena.lines[1].width == 0.05);
+    CHECK(spec.arena.lines[1].color == "#d6453d");
+    CHECK(spec.arena.lines[1].place.line == 2);
+}
+
+TEST_CASE("a line needs points, and a floor to be painted on", "[lua][system_file]") {
+    const auto said = [](const std::string& line) { return error("arena { size = { 2, 2 }, line { " + line + " } }"); };
+    CHECK(said("width = 0.1").find("line: field 'points' is missing: expected { { x, y }, ... } in m") !=
+          std::string::npos);
+    CHECK(said("points = { { 0, 0 } }").find("line: field 'points' expected two points or more, got 1") !=
+          std::string::npos);
+    CHECK(said("points = { { 0, 0 }, { 1 } }").find("line: field 'points.[2]' expected { x, y }, two numbers in m") !=
+          std::string::npos);
+    CHECK(said("points = { { 0, 0 }, { 0, 1 } }, width = 0").find("'width' expected a positive number, got 0") !=
+          std::string::npos);
+    CHECK(said("points = { { 0, 0 }, { 0, 1.1 } }") ==
+          "s.lua:1: line: the point { 0, 1.1 } lies outside of the arena, 2 x 2 m");
+    CHECK(error("arena { line { points = { { 0, 0 }, { 0, 1 } } } }") ==
+          "s.lua:1: line: there is nothing that it could be painted on: give the arena a size or a floor");
+}

@@ -74,3 +74,14 @@ TEST_CASE("a system that was written and read back is the same", "[lua][system_t
         CHECK(c.config.at(name) == value);
     }
 }
+
+TEST_CASE("painted lines are written and read back", "[lua][system_text]") {
+    const SystemSpec spec = read(
+        "arena { size = { 2, 2 }, line { points = { { 0, 0 }, { 0.5, -0.25 } }, width = 0.03, color = 'red' }, "
+        "line { points = { { 1, 1 }, { 0, 1 } } } }");
+    const std::string text = write_system_text(spec, "Lines");
+    CHECK(text.find("line { points = { { 0.0, 0.0 }, { 0.5, -0.25 } }, width = 0.03, color = \"#d6453d\" }") !=
+          std::string::npos);
+    CHECK(text.find("line { points = { { 1.0, 1.0 }, { 0.0, 1.0 } } }") != std::string::npos);
+    CHECK(write_system_text(read(text), "Lines") == text);
+}
