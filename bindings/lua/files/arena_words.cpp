@@ -9,6 +9,7 @@
 #include "bindings/lua/files/system_words.hpp"
 #include "engine/world/arena_fields.hpp"
 #include "engine/world/csv_map.hpp"
+#include "engine/world/occupancy_map.hpp"
 
 namespace nezumi {
 namespace {
@@ -140,9 +141,12 @@ LineSpec read_line(Fields& fields) {
 }
 
 std::string hint_for_arena(std::string_view name) {
-    for (const std::string_view word : {"box", "wall", "cylinder", "marker", "maze", "floor", "line", "csv"}) {
+    for (const std::string_view word : {"box", "wall", "cylinder", "marker", "maze", "floor", "line", "csv", "map"}) {
         if (name == word)
-            return fmt::format(": write {0} {1}, without =", word, word == "csv" ? "\"map.csv\"" : "{ ... }");
+            return fmt::format(": write {0} {1}, without =", word,
+                               word == "csv"   ? "\"map.csv\""
+                               : word == "map" ? "\"map.yaml\""
+                                               : "{ ... }");
     }
     return "";
 }
@@ -150,8 +154,8 @@ std::string hint_for_arena(std::string_view name) {
 }  // namespace
 
 Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& value) {
-    if (call.word == "csv") {
-        auto boxes = read_map(call, value);
+    if (call.word == "csv" || call.word == "map") {
+        auto boxes = call.word == "csv" ? read_map(call, value) : read_ros_map(call, value);
         if (!boxes) return Unexpected(boxes.error());
         things_.push_back({call, std::move(*boxes)});
         return FileThing{things_.size() - 1};
@@ -194,18 +198,44 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& va
     return FileThing{things_.size() - 1};
 }
 
-Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const FileValue& name) {
+Expected<SystemWords::ReadFile> SystemWords::read_file(const WordCall& call, const FileValue& name) {
     const std::string* file = name.text();
-    if (file == nullptr) return failure(fmt::format("csv: expected a file's name, got {}", kind_of(name)), call.place);
-    const auto path = project_.find(FileKind::data, *file, call.place.file);
-    if (!path) return failure("csv: " + path.error().message, call.place);
-    const std::string shown = project_.shown(*path);
-    const auto text = project_.read(*path);
+    if (file == nullptr)
+        return failure(fmt::format("{}: expected a file's name, got {}", call.word, kind_of(name)), call.place);
+    return read_file(call, *file, call.place.file);
+}
+
+Expected<SystemWords::ReadFile> SystemWords::read_file(const WordCall& call, const std::string& name,
+                                                       const std::filesystem::path& named_in) {
+    const auto path = project_.find(FileKind::data, name, named_in);
+    if (!path) return failure(fmt::format("{}: {}", call.word, path.error().message), call.place);
+    auto text = project_.read(*path);
     if (!text) return Unexpected(text.error());
-    note_file(shown);
-    auto map = nezumi::read_map(*text, shown);
+    ReadFile read{*path, project_.shown(*path), std::move(*text)};
+    note_file(read.shown);
+    return read;
+}
+
+Expected<std::vector<BoxSpec>> SystemWords::read_map(const WordCall& call, const FileValue& name) {
+    const auto file = read_file(call, name);
+    if (!file) return Unexpected(file.error());
+    auto map = nezumi::read_map(file->text, file->shown);
     if (!map) return Unexpected(map.error());
-    notes_.push_back(describe(*map, shown));
+    notes_.push_back(describe(*map, file->shown));
+    return std::move(map->boxes);
+}
+
+// The picture lies beside the file that names it.
+Expected<std::vector<BoxSpec>> SystemWords::read_ros_map(const WordCall& call, const FileValue& name) {
+    const auto file = read_file(call, name);
+    if (!file) return Unexpected(file.error());
+    const auto facts = read_occupancy_facts(file->text, file->shown);
+    if (!facts) return Unexpected(facts.error());
+    const auto picture = read_file(call, facts->image, file->path);
+    if (!picture) return Unexpected(picture.error());
+    auto map = read_occupancy(*facts, picture->text, picture->shown, call.place);
+    if (!map) return Unexpected(map.error());
+    notes_.push_back(describe(*map, file->shown));
     return std::move(map->boxes);
 }
 
@@ -221,8 +251,9 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
         const auto* handle = std::get_if<FileThing>(&element.data);
         if (handle == nullptr || handle->index >= things_.size()) {
             return failure(
-                fmt::format("arena: element {} is no box, wall, cylinder, marker, maze, floor, line or csv, but a {}",
-                            number, kind_of(element)),
+                fmt::format(
+                    "arena: element {} is no box, wall, cylinder, marker, maze, floor, line, csv or map, but a {}",
+                    number, kind_of(element)),
                 call.place);
         }
         Thing& thing = things_[handle->index];

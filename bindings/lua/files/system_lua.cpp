@@ -23,6 +23,7 @@ enum Word : int {
     cylinder,
     floor,
     line,
+    map,
     marker,
     maze,
     physics,
@@ -56,7 +57,8 @@ std::string_view usage_of(int word) {
         case robot:
         case behavior:
         case component: return " \"NAME\" { ... }";
-        case csv: return " \"FILE\"";
+        case csv:
+        case map: return " \"FILE\"";
         case rate: return "(hertz)";
         case seed: return "(number)";
         default: return " { ... }";
@@ -142,9 +144,9 @@ int take_table(lua_State* lua) {
 }  // namespace
 
 const std::vector<const char*>& system_word_names() {
-    static const std::vector<const char*> names{"arena",    "behavior", "box",  "component", "connect", "csv",
-                                                "cylinder", "floor",    "line", "marker",    "maze",    "physics",
-                                                "rate",     "robot",    "seed", "wall"};
+    static const std::vector<const char*> names{"arena",    "behavior", "box",   "component", "connect", "csv",
+                                                "cylinder", "floor",    "line",  "map",       "marker",  "maze",
+                                                "physics",  "rate",     "robot", "seed",      "wall"};
     return names;
 }
 

@@ -45,8 +45,8 @@ public:
 
     Expected<void> connect(const WordCall& call, const FileValue& from, const FileValue& to);
 
-    /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line` and `csv` make a thing; `arena` puts it in its
-    /// place.
+    /// `box`, `wall`, `cylinder`, `marker`, `maze`, `floor`, `line`, `csv` and `map` make a thing; `arena` puts it in
+    /// its place.
     Expected<FileThing> thing(const WordCall& call, const FileValue& fields);
     Expected<void> arena(const WordCall& call, const FileValue& fields);
 
@@ -86,6 +86,14 @@ private:
     Expected<void> describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
                                     const FileValue& changes);
     Expected<RobotFile*> robot_file(const WordCall& call, const std::string& model);
+    // A file that a word named: where it was found, how messages call it, what is in it.
+    struct ReadFile {
+        std::filesystem::path path;
+        std::string shown, text;
+    };
+    Expected<ReadFile> read_file(const WordCall& call, const FileValue& name);
+    Expected<ReadFile> read_file(const WordCall& call, const std::string& name, const std::filesystem::path& named_in);
+    Expected<std::vector<BoxSpec>> read_ros_map(const WordCall& call, const FileValue& name);
     Expected<std::vector<BoxSpec>> read_map(const WordCall& call, const FileValue& name);
     Expected<void> place_things(const WordCall& call, const std::vector<FileValue>& elements);
     Expected<void> check_rates() const;

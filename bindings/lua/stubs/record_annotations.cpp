@@ -60,6 +60,8 @@ constexpr Word words[] = {
      "---@param from string \"name.port\"\n---@param to string \"name.port\"\n", "from, to"},
     {"csv", "Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.", "---@param file string\n---@return Thing\n",
      "file"},
+    {"map", "Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.",
+     "---@param file string\n---@return Thing\n", "file"},
     {"rate", "Ticks a second, 100 unless it says otherwise.", "---@param hz number\n", "hz"},
     {"seed", "Of everything random in the run.", "---@param n integer\n", "n"},
 };

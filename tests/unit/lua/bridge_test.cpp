@@ -109,6 +109,8 @@ TEST_CASE("every word of a system file refuses an argument too many and one of a
           "connect: expected \"name.port\", got number"}},
         {"csv",
          {"csv('a.csv', 2)", "csv" + fields + "csv \"FILE\"", "csv(5)", "csv: expected a file's name, got number"}},
+        {"map",
+         {"map('a.yaml', 2)", "map" + fields + "map \"FILE\"", "map(5)", "map: expected a file's name, got number"}},
         {"rate",
          {"rate(100, 2)", "rate" + fields + "rate(hertz)", "rate 'x'",
           "rate: expected a positive number of ticks a second, got string"}},

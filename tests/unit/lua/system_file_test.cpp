@@ -299,3 +299,24 @@ TEST_CASE("a line needs points, and a floor to be painted on", "[lua][system_fil
     CHECK(error("arena { line { points = { { 0, 0 }, { 0, 1 } } } }") ==
           "s.lua:1: line: there is nothing that it could be painted on: give the arena a size or a floor");
 }
+
+TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_file]") {
+    const Scratch scratch;
+    scratch.write("behaviors/rooms/map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+    scratch.write("behaviors/rooms/map.pgm", std::string("P5\n2 1\n255\n") + '\0' + '\xfe');
+    const Project project = Project::of(scratch.path("s.lua"));
+    const auto read = [&](const std::string& text) {
+        return read_system_text(text, scratch.path("s.lua").string(), project);
+    };
+    const auto spec = read("arena { map 'rooms/map.yaml' }");
+    INFO((spec ? std::string() : describe(spec.error())));
+    REQUIRE(spec.has_value());
+    REQUIRE(spec->arena.boxes.size() == 1);
+    CHECK(spec->arena.boxes[0].at == Point3D{0.25, 0.25, 0.05});
+    CHECK(spec->files.size() == 3);  // a change of any of them makes the system anew
+    CHECK(read("arena { map 'rooms/map.yml' }").error().message.find("map: ") == 0);
+    CHECK(read("arena { map = 'rooms/map.yaml' }").error().message ==
+          "arena: unknown field 'map': write map \"map.yaml\", without =");
+    scratch.write("behaviors/rooms/map.yaml", "image: gone.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+    CHECK(read("arena { map 'rooms/map.yaml' }").error().message.find("gone.pgm") != std::string::npos);
+}

@@ -177,9 +177,9 @@ TEST_CASE("every thing is in the arena exactly once", "[lua][system_file]") {
     CHECK(error("local b = box { at = { 0, 0 }, size = { 1, 1, 1 } }\narena { b }\narena { b }") ==
           "s.lua:3: arena: the box of behaviors/systems/s.lua:1 is in the arena already");
     CHECK(error("arena { 5 }") ==
-          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, maze, floor, line or csv, but a number");
+          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, maze, floor, line, csv or map, but a number");
     CHECK(error("arena { { at = { 0, 0 } } }") ==
-          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, maze, floor, line or csv, but a table");
+          "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, maze, floor, line, csv or map, but a table");
     CHECK(error("arena { size = { 1, 1 } }\narena { size = { 1, 1 } }") ==
           "s.lua:2:9: arena: field 'size' is set already, at behaviors/systems/s.lua:1");
     CHECK(error("arena { marker { id = 1, at = { 0, 0, 0 } },\n marker { id = 1, at = { 1, 0, 0 } } }") ==
