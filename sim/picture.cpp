@@ -1,4 +1,4 @@
-// PNG by libpng's short interface, tags by AprilTag's own tables.
+// PNG by libpng's short interface, other formats by a module, tags by AprilTag's own tables.
 #include "sim/picture.hpp"
 
 #include <apriltag/apriltag.h>
@@ -8,9 +8,12 @@
 
 #include <cassert>
 #include <charconv>
+#include <filesystem>
 #include <memory>
 
+#include "engine/base/module.hpp"
 #include "engine/base/whole_file.hpp"
+#include "sim/image_module.hpp"
 
 namespace nezumi::sim {
 namespace {
@@ -19,32 +22,53 @@ constexpr std::int64_t most_pixels = 64'000'000;                 // 8000 x 8000
 constexpr std::size_t largest_picture = std::size_t{256} << 20;  // bytes
 constexpr Rgb grey = 0x8a8f98;
 
-}  // namespace
+std::string too_large(std::int64_t width, std::int64_t height) {
+    if (width * height <= most_pixels) return "";
+    return fmt::format("it has {} x {} pixels, expected at most {} million", width, height, most_pixels / 1'000'000);
+}
 
-Expected<Picture> read_picture(const std::string& file) {
+// Why these bytes are no PNG, or "".
+std::string read_png(std::string_view bytes, Picture& picture) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&image, png_image_free);
-    const auto refuse_as = [&](std::string_view why) {
-        return failure(fmt::format("'{}' can't be read as a PNG: {}", file, why));
-    };
-    const auto refuse = [&] { return refuse_as(image.message); };
-    const auto text = read_whole(file, file, largest_picture);
-    if (!text) return refuse_as(text.error().message);
-    if (png_image_begin_read_from_memory(&image, text->data(), text->size()) == 0) return refuse();
-    if (std::int64_t{image.width} * image.height > most_pixels) {
-        return failure(fmt::format("'{}' has {} x {} pixels: expected at most {} million", file, image.width,
-                                   image.height, most_pixels / 1'000'000));
-    }
+    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) return image.message;
+    if (std::string problem = too_large(image.width, image.height); !problem.empty()) return problem;
     image.format = PNG_FORMAT_RGB;
-    std::vector<png_byte> bytes(PNG_IMAGE_SIZE(image));
+    std::vector<png_byte> rgb(PNG_IMAGE_SIZE(image));
     const png_color white{255, 255, 255};
-    if (png_image_finish_read(&image, &white, bytes.data(), 0, nullptr) == 0) return refuse();
-    Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-    picture.pixels.reserve(bytes.size() / 3);
-    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
-        picture.pixels.push_back(Rgb{bytes[i]} << 16 | Rgb{bytes[i + 1]} << 8 | bytes[i + 2]);
-    }
+    if (png_image_finish_read(&image, &white, rgb.data(), 0, nullptr) == 0) return image.message;
+    picture = {static_cast<int>(image.width), static_cast<int>(image.height), {}};
+    picture.pixels.reserve(rgb.size() / 3);
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3)
+        picture.pixels.push_back(Rgb{rgb[i]} << 16 | Rgb{rgb[i + 1]} << 8 | rgb[i + 2]);
+    return "";
+}
+
+// Why these bytes are no picture of another format, or "".
+std::string read_other(std::string_view bytes, Picture& picture) {
+    static const auto decodes = load_function(
+        {.file = image_module, .function = decode_in_module, .part = "pictures", .needs = "libopencv-imgcodecs406"});
+    if (!decodes) return decodes.error().message;
+    std::string problem;
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    if (!reinterpret_cast<DecodeInModule*>(*decodes)(data, bytes.size(), picture, problem)) return problem;
+    return too_large(picture.width, picture.height);
+}
+
+}  // namespace
+
+Expected<Picture> read_picture(const std::string& file) {
+    const bool is_called_png = std::filesystem::path(file).extension() == ".png";
+    const auto text = read_whole(file, file, largest_picture);
+    const auto refuse = [&](std::string_view why) {
+        return failure(fmt::format("'{}' can't be read as a {}: {}", file, is_called_png ? "PNG" : "picture", why));
+    };
+    if (!text) return refuse(text.error().message);
+    Picture picture;
+    const bool is_png = is_called_png || text->starts_with("\x89PNG");
+    if (const std::string problem = is_png ? read_png(*text, picture) : read_other(*text, picture); !problem.empty())
+        return refuse(problem);
     return picture;
 }
 

@@ -16,7 +16,8 @@ struct Picture {
     std::vector<Rgb> pixels;  ///< row by row from the top left
 };
 
-/// Reads a PNG file; transparent parts are white. An error says what the matter with the file is.
+/// Reads a picture's file: PNG, or with a module that is loaded then, what else OpenCV can read. Transparent parts are
+/// white. An error says what the matter with the file is.
 Expected<Picture> read_picture(const std::string& file);
 
 /// "#rrggbb" as a colour; grey for anything else.

@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "engine/base/whole_file.hpp"
+#include "sim/picture.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -83,7 +84,12 @@ void Canvas::text(double x, double y, const std::string& words, double size, con
 }
 
 void Canvas::image(const std::string& file, double x, double y, double width, double height) {
-    const std::unique_ptr<cairo_surface_t, Release> surface(cairo_image_surface_create_from_png(file.c_str()));
+    auto picture = sim::read_picture(file);
+    if (!picture) return;
+    // Both have a pixel as 0x00rrggbb.
+    const std::unique_ptr<cairo_surface_t, Release> surface(
+        cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(picture->pixels.data()),
+                                            CAIRO_FORMAT_RGB24, picture->width, picture->height, 4 * picture->width));
     if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return;
     const double scale = width / cairo_image_surface_get_width(surface.get());
     cairo_save(context());
@@ -93,6 +99,7 @@ void Canvas::image(const std::string& file, double x, double y, double width, do
     if (scale > 1) cairo_pattern_set_filter(cairo_get_source(context()), CAIRO_FILTER_NEAREST);
     cairo_paint(context());
     cairo_restore(context());
+    cairo_surface_finish(surface.get());  // whoever still needs its pixels copies them now
 }
 
 Expected<void> Canvas::write() {

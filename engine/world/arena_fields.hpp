@@ -140,7 +140,8 @@ struct Describe<FloorSpec> {
         Setting{"image",
                 &FloorSpec::image,
                 "",
-                "a PNG file; its upper edge lies towards positive y, its right one towards positive x",
+                "a picture (PNG, JPEG, BMP, TIFF, PPM, WebP ...); its upper edge lies towards positive y, its right "
+                "one towards positive x",
                 {.required = true}},
         Setting{"size",
                 &FloorSpec::size,

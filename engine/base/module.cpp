@@ -1,0 +1,28 @@
+// Finds a module beside the program, in the folder for its libraries.
+#include "engine/base/module.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace nezumi {
+
+Expected<void*> load_function(const Module& module) {
+    std::error_code none;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+    const std::filesystem::path file = (program.parent_path() / NEZUMI_MODULES / module.file).lexically_normal();
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr)
+        return failure(
+            fmt::format("the part of nezumi for {} can't be loaded: {}. Install nezumi anew, with OpenCV: sudo "
+                        "apt install {}",
+                        module.part, dlerror(), module.needs));
+    void* function = dlsym(library, std::string(module.function).c_str());
+    if (function == nullptr)
+        return failure(fmt::format("{} is of another version of nezumi: install it anew", file.string()));
+    return function;
+}
+
+}  // namespace nezumi
