@@ -528,8 +528,13 @@ function output(name, type, doc, options) end
 ---@field seed? integer another seed, another maze
 
 ---@class (exact) FloorFields
----@field image string a PNG file; its upper edge lies towards positive y, its right one towards positive x
+---@field image string a picture (PNG, JPEG, BMP, TIFF, PPM, WebP ...); its upper edge lies towards positive y, its right one towards positive x
 ---@field size number[] [m] of the whole picture along x and y
+
+---@class (exact) LineFields
+---@field points? number[][] [m] `{ { x, y }, ... }`, two or more; a line whose last point is its first is closed
+---@field width? number [m]
+---@field color? string as of a box
 
 ---@class (exact) BorderFields
 ---@field thickness? number [m]
@@ -553,6 +558,16 @@ function output(name, type, doc, options) end
 ---@field backend? string "sim", or the name of a driver
 ---@field calibrated? boolean in simulation too it is as `NAME.calibration.lua` beside this file says
 ---@field active? boolean whether it is activated at the start
+---@field doc? string what it is
+---@field mass? number [kg] of the whole robot
+---@field friction? number of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
+---@field noise? number in simulation: standard deviation of each sensor that measures, as a part of its value (0.05: 5 %), beside the sensor's own `noise`
+---@field drive? DriveFields wheels, skids and limits
+---@field body? BodyFields the hull
+---@field sensors? table<string, SensorFields|false> by name
+---@field actuators? table<string, ActuatorFields|false> by name
+---@field ports? table<string, PortFields|false> by name
+---@field hardware? HardwareFields the real robot's driver
 
 ---@class (exact) BehaviorFields
 ---@field script string a behaviour's file, for example "robot_controller"
@@ -583,10 +598,10 @@ function output(name, type, doc, options) end
 ---@field at? number[] [m] centre of the hull; x, y from the middle of the wheels' axis, z from the floor
 
 ---@class (exact) DriveFields
----@field radius number [m] of the wheels
+---@field radius? number [m] of the wheels
 ---@field left_radius? number [m] of the left wheel, where it is known to differ
 ---@field right_radius? number [m] of the right wheel, where it is known to differ
----@field track number [m] between the wheels
+---@field track? number [m] between the wheels
 ---@field pulses_per_turn? number of the encoders, a wheel turn; 0: continuous
 ---@field skid? number [m] how far the skids stand before and behind the axis
 ---@field coasts_until_commanded? boolean the wheels roll freely until the first command after activation
@@ -596,28 +611,29 @@ function output(name, type, doc, options) end
 ---@field port? string|string[] of the real robot's left motor and its right
 
 ---@class (exact) SensorFields
----@field kind "range"|"button"|"touch"|"gyro"|"color"|"reflect"|"ambient" what it measures
+---@field kind? "range"|"button"|"touch"|"gyro"|"color"|"reflect"|"ambient"|"scan"|"imu" what it measures
 ---@field at? number[] [m] from the hull's centre
 ---@field yaw? number [rad] where it looks, counter-clockwise
 ---@field on? string the servo that carries it, in the place of the hull
----@field range? number [m] it sees no farther (of range)
----@field minimum? number [m] it sees no nearer (of range)
----@field cone? number [rad] full opening angle; 0: a single ray (of range)
----@field rays? integer that share the cone: the nearest counts (of range)
----@field noise? number standard deviation, in the value's unit (of range, gyro, reflect, ambient)
+---@field range? number [m] it sees no farther (of range, scan)
+---@field minimum? number [m] it sees no nearer (of range, scan)
+---@field cone? number [rad] full opening angle, 0: a single ray; of a scan, its field of view (of range, scan)
+---@field rays? integer that share the cone: the nearest counts; a scan tells the distance of each, from right to left (of range, scan)
+---@field noise? number standard deviation, in the value's unit; of an imu, of its rates in rad/s (of range, gyro, reflect, ambient, scan, imu)
+---@field acceleration_noise? number [m/s^2] standard deviation of its accelerations (of imu)
 ---@field table? string|number[][] a CSV file with the columns `distance_m` and `value` beside the robot file, or points `{ { 0.01, 1394 }, ... }`. Exact at its points; nearer than the first the value goes on as a power law, farther than the last it fades to `nothing` at `range` (of range)
 ---@field response? fun(distance: number): number instead of `table`: it is sampled when the file is read; `response(math.huge)` is the value with nothing in sight (of range)
 ---@field nothing? number the value with nothing in sight (of range)
 ---@field min_value? number bound of the value (of range)
 ---@field max_value? number bound of the value (of range)
 ---@field drift? number [rad/s] (of gyro)
----@field max_rate? number [rad/s] it can follow; 0: any (of gyro)
+---@field max_rate? number [rad/s] it can follow; 0: any (of gyro, imu)
 ---@field travel? number [m] until it closes (of touch)
 ---@field level? number light of the simulated room, from 0 (dark) to 100 (of ambient)
 ---@field port? string which device of the real robot it is
 
 ---@class (exact) ActuatorFields
----@field kind "leds"|"buzzer"|"servo"|"screen"|"speaker"
+---@field kind? "leds"|"buzzer"|"servo"|"screen"|"speaker"
 ---@field count? integer how many (of leds)
 ---@field max_rate? number [rad/s] 0: any (of servo)
 ---@field speed? number [rad/s] at which it begins; the robot's parameter `NAME_speed`. 0: as fast as it can, and no parameter (of servo)
@@ -627,28 +643,31 @@ function output(name, type, doc, options) end
 ---@field port? string which device of the real robot it is
 
 ---@class (exact) PortFields
----@field type string a message type
+---@field type? string a message type
 ---@field from? string|string[] a sensor, a list of them, `"velocity"` (measured at the wheels) or `"odometry"` (of out-port)
 ---@field to? string|string[] `"drive"`, `"odometry"` (sets it) or an actuator (of in-port)
 ---@field doc? string what editors and the console say about it
 ---@field rate? number [Hz] messages a second; 0: one each tick (of out-port)
----@field quantity? "value"|"distance"|"rate" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle (of out-port)
+---@field quantity? "value"|"distance"|"rate"|"acceleration" `"distance"`: metres instead of a range sensor's value; `"rate"`: of a gyro instead of its angle, of an imu its three rates; `"acceleration"`: of an imu its three accelerations (of out-port)
 ---@field queue? integer so many unread messages are kept; 0: the latest (of in-port)
 ---@field silence? "hold"|"off" when nothing came for 0.5 s: the actuator holds or goes off (of in-port)
 
 ---@class (exact) HardwareFields
----@field driver string "raspimouse" or "ev3"
+---@field driver? string "raspimouse" or "ev3"
 ---@field start? string a sensor of kind `button`: the run waits until it is pressed
 ---@field shutdown? string a sensor of kind `button`: held for 3 s it ends the run and shuts the robot's computer down
 
 ---@class (exact) RobotModelFields
+---@field base? string a robot file that this one builds on: what it leaves out is as there. Tables with names merge, lists and places are replaced whole, `false` takes a thing away
 ---@field doc? string what it is
----@field mass number [kg] of the whole robot
----@field drive DriveFields wheels, skids and limits
+---@field mass? number [kg] of the whole robot
+---@field friction? number of the simulated wheels on the floor: 1 is rubber, 0.1 is ice
+---@field noise? number in simulation: standard deviation of each sensor that measures, as a part of its value (0.05: 5 %), beside the sensor's own `noise`
+---@field drive? DriveFields wheels, skids and limits
 ---@field body? BodyFields the hull
----@field sensors? table<string, SensorFields> by name
----@field actuators? table<string, ActuatorFields> by name
----@field ports? table<string, PortFields> by name
+---@field sensors? table<string, SensorFields|false> by name
+---@field actuators? table<string, ActuatorFields|false> by name
+---@field ports? table<string, PortFields|false> by name
 ---@field hardware? HardwareFields the real robot's driver
 
 ---@class (exact) PoseFields
@@ -798,6 +817,11 @@ function maze(fields) end
 ---@return Thing
 function floor(fields) end
 
+---A line painted on the floor; needs the arena's `size`, or a `floor`.
+---@param fields LineFields
+---@return Thing
+function line(fields) end
+
 ---The floor and what stands on it. Several arenas add up.
 ---@param fields ArenaFields
 function arena(fields) end
@@ -833,6 +857,11 @@ function connect(from, to) end
 ---@param file string
 ---@return Thing
 function csv(file) end
+
+---Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.
+---@param file string
+---@return Thing
+function map(file) end
 
 ---Ticks a second, 100 unless it says otherwise.
 ---@param hz number
@@ -1079,6 +1108,11 @@ function s:maze(fields) end
 ---@return Thing
 function s:floor(fields) end
 
+---A line painted on the floor; needs the arena's `size`, or a `floor`.
+---@param fields LineFields
+---@return Thing
+function s:line(fields) end
+
 ---The floor and what stands on it. Several arenas add up.
 ---@param fields ArenaFields
 function s:arena(fields) end
@@ -1114,6 +1148,11 @@ function s:connect(from, to) end
 ---@param file string
 ---@return Thing
 function s:csv(file) end
+
+---Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.
+---@param file string
+---@return Thing
+function s:map(file) end
 
 ---Ticks a second, 100 unless it says otherwise.
 ---@param hz number
