@@ -156,7 +156,7 @@ Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::
         const auto [key, value] = line_of(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         const auto refuse = [&, key = key, value = value](std::string_view expected) {
-            return failure(fmt::format("'{}': expected {}, got '{}'", key, expected, value), {file, number});
+            return failure(fmt::format("'{}': expected {}, got '{}'", key, expected, shown(value)), {file, number});
         };
         const auto real = number_of(value);
         if (key == "image") {

@@ -182,3 +182,13 @@ TEST_CASE("without its motors a real robot's run ends at once, and says what to 
               "/rtmotoren0: no such file or directory: is the driver loaded? Try: sudo modprobe rtmouse\n") !=
           std::string::npos);
 }
+
+TEST_CASE("a robot of a system may name its driver itself", "[cli][hw]") {
+    SystemSpec spec = two_mice();
+    robot(spec, 1).model = "toy";
+    robot(spec, 1).description = "toy of its own";
+    spec.models["toy of its own"].hardware.driver = "ev3";
+    REQUIRE(choose_drivers(spec, {}, devices()));
+    CHECK(robot(spec, 0).backend == "raspimouse");
+    CHECK(robot(spec, 1).backend == "ev3");
+}

@@ -192,3 +192,17 @@ TEST_CASE("what a camera's calibration lacks is told with its line", "[lua][cali
           "mouse.calibration.lua:2:1: calibration: field 'cameras.eye.k3' is missing: expected a number");
     CHECK(project.refused(head + "cameras = { eye = { fx = -1 } } }").find("cameras.eye.width") != std::string::npos);
 }
+
+TEST_CASE("a robot that differs from its model is calibrated as it is", "[lua][calibration]") {
+    CalibratedProject project;
+    project.system = "robot 'mouse' { model = 'raspimouse', calibrated = true, noise = 0.1, mass = 1 }";
+    CHECK(project.refused(head + "odometry = { track = 0.1, left_radius = 0.024, right_radius = 0.025 } }").empty());
+    const auto spec = project.read();
+    REQUIRE(spec);
+    const auto& robot = std::get<RobotEntry>(spec->entries.front());
+    const RobotSpec& own = spec->models.at(robot.described_by());
+    CHECK(own.drive.track == 0.1);
+    CHECK(own.noise == 0.1);
+    CHECK(own.mass == 1);
+    CHECK(robot.changes == "{ mass = 1, noise = 0.1 }");
+}
