@@ -49,9 +49,10 @@ int copy_without_seconds(lua_State* lua) {
 }  // namespace
 
 int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
-    if (lua_type(lua, 2) != LUA_TSTRING || lua_gettop(lua) > 2)
+    if (lua_type(lua, 2) != LUA_TSTRING)
         return raise(run, "expected the name of a system file, as in s:load \"systems/stop_at_wall.lua\"");
-    if (auto loaded = run.load(std::string(text_or_empty(lua, 2)), calling_place(lua)); !loaded) {
+    if (auto loaded = run.load(std::string(text_or_empty(lua, 2)), read_file_value(lua, 3), calling_place(lua));
+        !loaded) {
         run.setup_error_ = loaded.error();
         run.setup_error_->message = one_line(run.setup_error_->message);
         return raise(run, describe(*run.setup_error_));
@@ -233,7 +234,7 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
 
 const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts() {
     static const std::vector<Method> methods{
-        {"load", load, 1, " \"FILE\""},
+        {"load", load, 2, "(file, { robots = { NAME = { ... } } })"},
         {"golden", golden, 250, "(name, options, port, ...)"},
         {"reload", reload, 2, "(component, { file = } or { text = })"},
         {"inject", [](ScenarioRun& run, lua_State* lua) { return act_on_port(run, lua, "inject"); }, 2,

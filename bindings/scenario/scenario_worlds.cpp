@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bindings/lua/files/change_robot.hpp"
+#include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 
@@ -39,6 +41,25 @@ void merge(SystemSpec& spec, const SystemSpec& more) {
         spec.rate = more.rate;
         spec.rate_place = more.rate_place;
     }
+}
+
+// `s:load(file, { robots = { mouse = { noise = 0.05 } } })`.
+Expected<void> change_robots(SystemSpec& spec, const FileValue& options, const Project& project, const Place& place) {
+    FieldCheck check("load", "load", place, nullptr, "option");
+    Fields fields(check, options);
+    Fields robots = fields.inner("robots");
+    for (const FileField& each : robots.all()) {
+        robots.field(each.name);
+        FieldCheck fits(fmt::format("load: robot '{}'", shown(each.name)), "load", place, nullptr);
+        if (auto changed = change_robot(spec, each.name, each.value, fits, project); !changed) {
+            const Error& error = changed.error();
+            return error.place.file.empty() ? failure("load: " + error.message, place) : changed;
+        }
+        if (auto ok = fits.result(); !ok) return ok;
+    }
+    robots.done();
+    fields.done();
+    return check.result();
 }
 
 }  // namespace
@@ -141,7 +162,8 @@ Expected<void> ScenarioRun::add_new(Described& described) {
     return {};
 }
 
-Expected<void> ScenarioRun::load(const std::string& name, const Place& place) {
+Expected<void> ScenarioRun::load(const std::string& name, const Expected<FileValue>& options, const Place& place) {
+    if (!options) return failure("load: " + options.error().message, place);
     SystemSpec before;
     if (!described_.empty()) {
         if (described_.back().live != nullptr) {
@@ -157,6 +179,7 @@ Expected<void> ScenarioRun::load(const std::string& name, const Place& place) {
     auto spec = read_system_file(
         *path, theirs, {.seed = settings_.seed, .print = [this](std::string_view line) { print(std::string(line)); }});
     if (!spec) return Unexpected(spec.error());
+    if (auto ok = change_robots(*spec, *options, theirs, place); !ok) return ok;
     merge(*spec, before);
     if (!described_.empty() && described_.back().live == nullptr) described_.pop_back();
     Described next;

@@ -82,3 +82,27 @@ scenario("a line on the floor is seen from above", function(s)
   s:run(0.1)
   s:check(mouse.below.value < 20, "the line is dark")
 end)
+
+scenario("the robot of a system stops short of its wall as well, whatever it is like", {
+  timeout = 60,
+  sweep = { noise = range(0, 0.1), friction = range(0.3, 1), mass = range(0.6, 0.9) },
+  samples = 5,
+}, function(s, p)
+  local world = s:load("systems/stop_at_wall.lua", {
+    robots = { mouse = { noise = p.noise, friction = p.friction, mass = p.mass } },
+  })
+  s:never("touches anything", function() return world.mouse.collided end)
+  s:wait_until("under way", { within = 5 }, function() return world.mouse.truth.pose.position.x > 0.1 end)
+  s:eventually("stops", { within = 30 }, function() return math.abs(world.mouse.truth.velocity.vx) < 0.01 end)
+end)
+
+scenario("what no robot has is refused, with what it may be", function(s)
+  local function refused(options, text)
+    local loaded, message = pcall(s.load, s, "systems/stop_at_wall.lua", options)
+    s:check(not loaded and message:find(text, 1, true), tostring(message))
+  end
+  refused({ robots = { mouse = { nois = 0.1 } } }, "load: robot 'mouse': unknown field 'nois' (did you mean 'noise'?)")
+  refused({ robots = { moose = { noise = 0.1 } } }, "load: there is no robot 'moose' (did you mean 'mouse'?)")
+  refused({ robot = {} }, "load: unknown option 'robot' (did you mean 'robots'?)")
+  refused(5, "load: options expected a table, got number")
+end)

@@ -53,9 +53,8 @@ std::string nearest(std::string_view name, const FileTable& table) {
     return did_you_mean(name, names);
 }
 
-}  // namespace
-
-FileValue merge_values(FieldCheck& check, const FileValue& base, const FileValue& changes, const FieldPath& path) {
+// `check` null: of two changes, where `false` stays for what they will be put over.
+FileValue merge(FieldCheck* check, const FileValue& base, const FileValue& changes, const FieldPath& path) {
     const FileTable *from = base.table(), *over = changes.table();
     if (!is_group(from) || !is_group(over) || changes_kind(*from, *over)) return changes;
     FileTable merged = *from;
@@ -63,20 +62,28 @@ FileValue merge_values(FieldCheck& check, const FileValue& base, const FileValue
         FieldPath inner = path;
         inner.push_back(change.name);
         const FileValue* before = from->find(change.name);
-        if (is_false(change.value) && before == nullptr && is_table_of_names(path))
-            check.wrong(inner, fmt::format("takes away what is not there{}", nearest(change.name, *from)));
+        if (check != nullptr && is_false(change.value) && before == nullptr && is_table_of_names(path))
+            check->wrong(inner, fmt::format("takes away what is not there{}", nearest(change.name, *from)));
         for (const auto& [one, other] : alternatives) {
             if (change.name == one) erase(merged, other);
             if (change.name == other) erase(merged, one);
         }
         erase(merged, change.name);
-        if (is_false(change.value) && before != nullptr) continue;
-        FileValue value = before != nullptr ? merge_values(check, *before, change.value, inner) : change.value;
+        if (check != nullptr && is_false(change.value) && before != nullptr) continue;
+        FileValue value = before != nullptr ? merge(check, *before, change.value, inner) : change.value;
         const auto place = std::find_if(merged.fields.begin(), merged.fields.end(),
                                         [&](const FileField& field) { return field.name > change.name; });
         merged.fields.insert(place, {change.name, std::move(value)});
     }
     return {std::move(merged)};
 }
+
+}  // namespace
+
+FileValue merge_values(FieldCheck& check, const FileValue& base, const FileValue& changes, const FieldPath& path) {
+    return merge(&check, base, changes, path);
+}
+
+FileValue combine_changes(const FileValue& first, const FileValue& second) { return merge(nullptr, first, second, {}); }
 
 }  // namespace nezumi

@@ -11,4 +11,7 @@ namespace nezumi {
 /// that is not there is an error, which names the nearest. `path` is where the changes stand.
 FileValue merge_values(FieldCheck& check, const FileValue& base, const FileValue& changes, const FieldPath& path = {});
 
+/// Two changes, one after the other, as one: what the second takes away it still takes away.
+FileValue combine_changes(const FileValue& first, const FileValue& second);
+
 }  // namespace nezumi

@@ -281,15 +281,21 @@ Expected<RobotSpec> read_changed_robot(const fs::path& model, const std::string&
     }
     if (changes.empty()) return (*file)->spec();
     const std::string shown = project.shown(model);
-    auto table = DataFile::create(project, {});
-    if (!table) return Unexpected(table.error());
-    if (auto ran = (*table)->run("return " + changes, shown, {}); !ran) return Unexpected(ran.error());
-    const auto value = read_file_value((*table)->lua(), -1);
-    if (!value) return failure(value.error().message, {shown});
+    const auto value = read_changes(changes, shown, project);
+    if (!value) return Unexpected(value.error());
     FieldCheck check("robot", "robot", {shown}, nullptr);
     RobotSpec spec = (*file)->changed(check, *value, shown);
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());
     return spec;
+}
+
+Expected<FileValue> read_changes(const std::string& changes, const std::string& shown, const Project& project) {
+    auto table = DataFile::create(project, {});
+    if (!table) return Unexpected(table.error());
+    if (auto ran = (*table)->run("return " + changes, shown, {}); !ran) return Unexpected(ran.error());
+    auto value = read_file_value((*table)->lua(), -1);
+    if (!value) return failure(value.error().message, {shown});
+    return value;
 }
 
 }  // namespace nezumi

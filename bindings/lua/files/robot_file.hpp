@@ -55,6 +55,9 @@ Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& sh
 Expected<RobotSpec> read_changed_robot(const std::filesystem::path& model, const std::string& changes,
                                        const Project& project, std::vector<std::string>* files = nullptr);
 
+/// Such changes as data. `shown` is named in errors.
+Expected<FileValue> read_changes(const std::string& changes, const std::string& shown, const Project& project);
+
 /// All that is wrong with a robot file; empty when it can be read. For editors: every unknown global is one error, of
 /// anything else the first.
 std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project);

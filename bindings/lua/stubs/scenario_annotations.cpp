@@ -93,10 +93,11 @@ function scenario(name, options, fn) end
 ---@field [string] Component the same
 local s = {}
 
----Loads a system file and activates what it names.
+---Loads a system file and activates what it names. Its robots may differ by fields of a robot file.
 ---@param file string
+---@param options? { robots?: table<string, RobotModelFields> }
 ---@return World
-function s:load(file) end
+function s:load(file, options) end
 
 ---[s] Simulated time since the scenario began.
 ---@return number

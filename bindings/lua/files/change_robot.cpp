@@ -1,0 +1,50 @@
+// Reads the robot's file anew, with what the system and whoever changes it say on top.
+#include "bindings/lua/files/change_robot.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/lua/files/calibration_file.hpp"
+#include "bindings/lua/files/merge_value.hpp"
+#include "bindings/lua/files/robot_file.hpp"
+#include "engine/base/names.hpp"
+
+namespace nezumi {
+
+Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const FileValue& changes, FieldCheck& check,
+                            const Project& project) {
+    RobotEntry* entry = nullptr;
+    std::vector<std::string_view> names;
+    for (Entry& each : spec.entries) {
+        auto* found = std::get_if<RobotEntry>(&each);
+        if (found == nullptr) continue;
+        names.push_back(found->name);
+        if (found->name == robot) entry = found;
+    }
+    if (entry == nullptr)
+        return failure(fmt::format("there is no robot '{}'{}", shown(robot), did_you_mean(robot, names)));
+    if (const FileTable* table = changes.table(); table != nullptr && table->find("base") != nullptr)
+        check.unknown({"base"}, ": it is for robot files");
+    const auto path = project.find(FileKind::model, entry->model, entry->place.file);
+    if (!path) return Unexpected(path.error());
+    const auto file = RobotFile::read(*path, project);
+    if (!file) return Unexpected(file.error());
+    FileValue all = changes;
+    if (!entry->changes.empty()) {
+        const auto before = read_changes(entry->changes, entry->place.file, project);
+        if (!before) return Unexpected(before.error());
+        all = combine_changes(*before, changes);
+    }
+    RobotSpec changed = (*file)->changed(check, all, entry->place.file);
+    if (!check.ok()) return {};
+    entry->changes = to_lua(all);
+    entry->description = entry->model + " " + entry->changes;
+    spec.models.insert_or_assign(entry->description, std::move(changed));
+    if (!entry->calibrated) return {};
+    return use_calibration(spec, *entry, project, {.is_needed = true, .serial = ""});
+}
+
+}  // namespace nezumi
