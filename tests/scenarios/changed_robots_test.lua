@@ -106,3 +106,16 @@ scenario("what no robot has is refused, with what it may be", function(s)
   refused({ robot = {} }, "load: unknown option 'robot' (did you mean 'robots'?)")
   refused(5, "load: options expected a table, got number")
 end)
+
+scenario("a robot that is added later may differ as well", function(s)
+  s:robot "first" { model = "raspimouse" }
+  s:run(0.1)
+  s:robot "second" {
+    model = "raspimouse",
+    pose = { y = 0.5 },
+    sensors = { imu = { kind = "imu" } },
+    ports = { rates = { type = "TimedDoubleSeq", from = "imu", quantity = "rate" } },
+  }
+  s:run(0.1)
+  s:check(#s.second.rates.value == 3)
+end)

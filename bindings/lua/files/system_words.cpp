@@ -1,4 +1,4 @@
-// Robots, behaviours, components, connections and rates of a system file.
+// Behaviours, components, connections and rates of a system file.
 #include "bindings/lua/files/system_words.hpp"
 
 #include <fmt/format.h>
@@ -43,20 +43,6 @@ bool is_port_path(const std::string& path) {
     if (dot == std::string::npos) return false;
     const std::string port = path.substr(dot + 1);
     return is_identifier(path.substr(0, dot)) && (is_identifier(port) || is_keyword(port));
-}
-
-// The fields of a robot file among those of a robot of a system, which are then known.
-FileValue take_changes(Fields& fields) {
-    FileTable changes;
-    for_each_setting<RobotSpec>([&](const auto& field) {
-        if (field.name == "base") return;
-        if (const FileValue* value = fields.field(field.name))
-            changes.fields.push_back({std::string(field.name), *value});
-    });
-    std::sort(changes.fields.begin(), changes.fields.end(),
-              [](const FileField& a, const FileField& b) { return a.name < b.name; });
-    if (changes.fields.empty()) return {};
-    return {std::move(changes)};
 }
 
 // A number as a message shows it.
@@ -127,72 +113,6 @@ Expected<void> SystemWords::complete_entry(std::size_t begun, const FileValue& f
     begun_[begun].complete = true;
     const Begun call = begun_[begun];
     return entry(call.call, call.name, fields);
-}
-
-Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const FileValue& value) {
-    FieldCheck check(fmt::format("robot '{}'", name), call.word, call.place, call.source);
-    Fields fields(check, value);
-    RobotEntry entry;
-    entry.name = name;
-    entry.place = call.place;
-    read_record(fields, entry);
-    const FileValue changes = take_changes(fields);
-    fields.done();
-    if (check.ok()) {
-        auto loaded = load_model(call, entry.model);
-        if (loaded && !changes.is_nil()) loaded = describe_changed(check, call, entry, changes);
-        if (!loaded) {
-            Error error = loaded.error();
-            if (error.place.file.empty())
-                return failure(fmt::format("robot '{}': {}", name, error.message), check.place_of({"model"}));
-            return Unexpected(std::move(error));
-        }
-    }
-    if (auto ok = check.result(); !ok) return Unexpected(ok.error());
-    return entry;
-}
-
-Expected<void> SystemWords::load_model(const WordCall& call, const std::string& model) {
-    auto path = project_.find(FileKind::model, model, call.place.file);
-    if (!path) return Unexpected(path.error());
-    const std::string shown = project_.shown(*path);
-    const auto known = spec_.models.find(model);
-    if (known != spec_.models.end()) {
-        if (known->second.place.file == shown) return {};
-        return failure(fmt::format("model '{}' would be {} here, and was {} before: use different names", model, shown,
-                                   known->second.place.file));
-    }
-    const auto robot = robot_file(call, model);
-    if (!robot) return Unexpected(robot.error());
-    spec_.models.emplace(model, (*robot)->spec());
-    return {};
-}
-
-Expected<RobotFile*> SystemWords::robot_file(const WordCall& call, const std::string& model) {
-    const auto path = project_.find(FileKind::model, model, call.place.file);
-    if (!path) return Unexpected(path.error());
-    std::unique_ptr<RobotFile>& kept = robot_files_[project_.shown(*path)];
-    if (kept == nullptr) {
-        auto robot = RobotFile::read(*path, project_);
-        if (!robot) return Unexpected(robot.error());
-        kept = std::move(*robot);
-        for (const std::string& file : kept->files()) note_file(file);
-    }
-    return kept.get();
-}
-
-// A description of its own, which robots that differ in the same way share.
-Expected<void> SystemWords::describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
-                                             const FileValue& changes) {
-    const auto file = robot_file(call, entry.model);
-    if (!file) return Unexpected(file.error());
-    RobotSpec robot = (*file)->changed(check, changes, call.place.file);
-    if (!check.ok()) return {};
-    for (const std::string& read : (*file)->files()) note_file(read);
-    entry.changes = to_lua(changes);
-    entry.description = entry.model + " " + entry.changes;
-    spec_.models.insert_or_assign(entry.description, std::move(robot));
-    return {};
 }
 
 Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name,

@@ -1,0 +1,96 @@
+// The robots of a system file: their models, and what each has different.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bindings/lua/files/read_record.hpp"
+#include "bindings/lua/files/system_words.hpp"
+#include "engine/system/system_fields.hpp"
+
+namespace nezumi {
+namespace {
+
+// The fields of a robot file among those of a robot of a system, which are then known.
+FileValue take_changes(Fields& fields) {
+    FileTable changes;
+    for_each_setting<RobotSpec>([&](const auto& field) {
+        if (field.name == "base") return;
+        if (const FileValue* value = fields.field(field.name))
+            changes.fields.push_back({std::string(field.name), *value});
+    });
+    std::sort(changes.fields.begin(), changes.fields.end(),
+              [](const FileField& a, const FileField& b) { return a.name < b.name; });
+    if (changes.fields.empty()) return {};
+    return {std::move(changes)};
+}
+
+}  // namespace
+
+Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const FileValue& value) {
+    FieldCheck check(fmt::format("robot '{}'", name), call.word, call.place, call.source);
+    Fields fields(check, value);
+    RobotEntry entry;
+    entry.name = name;
+    entry.place = call.place;
+    read_record(fields, entry);
+    const FileValue changes = take_changes(fields);
+    fields.done();
+    if (check.ok()) {
+        auto loaded = load_model(call, entry.model);
+        if (loaded && !changes.is_nil()) loaded = describe_changed(check, call, entry, changes);
+        if (!loaded) {
+            Error error = loaded.error();
+            if (error.place.file.empty())
+                return failure(fmt::format("robot '{}': {}", name, error.message), check.place_of({"model"}));
+            return Unexpected(std::move(error));
+        }
+    }
+    if (auto ok = check.result(); !ok) return Unexpected(ok.error());
+    return entry;
+}
+
+Expected<void> SystemWords::load_model(const WordCall& call, const std::string& model) {
+    auto path = project_.find(FileKind::model, model, call.place.file);
+    if (!path) return Unexpected(path.error());
+    const std::string shown = project_.shown(*path);
+    const auto known = spec_.models.find(model);
+    if (known != spec_.models.end()) {
+        if (known->second.place.file == shown) return {};
+        return failure(fmt::format("model '{}' would be {} here, and was {} before: use different names", model, shown,
+                                   known->second.place.file));
+    }
+    const auto robot = robot_file(call, model);
+    if (!robot) return Unexpected(robot.error());
+    spec_.models.emplace(model, (*robot)->spec());
+    return {};
+}
+
+Expected<RobotFile*> SystemWords::robot_file(const WordCall& call, const std::string& model) {
+    const auto path = project_.find(FileKind::model, model, call.place.file);
+    if (!path) return Unexpected(path.error());
+    std::unique_ptr<RobotFile>& kept = robot_files_[project_.shown(*path)];
+    if (kept == nullptr) {
+        auto robot = RobotFile::read(*path, project_);
+        if (!robot) return Unexpected(robot.error());
+        kept = std::move(*robot);
+        for (const std::string& file : kept->files()) note_file(file);
+    }
+    return kept.get();
+}
+
+// A description of its own, which robots that differ in the same way share.
+Expected<void> SystemWords::describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
+                                             const FileValue& changes) {
+    const auto file = robot_file(call, entry.model);
+    if (!file) return Unexpected(file.error());
+    RobotSpec robot = (*file)->changed(check, changes, call.place.file);
+    if (!check.ok()) return {};
+    for (const std::string& read : (*file)->files()) note_file(read);
+    entry.changes = to_lua(changes);
+    entry.description = entry.model + " " + entry.changes;
+    spec_.models.insert_or_assign(entry.description, std::move(robot));
+    return {};
+}
+
+}  // namespace nezumi
