@@ -16,7 +16,7 @@ LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
             .world = sim::make_world,
             .components = {{"Camera", {{"sim", make_simulated_camera}}},
                            {"Joystick", {{"sim", make_joystick}}},
-                           {"MarkerDetector", {{"sim", make_marker_detector}}}}};
+                           {"MarkerDetector", {{"sim", make_image_component<MarkerDetector>}}}}};
 }
 
 Expected<Simulation> Simulation::load(const std::filesystem::path& file, Options options) {

@@ -1,12 +1,10 @@
-// One picture at a time is looked at beside the tick; those that come meanwhile are passed over but for the newest.
+// Which camera a picture is from is known in the tick; its tags are sought beside it.
 #include "engine/vision/marker_detector.hpp"
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <utility>
 
-#include "engine/system/system.hpp"
 #include "engine/world/camera_source.hpp"
 
 namespace nezumi {
@@ -14,47 +12,34 @@ namespace {
 
 constexpr double usual_field_of_view = 1.0472;  // [rad] the Camera's default
 
-template <class T>
-const T& value(const Parameters& parameters, std::string_view name) {
-    return std::get<T>(parameters.find(name)->value);
-}
-
 struct Search {
     std::int64_t id;
     double size, yaw_from;
 };
 
-MarkerSight look(TagFinder& finder, Expected<MarkerDetector::Picture>& picture, const Search& search) {
-    if (!picture) return {.tag = {}, .complaint = picture.error().message};
-    MarkerSight sight;
-    for (FoundTag& tag : finder.find(picture->gray, picture->intrinsics, search.size)) {
+// The nearest of the tags that are looked for.
+std::optional<FoundTag> nearest_tag(TagFinder& finder, GrayImage& gray, const CameraIntrinsics& intrinsics,
+                                    const Search& search) {
+    for (FoundTag& tag : finder.find(gray, intrinsics, search.size)) {
         if (search.id >= 0 && tag.id != search.id) continue;
         // A small tag looks nearly the same from the left and from the right: its orientation would flip.
         if (tag.edge < search.yaw_from) tag.pose.orientation = {};
-        sight.tag = tag;
-        break;
+        return tag;
     }
-    return sight;
+    return std::nullopt;
 }
 
 }  // namespace
 
 MarkerDetector::MarkerDetector(std::string name, bool wait)
-    : Component(std::move(name), "MarkerDetector"),
-      wait_(wait),
-      image_(add_in_port<CameraImage>("image", "a camera's picture")),
+    : ImageComponent(std::move(name), "MarkerDetector", wait),
       intrinsics_(add_in_port<CameraIntrinsics>("intrinsics", "the camera's; comes along with a Camera's picture")),
       pos_(add_out_port<Pose3D>("pos",
                                 "where the marker is from the camera: x forward, y left, z up; silent while none "
                                 "is in sight")),
       visible_(add_out_port<bool>("visible", "whether a marker was in sight, once for each picture")),
       id_(add_out_port<std::int32_t>("id", "the marker's number, together with pos")) {
-    image_.set_companion(intrinsics_);
-    const auto declare = [this](ParameterSpec spec) {
-        const auto ok = parameters_.declare(std::move(spec));
-        assert(ok);
-        static_cast<void>(ok);
-    };
+    image_port().set_companion(intrinsics_);
     std::vector<ParameterValue> families;
     for (const std::string_view family : TagFinder::families()) families.emplace_back(std::string(family));
     declare({.name = "tag_size",
@@ -69,12 +54,7 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
              .min = -1,
              .max = 586,
              .doc = "the only marker to look for; -1: the nearest of all"});
-    declare({.name = "latency",
-             .initial = 0.02,
-             .min = 0,
-             .max = 10,
-             .unit = "s",
-             .doc = "from the picture to the position, in simulated time"});
+    declare_latency();
     declare(
         {.name = "yaw_from",
          .initial = 30.0,
@@ -99,23 +79,12 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
              .doc = "of a row, for pictures without intrinsics while fx is 0"});
 }
 
-Expected<void> MarkerDetector::on_activated() {
-    sight_.finish();
-    complained_ = false;
-    return {};
-}
-
-Expected<void> MarkerDetector::on_deactivated() {
-    sight_.finish();
-    return {};
-}
-
 Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image) const {
-    CameraIntrinsics own = pinhole(image.width, image.height, value<double>(parameters_, "field_of_view"));
-    const double fx = value<double>(parameters_, "fx");
+    CameraIntrinsics own = pinhole(image.width, image.height, value<double>("field_of_view"));
+    const double fx = value<double>("fx");
     if (fx > 0) {
         const auto given = [&](std::string_view name, double otherwise) {
-            const double set = value<double>(parameters_, name);
+            const double set = value<double>(name);
             return set > 0 ? set : otherwise;
         };
         own.fx = fx;
@@ -134,59 +103,27 @@ Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image
 }
 
 // Grey is a third of what would have to be copied else.
-Expected<MarkerDetector::Picture> MarkerDetector::picture() {
-    auto gray = to_gray(image_.read());
-    if (!gray) return Unexpected(gray.error());
-    auto intrinsics = intrinsics_for(*gray);
-    if (!intrinsics) return Unexpected(intrinsics.error());
-    return Picture{std::move(*gray), *intrinsics};
-}
-
-void MarkerDetector::start() {
-    const auto& family = value<std::string>(parameters_, "family");
+Expected<MarkerDetector::Look> MarkerDetector::look_at(const CameraImage& image) {
+    auto gray = to_gray(image);
+    if (!gray) return failure("image: " + gray.error().message);
+    const auto intrinsics = intrinsics_for(*gray);
+    if (!intrinsics) return failure("image: " + intrinsics.error().message);
+    const auto& family = value<std::string>("family");
     if (!finder_ || family != family_) {
         finder_.emplace(family);
         family_ = family;
     }
-    const Search search{value<std::int64_t>(parameters_, "id"), value<double>(parameters_, "tag_size"),
-                        value<double>(parameters_, "yaw_from")};
-    sight_.start(
-        now(), value<double>(parameters_, "latency"),
-        [finder = &*finder_, picture = picture(), search]() mutable { return look(*finder, picture, search); });
+    const Search search{value<std::int64_t>("id"), value<double>("tag_size"), value<double>("yaw_from")};
+    return [finder = &*finder_, gray = std::move(*gray), intrinsics = *intrinsics, search]() mutable {
+        return nearest_tag(*finder, gray, intrinsics, search);
+    };
 }
 
-void MarkerDetector::publish(const MarkerSight& sight) {
-    if (!sight.complaint.empty() && !complained_)
-        log(LogLevel::warn, fmt::format("image: {}: nothing can be seen in it", sight.complaint));
-    complained_ = !sight.complaint.empty();
-    visible_.write(sight.tag.has_value());
-    if (!sight.tag) return;
-    pos_.write(sight.tag->pose);
-    id_.write(sight.tag->id);
-}
-
-Expected<void> MarkerDetector::take_sight() {
-    const auto sight = sight_.take(now(), wait_);
-    if (!sight) return {};
-    if (!*sight) return failure("the picture could not be searched: " + sight->error().message);
-    publish(**sight);
-    return {};
-}
-
-Expected<void> MarkerDetector::on_execute() {
-    if (auto ok = take_sight(); !ok) return ok;
-    if (sight_.busy() || !image_.is_new()) return {};
-    start();
-    return take_sight();
-}
-
-Expected<std::unique_ptr<Component>> make_marker_detector(const ComponentEntry& entry, System& system) {
-    if (!entry.on.empty()) {
-        return failure(fmt::format("component '{}': a MarkerDetector is not mounted on a robot: 'on' is for its Camera",
-                                   entry.name),
-                       entry.place);
-    }
-    return std::make_unique<MarkerDetector>(entry.name, !system.settings().real_time);
+void MarkerDetector::publish(const std::optional<FoundTag>& tag) {
+    visible_.write(tag.has_value());
+    if (!tag) return;
+    pos_.write(tag->pose);
+    id_.write(tag->id);
 }
 
 }  // namespace nezumi

@@ -21,7 +21,7 @@ struct Watch {
         system.observe(hash);
         ComponentEntry eye{.name = "eye", .type = "Camera", .at = {0, 0, 0.1}};
         add(make_simulated_camera(eye, system), camera_values);
-        add(make_marker_detector({.name = "detector", .type = "MarkerDetector"}, system), detector_values);
+        add(make_image_component<MarkerDetector>({.name = "detector", .type = "MarkerDetector"}, system), detector_values);
         if (connected) REQUIRE(system.connect("eye.out", "detector.image"));
         for (const auto& component : system.components()) REQUIRE(component->activate(system.now()));
     }
@@ -294,7 +294,7 @@ TEST_CASE("a detector that is stopped forgets the picture it was looking at", "[
 
 TEST_CASE("a detector is not mounted on a robot", "[vision][detector]") {
     System system({.rate = 100}, {});
-    const auto made = make_marker_detector({.name = "detector", .type = "MarkerDetector", .on = "mouse"}, system);
+    const auto made = make_image_component<MarkerDetector>({.name = "detector", .type = "MarkerDetector", .on = "mouse"}, system);
     REQUIRE_FALSE(made);
     CHECK(made.error().message ==
           "component 'detector': a MarkerDetector is not mounted on a robot: 'on' is for its Camera");
