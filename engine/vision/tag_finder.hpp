@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/ports/messages.hpp"
-#include "engine/vision/gray_image.hpp"
+#include "engine/vision/checked_image.hpp"
 
 namespace nezumi {
 

@@ -3,46 +3,17 @@
 
 #include <string>
 #include <tuple>
+#include <utility>
 
-#include "engine/system/system.hpp"
-#include "engine/trace/trace_hash.hpp"
 #include "engine/vision/marker_detector.hpp"
 
 using namespace nezumi;
 
 namespace {
 
-// A camera that stands in the arena, and a detector that looks at its pictures.
-struct Watch {
-    explicit Watch(const ArenaSpec& arena, const ParameterValues& detector_values = {},
-                   const ParameterValues& camera_values = {}, bool connected = true)
-        : system({.rate = 100}, [this](const LogLine& line) { said.push_back(line.text); }) {
-        system.take_world(world_with(arena));
-        system.observe(hash);
-        ComponentEntry eye{.name = "eye", .type = "Camera", .at = {0, 0, 0.1}};
-        add(make_simulated_camera(eye, system), camera_values);
-        add(make_image_component<MarkerDetector>({.name = "detector", .type = "MarkerDetector"}, system), detector_values);
-        if (connected) REQUIRE(system.connect("eye.out", "detector.image"));
-        for (const auto& component : system.components()) REQUIRE(component->activate(system.now()));
-    }
-
-    void add(Expected<std::unique_ptr<Component>> component, const ParameterValues& values) {
-        REQUIRE(component);
-        REQUIRE((*component)->parameters().set_all(values));
-        REQUIRE(system.add(std::move(*component)));
-    }
-    void run(int ticks) {
-        for (int i = 0; i < ticks; ++i) system.tick();
-    }
-    void show(const CameraImage& image) { detector().find_in_port("image")->inject(image); }
-    Component& detector() { return *system.find("detector"); }
-    const Port& port(const char* name) { return *detector().find_out_port(name); }
-    bool visible() { return std::get<bool>(port("visible").value()); }
-    Pose3D pos() { return std::get<Pose3D>(port("pos").value()); }
-
-    std::vector<std::string> said;
-    TraceHash hash;
-    System system;
+struct Watch : Watched<MarkerDetector> {
+    using Watched::Watched;
+    Pose3D pos() { return value<Pose3D>("pos"); }
 };
 
 }  // namespace
@@ -147,7 +118,6 @@ TEST_CASE("each of the detector's own intrinsics counts, and those that are 0 fo
 
 TEST_CASE("a detector's parameters are taken within their bounds and refused beyond", "[vision][detector]") {
     Watch watch(one_marker());
-    Parameters& parameters = watch.detector().parameters();
     for (const auto& [name, low, high] : {std::tuple{"tag_size", 0.001, 100.0},
                                           {"latency", 0.0, 10.0},
                                           {"yaw_from", 0.0, 10000.0},
@@ -156,13 +126,9 @@ TEST_CASE("a detector's parameters are taken within their bounds and refused bey
                                           {"cx", 0.0, 1e6},
                                           {"cy", 0.0, 1e6},
                                           {"field_of_view", 0.05, 2.8}}) {
-        INFO(name);
-        const double hair = 1e-6 * high;
-        CHECK(parameters.set(name, low));
-        CHECK(parameters.set(name, high));
-        CHECK_FALSE(parameters.set(name, low - hair));
-        CHECK_FALSE(parameters.set(name, high + hair));
+        check_bounds(watch.detector(), name, low, high);
     }
+    Parameters& parameters = watch.detector().parameters();
     CHECK(parameters.set("id", std::int64_t{-1}));
     CHECK(parameters.set("id", std::int64_t{586}));
     CHECK_FALSE(parameters.set("id", std::int64_t{-2}));
@@ -294,7 +260,8 @@ TEST_CASE("a detector that is stopped forgets the picture it was looking at", "[
 
 TEST_CASE("a detector is not mounted on a robot", "[vision][detector]") {
     System system({.rate = 100}, {});
-    const auto made = make_image_component<MarkerDetector>({.name = "detector", .type = "MarkerDetector", .on = "mouse"}, system);
+    const auto made =
+        make_image_component<MarkerDetector>({.name = "detector", .type = "MarkerDetector", .on = "mouse"}, system);
     REQUIRE_FALSE(made);
     CHECK(made.error().message ==
           "component 'detector': a MarkerDetector is not mounted on a robot: 'on' is for its Camera");

@@ -1,7 +1,7 @@
 // Pictures that are none, and what is said of them.
 #include <catch2/catch.hpp>
 
-#include "engine/vision/gray_image.hpp"
+#include "engine/vision/checked_image.hpp"
 
 using namespace nezumi;
 
@@ -47,4 +47,29 @@ TEST_CASE("a picture whose sizes do not agree is refused in plain words", "[visi
     CHECK(complaint(image(2, 2, 24, "rgb", 12)) ==
           "unknown format 'rgb': expected gray8, mono8, rgb8 or bgr8 (did you mean 'rgb8'?)");
     CHECK(complaint(image(2, 2, 24, "jpeg", 12)) == "unknown format 'jpeg': expected gray8, mono8, rgb8 or bgr8");
+}
+
+TEST_CASE("coloured pictures come as red, green and blue", "[vision][image]") {
+    CameraImage two = image(2, 1, 24, "rgb8", 6);
+    two.pixels = {1, 2, 3, 4, 5, 6};
+    CHECK(to_rgb(two)->pixels == Octets{1, 2, 3, 4, 5, 6});
+    two.format = "";
+    CHECK(to_rgb(two)->pixels == Octets{1, 2, 3, 4, 5, 6});
+    two.format = "bgr8";
+    CHECK(to_rgb(two)->pixels == Octets{3, 2, 1, 6, 5, 4});
+    CHECK(to_rgb(two)->width == 2);
+    CHECK(to_rgb(two)->height == 1);
+}
+
+TEST_CASE("a picture without colours is refused where colours are wanted, as is one whose sizes do not agree",
+          "[vision][image]") {
+    const auto refused = [](const CameraImage& wrong) {
+        const auto colored = to_rgb(wrong);
+        REQUIRE_FALSE(colored);
+        return colored.error().message;
+    };
+    CHECK(refused(image(3, 2, 8, "mono8", 6)) == "mono8 has no colours: expected rgb8 or bgr8");
+    CHECK(refused(image(3, 2, 8, "", 6)) == "gray8 has no colours: expected rgb8 or bgr8");
+    CHECK(refused({}) == "an empty picture (0 x 0, 0 bytes)");
+    CHECK(refused(image(2, 2, 24, "bgr8", 13)) == "2 x 2 pixels of bgr8 need 12 bytes, got 13");
 }

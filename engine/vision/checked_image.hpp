@@ -1,4 +1,4 @@
-// A camera's picture in shades of grey, checked.
+// A camera's picture, checked: in shades of grey, or in red, green and blue.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,18 @@ struct GrayImage {
     std::vector<std::uint8_t> pixels;  ///< row by row from the top left
 };
 
+struct ColorImage {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> pixels;  ///< row by row from the top left; red, green and blue of each
+};
+
 /// The grey values (ITU-R BT.601) of a picture in the format "gray8", "mono8", "rgb8" or "bgr8"; without a format 8
 /// bits a pixel are grey and 24 red, green, blue. An error says what does not fit: no pixels, an unknown format, bits
 /// that are not the format's, or a number of bytes that is not width * height * bpp / 8.
 Expected<GrayImage> to_gray(const CameraImage& image);
+
+/// The colours of a picture; errors as of `to_gray`, and when it is grey.
+Expected<ColorImage> to_rgb(const CameraImage& image);
 
 }  // namespace nezumi
