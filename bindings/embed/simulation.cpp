@@ -6,6 +6,7 @@
 
 #include "engine/devices/camera.hpp"
 #include "engine/devices/joystick.hpp"
+#include "engine/vision/color_detector.hpp"
 #include "engine/vision/marker_detector.hpp"
 #include "sim/world.hpp"
 
@@ -15,6 +16,7 @@ LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
     return {.installed = std::move(installed),
             .world = sim::make_world,
             .components = {{"Camera", {{"sim", make_simulated_camera}}},
+                           {"ColorDetector", {{"sim", make_image_component<ColorDetector>}}},
                            {"Joystick", {{"sim", make_joystick}}},
                            {"MarkerDetector", {{"sim", make_image_component<MarkerDetector>}}}}};
 }
