@@ -7,6 +7,7 @@
 #include "engine/devices/camera.hpp"
 #include "engine/devices/joystick.hpp"
 #include "engine/vision/color_detector.hpp"
+#include "engine/vision/line_detector.hpp"
 #include "engine/vision/marker_detector.hpp"
 #include "sim/world.hpp"
 
@@ -18,6 +19,7 @@ LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
             .components = {{"Camera", {{"sim", make_simulated_camera}}},
                            {"ColorDetector", {{"sim", make_image_component<ColorDetector>}}},
                            {"Joystick", {{"sim", make_joystick}}},
+                           {"LineDetector", {{"sim", make_image_component<LineDetector>}}},
                            {"MarkerDetector", {{"sim", make_image_component<MarkerDetector>}}}}};
 }
 

@@ -1,0 +1,92 @@
+// What is before the robot is divided into line and floor, and the largest connected part of the one is the line.
+#include "engine/vision/line_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+namespace nezumi {
+namespace {
+
+constexpr double smoothing = 1.5;  // [px] noise frays a line, and makes specks elsewhere
+constexpr double white = 255;
+
+}  // namespace
+
+std::optional<Blob> find_line(const GrayImage& image, const LineLook& look) {
+    const int first = std::min(static_cast<int>(std::lround(look.top * image.height)), image.height - 1);
+    GrayImage mask{image.width, image.height - first, {}};
+    mask.pixels.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
+    // OpenCV has no matrix that is not to be written; this one is only read.
+    const cv::Mat whole(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
+    cv::Mat part, marked(mask.height, mask.width, CV_8UC1, mask.pixels.data());
+    cv::GaussianBlur(whole.rowRange(first, image.height), part, {}, smoothing);
+    const int side = look.dark ? cv::THRESH_BINARY_INV : cv::THRESH_BINARY;
+    cv::threshold(part, marked, 0, white, side | cv::THRESH_OTSU);
+    // There is always a best division, of mere noise too: what it divides must differ.
+    const int count = cv::countNonZero(marked);
+    if (count == 0 || count == mask.width * mask.height) return std::nullopt;
+    const cv::Mat rest = ~marked;
+    const double difference = cv::mean(part, marked)[0] - cv::mean(part, rest)[0];
+    if (std::abs(difference) < look.contrast * white) return std::nullopt;
+    auto line = largest_blob(mask);
+    if (line) line->y += first;
+    return line;
+}
+
+LineDetector::LineDetector(std::string name, bool wait)
+    : ImageComponent(std::move(name), "LineDetector", wait),
+      visible_(add_out_port<bool>("visible", "whether a line was in sight, once for each picture")),
+      offset_(
+          add_out_port<double>("offset",
+                               "where its centre is: 1 at the left edge of the picture, -1 at the right one; silent "
+                               "while no line is in sight")),
+      angle_(add_out_port<double>("angle",
+                                  "[rad] which way it runs in the picture: 0 straight ahead, positive to the left; "
+                                  "together with offset")) {
+    declare(
+        {.name = "dark", .initial = true, .doc = "a dark line on a light floor; false: a light one on a dark floor"});
+    declare({.name = "contrast",
+             .initial = 0.3,
+             .min = 0,
+             .max = 1,
+             .widget = "slider",
+             .doc = "how much line and floor differ at least: 1 is black against white"});
+    declare({.name = "top",
+             .initial = 0.5,
+             .min = 0,
+             .max = 0.95,
+             .widget = "slider",
+             .doc = "share of the picture, from above, that is not looked at"});
+    declare({.name = "least_area",
+             .initial = 0.005,
+             .min = 0,
+             .max = 1,
+             .doc = "share of the picture; what is smaller is no line"});
+    declare_latency();
+    // A picture shall cost one core: others run behaviours. What is seen does not depend on the number.
+    cv::setNumThreads(1);
+}
+
+Expected<LineDetector::Look> LineDetector::look_at(const CameraImage& image) {
+    auto gray = to_gray(image);
+    if (!gray) return failure("image: " + gray.error().message);
+    const LineLook look{
+        .dark = value<bool>("dark"), .contrast = value<double>("contrast"), .top = value<double>("top")};
+    return [gray = std::move(*gray), look, least_area = value<double>("least_area")]() -> std::optional<LineSight> {
+        const auto line = find_line(gray, look);
+        if (!line || line->area < least_area * gray.width * gray.height) return std::nullopt;
+        return LineSight{from_middle(line->x, gray.width), line->angle};
+    };
+}
+
+void LineDetector::publish(const std::optional<LineSight>& sight) {
+    visible_.write(sight.has_value());
+    if (!sight) return;
+    offset_.write(sight->offset);
+    angle_.write(sight->angle);
+}
+
+}  // namespace nezumi
