@@ -124,6 +124,13 @@ struct CameraIntrinsics {
     bool operator==(const CameraIntrinsics&) const = default;
 };
 
+/// A fiducial marker where a camera sees it.
+struct SeenMarker {
+    std::int32_t id = 0;
+    Pose3D pose;
+    bool operator==(const SeenMarker&) const = default;
+};
+
 template <>
 struct Describe<Point2D> {
     static constexpr std::string_view name = "Point2D";
@@ -256,6 +263,15 @@ struct Describe<CameraIntrinsics> {
     };
 };
 
+template <>
+struct Describe<SeenMarker> {
+    static constexpr std::string_view name = "SeenMarker";
+    static constexpr std::tuple fields{
+        Field{"id", &SeenMarker::id, "", "its number"},
+        Field{"pose", &SeenMarker::pose, "", "from the camera: x forward, y left, z up"},
+    };
+};
+
 /// A message type: its name on ports, and the payload it carries beside its stamp `tm`.
 template <class T>
 struct MessageType {
@@ -284,6 +300,7 @@ inline constexpr std::tuple message_types{
     MessageType<RangeData>{"RangeData", "distances measured by a ranger"},
     MessageType<CameraImage>{"CameraImage", "a picture"},
     MessageType<CameraIntrinsics>{"CameraIntrinsics", "how a camera maps what is before it to pixels"},
+    MessageType<std::vector<SeenMarker>>{"SeenMarkerSeq", "fiducial markers in sight"},
 };
 
 inline constexpr std::size_t message_type_count = std::tuple_size_v<decltype(message_types)>;

@@ -17,16 +17,17 @@ struct Search {
     double size, yaw_from;
 };
 
-// The nearest of the tags that are looked for.
-std::optional<FoundTag> nearest_tag(TagFinder& finder, GrayImage& gray, const CameraIntrinsics& intrinsics,
-                                    const Search& search) {
+// The tags that are looked for, the nearest first.
+std::vector<SeenMarker> markers_in(GrayImage& gray, TagFinder& finder, const CameraIntrinsics& intrinsics,
+                                   const Search& search) {
+    std::vector<SeenMarker> seen;
     for (FoundTag& tag : finder.find(gray, intrinsics, search.size)) {
         if (search.id >= 0 && tag.id != search.id) continue;
         // A small tag looks nearly the same from the left and from the right: its orientation would flip.
         if (tag.edge < search.yaw_from) tag.pose.orientation = {};
-        return tag;
+        seen.push_back({tag.id, tag.pose});
     }
-    return std::nullopt;
+    return seen;
 }
 
 }  // namespace
@@ -38,7 +39,9 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
                                 "where the marker is from the camera: x forward, y left, z up; silent while none "
                                 "is in sight")),
       visible_(add_out_port<bool>("visible", "whether a marker was in sight, once for each picture")),
-      id_(add_out_port<std::int32_t>("id", "the marker's number, together with pos")) {
+      id_(add_out_port<std::int32_t>("id", "the marker's number, together with pos")),
+      markers_(add_out_port<std::vector<SeenMarker>>(
+          "markers", "all that are in sight, the nearest first; once for each picture")) {
     image_port().set_companion(intrinsics_);
     std::vector<ParameterValue> families;
     for (const std::string_view family : TagFinder::families()) families.emplace_back(std::string(family));
@@ -53,7 +56,7 @@ MarkerDetector::MarkerDetector(std::string name, bool wait)
              .initial = std::int64_t{-1},
              .min = -1,
              .max = 586,
-             .doc = "the only marker to look for; -1: the nearest of all"});
+             .doc = "the only marker to look for; -1: all"});
     declare_latency();
     declare(
         {.name = "yaw_from",
@@ -115,15 +118,16 @@ Expected<MarkerDetector::Look> MarkerDetector::look_at(const CameraImage& image)
     }
     const Search search{value<std::int64_t>("id"), value<double>("tag_size"), value<double>("yaw_from")};
     return [finder = &*finder_, gray = std::move(*gray), intrinsics = *intrinsics, search]() mutable {
-        return nearest_tag(*finder, gray, intrinsics, search);
+        return markers_in(gray, *finder, intrinsics, search);
     };
 }
 
-void MarkerDetector::publish(const std::optional<FoundTag>& tag) {
-    visible_.write(tag.has_value());
-    if (!tag) return;
-    pos_.write(tag->pose);
-    id_.write(tag->id);
+void MarkerDetector::publish(const std::vector<SeenMarker>& seen) {
+    visible_.write(!seen.empty());
+    markers_.write(seen);
+    if (seen.empty()) return;
+    pos_.write(seen.front().pose);
+    id_.write(seen.front().id);
 }
 
 }  // namespace nezumi

@@ -1,15 +1,16 @@
-// The component that says where a marker is: a picture in, a pose out.
+// The component that says where markers are: a picture in, poses out.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/vision/image_component.hpp"
 #include "engine/vision/tag_finder.hpp"
 
 namespace nezumi {
 
-class MarkerDetector final : public ImageComponent<std::optional<FoundTag>> {
+class MarkerDetector final : public ImageComponent<std::vector<SeenMarker>> {
 public:
     /// `wait` as of `ImageComponent`.
     MarkerDetector(std::string name, bool wait);
@@ -17,13 +18,14 @@ public:
 
 private:
     Expected<Look> look_at(const CameraImage& image) override;
-    void publish(const std::optional<FoundTag>& tag) override;
+    void publish(const std::vector<SeenMarker>& seen) override;
     Expected<CameraIntrinsics> intrinsics_for(const GrayImage& image) const;
 
     InPort<CameraIntrinsics>& intrinsics_;
     OutPort<Pose3D>& pos_;
     OutPort<bool>& visible_;
     OutPort<std::int32_t>& id_;
+    OutPort<std::vector<SeenMarker>>& markers_;
     std::optional<TagFinder> finder_;
     std::string family_;
 };

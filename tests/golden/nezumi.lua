@@ -2,7 +2,7 @@
 --- What behaviours, systems and scenarios of nezumi are made of, for the Lua language server.
 --- Written by `nezumi types --lua`; do not edit.
 
----@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"
+---@alias MessageType "TimedBoolean"|"TimedShort"|"TimedLong"|"TimedFloat"|"TimedDouble"|"TimedString"|"TimedBooleanSeq"|"TimedShortSeq"|"TimedLongSeq"|"TimedFloatSeq"|"TimedDoubleSeq"|"TimedStringSeq"|"TimedVelocity2D"|"TimedPose2D"|"TimedPose3D"|"RangeData"|"CameraImage"|"CameraIntrinsics"|"SeenMarkerSeq"
 
 ---@class (exact) Velocity2D
 ---@field vx number [m/s] speed along the robot's x axis (forward)
@@ -155,6 +155,14 @@
 ---@field p1? number tangential distortion
 ---@field p2? number tangential distortion
 ---@field k3? number radial distortion
+
+---@class (exact) SeenMarker
+---@field id integer its number -2147483648..2147483647
+---@field pose Pose3D from the camera: x forward, y left, z up
+
+---@class (exact) SeenMarker.Written
+---@field id? integer its number -2147483648..2147483647
+---@field pose? Pose3D.Written from the camera: x forward, y left, z up
 
 ---@class InPort
 ---@field is_new boolean something unread waits
@@ -417,6 +425,20 @@
 ---@class (exact) CameraIntrinsics.OutOptions
 ---@field safe? CameraIntrinsics.Written written when the component stops
 
+---An in-port of SeenMarkerSeq: fiducial markers in sight.
+---@class SeenMarkerSeq.In : InPort
+---@field read fun(self: SeenMarkerSeq.In): SeenMarker[]
+
+---An out-port of SeenMarkerSeq: fiducial markers in sight.
+---@class SeenMarkerSeq.Out : OutPort
+---@field write fun(self: SeenMarkerSeq.Out, value: SeenMarker.Written[])
+
+---@class (exact) SeenMarkerSeq.InOptions
+---@field queue? integer so many unread messages are kept, the oldest is dropped
+
+---@class (exact) SeenMarkerSeq.OutOptions
+---@field safe? SeenMarker.Written[] written when the component stops
+
 ---Declares an in-port: `local range = input("range", "TimedShortSeq", "what it is")`.
 ---@overload fun(name: string, type: "TimedBoolean", doc?: string, options?: TimedBoolean.InOptions): TimedBoolean.In
 ---@overload fun(name: string, type: "TimedShort", doc?: string, options?: TimedShort.InOptions): TimedShort.In
@@ -436,6 +458,7 @@
 ---@overload fun(name: string, type: "RangeData", doc?: string, options?: RangeData.InOptions): RangeData.In
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.InOptions): CameraImage.In
 ---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.InOptions): CameraIntrinsics.In
+---@overload fun(name: string, type: "SeenMarkerSeq", doc?: string, options?: SeenMarkerSeq.InOptions): SeenMarkerSeq.In
 function input(name, type, doc, options) end
 
 ---Declares an out-port: `local target = output("target", "TimedVelocity2D", "what it is")`.
@@ -457,6 +480,7 @@ function input(name, type, doc, options) end
 ---@overload fun(name: string, type: "RangeData", doc?: string, options?: RangeData.OutOptions): RangeData.Out
 ---@overload fun(name: string, type: "CameraImage", doc?: string, options?: CameraImage.OutOptions): CameraImage.Out
 ---@overload fun(name: string, type: "CameraIntrinsics", doc?: string, options?: CameraIntrinsics.OutOptions): CameraIntrinsics.Out
+---@overload fun(name: string, type: "SeenMarkerSeq", doc?: string, options?: SeenMarkerSeq.OutOptions): SeenMarkerSeq.Out
 function output(name, type, doc, options) end
 
 ---@alias ParameterValue boolean|integer|number|string|boolean[]|integer[]|number[]|string[]

@@ -98,6 +98,30 @@ scenario("stops when the marker disappears, and goes on when it is back", { time
   s:eventually("goes on", { within = 1 }, function() return world.mouse.truth.velocity.vx > 0.09 end)
 end)
 
+scenario("a detector tells all markers in sight, the nearest first", { timeout = 10 }, function(s)
+  s:arena {
+    s:marker { name = "far", id = 1, size = 0.1, at = { 1.4, 0.2, 0.06 }, facing = math.pi },
+    s:marker { name = "near", id = 2, size = 0.1, at = { 0.9, -0.2, 0.06 }, facing = math.pi },
+  }
+  s:robot "mouse" { model = "raspimouse" }
+  s:component "eye" { type = "Camera", on = "mouse", at = { 0.05, 0.0, 0.06 } }
+  s:component "detector" { type = "MarkerDetector", config = { tag_size = 0.1 } }
+  s:connect("eye.out", "detector.image")
+  s:run(0.2)
+  local seen = s.detector.markers.value
+  s:check(#seen == 2 and seen[1].id == 2 and seen[2].id == 1, "both, the nearest first")
+  s:near(seen[2].pose.position.x, 1.35, 0.02)
+  s:near(seen[2].pose.position.y, 0.2, 0.02)
+  s:teleport("near", { z = -5 })
+  s:run(0.2)
+  seen = s.detector.markers.value
+  s:check(#seen == 1 and seen[1].id == 1, "the one that is left")
+  s:check(s.detector.id.value == 1, "which is the nearest now")
+  s:teleport("far", { z = -5 })
+  s:run(0.2)
+  s:check(#s.detector.markers.value == 0, "none")
+end)
+
 scenario("a slip in a marker's name or pose is told", { timeout = 10 }, function(s)
   s:load "systems/follow_marker.lua"
   local function told(name, pose, expected)

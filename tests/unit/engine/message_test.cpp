@@ -30,12 +30,13 @@ std::vector<std::string> leaves_of(const T& value) {
 
 }  // namespace
 
-TEST_CASE("the message types are the seventeen of OpenRTM-aist, by their names, and one of our own",
+TEST_CASE("the message types are the seventeen of OpenRTM-aist, by their names, and two of our own",
           "[engine][message]") {
     const std::vector<std::string_view> expected{
-        "TimedBoolean",    "TimedShort",    "TimedLong",    "TimedFloat",    "TimedDouble",    "TimedString",
-        "TimedBooleanSeq", "TimedShortSeq", "TimedLongSeq", "TimedFloatSeq", "TimedDoubleSeq", "TimedStringSeq",
-        "TimedVelocity2D", "TimedPose2D",   "TimedPose3D",  "RangeData",     "CameraImage",    "CameraIntrinsics"};
+        "TimedBoolean",   "TimedShort",      "TimedLong",        "TimedFloat",   "TimedDouble",
+        "TimedString",    "TimedBooleanSeq", "TimedShortSeq",    "TimedLongSeq", "TimedFloatSeq",
+        "TimedDoubleSeq", "TimedStringSeq",  "TimedVelocity2D",  "TimedPose2D",  "TimedPose3D",
+        "RangeData",      "CameraImage",     "CameraIntrinsics", "SeenMarkerSeq"};
     CHECK(std::vector<std::string_view>(message_type_names.begin(), message_type_names.end()) == expected);
 }
 
@@ -67,6 +68,7 @@ TEST_CASE("every structure lists its fields in order, with units of the SI", "[e
     CHECK(fields_of<Size3D>() == "l m, w m, h m");
     CHECK(fields_of<RangerConfig>() ==
           "minAngle rad, maxAngle rad, angularRes rad, minRange m, maxRange m, rangeRes m, frequency Hz");
+    CHECK(fields_of<SeenMarker>() == "id, pose");
     CHECK(fields_of<CameraImage>() == "width px, height px, bpp bit, format, fDiv, pixels");
 }
 
@@ -87,6 +89,8 @@ TEST_CASE("leaves are told with their paths, elements from 1", "[engine][message
     CHECK(paths[0] == "ranges[1]");
     CHECK(paths[1] == "ranges[2]");
     CHECK(paths.back() == "config.frequency");
+    CHECK(leaves_of(std::vector<SeenMarker>{{.id = 7}}).front() == "[1].id");
+    CHECK(leaves_of(std::vector<SeenMarker>{{.id = 7}, {.id = 8}}).back() == "[2].pose.orientation.y");
     CHECK(leaves_of(CameraImage{.pixels = {1, 2, 3}}).back() == "pixels");
 }
 
@@ -109,6 +113,7 @@ TEST_CASE("a payload with one number that is not finite is not finite", "[engine
         deep.geometry.elements.push_back({.pose = {.orientation = {.r = value}}});
         CHECK_FALSE(is_finite(AnyPayload(deep)));
         CHECK_FALSE(is_finite(AnyPayload(CameraImage{.fDiv = value})));
+        CHECK_FALSE(is_finite(AnyPayload(std::vector<SeenMarker>{{}, {.pose = {.position = {.z = value}}}})));
     }
 }
 
@@ -121,6 +126,8 @@ TEST_CASE("equal payloads mix equally, and every leaf counts", "[engine][message
     CHECK(mix_payload(1, std::string("a")) != mix_payload(1, std::string("a\0", 2)));
     CHECK(mix_payload(1, std::vector<bool>{}) != mix_payload(1, std::vector<bool>{false}));
     CHECK(mix_payload(1, std::vector<std::string>{"ab", "c"}) != mix_payload(1, std::vector<std::string>{"a", "bc"}));
+    CHECK(mix_payload(1, std::vector<SeenMarker>{{.id = 1}, {.id = 2}}) !=
+          mix_payload(1, std::vector<SeenMarker>{{.id = 2}, {.id = 1}}));
     CHECK(mix_payload(1, Octets{1, 2}) != mix_payload(1, Octets{2, 1}));
     CHECK(mix_payload(1, std::vector<std::int16_t>{-1}) != mix_payload(1, std::vector<std::int16_t>{1}));
 }

@@ -14,6 +14,7 @@ namespace {
 struct Watch : Watched<MarkerDetector> {
     using Watched::Watched;
     Pose3D pos() { return value<Pose3D>("pos"); }
+    std::vector<SeenMarker> markers() { return value<std::vector<SeenMarker>>("markers"); }
 };
 
 }  // namespace
@@ -213,6 +214,55 @@ TEST_CASE("a marker that is not the one looked for is not seen", "[vision][detec
     CHECK_FALSE(watch.visible());
     CHECK(watch.port("visible").count() > 0);
     CHECK(watch.port("pos").count() == 0);
+}
+
+TEST_CASE("all markers in sight come at once, the nearest first", "[vision][detector]") {
+    ArenaSpec arena;
+    const Point3D places[] = {{1.2, 0.3, 0.1}, {0.7, -0.2, 0.15}, {0.9, 0, 0.08}};
+    for (int i = 0; i < 3; ++i) {
+        arena.markers.push_back({.name = "marker" + std::to_string(i), .id = i, .at = places[i], .facing = M_PI});
+    }
+    Watch watch(arena);
+    watch.run(20);
+    const auto seen = watch.markers();
+    REQUIRE(seen.size() == 3);
+    const int nearest_first[] = {1, 2, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(seen[i].id == nearest_first[i]);
+        const Point3D& at = places[nearest_first[i]];
+        CHECK(seen[i].pose.position.x == Approx(at.x).margin(0.01));
+        CHECK(seen[i].pose.position.y == Approx(at.y).margin(0.01));
+        CHECK(seen[i].pose.position.z == Approx(at.z - 0.1).margin(0.01));
+    }
+    // The first of them is the one that pos and id tell.
+    CHECK(watch.value<std::int32_t>("id") == 1);
+    CHECK(watch.pos() == seen[0].pose);
+
+    REQUIRE(watch.detector().parameters().set("id", std::int64_t{2}));
+    watch.run(20);
+    REQUIRE(watch.markers().size() == 1);
+    CHECK(watch.markers()[0].id == 2);
+}
+
+TEST_CASE("two markers of one number are two", "[vision][detector]") {
+    ArenaSpec arena = one_marker({1, 0.2, 0.1});
+    arena.markers.push_back({.name = "its twin", .id = 7, .at = {0.9, -0.2, 0.1}, .facing = M_PI});
+    Watch watch(arena, {{"id", std::int64_t{7}}});
+    watch.run(20);
+    REQUIRE(watch.markers().size() == 2);
+    CHECK(watch.markers()[0].pose.position.y == Approx(-0.2).margin(0.01));
+    CHECK(watch.markers()[1].pose.position.y == Approx(0.2).margin(0.01));
+}
+
+TEST_CASE("while no marker is in sight there are none of them, once for each picture", "[vision][detector]") {
+    Watch watch(one_marker());
+    watch.run(50);
+    CHECK(watch.markers().size() == 1);
+    REQUIRE(watch.system.world()->move_marker("target", {{0, 0, -10}, {}}));
+    watch.run(20);
+    CHECK(watch.markers().empty());
+    CHECK(watch.port("markers").count() == watch.port("visible").count());
+    CHECK(watch.port("markers").count() > watch.port("pos").count());
 }
 
 TEST_CASE("a broken picture is said once, and nothing is seen in it", "[vision][detector]") {
