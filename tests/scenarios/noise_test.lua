@@ -70,10 +70,11 @@ scenario("wall_follower", badly_set_down, function(s, p)
   run(s, 10, feeds)
 end)
 
---- How far the EV3's sensor is from the middle of the line [m]: a rectangle of 1.1 by 0.7 m with corners of radius 0.25 m.
-local function from_line(ev3)
-  local at = ev3.truth.pose
-  local x, y = at.position.x + 0.06 * math.cos(at.heading), at.position.y + 0.06 * math.sin(at.heading)
+--- How far what is so far before the middle of the wheels is from the middle of the line [m]: a rectangle of 1.1 by 0.7 m
+--- with corners of radius 0.25 m.
+local function from_line(robot, ahead)
+  local at = robot.truth.pose
+  local x, y = at.position.x + ahead * math.cos(at.heading), at.position.y + ahead * math.sin(at.heading)
   local dx, dy = math.abs(x) - 0.30, math.abs(y) - 0.10
   local outside = math.sqrt(math.max(dx, 0) ^ 2 + math.max(dy, 0) ^ 2)
   return math.abs(outside + math.min(math.max(dx, dy), 0) - 0.25)
@@ -86,9 +87,38 @@ scenario("line_follower", { timeout = 60, sweep = { y = range(-0.005, 0.005), as
     s:teleport("ev3", { x = pose.position.x, y = pose.position.y + p.y, heading = pose.heading + p.askew })
     local feeds = { ["follower.light"] = world.ev3.light_reflect }
     run(s, 1, feeds)
-    s:always("its sensor is not farther from the line than", function() return from_line(world.ev3) < 0.03 end)
+    s:always("its sensor is not farther from the line than", function() return from_line(world.ev3, 0.06) < 0.03 end)
     run(s, 20, feeds)
   end)
+
+scenario("camera_line_follower", {
+  timeout = 60,
+  sweep = { y = range(-0.01, 0.01), askew = range(-0.2, 0.2) },
+  samples = 1,
+}, function(s, p)
+  local world = s:load "systems/camera_line_follower.lua"
+  world.eye.config.noise = 255 * DEVIATION
+  s:teleport("mouse", { x = 0, y = -0.35 + p.y, heading = p.askew })
+  s:run(2)
+  s:always("is not farther from the line than", function() return from_line(world.mouse, 0) < 0.03 end)
+  s:run(20)
+end)
+
+scenario("color_follower", {
+  timeout = 60,
+  sweep = { x = range(-0.05, 0.05), askew = range(-0.2, 0.2) },
+  samples = 1,
+}, function(s, p)
+  local world = s:load "systems/color_follower.lua"
+  world.eye.config.noise = 255 * DEVIATION
+  s:teleport("mouse", { x = p.x, y = 0, heading = p.askew })
+  s:run(3)
+  s:always("is not farther behind than", function()
+    return distance(world.leader.truth.pose.position, world.mouse.truth.pose.position) < 0.38
+  end)
+  s:never("touches anything", function() return world.mouse.collided end)
+  s:run(20)
+end)
 
 scenario("go_to_goal", { timeout = 60, sweep = { x = range(0.2, 0.5), y = range(-0.4, 0.4), heading = range(-3, 3) }, samples = 1 },
   function(s, p)
