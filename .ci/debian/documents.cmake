@@ -1,6 +1,6 @@
-# What Debian wants to read in a package: copyright, changelogs, the manual page. Runs while the package is made: the date is
+# What Debian wants to read in a package: copyright, changelogs, the manual pages, and what shells complete by. Runs while the package is made: the date is
 # that of the package, and the texts may have changed since CMake ran.
-# Needs package, source, version, debian_name, contact.
+# Needs package, source, program (that runs here), version, debian_name, contact.
 set(root $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
 set(doc ${root}/share/doc/${package})
 
@@ -30,8 +30,15 @@ file(WRITE ${doc}/changelog.Debian "nezumi (${version}) ${debian_name}; urgency=
 configure_file(${source}/CHANGELOG.md ${doc}/changelog COPYONLY)
 set(compressed ${doc}/changelog.Debian ${doc}/changelog)
 if(package STREQUAL nezumi)
-  set(manual ${root}/share/man/man1/nezumi.1)
-  configure_file(${source}/.ci/debian/nezumi.1 ${manual} COPYONLY)
-  list(APPEND compressed ${manual})
+  # What the program itself says of its command line.
+  set(manual ${root}/share/man/man1)
+  execute_process(COMMAND ${program} manual ${manual} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  file(GLOB pages ${manual}/*.1)
+  list(APPEND compressed ${pages})
+  foreach(place bash-completion/completions/nezumi zsh/vendor-completions/_nezumi fish/vendor_completions.d/nezumi.fish)
+    string(REGEX REPLACE "^([a-z]+).*" "\\1" shell ${place})
+    execute_process(COMMAND ${program} completion ${shell} OUTPUT_VARIABLE script COMMAND_ERROR_IS_FATAL ANY)
+    file(WRITE ${root}/share/${place} "${script}")
+  endforeach()
 endif()
 execute_process(COMMAND gzip -9nf ${compressed} COMMAND_ERROR_IS_FATAL ANY)

@@ -39,12 +39,12 @@ CLI::Option* add_option(CLI::App& app, const std::string& name, Value* value, co
 }
 
 void declare(CLI::App& app, const Option& option) {
-    const bool may_be_missing = option.name.starts_with('[') || option.name.starts_with('-');
-    const std::string name = option.name.starts_with('[') ? option.name.substr(1, option.name.size() - 2) : option.name;
+    const bool may_be_missing = option.name.starts_with('[') || !is_positional(option);
+    const std::string name = fmt::format("{}", fmt::join(names_of(option), ","));
     CLI::Option* const declared =
         std::visit([&](auto* value) { return add_option(app, name, value, option.help); }, option.value);
     declared->required(!may_be_missing);
-    if (std::holds_alternative<bool*>(option.value) || std::holds_alternative<FlagText*>(option.value)) return;
+    if (!takes_value(option)) return;
     declared->type_name(option.form);
     if (declared->nonpositional() && !std::holds_alternative<std::optional<std::string>*>(option.value))
         declared->check(not_empty);
@@ -82,7 +82,7 @@ std::string no_command(const Command& command, const std::string& path, const st
     for (const Command& below : command.commands) {
         std::string form = fmt::format("`nezumi{} {}", path, below.name);
         for (const Option& option : below.options) {
-            if (!option.name.starts_with('-')) form += " " + option.name;
+            if (is_positional(option)) form += " " + option.name;
         }
         forms.push_back(form + "`");
     }
@@ -117,6 +117,20 @@ std::string usage_error(const CLI::App& app, const CLI::App& command, const CLI:
 }
 
 }  // namespace
+
+std::vector<std::string> names_of(const Option& option) {
+    const std::string& name = option.name;
+    if (name.starts_with('[')) return {name.substr(1, name.size() - 2)};
+    const std::size_t comma = name.find(',');
+    if (comma == std::string::npos) return {name};
+    return {name.substr(0, comma), name.substr(comma + 1)};
+}
+
+bool is_positional(const Option& option) { return !option.name.starts_with('-'); }
+
+bool takes_value(const Option& option) {
+    return !std::holds_alternative<bool*>(option.value) && !std::holds_alternative<FlagText*>(option.value);
+}
 
 int run_command_line(const Command& program, const std::vector<std::string>& words) {
     // The commands are looked up here: CLI11 would call one that it does not know an unexpected argument.

@@ -32,6 +32,13 @@ struct Option {
     OptionCheck check = {};  ///< of a text as it was typed; that none is empty is checked anyway
 };
 
+/// By which names an option is known: "-o" and "--output"; "FILE" where it is known by its place.
+std::vector<std::string> names_of(const Option& option);
+/// Whether it is known by its place.
+bool is_positional(const Option& option);
+/// Whether a value follows it.
+bool takes_value(const Option& option);
+
 struct Command {
     std::string name;
     std::string help;

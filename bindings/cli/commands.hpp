@@ -16,5 +16,8 @@ Command test_command();
 Command doctor_command();
 Command calibrate_command();
 Command push_command();
+Command marker_command();
+Command completion_command();
+Command manual_command();
 
 }  // namespace nezumi::cli

@@ -2,9 +2,10 @@
 #include <exception>
 #include <string>
 
-#include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/program.hpp"
 #include "bindings/cli/standard_files.hpp"
+#include "bindings/cli/status.hpp"
 
 using namespace nezumi;
 
@@ -13,14 +14,7 @@ int main(int count, char** words) {
     int status = cli::kCouldNotRun;
     std::string problem;
     try {
-        const cli::Command program{
-            .name = "nezumi",
-            .help = "nezumi runs what small robots do: Lua behaviours, in simulation and on the robots",
-            .commands = {cli::run_command(), cli::attach_command(), cli::calc_command(), cli::types_command(),
-                         cli::check_command(), cli::new_command(), cli::test_command(), cli::doctor_command(),
-                         cli::calibrate_command(), cli::push_command()},
-            .version = "nezumi " NEZUMI_VERSION};
-        status = cli::run_command_line(program, {words + 1, words + count});
+        status = cli::run_command_line(cli::program(), {words + 1, words + count});
     } catch (const std::exception& error) {
         problem = error.what();
     }

@@ -1,0 +1,40 @@
+// `nezumi completion`: what can be typed, told to a shell.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "bindings/cli/commands.hpp"
+#include "bindings/cli/completion.hpp"
+#include "bindings/cli/environment.hpp"
+#include "bindings/cli/program.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+int write_completion(const std::string& shell) {
+    const auto& known = completed_shells();
+    if (std::find(known.begin(), known.end(), shell) == known.end()) {
+        return refuse(fmt::format("completion: there is nothing for a shell '{}'{}; known are {}", shown(shell),
+                                  did_you_mean(shell, known), fmt::join(known, ", ")));
+    }
+    fmt::print("{}", completion_script(program(), shell));
+    return kDone;
+}
+
+}  // namespace
+
+Command completion_command() {
+    auto shell = std::make_shared<std::string>();
+    return {.name = "completion",
+            .help = "Write a script that lets a shell complete nezumi's command line",
+            .options = {{"SHELL", shell.get(), "which", "bash|zsh|fish"}},
+            .run = [shell] { return write_completion(*shell); },
+            .footer =
+                "For this shell: `source <(nezumi completion bash)`, `source <(nezumi completion zsh)`, `nezumi "
+                "completion fish | source`.\nFor all to come: the same line in ~/.bashrc, in ~/.zshrc below "
+                "compinit, in ~/.config/fish/config.fish.\nDebian's package brings them."};
+}
+
+}  // namespace nezumi::cli
