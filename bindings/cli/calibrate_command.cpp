@@ -17,6 +17,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/guided_camera.hpp"
 #include "bindings/cli/guided_setup.hpp"
+#include "bindings/cli/named_files.hpp"
 #include "bindings/cli/person.hpp"
 #include "bindings/cli/stop_signals.hpp"
 #include "bindings/lua/files/calibration_file.hpp"
@@ -208,7 +209,10 @@ private:
     Pose2D start_;
 };
 
-int run(const CalibrateOptions& options, Expected<int> (Session::*calibrate)()) {
+int run(CalibrateOptions options, Expected<int> (Session::*calibrate)()) {
+    const auto file = find_system_file(options.file);
+    if (!file) return refuse(file.error());
+    options.file = file->string();
     Session session(options);
     const auto status = (session.*calibrate)();
     return status ? *status : refuse(status.error());

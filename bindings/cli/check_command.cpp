@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/cli/check_files.hpp"
@@ -16,10 +18,25 @@
 namespace nezumi::cli {
 namespace {
 
+constexpr std::string_view standard_input = "-";
+
 struct CheckOptions {
     std::vector<std::string> paths;
+    std::string name = "stdin";
     bool json = false;
 };
+
+// All of standard input, at most what a file may have.
+Expected<std::string> read_input(const std::string& shown) {
+    std::string text;
+    char buffer[65536];
+    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, stdin)) {
+        text.append(buffer, count);
+        if (text.size() > largest_text) return failure(fmt::format("has more than {} MB", largest_text >> 20), {shown});
+    }
+    if (std::ferror(stdin) != 0) return failure("standard input can't be read", {shown});
+    return text;
+}
 
 // [{"file":"x.lua","line":3,"column":5,"message":"..."}], without what is not known.
 std::string to_json(const std::vector<Error>& errors) {
@@ -33,30 +50,61 @@ std::string to_json(const std::vector<Error>& errors) {
     return "[" + text + "]\n";
 }
 
-int check(const CheckOptions& options) {
-    const FoundFiles found = lua_files(options.paths);
-    const LiveOptions systems = simulated_systems();
-    int status = found.errors.empty() ? kDone : kCouldNotRun;
-    std::vector<Error> errors = found.errors;
-    for (const Error& error : found.errors) refuse(error);
-    for (const std::filesystem::path& file : found.files) {
-        if (auto readable = read_whole(file, file.string()); !readable) {
-            errors.push_back(readable.error());
-            status = refuse(readable.error());
-            continue;
-        }
-        // A script that several systems name is wrong once.
-        for (Error& error : check_file(file, systems)) {
-            if (std::find(errors.begin(), errors.end(), error) != errors.end()) continue;
-            if (!options.json) fmt::print("{}\n", visible(describe(error)));
-            errors.push_back(std::move(error));
-            status = std::max(status, static_cast<int>(kFailed));
+// What was found so far, and how it ends.
+class Findings {
+public:
+    explicit Findings(bool json) : json_(json) {}
+
+    void could_not(const Error& error) {
+        errors_.push_back(error);
+        status_ = refuse(error);
+    }
+    void add(std::vector<Error> errors) {
+        for (Error& error : errors) {
+            // A script that several systems name is wrong once.
+            if (std::find(errors_.begin(), errors_.end(), error) != errors_.end()) continue;
+            if (!json_) fmt::print("{}\n", visible(describe(error)));
+            errors_.push_back(std::move(error));
+            status_ = std::max(status_, static_cast<int>(kFailed));
         }
     }
-    if (options.json) fmt::print("{}", to_json(errors));
-    if (!options.json && errors.empty())
-        fmt::print("{} file{}: nothing wrong\n", found.files.size(), found.files.size() == 1 ? "" : "s");
-    return status;
+    int finish(const std::string& checked) const {
+        if (json_) fmt::print("{}", to_json(errors_));
+        if (!json_ && errors_.empty()) fmt::print("{}: nothing wrong\n", checked);
+        return status_;
+    }
+
+private:
+    bool json_;
+    int status_ = kDone;
+    std::vector<Error> errors_;
+};
+
+int check(const CheckOptions& options) {
+    const LiveOptions systems = simulated_systems();
+    Findings findings(options.json);
+    const auto input = std::find(options.paths.begin(), options.paths.end(), standard_input);
+    if (input != options.paths.end()) {
+        if (options.paths.size() > 1)
+            return refuse("check: - is standard input, which is one file: leave out the others");
+        const auto text = read_input(options.name);
+        if (text) {
+            findings.add(check_text(*text, options.name, systems));
+        } else {
+            findings.could_not(text.error());
+        }
+        return findings.finish(options.name);
+    }
+    const FoundFiles found = lua_files(options.paths);
+    for (const Error& error : found.errors) findings.could_not(error);
+    for (const std::filesystem::path& file : found.files) {
+        if (auto readable = read_whole(file, file.string()); !readable) {
+            findings.could_not(readable.error());
+        } else {
+            findings.add(check_file(file, systems));
+        }
+    }
+    return findings.finish(fmt::format("{} file{}", found.files.size(), found.files.size() == 1 ? "" : "s"));
 }
 
 }  // namespace
@@ -66,7 +114,9 @@ Command check_command() {
     return {.name = "check",
             .help = "Say what is wrong with files, without running them",
             .options = {{"FILE", &options->paths,
-                         "behaviours, modules, systems, robots, scenarios, or folders with them, for example ."},
+                         "behaviours, modules, systems, robots, scenarios, by path or name, or folders with them, for "
+                         "example .; - is standard input"},
+                        {"--name", &options->name, "with -: the file that the text is to be", "FILE.lua"},
                         {"--json", &options->json, "write an array of {file, line, column, message}"}},
             .run = [options] { return check(*options); },
             .footer =

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bindings/cli/named_files.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_lua.hpp"
@@ -121,43 +122,35 @@ std::vector<Error> check_words(const std::string& text, const std::string& shown
 }
 
 // Declares the scenarios and runs none.
-std::vector<Error> check_scenarios(const fs::path& file, const LiveOptions& options) {
+std::vector<Error> check_scenarios(const fs::path& file, const std::string& text, const LiveOptions& options) {
     std::vector<Error> errors;
-    static_cast<void>(ScenarioFile::read(file, {.installed = options.installed}, &errors));
+    static_cast<void>(ScenarioFile::read(file, {.installed = options.installed, .text = text}, &errors));
     return errors;
-}
-
-// "(did you mean 'near.lua'?)" among the files of the folder where this one is not.
-std::string near_file(const fs::path& path) {
-    std::vector<std::string> names;
-    std::error_code problem;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
-        names.push_back(entry->path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return did_you_mean(path.filename().string(), {names.begin(), names.end()});
 }
 
 }  // namespace
 
 std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) {
+    const std::string shown = Project::of(file, options.installed).shown(file);
+    const auto text = read_whole(file, shown);
+    return text ? check_text(*text, file, options) : std::vector<Error>{text.error()};
+}
+
+std::vector<Error> check_text(const std::string& text, const fs::path& file, const LiveOptions& options) {
     const Project project = Project::of(file, options.installed);
     const std::string shown = project.shown(file);
-    const auto text = read_whole(file, shown);
-    if (!text) return {text.error()};
-    const SourceText source{file.string(), shown, *text};
-    switch (kind_of_file(file, *text)) {
+    const SourceText source{file.string(), shown, text};
+    switch (kind_of_file(file, text)) {
         case LuaKind::behavior: return check_behavior(source, context_of(type_of_file(shown), project));
         case LuaKind::module: return check_module(source);
         case LuaKind::system_module:
-            return check_words(*text, shown, {system_word_names().begin(), system_word_names().end()});
-        case LuaKind::system: return check_system(*text, shown, project, options);
-        case LuaKind::robot: return check_robot_text(*text, shown, project);
-        case LuaKind::scenario: return check_scenarios(file, options);
+            return check_words(text, shown, {system_word_names().begin(), system_word_names().end()});
+        case LuaKind::system: return check_system(text, shown, project, options);
+        case LuaKind::robot: return check_robot_text(text, shown, project);
+        case LuaKind::scenario: return check_scenarios(file, text, options);
         case LuaKind::definitions: break;
     }
-    const auto chunk = compile(*text, shown);
+    const auto chunk = compile(text, shown);
     return chunk ? std::vector<Error>() : std::vector<Error>{chunk.error()};
 }
 
@@ -177,7 +170,12 @@ FoundFiles lua_files(const std::vector<std::string>& paths) {
             for (const fs::path& file : below.files) add(file);
             for (Error& error : below.errors) all.errors.push_back(std::move(error));
         } else if (!fs::exists(path, none)) {
-            refuse("there is no such file" + near_file(path));
+            auto found = find_lua_file(path);
+            if (found) {
+                add(*found);
+            } else {
+                all.errors.push_back(found.error());
+            }
         } else if (fs::path(path).extension() != ".lua") {
             refuse("is no Lua file: `nezumi check` reads files that end in .lua, and folders");
         } else {

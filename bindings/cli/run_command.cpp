@@ -13,6 +13,7 @@
 #include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/named_files.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/problems.hpp"
 #include "bindings/cli/real_time.hpp"
@@ -91,6 +92,10 @@ public:
           screen_(!options_.headless && !prompt_ && isatty(STDERR_FILENO) != 0) {}
 
     Expected<int> operator()() {
+        // A replay reads no other file, and knows its system by name.
+        auto file = find_system_file(options_.file);
+        if (!file && options_.replay.empty()) return Unexpected(file.error());
+        if (file) options_.file = file->string();
         if (options_.hardware) {
             auto devices = RunDevices::open(*options_.hardware);
             if (!devices) return Unexpected(devices.error());

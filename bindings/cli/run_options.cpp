@@ -87,7 +87,7 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
 
 std::vector<Option> run_options(RunWords& words) {
     return {
-        {"FILE", &words.file, "the system file"},
+        {"FILE", &words.file, "the system file, or its name: corridor is behaviors/systems/corridor.lua"},
         {"--hw", &words.hw,
          "drive the real robots; --hw=NAME,...: only these, the others stay simulated, and neither kind sees the "
          "other"},

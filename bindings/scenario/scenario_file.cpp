@@ -62,7 +62,7 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
         if (errors != nullptr && errors->empty()) errors->push_back(error);
         return Unexpected(std::move(error));
     };
-    auto text = read_whole(path, file->shown_);
+    auto text = options.text ? Expected<std::string>(*options.text) : read_whole(path, file->shown_);
     if (!text) return give_up(text.error());
     file->text_ = std::move(*text);
     auto data = DataFile::create(file->project_, {.seed = options.seed, .print = options.print});

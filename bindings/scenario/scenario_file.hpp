@@ -5,6 +5,7 @@
 #include <functional>
 #include <lua.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,7 @@ struct ScenarioFileOptions {
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
     std::uint64_t seed = 0;                        ///< of `math.random`
     std::function<void(std::string_view)> print;   ///< takes what the file prints, a line at a time; may be empty
+    std::optional<std::string> text{};             ///< in place of what is in the file, which need not be there
 };
 
 class ScenarioFile {

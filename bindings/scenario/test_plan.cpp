@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <system_error>
 
 #include "bindings/lua/project/find_files.hpp"
@@ -45,18 +46,47 @@ std::optional<SweepPoint> named_point(const std::string& filter, const Scenario&
     return find_point(scenario.sweep, std::string_view(filter).substr(prefix.size()));
 }
 
+// Where a project keeps its scenarios.
+std::vector<fs::path> scenario_folders(const fs::path& root) {
+    std::vector<fs::path> folders;
+    std::error_code none;
+    for (const char* folder : {"tests", "behaviors"}) {
+        if (fs::is_directory(root / folder, none)) folders.push_back(root / folder);
+    }
+    return folders;
+}
+
+// The scenario files of a name, as a person shortens it.
+Expected<std::vector<fs::path>> files_called(const std::string& name, const std::vector<fs::path>& folders,
+                                             const Project& project) {
+    constexpr std::string_view ending = "_test";
+    const auto short_name = [&](const fs::path& file) {
+        const std::string stem = file.stem().string();
+        return stem.substr(0, stem.size() - ending.size());
+    };
+    std::vector<fs::path> files;
+    std::vector<std::string> known;
+    for (const fs::path& folder : folders) {
+        for (const fs::path& file : find_files(folder, "_test.lua").files) {
+            known.push_back(short_name(file));
+            if (name == known.back() || name == file.stem().string() || name == file.filename().string())
+                files.push_back(project.shown(file));
+        }
+    }
+    if (!files.empty()) return files;
+    return failure("there is no such file or folder" + did_you_mean(name, {known.begin(), known.end()}), {name});
+}
+
 }  // namespace
 
 Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>& paths) {
     std::vector<fs::path> files;
     std::error_code none;
     std::vector<fs::path> looked = paths;
+    const Project project = Project::of(fs::current_path() / "any");
+    const fs::path root = project.root().empty() ? fs::current_path() : project.root();
     if (looked.empty()) {
-        const Project project = Project::of(fs::current_path() / "any");
-        const fs::path root = project.root().empty() ? fs::current_path() : project.root();
-        for (const char* folder : {"tests", "behaviors"}) {
-            if (fs::is_directory(root / folder, none)) looked.push_back(root / folder);
-        }
+        looked = scenario_folders(root);
         if (looked.empty()) {
             return failure(fmt::format(
                 "there is no folder tests/ or behaviors/ in {}: say which files or folders to test", root.string()));
@@ -70,7 +100,9 @@ Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>&
         } else if (fs::exists(path, none)) {
             files.push_back(path);
         } else {
-            return failure("there is no such file or folder", {path.string()});
+            auto named = files_called(path.string(), scenario_folders(root), project);
+            if (!named) return named;
+            files.insert(files.end(), named->begin(), named->end());
         }
     }
     // A file that is named twice runs once.

@@ -14,7 +14,8 @@
 namespace nezumi {
 
 /// The scenario files that these paths mean: a file is itself, a folder every `*_test.lua` in it and below, in order of
-/// their names. Without paths: those in `tests/` and `behaviors/` of the project of the working directory.
+/// their names; "explorer" that leads nowhere is every `explorer_test.lua` (or `explorer.lua`) that there would be
+/// without paths. Without paths: those in `tests/` and `behaviors/` of the project of the working directory.
 Expected<std::vector<std::filesystem::path>> find_scenario_files(const std::vector<std::filesystem::path>& paths);
 
 struct PlannedRun {

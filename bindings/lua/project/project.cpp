@@ -98,6 +98,7 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
     const fs::path naming = (working_ / named_in).lexically_normal();
     std::vector<fs::path> folders{naming.parent_path()};
     const auto add_behaviors_of = [&](const fs::path& root) {
+        if (kind == FileKind::system) folders.push_back(root / "behaviors/systems");
         folders.push_back(root / "behaviors");
         if (kind == FileKind::module) folders.push_back(root / "behaviors/lib");
     };

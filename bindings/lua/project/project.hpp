@@ -18,7 +18,7 @@ enum class FileKind {
     script,  ///< a behaviour: `NAME.lua` in `behaviors/`
     model,   ///< a robot: `NAME.lua` in `behaviors/` or, of the installed ones, `engine/robots/`
     module,  ///< what `require "a.b"` names: `a/b.lua` in `behaviors/` or `behaviors/lib/`
-    system,  ///< a system: `NAME.lua` in `behaviors/`
+    system,  ///< a system: `NAME.lua` in `behaviors/systems/` or `behaviors/`
     data,    ///< a map, a table, a picture: the name as it is, in `behaviors/` or, of the installed ones,
              ///< `engine/robots/`
 };
