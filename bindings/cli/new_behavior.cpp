@@ -21,18 +21,8 @@ struct NewPort {
     std::string name;
     MessageShape message;
     std::string local;  // the variable that holds it
+    std::string doc;
 };
-
-Expected<void> check_name(std::string_view option, const std::string& name, std::vector<std::string>& taken) {
-    if (!is_identifier(name) && !is_keyword(name)) {
-        return failure(fmt::format("{} '{}': a name consists of letters, digits and _, and does not begin with a digit",
-                                   option, shown(name)));
-    }
-    if (std::find(taken.begin(), taken.end(), name) != taken.end())
-        return failure(fmt::format("{} '{}': the name is given twice", option, shown(name)));
-    taken.push_back(name);
-    return {};
-}
 
 // Words of the file that a local variable must not hide.
 bool is_taken_word(const std::string& name) {
@@ -50,9 +40,10 @@ Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::ve
             return failure(fmt::format("{0} '{1}': expected name:Type, for example {0} distance:TimedShortSeq", option,
                                        shown(text)));
         }
-        NewPort port{text.substr(0, colon), {}, text.substr(0, colon)};
-        const std::string type = text.substr(colon + 1);
-        if (auto ok = check_name(option, port.name, taken); !ok) return Unexpected(ok.error());
+        NewPort port{text.substr(0, colon), {}, text.substr(0, colon), ""};
+        const std::size_t second = text.find(':', colon + 1);
+        const std::string type = text.substr(colon + 1, second == std::string::npos ? second : second - colon - 1);
+        if (auto ok = take_new_name(option, port.name, taken); !ok) return Unexpected(ok.error());
         const auto found = std::find_if(messages.begin(), messages.end(),
                                         [&](const MessageShape& message) { return message.name == type; });
         if (found == messages.end()) {
@@ -61,6 +52,7 @@ Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::ve
                                        did_you_mean(type, {message_type_names.begin(), message_type_names.end()})));
         }
         port.message = *found;
+        port.doc = second == std::string::npos ? std::string(found->doc) : text.substr(second + 1);
         if (is_taken_word(port.name)) port.local += "_port";
         ports.push_back(std::move(port));
     }
@@ -94,15 +86,16 @@ std::string member(const std::string& name) {
 
 void add_declarations(std::string& text, std::string_view word, const std::vector<NewPort>& ports, std::size_t width) {
     for (const NewPort& port : ports) {
-        text += fmt::format("local {:{}} = {}(\"{}\", \"{}\", \"{}\")\n", port.local, width, word, port.name,
-                            port.message.name, port.message.doc);
+        text += fmt::format("local {:{}} = {}(\"{}\", \"{}\", {})\n", port.local, width, word, port.name,
+                            port.message.name, quoted_text(port.doc));
     }
 }
 
-std::string behavior_text(const std::string& name, const std::vector<NewPort>& inputs,
-                          const std::vector<NewPort>& outputs,
-                          const std::vector<std::pair<std::string, std::string>>& parameters) {
-    std::string text = fmt::format("--- {}: say in a sentence what it does.\n\n", type_of_file(name + ".lua"));
+std::string behavior_text(const std::string& name, const std::string& doc, const std::vector<NewPort>& inputs,
+                          const std::vector<NewPort>& outputs, const std::vector<NewParameter>& parameters) {
+    std::string text = doc.empty()
+                           ? fmt::format("--- {}: say in a sentence what it does.\n\n", type_of_file(name + ".lua"))
+                           : fmt::format("--- {}\n\n", doc);
     std::size_t width = 0;
     for (const auto* ports : {&inputs, &outputs}) {
         for (const NewPort& port : *ports) width = std::max(width, port.local.size());
@@ -110,8 +103,8 @@ std::string behavior_text(const std::string& name, const std::vector<NewPort>& i
     add_declarations(text, "input", inputs, width);
     add_declarations(text, "output", outputs, width);
     if (!inputs.empty() || !outputs.empty()) text += "\n";
-    for (const auto& [parameter, initial] : parameters) {
-        text += fmt::format("param(\"{0}\", {1}, {{ doc = \"read as config.{0}\" }})\n", parameter, initial);
+    for (const NewParameter& parameter : parameters) {
+        text += fmt::format("param(\"{}\", {}, {{ {} }})\n", parameter.name, parameter.initial, parameter.options);
     }
     if (!parameters.empty()) text += "\n";
     text += "function on_execute()\n";
@@ -152,28 +145,23 @@ std::string scenario_text(const std::string& name, const std::vector<NewPort>& i
 }  // namespace
 
 Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
-    auto name = behavior_file_name(wanted.name);
+    auto name = new_file_name("behaviour", wanted.name);
     if (!name) return Unexpected(name.error());
+    if (wanted.doc.find('\n') != std::string::npos) return failure("--doc: expected one line");
     std::vector<std::string> taken;
     auto inputs = read_ports("--in", wanted.inputs, taken);
     if (!inputs) return Unexpected(inputs.error());
     auto outputs = read_ports("--out", wanted.outputs, taken);
     if (!outputs) return Unexpected(outputs.error());
-    std::vector<std::pair<std::string, std::string>> parameters;
+    std::vector<NewParameter> parameters;
     std::vector<std::string> taken_parameters;
     for (const std::string& text : wanted.parameters) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos) {
-            return failure(
-                fmt::format("--param '{}': expected name=default, for example --param speed=0.1", shown(text)));
-        }
-        const std::string parameter = text.substr(0, equals);
-        if (auto ok = check_name("--param", parameter, taken_parameters); !ok) return Unexpected(ok.error());
-        auto initial = default_text(text.substr(equals + 1));
-        if (!initial) return failure(fmt::format("--param '{}': {}", parameter, initial.error().message));
-        parameters.emplace_back(parameter, std::move(*initial));
+        auto parameter = read_new_parameter(text);
+        if (!parameter) return Unexpected(parameter.error());
+        if (auto ok = take_new_name("--param", parameter->name, taken_parameters); !ok) return Unexpected(ok.error());
+        parameters.push_back(std::move(*parameter));
     }
-    BehaviorTexts texts{*name, behavior_text(*name, *inputs, *outputs, parameters),
+    BehaviorTexts texts{*name, behavior_text(*name, wanted.doc, *inputs, *outputs, parameters),
                         scenario_text(*name, *inputs, *outputs)};
     // What remains to be refused are words that mean something else; the script's own loading knows them.
     const auto errors = check_behavior({*name + ".lua", *name + ".lua", texts.behavior}, {.component = *name});

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/cli/new_words.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi::cli {
@@ -11,9 +12,10 @@ namespace nezumi::cli {
 /// What the command line says of it.
 struct NewBehavior {
     std::string name;                     ///< as it was given: line_follower or LineFollower
-    std::vector<std::string> inputs;      ///< "name:Type"
-    std::vector<std::string> outputs;     ///< "name:Type"
-    std::vector<std::string> parameters;  ///< "name=default"
+    std::vector<std::string> inputs;      ///< "name:Type" or "name:Type:doc"
+    std::vector<std::string> outputs;     ///< the same
+    std::vector<std::string> parameters;  ///< as `read_new_parameter` reads them
+    std::string doc{};                    ///< what it does, a sentence; "": a place for one
 };
 
 struct BehaviorTexts {
@@ -24,12 +26,5 @@ struct BehaviorTexts {
 
 /// The texts, which load as they are; or what is wrong with the command line, with the nearest name.
 Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted);
-
-/// A default as Lua writes it: `30`, `0.5`, `true`, `{ 1.0, 0.5 }` stay, any other text is quoted. An error when it
-/// looks like a number or a truth value and is none.
-Expected<std::string> default_text(const std::string& given);
-
-/// "LineFollower" and "line_follower" are both line_follower; an error says which names there can be.
-Expected<std::string> behavior_file_name(const std::string& given);
 
 }  // namespace nezumi::cli

@@ -9,6 +9,8 @@
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
+#include "bindings/cli/new_words.hpp"
+#include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -86,11 +88,11 @@ TEST_CASE("a new behaviour and its scenario pass nezumi check whatever the types
 }
 
 TEST_CASE("names of behaviours are words, in either spelling", "[cli][new]") {
-    CHECK(behavior_file_name("LineFollower") == "line_follower");
-    CHECK(behavior_file_name("line_follower") == "line_follower");
-    CHECK(behavior_file_name("EV3Follower") == "ev3_follower");
-    CHECK(behavior_file_name("Follow2Lines") == "follow2_lines");
-    const auto refused = [](const std::string& name) { return behavior_file_name(name).error().message; };
+    CHECK(new_file_name("behaviour", "LineFollower") == "line_follower");
+    CHECK(new_file_name("behaviour", "line_follower") == "line_follower");
+    CHECK(new_file_name("behaviour", "EV3Follower") == "ev3_follower");
+    CHECK(new_file_name("behaviour", "Follow2Lines") == "follow2_lines");
+    const auto refused = [](const std::string& name) { return new_file_name("behaviour", name).error().message; };
     CHECK(refused("my-robot") ==
           "'my-robot' can't be a behaviour's name: letters, digits and _, not beginning with a digit (did you mean "
           "'my_robot'?)");
@@ -141,6 +143,97 @@ TEST_CASE("a wrong word on the command line is one plain line with the nearest n
     CHECK(refusal({.name = "a", .parameters = {"speed=0,1"}}) ==
           "--param 'speed': '0,1' is no number: write 30, 0.5 or -1e-3, or a text in quotes");
     CHECK(refusal({.name = "a", .parameters = {"x=1", "x=2"}}) == "--param 'x': the name is given twice");
+}
+
+TEST_CASE("a new behaviour has the documentation, units and bounds of the command line", "[cli][new]") {
+    const auto texts = write_behavior(
+        {.name = "hold_line",
+         .inputs = {"error:TimedDouble:from the line [m]; left is positive"},
+         .outputs = {"out:TimedVelocity2D"},
+         .parameters = {"gain=0.01,min=0,max=1,unit=1/s,doc=of the error, per second", "mode=slow,choices={slow,fast}"},
+         .doc = "Keeps to a line."});
+    REQUIRE(texts.has_value());
+    CHECK_THAT(texts->behavior,
+               Catch::StartsWith("--- Keeps to a line.\n\n"
+                                 "local error_port = input(\"error\", \"TimedDouble\", \"from the line [m]; left is "
+                                 "positive\")\n"));
+    CHECK_THAT(texts->behavior,
+               Catch::Contains("param(\"gain\", 0.01, { min = 0, max = 1, unit = \"1/s\", doc = \"of the error, per "
+                               "second\" })\n"
+                               "param(\"mode\", \"slow\", { choices = { \"slow\", \"fast\" }, doc = \"read as "
+                               "config.mode\" })\n"));
+}
+
+TEST_CASE("what is said of a parameter is read in any order, and a slip is told", "[cli][new]") {
+    const auto read = [](const std::string& text) {
+        const auto parameter = read_new_parameter(text);
+        return parameter ? parameter->name + ": " + parameter->initial + " { " + parameter->options + " }"
+                         : parameter.error().message;
+    };
+    CHECK(read("a=1") == "a: 1 { doc = \"read as config.a\" }");
+    CHECK(read("a=1, doc=x,max=2") == "a: 1 { max = 2, doc = \"x\" }");
+    CHECK(read("a={1.0,0.5},min=0") == "a: { 1.0, 0.5 } { min = 0, doc = \"read as config.a\" }");
+    CHECK(read("a=well, well=known") == "a: \"well, well=known\" { doc = \"read as config.a\" }");
+    CHECK(read("a=0.5,mni=0") == "--param 'a': there is no 'mni' (did you mean 'min'?)");
+    CHECK(read("a=0.5,min=low") == "--param 'a': min: expected a number, got 'low'");
+    CHECK(read("a=0.5,min=0,min=1") == "--param 'a': 'min' is given twice");
+    CHECK(read("a=x,choices=x") == "--param 'a': choices: expected { a, b }, got 'x'");
+    CHECK(refusal({.name = "b", .parameters = {"a=2.0,max=1"}}).find("a") != std::string::npos);
+    CHECK(refusal({.name = "b", .parameters = {"a=2.0,max=1"}}) != "nothing");
+    CHECK(refusal({.name = "b", .doc = "x\nos.exit()"}) == "--doc: expected one line");
+}
+
+TEST_CASE("a new system loads, and one that would not is not written", "[cli][new]") {
+    const Scratch files;
+    std::filesystem::create_directories(files.path("behaviors"));
+    const std::string folder = files.path("").string();
+    const Outcome wrote =
+        run_nezumi({"new", "system", "Round", "--robot", "left=raspimouse", "--robot", "right=raspimouse", "--behavior",
+                    "controller=robot_controller", "--connect", "controller.out=left.target_velocity_in"},
+                   folder);
+    CHECK(wrote.error.empty());
+    CHECK(wrote.out == "wrote behaviors/systems/round.lua\nnow try: nezumi run round\n");
+    CHECK_THAT(
+        text_of_file(files.path("behaviors/systems/round.lua")),
+        Catch::Contains("robot    \"left\"       { model = \"raspimouse\", pose = { x = 0, y = -0.2, heading = 0 } }\n"
+                        "robot    \"right\"      { model = \"raspimouse\", pose = { x = 0, y = 0.2, heading = 0 } }\n"
+                        "behavior \"controller\" { script = \"robot_controller\" }\n\n"
+                        "connect(\"controller.out\", \"left.target_velocity_in\")\n"));
+    CHECK(run_nezumi({"run", "round", "--headless", "--speed", "max", "--duration", "0.1"}, folder).status == 0);
+
+    const auto refused = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"new", "system"});
+        const Outcome outcome = run_nezumi(std::move(words), folder);
+        CHECK(outcome.status == 2);
+        return outcome.error;
+    };
+    CHECK(refused({"a", "--robot", "mouse"}) ==
+          "nezumi: new system: --robot 'mouse': expected NAME=MODEL, for example --robot mouse=raspimouse\n");
+    CHECK_THAT(refused({"a", "--robot", "mouse=raspimous"}), Catch::Contains("(did you mean 'raspimouse'?)"));
+    CHECK_THAT(refused({"a", "--connect", "mouse.ir_sensor_ou=mouse.target_velocity_in"}),
+               Catch::Contains("(did you mean 'ir_sensor_out'?)"));
+    CHECK(refused({"a", "--robot", "m=raspimouse", "--behavior", "m=robot_controller"}) ==
+          "nezumi: new system: --behavior 'm': the name is given twice\n");
+    CHECK_FALSE(std::filesystem::exists(files.path("behaviors/systems/a.lua")));
+}
+
+TEST_CASE("a new robot stands in a new system, and a new scenario for it passes", "[cli][new]") {
+    const Scratch files;
+    std::filesystem::create_directories(files.path("behaviors"));
+    const std::string folder = files.path("").string();
+    CHECK(run_nezumi({"new", "robot", "Tank"}, folder).out ==
+          "wrote behaviors/tank.lua\nnow try: nezumi new system try_tank --robot tank=tank\n");
+    CHECK(run_nezumi({"new", "system", "try_tank", "--robot", "tank=tank"}, folder).error.empty());
+    CHECK(run_nezumi({"check", "."}, folder).out == "2 files: nothing wrong\n");
+    CHECK(run_nezumi({"new", "scenario", "try_tank"}, folder).out ==
+          "wrote tests/try_tank_test.lua\nnow try: nezumi test try_tank\n");
+    const Outcome tested = run_nezumi({"test", "try_tank"}, folder);
+    CHECK(tested.error.empty());
+    CHECK(tested.status == 0);
+    CHECK(run_nezumi({"new", "scenario", "other"}, folder).error ==
+          "nezumi: new scenario: for which system? Give --system, for example --system other\n");
+    CHECK_THAT(run_nezumi({"new", "scenario", "other", "--system", "try_tnk"}, folder).error,
+               Catch::Contains("there is no system file 'try_tnk' (did you mean 'try_tank'?)"));
 }
 
 TEST_CASE("new files are written all or none, and nothing is overwritten", "[cli][new]") {

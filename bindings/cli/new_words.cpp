@@ -1,13 +1,15 @@
-// Reads what a person writes on the command line: names and defaults.
+// Each word is read by its first characters, and written as Lua would.
+#include "bindings/cli/new_words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <string_view>
+#include <iterator>
+#include <optional>
 
-#include "bindings/cli/new_behavior.hpp"
 #include "bindings/lua/sandbox/lexer.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
@@ -40,7 +42,9 @@ bool is_number(std::string_view text) {
     return problem == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
-std::string quoted(std::string_view text) {
+}  // namespace
+
+std::string quoted_text(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -53,6 +57,8 @@ std::string quoted(std::string_view text) {
     }
     return out + '"';
 }
+
+namespace {
 
 // A whole text that is one string of Lua.
 bool is_string(std::string_view text) {
@@ -104,14 +110,14 @@ Expected<std::string> default_text(const std::string& given) {
     if (const std::string near = did_you_mean(text, {"true", "false"}); !near.empty()) {
         return failure(fmt::format("'{}'{}; a text like this needs quotes", shown(text), near));
     }
-    return quoted(given);
+    return quoted_text(given);
 }
 
-Expected<std::string> behavior_file_name(const std::string& given) {
-    if (given.empty()) return failure("a behaviour needs a name, for example line_follower");
+Expected<std::string> new_file_name(std::string_view what_it_is, const std::string& given) {
+    if (given.empty()) return failure(fmt::format("a {} needs a name, for example line_follower", what_it_is));
     std::string name = to_snake(given);
     if (is_identifier(name) && !name.ends_with("_test")) return name;
-    const std::string what = fmt::format("'{}' can't be a behaviour's name", shown(given));
+    const std::string what = fmt::format("'{}' can't be a {}'s name", shown(given), what_it_is);
     if (name.ends_with("_test")) return failure(what + ": files called *_test.lua are scenarios");
     if (is_keyword(name)) return failure(what + ": it is a word of Lua");
     std::string near = given.ends_with(".lua") ? given.substr(0, given.size() - 4) : given;
@@ -122,6 +128,94 @@ Expected<std::string> behavior_file_name(const std::string& given) {
     const bool helps = is_identifier(near) && near.size() <= 60;
     return failure(what + ": letters, digits and _, not beginning with a digit" +
                    (helps ? fmt::format(" (did you mean '{}'?)", near) : ""));
+}
+
+Expected<void> take_new_name(std::string_view option, const std::string& name, std::vector<std::string>& taken) {
+    if (!is_identifier(name) && !is_keyword(name)) {
+        return failure(fmt::format("{} '{}': a name consists of letters, digits and _, and does not begin with a digit",
+                                   option, shown(name)));
+    }
+    if (std::find(taken.begin(), taken.end(), name) != taken.end())
+        return failure(fmt::format("{} '{}': the name is given twice", option, shown(name)));
+    taken.push_back(name);
+    return {};
+}
+
+namespace {
+
+// What may follow a default, in the order in which it is written.
+constexpr std::string_view parameter_options[] = {"min", "max", "step", "choices", "widget", "unit", "doc"};
+
+// "min" where ",min=" begins at `comma`, whatever the word is; "" where no word and = follow.
+std::string_view option_after(std::string_view text, std::size_t comma) {
+    std::size_t begin = comma + 1;
+    while (begin < text.size() && text[begin] == ' ') ++begin;
+    std::size_t end = begin;
+    while (end < text.size() && is_word(text[end])) ++end;
+    return end > begin && end < text.size() && text[end] == '=' ? text.substr(begin, end - begin) : "";
+}
+
+Expected<std::string> option_text(std::string_view option, const std::string& value) {
+    if (option == "unit" || option == "doc" || option == "widget") return quoted_text(value);
+    auto text = default_text(value);
+    if (!text) return failure(fmt::format("{}: {}", option, text.error().message));
+    if (option == "choices") {
+        if (text->starts_with('{')) return text;
+        return failure(fmt::format("choices: expected {{ a, b }}, got '{}'", shown(value)));
+    }
+    if (is_number(*text)) return text;
+    return failure(fmt::format("{}: expected a number, got '{}'", option, shown(value)));
+}
+
+}  // namespace
+
+Expected<NewParameter> read_new_parameter(const std::string& given) {
+    const std::size_t equals = given.find('=');
+    if (equals == std::string::npos) {
+        return failure(fmt::format("--param '{}': expected name=default, for example --param speed=0.1", shown(given)));
+    }
+    NewParameter read{given.substr(0, equals), "", ""};
+    const auto wrong = [&](const std::string& why) {
+        return failure(fmt::format("--param '{}': {}", shown(read.name), why));
+    };
+    const std::vector<std::string_view> known(std::begin(parameter_options), std::end(parameter_options));
+    std::vector<std::optional<std::string>> values(known.size());
+    const std::string_view text = given;
+    std::optional<std::size_t> option;  // none: the default
+    for (std::size_t begin = equals + 1; begin <= text.size();) {
+        std::size_t end = begin;
+        std::string_view next;
+        for (; end < text.size() && next.empty(); ++end) {
+            if (text[end] != ',') continue;
+            const std::string_view word = option_after(text, end);
+            if (word.empty()) continue;
+            if (std::find(known.begin(), known.end(), word) != known.end()) {
+                next = word;
+                break;
+            }
+            // In a default it may be a text of its own; a slip is told.
+            if (const std::string near = did_you_mean(word, known); !near.empty())
+                return wrong(fmt::format("there is no '{}'{}", word, near));
+        }
+        const std::string value(text.substr(begin, end - begin));
+        auto written = option ? option_text(known[*option], value) : default_text(value);
+        if (!written) return wrong(written.error().message);
+        if (!option) {
+            read.initial = std::move(*written);
+        } else if (values[*option]) {
+            return wrong(fmt::format("'{}' is given twice", known[*option]));
+        } else {
+            values[*option] = std::move(*written);
+        }
+        if (next.empty()) break;
+        option = static_cast<std::size_t>(std::find(known.begin(), known.end(), next) - known.begin());
+        begin = text.find('=', end) + 1;
+    }
+    if (!values.back()) values.back() = quoted_text("read as config." + read.name);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        if (values[i]) read.options += fmt::format("{}{} = {}", read.options.empty() ? "" : ", ", known[i], *values[i]);
+    }
+    return read;
 }
 
 }  // namespace nezumi::cli
