@@ -80,17 +80,27 @@ void ConsoleServer::after_tick() {
     }
 }
 
-void ConsoleServer::tell(const Event& event) {
-    std::vector<ClientId> listeners;
+void ConsoleServer::tell(const Event& event, LogLevel level) {
+    std::map<ClientId, LogLevel> listeners;
     {
         const std::lock_guard lock(mutex_);
         listeners = listeners_;
     }
-    for (const ClientId id : listeners) transport_.send(id, event);
+    for (const auto& [id, least] : listeners) {
+        if (level >= least) transport_.send(id, event);
+    }
+}
+
+bool ConsoleServer::set_log_level(ClientId id, LogLevel level) {
+    const std::lock_guard lock(mutex_);
+    const auto listener = listeners_.find(id);
+    if (listener == listeners_.end()) return false;
+    listener->second = level;
+    return true;
 }
 
 void ConsoleServer::log(const LogLine& line) {
-    tell({.kind = Event::Kind::log, .text = console_line(line), .level = std::string(to_text(line.level))});
+    tell({.kind = Event::Kind::log, .text = console_line(line), .level = std::string(to_text(line.level))}, line.level);
 }
 
 void ConsoleServer::say(const std::string& text) { tell({.kind = Event::Kind::output, .text = text}); }
@@ -112,7 +122,7 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         }
         consoles_.erase(id);
         const std::lock_guard lock(mutex_);
-        std::erase(listeners_, id);
+        listeners_.erase(id);
         return;
     }
     Console& console = consoles_[id];
@@ -133,8 +143,8 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
             console.keys = request.keys;
             if (request.who == "spreadsheet") console.who = {Actor::Kind::spreadsheet};
             const std::lock_guard lock(mutex_);
-            std::erase(listeners_, id);
-            if (request.log) listeners_.push_back(id);
+            listeners_.erase(id);
+            if (request.log) listeners_.emplace(id, usual_level);
             transport_.finish_request(id);
             return;
         }
@@ -193,6 +203,7 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
         const auto request = std::exchange(console.running, std::nullopt);
         if (request) answer(id, {.kind = Event::Kind::answer, .id = *request, .ok = well, .text = {}});
     };
+    options.output.log_level = [this, id](LogLevel level) { return set_log_level(id, level); };
     if (console.keys) {
         options.output.take_keys = [this, id](bool on) {
             transport_.send(id, {.kind = Event::Kind::keys, .ok = on, .text = {}});

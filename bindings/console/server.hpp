@@ -53,6 +53,9 @@ public:
     /// Readable when something has come that `serve` should deal with.
     int file() const { return transport_.file(); }
 
+    /// What a client hears of the log before it says otherwise.
+    static constexpr LogLevel usual_level = LogLevel::info;
+
     /// Tells the clients that want to know. From any thread.
     void log(const LogLine& line);
     void say(const std::string& text);
@@ -69,7 +72,8 @@ private:
         Actor who{Actor::Kind::console};
     };
 
-    void tell(const Event& event);
+    void tell(const Event& event, LogLevel level = LogLevel::error);
+    bool set_log_level(ClientId id, LogLevel level);
     void take(const Transport::Incoming& incoming);
     void interrupt(ClientId id, Console& console);
     void deal_with(ClientId id, Console& console);
@@ -83,8 +87,8 @@ private:
     std::map<ClientId, Console> consoles_;
     std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone
     ClientId last_served_ = 0;
-    Mutex mutex_;                      // of listeners_
-    std::vector<ClientId> listeners_;  // who wants the log
+    Mutex mutex_;                             // of listeners_
+    std::map<ClientId, LogLevel> listeners_;  // who wants the log, from which level on
     Transport transport_;
 };
 

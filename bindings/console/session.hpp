@@ -13,6 +13,7 @@
 
 #include "bindings/console/clock_control.hpp"
 #include "bindings/lua/live/live_system.hpp"
+#include "engine/base/log.hpp"
 
 namespace nezumi {
 
@@ -32,6 +33,8 @@ struct SessionOutput {
     /// `drive` begins or ends: from now on keys go to `key`, or no longer. Empty: there are no keys, `drive` is
     /// refused.
     std::function<void(bool on)> take_keys;
+    /// From now on log lines of this level and louder are wanted. False, as where this is empty: no log is shown here.
+    std::function<bool(LogLevel level)> log_level{};
 };
 
 struct SessionOptions {

@@ -48,6 +48,7 @@ Expected<WordEnd> done(const Expected<Result>& acted) {
 // Each group in its own file.
 using WordFunction = Expected<WordEnd>(Session::Parts&, const Arguments&);
 WordFunction word_connect, word_disconnect;                                     // wiring
+WordFunction word_activate, word_deactivate, word_log_level;                    // life
 WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;  // looking
 WordFunction word_watch, word_unwatch, word_plot, word_drive;                   // following
 WordFunction word_inject, word_hold, word_release;                              // acting

@@ -163,3 +163,21 @@ TEST_CASE("step waits for its ticks, and what follows comes after them", "[conso
     CHECK(it.live->system().now().seconds - before == Approx(0.05));
     CHECK(it.eval(client, "run()").back() == "failed");
 }
+
+TEST_CASE("each console has a level of its own for the log", "[console][server]") {
+    ServerRig it;
+    ConsoleClient quiet = it.open();
+    ConsoleClient usual = it.open();
+    for (ConsoleClient* client : {&quiet, &usual})
+        client->send({.kind = Request::Kind::hello, .text = {}, .log = true});
+    CHECK(it.eval(quiet, "log_level 'error'") == Said{"well"});
+    CHECK(it.eval(usual, "1") == Said{"1", "well"});
+    it.server.log({LogLevel::debug, 1, "it", "d"});
+    it.server.log({LogLevel::info, 1, "it", "i"});
+    it.server.log({LogLevel::error, 1, "it", "e"});
+    CHECK(it.eval(quiet, "1") == Said{"error [    1.000] error it: e", "1", "well"});
+    CHECK(it.eval(usual, "1") == Said{"info [    1.000] info  it: i", "error [    1.000] error it: e", "1", "well"});
+    CHECK(it.eval(usual, "log_level 'debug'") == Said{"well"});
+    it.server.log({LogLevel::debug, 2, "it", "d"});
+    CHECK(it.eval(usual, "1") == Said{"debug [    2.000] debug it: d", "1", "well"});
+}
