@@ -7,6 +7,8 @@
 #include <chrono>
 #include <utility>
 
+#include "bindings/cli/picture.hpp"
+#include "bindings/cli/wiring_graph.hpp"
 #include "bindings/console/client.hpp"
 #include "bindings/console/put_text.hpp"
 #include "bindings/terminal/batch.hpp"
@@ -27,7 +29,14 @@ bool has_terminal() {
 }
 
 RunConsole::RunConsole(RunLoop& loop, const std::string& name)
-    : loop_(loop), name_(visible(name)), server_(std::make_unique<ConsoleServer>(loop.live(), loop)) {}
+    : loop_(loop), name_(visible(name)), server_(std::make_unique<ConsoleServer>(loop.live(), loop)) {
+    server_->draw_by([&live = loop.live(), title = name_](Drawn what) -> Drawing {
+        if (what == Drawn::wiring) {
+            return [wiring = wiring_of(live, title)](const std::string& file) { return draw_wiring(wiring, file); };
+        }
+        return [seen = look_at(live, {}, title)](const std::string& file) { return draw_picture(seen, file); };
+    });
+}
 
 RunConsole::~RunConsole() { close(); }
 

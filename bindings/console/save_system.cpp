@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "bindings/console/file_to_write.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
 #include "engine/base/whole_file.hpp"
@@ -81,37 +82,6 @@ Expected<void> replace_file(const std::filesystem::path& path, const std::string
     return done;
 }
 
-// Where the system lies, in and below which it may be saved: its project, else the folder of its file.
-std::filesystem::path home_of(const PresentSystem& present) {
-    if (!present.project.root().empty()) return present.project.root();
-    return std::filesystem::absolute(present.spec.file).parent_path();
-}
-
-// The file that a person means, or why nothing may be written there.
-Expected<std::filesystem::path> file_to_write(const PresentSystem& present, const std::string& name) {
-    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-    if (std::any_of(name.begin(), name.end(), is_control))
-        return failure(fmt::format("'{}' names no file: there is a control character in it", shown(name)));
-    std::filesystem::path path = name;
-    if (path.filename().empty()) return failure(fmt::format("'{}' names no file", name));
-    if (!path.has_extension()) path += ".lua";
-    std::error_code problem;
-    if (std::filesystem::is_directory(path, problem)) return failure(fmt::format("'{}' is a folder", path.string()));
-    if (path.extension() != ".lua") {
-        return failure(fmt::format("a system file ends in .lua: write save \"{}\"",
-                                   std::filesystem::path(name).replace_extension(".lua").string()));
-    }
-    // Links may lead out of the project.
-    const auto real = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
-    const auto home = std::filesystem::weakly_canonical(home_of(present), problem);
-    const auto inside = real.lexically_relative(home);
-    if (problem || inside.empty() || *inside.begin() == "..") {
-        return failure(fmt::format("'{}' lies outside of the project: a system is saved in {} or below", path.string(),
-                                   home.string()));
-    }
-    return path;
-}
-
 // How a person would name this file within `named_in`: the shortest name that finds it again, else its path from there
 // when both are in the project, else its whole path.
 std::string name_of(const Project& project, const std::filesystem::path& file, const std::filesystem::path& named_in) {
@@ -169,7 +139,9 @@ PresentSystem present_system(const LiveSystem& live) {
 }
 
 Expected<std::string> save_system(PresentSystem present, const std::string& file) {
-    const auto named = file_to_write(present, file);
+    const auto named =
+        file_to_write(writable_folder(present.project, present.spec.file), file,
+                      {.word = "save", .file = "a system file", .what = "a system", .endings = {".lua"}});
     if (!named) return Unexpected(named.error());
     const std::filesystem::path& path = *named;
     const Project project = Project::of(path, present.installed);

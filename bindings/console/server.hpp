@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bindings/console/clock_control.hpp"
@@ -37,6 +38,8 @@ public:
     /// Lets `nezumi attach` in, by a socket named after the system. On an error nobody can attach; nothing else
     /// changes.
     Expected<void> listen(std::string_view name, const std::filesystem::path& folder = console_folder());
+    /// Lends it what `picture` and `graph` draw with.
+    void draw_by(Draughtsman draughtsman) { draughtsman_ = std::move(draughtsman); }
     /// What a client in this process is for.
     enum class Use {
         prompt,  ///< somebody types, while time passes
@@ -83,6 +86,7 @@ private:
 
     LiveSystem& live_;
     ClockControl& clock_;
+    Draughtsman draughtsman_;
     Bell bell_;  // of all sessions
     std::map<ClientId, Console> consoles_;
     std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone

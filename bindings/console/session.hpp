@@ -13,6 +13,7 @@
 
 #include "bindings/console/clock_control.hpp"
 #include "bindings/lua/live/live_system.hpp"
+#include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 
 namespace nezumi {
@@ -37,6 +38,16 @@ struct SessionOutput {
     std::function<bool(LogLevel level)> log_level{};
 };
 
+/// What `picture` and `graph` draw.
+enum class Drawn : unsigned char {
+    world,   ///< from above
+    wiring,  ///< components, ports and connections
+};
+/// Draws what was looked at to a file that ends in .png or .svg; from any thread.
+using Drawing = std::function<Expected<void>(const std::string& file)>;
+/// Looks at the system, between two ticks, for a drawing of it beside them.
+using Draughtsman = std::function<Drawing(Drawn what)>;
+
 struct SessionOptions {
     SessionOutput output;
     /// Whose acts these are.
@@ -45,6 +56,8 @@ struct SessionOptions {
     double watch_period = 0.1;
     /// Time moves only by `step` and `run(seconds)`: a `run()` without end is refused.
     bool batch = false;
+    /// Empty: `picture` and `graph` are refused.
+    Draughtsman draughtsman{};
     /// Is rung when `advance` has something to do; must outlive the session. Null: only `advance` itself waits for it.
     const Bell* bell = nullptr;
 };

@@ -54,6 +54,7 @@ WordFunction word_watch, word_unwatch, word_plot, word_drive;                   
 WordFunction word_inject, word_hold, word_release;                              // acting
 WordFunction word_teleport, word_stop, word_rearm;
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
-WordFunction word_reload, word_rollback, word_save;                                 // versions
+WordFunction word_reload, word_rollback;                                            // versions
+WordFunction word_save, word_picture, word_graph;                                   // files
 
 }  // namespace nezumi

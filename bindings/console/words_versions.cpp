@@ -1,9 +1,8 @@
-// Words for versions of scripts, and for keeping what a session has made.
+// Words for versions of scripts.
 #include <fmt/format.h>
 
 #include <optional>
 
-#include "bindings/console/save_system.hpp"
 #include "bindings/console/words.hpp"
 #include "bindings/lua/script/script_component.hpp"
 
@@ -67,17 +66,6 @@ Expected<WordEnd> word_rollback(Session::Parts& parts, const Arguments& argument
     const auto report = parts.act(Rollback{component->name()});
     if (!report) return Unexpected(report.error());
     parts.show(report_text(parts.live.system(), *report));
-    return WordEnd::done;
-}
-
-Expected<WordEnd> word_save(Session::Parts& parts, const Arguments& arguments) {
-    const auto file = arguments.text(1, "the name of a file, as in save \"system.lua\"");
-    if (!file) return Unexpected(file.error());
-    auto present = parts.at_system([&] { return std::make_optional(present_system(parts.live)); });
-    if (!present) return failure("interrupted");
-    const auto done = save_system(std::move(*present), *file);
-    if (!done) return Unexpected(done.error());
-    parts.show(*done);
     return WordEnd::done;
 }
 

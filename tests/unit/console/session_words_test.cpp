@@ -414,3 +414,31 @@ TEST_CASE("a level of the log that there is not is told", "[console][session]") 
     CHECK(it.type("log_level 'debug'") ==
           "! log_level: no log is shown here: it is where `nezumi run` or `nezumi attach` has a terminal");
 }
+
+TEST_CASE("pictures and graphs are drawn within the project by whoever can draw", "[console][session]") {
+    std::string drawn;
+    const Scratch outside;
+    SessionOptions options;
+    options.draughtsman = [&drawn](Drawn what) -> Drawing {
+        return [&drawn, what](const std::string& file) -> Expected<void> {
+            drawn +=
+                (what == Drawn::world ? "world " : "wiring ") + std::filesystem::path(file).filename().string() + ";";
+            if (file.find("full") != std::string::npos) return failure("the disk is full", {file});
+            return {};
+        };
+    };
+    SessionRig it(counter_system, {{"counter", counter_behavior}}, std::move(options));
+    const std::string home = it.folder.path("").parent_path().string();
+    CHECK(it.type("picture '" + home + "/now.png'") == "wrote " + home + "/now.png");
+    CHECK(it.type("graph '" + home + "/wiring'") == "wrote " + home + "/wiring.svg");
+    CHECK(drawn == "world now.png;wiring wiring.svg;");
+    CHECK(it.type("picture '" + home + "/now.gif'") ==
+          "! picture: a picture ends in .png or .svg: write picture \"" + home + "/now.png\"");
+    CHECK(it.type("graph '" + outside.path("x.svg").string() + "'") ==
+          "! graph: '" + outside.path("x.svg").string() + "' lies outside of the project: it is saved in " + home +
+              " or below");
+    CHECK(it.type("picture '" + home + "/full.png'") == "! picture: " + home + "/full.png: the disk is full");
+    CHECK_THAT(it.type("picture()"), StartsWith("! picture: expected the name of a file, as in picture \"x.png\""));
+    SessionRig without;
+    CHECK(without.type("graph 'x.svg'") == "! graph: nothing is drawn here: `nezumi run` does");
+}
