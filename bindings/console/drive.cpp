@@ -37,6 +37,9 @@ std::string port_to_drive(const Component& component) {
     return "";
 }
 
+constexpr std::size_t usual_scale = 5;
+static_assert(Drive::scales[usual_scale] == 1);
+
 double press(double place, double by) {
     if (place * by < 0) return 0;  // the other way: first to the middle
     return std::clamp(place + by, -Drive::edge, Drive::edge);
@@ -61,6 +64,8 @@ Expected<void> Drive::begin(LiveSystem& live, const std::string& what, const Act
     path_ = path;
     who_ = who;
     x_ = y_ = 0;
+    scale_ = usual_scale;
+    is_velocity_ = (*port)->type() == type_index<Velocity2D>();
     ending_ = false;
     if (auto held = send(live); !held) {
         path_.clear();
@@ -74,13 +79,14 @@ Expected<void> Drive::send(LiveSystem& live) {
     if (!port) return failure("what was driven is gone");
     const Actor* holder = live.system().holder(path_);
     const bool has_it = holder != nullptr && *holder == who_ && (*port)->override() == Override::held;
-    if (has_it && sent_x_ == x_ && sent_y_ == y_) return {};
-    auto value = payload((*port)->type(), x_, y_);
+    const double x = x_ * scales[scale_], y = y_ * scales[scale_];
+    if (has_it && sent_x_ == x && sent_y_ == y) return {};
+    auto value = payload((*port)->type(), x, y);
     if (!value) return failure("what was driven is gone");
     if (auto held = live.act(Hold{path_, std::move(*value)}, who_); !held)
         return failure("driving has ended: " + held.error().message);
-    sent_x_ = x_;
-    sent_y_ = y_;
+    sent_x_ = x;
+    sent_y_ = y;
     return {};
 }
 
@@ -93,9 +99,21 @@ void Drive::key(Key key, LiveSystem& live) {
         case Key::right: x_ = press(x_, notch); break;
         case Key::left: x_ = press(x_, -notch); break;
         case Key::space: x_ = y_ = 0; break;
+        case Key::faster:
+            if (scale_ + 1 < scales.size() && (is_velocity_ || scales[scale_] < 1)) ++scale_;
+            break;
+        case Key::slower:
+            if (scale_ > 0) --scale_;
+            break;
         case Key::escape: return end(live);
     }
     static_cast<void>(send(live));  // a port that is gone is told after the tick
+}
+
+std::string Drive::full_speed() const {
+    const double px = edge * scales[scale_];
+    if (!is_velocity_) return fmt::format("{:.0f} px", px);
+    return fmt::format("{:.2f} m/s, {:.1f} rad/s", px * speed_of_px, px * -turn_of_px);
 }
 
 void Drive::end(LiveSystem& live) {

@@ -20,7 +20,8 @@ struct Request {
         complete,     ///< what could stand before `cursor` in `text`; answered by `completions`
         is_complete,  ///< whether `text` can be run as it is; answered by an `answer`
         interrupt,    ///< ends what runs, at once: not answered
-        key,          ///< a key for `drive`, named by `text`: up, down, left, right, space, escape; not answered
+        key,          ///< a key for `drive`, named by `text`: up, down, left, right, space, escape,
+                      ///< faster, slower; not answered
     };
 
     Kind kind = Kind::eval;

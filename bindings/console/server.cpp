@@ -16,7 +16,8 @@ namespace nezumi {
 namespace {
 
 // In the order of their enumerators.
-constexpr std::array<std::string_view, 6> key_names{"up", "down", "left", "right", "space", "escape"};
+constexpr std::array<std::string_view, 8> key_names{"up",    "down",   "left",   "right",
+                                                    "space", "escape", "faster", "slower"};
 
 }  // namespace
 

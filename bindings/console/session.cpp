@@ -297,6 +297,8 @@ void Session::key(Key key) {
     Parts& parts = *parts_;
     const bool was_on = parts.drive.is_on();
     parts.drive.key(key, parts.live);
+    if (parts.drive.is_on() && (key == Key::faster || key == Key::slower))
+        parts.show("at the edge: " + parts.drive.full_speed());
     if (was_on && !parts.drive.is_on() && parts.options.output.take_keys) parts.options.output.take_keys(false);
 }
 

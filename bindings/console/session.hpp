@@ -21,7 +21,7 @@ namespace nezumi {
 class Bell;
 
 /// What `drive` takes from the keyboard.
-enum class Key { up, down, left, right, space, escape };
+enum class Key { up, down, left, right, space, escape, faster, slower };
 
 /// Where what a session says goes. Called from within `advance`, `after_tick`, `interrupt` and `key`.
 struct SessionOutput {

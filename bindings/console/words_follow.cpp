@@ -88,7 +88,8 @@ Expected<WordEnd> word_drive(Session::Parts& parts, const Arguments& arguments) 
     }
     if (auto ok = parts.drive.begin(parts.live, *what, parts.options.who); !ok) return Unexpected(ok.error());
     parts.options.output.take_keys(true);
-    parts.show(fmt::format("driving {}: arrow keys, space stops, Esc ends", parts.drive.path()));
+    parts.show(fmt::format("at the edge: {}\ndriving {}: arrow keys, + and - scale, space stops, Esc ends",
+                           parts.drive.full_speed(), parts.drive.path()));
     return WordEnd::done;
 }
 

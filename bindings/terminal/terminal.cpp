@@ -183,7 +183,8 @@ std::optional<Event> Prompt::wait_for_answer(std::int64_t id) {
 void Prompt::interrupt() { client_.send({.kind = Request::Kind::interrupt, .text = {}}); }
 
 void Prompt::take_keys(bool alone) {
-    static constexpr std::array<std::string_view, 6> names{"up", "down", "left", "right", "space", "escape"};
+    static constexpr std::array<std::string_view, 8> names{"up",    "down",   "left",   "right",
+                                                           "space", "escape", "faster", "slower"};
     std::string& typed = editor_->typed();
     while (!typed.empty() && typed.front() != '\x03') {
         const TypedKey key = next_key(typed, alone);

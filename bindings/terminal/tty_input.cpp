@@ -59,6 +59,8 @@ std::optional<Key> arrow(char letter) {
 TypedKey next_key(std::string_view typed, bool alone) {
     if (typed[0] == '\x03') return {.key = {}, .interrupt = true, .size = 1};
     if (typed[0] == ' ') return {.key = Key::space, .size = 1};
+    if (typed[0] == '+') return {.key = Key::faster, .size = 1};
+    if (typed[0] == '-') return {.key = Key::slower, .size = 1};
     if (typed[0] != escape) return {.key = {}, .size = 1};
     if (typed.size() == 1) return alone ? TypedKey{.key = Key::escape, .size = 1} : TypedKey{};
     // ESC O A in application mode; ESC [ A, with parameters in between for Shift and its kin.

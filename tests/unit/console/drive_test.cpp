@@ -6,7 +6,8 @@ using Catch::Contains;
 
 TEST_CASE("the arrow keys move a joystick's stick, and both its ports follow", "[console][session][joystick]") {
     SessionRig it("component \"stick\" { type = \"Joystick\" }", {});
-    CHECK(it.type("drive 'stick'") == "driving stick.stick: arrow keys, space stops, Esc ends");
+    CHECK(it.type("drive 'stick'") ==
+          "at the edge: 150 px\ndriving stick.stick: arrow keys, + and - scale, space stops, Esc ends");
     const auto shows = [&](const std::string& pos, const std::string& vel) {
         it.turn(2);
         CHECK(it.type("stick.pos.value") == pos);
@@ -36,7 +37,8 @@ TEST_CASE("driving ends when a reload takes the port away, or gives it another t
                                   "local out = output(\"out\", \"TimedShort\", \"a number\")");
     CAPTURE(changed);
     SessionRig it;
-    CHECK(it.type("drive 'controller.out'") == "driving controller.out: arrow keys, space stops, Esc ends");
+    CHECK(it.type("drive 'controller.out'") ==
+          "at the edge: 0.30 m/s, 3.0 rad/s\ndriving controller.out: arrow keys, + and - scale, space stops, Esc ends");
     CHECK(it.keys);
     it.session->key(Key::up);
     it.turn(2);
@@ -49,4 +51,44 @@ TEST_CASE("driving ends when a reload takes the port away, or gives it another t
     it.session->key(Key::up);
     it.turn(2);
     CHECK(it.shown == "what was driven is gone");  // said once
+}
+
+TEST_CASE("plus and minus scale what is driven, from the next tick, and it is shown", "[console][session]") {
+    SessionRig it;
+    it.type("drive 'mouse'");
+    const auto velocity = [&] {
+        it.turn(2);
+        return it.type("mouse.target_velocity_in.value.vx");
+    };
+    const auto press = [&](Key key) {
+        it.shown.clear();
+        it.session->key(key);
+        return it.shown;
+    };
+    CHECK(press(Key::up).empty());
+    CHECK(velocity() == "0.1");
+    CHECK(press(Key::faster) == "at the edge: 0.45 m/s, 4.5 rad/s");
+    CHECK(velocity() == "0.15");  // of the key that is held
+    for (int i = 0; i < 9; ++i) press(Key::faster);
+    CHECK(press(Key::faster) == "at the edge: 0.90 m/s, 9.0 rad/s");
+    for (int i = 0; i < 9; ++i) press(Key::slower);
+    CHECK(press(Key::slower) == "at the edge: 0.03 m/s, 0.3 rad/s");
+    CHECK(velocity() == "0.01");
+    press(Key::escape);
+    CHECK(press(Key::faster).empty());
+    it.turn(2);
+    it.type("drive 'mouse'");
+    CHECK(press(Key::slower) == "at the edge: 0.21 m/s, 2.1 rad/s");  // as it was at first
+}
+
+TEST_CASE("a pad's stick goes no farther than its edge, however it is scaled", "[console][session][joystick]") {
+    SessionRig it("component \"stick\" { type = \"Joystick\" }", {});
+    it.type("drive 'stick'");
+    it.shown.clear();
+    it.session->key(Key::faster);
+    CHECK(it.shown == "at the edge: 150 px");
+    it.session->key(Key::slower);
+    for (int i = 0; i < 5; ++i) it.session->key(Key::up);
+    it.turn(2);
+    CHECK(it.type("stick.pos.value[2]") == "105.0");
 }

@@ -198,7 +198,10 @@ TEST_CASE("a plot draws what a port carried", "[console][session]") {
 
 TEST_CASE("the arrow keys drive until Esc", "[console][session]") {
     SessionRig it;
-    CHECK(it.type("drive 'mouse'") == "driving mouse.target_velocity_in: arrow keys, space stops, Esc ends");
+    CHECK(it.type("drive 'mouse'") ==
+          "at the edge: 0.30 m/s, 3.0 rad/s\ndriving mouse.target_velocity_in: arrow keys, + and - scale, space stops, "
+          "Esc "
+          "ends");
     CHECK(it.keys);
     it.session->key(Key::up);
     it.session->key(Key::up);

@@ -24,6 +24,8 @@ TEST_CASE("arrow keys are known in both modes of a terminal, with Shift too", "[
     CHECK(key_of("\x1b[1;2Cx") == took(Key::right, 6));
     CHECK(key_of("\x1b[D\x1b[D") == took(Key::left, 3));
     CHECK(key_of(" ") == took(Key::space, 1));
+    CHECK(key_of("+") == took(Key::faster, 1));
+    CHECK(key_of("-") == took(Key::slower, 1));
     CHECK(key_of("x") == std::pair{other, std::size_t{1}});
     CHECK(key_of("\x1b[3~") == std::pair{other, std::size_t{4}});
     CHECK(key_of("\x03") == std::pair{interrupt, std::size_t{1}});
