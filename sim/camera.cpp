@@ -66,22 +66,6 @@ void SimCamera::develop(CameraImage& image) {
                   static_cast<std::uint64_t>(tick_));
 }
 
-std::vector<MarkerPose> OdeWorld::markers() const { return markers_; }
-
-Expected<void> OdeWorld::move_marker(std::string_view name, const Pose3D& pose) {
-    if (!nezumi::is_finite(pose))
-        return failure(fmt::format("marker '{}': its pose must be of finite numbers", shown(name)));
-    std::vector<std::string_view> names;
-    for (MarkerPose& marker : markers_) {
-        if (marker.name == name) {
-            marker.pose = pose;
-            return {};
-        }
-        names.push_back(marker.name);
-    }
-    return failure(fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, names)));
-}
-
 Expected<std::unique_ptr<CameraSource>> OdeWorld::open_camera(const CameraMount& mount,
                                                               const CameraSettings& settings) {
     std::optional<RobotId> carrier;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/markers.hpp"
 #include "sim/robot_body.hpp"
 
 #include "engine/ports/payload.hpp"
@@ -54,10 +55,7 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
     number = 0;
     for (const CylinderSpec& cylinder : arena.cylinders) add_cylinder(cylinder, fmt::format("cylinder {}", ++number));
     for (const MarkerSpec& marker : arena.markers) {
-        markers_.push_back({.name = marker.name,
-                            .id = marker.id,
-                            .size = marker.size,
-                            .pose = {.position = marker.at, .orientation = {.y = marker.facing}}});
+        markers_.push_back(pose_of(marker));
     }
     scene_.refresh();
 }

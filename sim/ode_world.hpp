@@ -50,6 +50,8 @@ public:
     std::vector<Ray> rays(RobotId robot) const override;
     std::vector<MarkerPose> markers() const override;
     Expected<void> move_marker(std::string_view name, const Pose3D& pose) override;
+    Expected<void> add_marker(const MarkerSpec& marker) override;
+    Expected<void> remove_marker(std::string_view name) override;
     Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,
                                                         const CameraSettings& settings) override;
 

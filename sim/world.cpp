@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "engine/ports/payload.hpp"
+#include "sim/markers.hpp"
 #include "sim/ode_world.hpp"
 #include "sim/paint_line.hpp"
 
@@ -49,15 +50,7 @@ Expected<std::unique_ptr<World>> make_world(const ArenaSpec& arena, const Physic
             fmt::format("the arena needs a positive size, got {{ {:g}, {:g} }}", arena.size->x, arena.size->y));
     }
     for (const MarkerSpec& marker : arena.markers) {
-        if (marker.id < 0 || marker.id >= tag_count) {
-            return failure(fmt::format("marker '{}': there is no tag {}, they go from 0 to {}", marker.name, marker.id,
-                                       tag_count - 1),
-                           marker.place);
-        }
-        if (!positive({marker.size}) || !finite(marker.at) || !std::isfinite(marker.facing)) {
-            return failure(fmt::format("marker '{}' needs a positive size and finite numbers", marker.name),
-                           marker.place);
-        }
+        if (auto ok = check_marker(marker); !ok) return Unexpected(ok.error());
     }
     auto world = std::make_unique<OdeWorld>(arena, physics, std::move(warn));
     if (auto apart = world->check_things(); !apart) return Unexpected(apart.error());

@@ -8,7 +8,7 @@
 namespace nezumi {
 namespace {
 
-enum class Outcome : unsigned char { done, number, failed };
+enum class Outcome : unsigned char { done, number, table, failed };
 
 // Runs a word between two ticks, and lets the time pass that it waits for.
 Expected<WordEnd> run(Session::Parts& parts, const Word& word, const Arguments& arguments) {
@@ -37,20 +37,37 @@ Outcome run_word(lua_State* L, Session::Parts& parts, const Word& word) {
         keep_error(L, fmt::format("{}: {}", name, describe(end.error())));
         return Outcome::failed;
     }
+    if (*end == WordEnd::table) return Outcome::table;
     return *end == WordEnd::number ? Outcome::number : Outcome::done;
 }
 
 Session::Parts& parts_of(lua_State* L) { return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1))); }
 
+int call_with_table(lua_State* L);
+
+// Upvalues: the parts, the word's number.
 int call_word(lua_State* L) {
     Session::Parts& parts = parts_of(L);
     const auto number = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(2)));
     switch (run_word(L, parts, console_words()[number])) {
         case Outcome::done: return 0;
         case Outcome::number: lua_pushnumber(L, parts.number); return 1;
+        case Outcome::table:
+            lua_pushvalue(L, lua_upvalueindex(1));
+            lua_pushvalue(L, lua_upvalueindex(2));
+            lua_pushvalue(L, 1);
+            lua_pushcclosure(L, call_with_table, 3);
+            return 1;
         case Outcome::failed: return raise_kept(L);
     }
     return 0;
+}
+
+// What `robot "mouse"` returns: the word again, with its name, for the table. Upvalues: as the word's, and the name.
+int call_with_table(lua_State* L) {
+    lua_pushvalue(L, lua_upvalueindex(3));
+    lua_insert(L, 1);
+    return call_word(L);
 }
 
 }  // namespace
@@ -70,6 +87,12 @@ const std::vector<Word>& console_words() {
         {"connect", "connect(from, to)", "connects an out-port to an in-port", 2, word_connect},
         {"disconnect", "disconnect(from, to) or disconnect(port)", "ends one connection, or all of a port", 2,
          word_disconnect},
+        {"behavior", "behavior \"NAME\" { script = ... }",
+         "adds a behaviour to the running system, as in a system file", 2, word_behavior, true},
+        {"component", "component \"NAME\" { type = ... }", "adds a native component", 2, word_component, true},
+        {"robot", "robot \"NAME\" { model = ... }", "adds a simulated robot", 2, word_robot, true},
+        {"marker", "marker { name = ..., id = ... }", "hangs up a marker", 1, word_marker, true},
+        {"remove", "remove \"NAME\"", "takes a component or marker away, and its connections", 1, word_remove},
         {"activate", "activate() or activate(component)", "activates all that are INACTIVE, or one", 1, word_activate,
          true},
         {"deactivate", "deactivate() or deactivate(component)", "deactivates all that are ACTIVE, or one", 1,
@@ -83,7 +106,8 @@ const std::vector<Word>& console_words() {
         {"run", "run(seconds) or run()", "lets so much time pass, then pauses; run() goes on without end", 1, word_run},
         {"speed", "speed(factor)", "how fast time passes: 1 as on the clock, \"max\" as fast as possible", 1,
          word_speed},
-        {"restart", "restart()", "reads the system file again and begins anew", 0, word_restart, true},
+        {"restart", "restart() or restart \"anyway\"", "reads the system file again and begins anew", 1, word_restart,
+         true},
         {"reload", "reload()", "loads every script that has changed", 0, word_reload, true},
         {"rollback", "rollback() or rollback(component)", "goes back to the version before", 1, word_rollback},
         {"errors", "errors()", "lists what is in ERROR, and the last warnings and errors", 0, word_errors},

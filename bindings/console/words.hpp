@@ -16,6 +16,7 @@ namespace nezumi {
 enum class WordEnd : unsigned char {
     done,
     number,  ///< it returns `Parts::number`
+    table,   ///< it returns a function that takes the table to the name that it was given: `robot "mouse" { ... }`
     wait,    ///< `Parts::ticks` are to pass before the input goes on
 };
 
@@ -47,11 +48,12 @@ Expected<WordEnd> done(const Expected<Result>& acted) {
 
 // Each group in its own file.
 using WordFunction = Expected<WordEnd>(Session::Parts&, const Arguments&);
-WordFunction word_connect, word_disconnect;                                     // wiring
-WordFunction word_activate, word_deactivate, word_log_level;                    // life
-WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;  // looking
-WordFunction word_watch, word_unwatch, word_plot, word_drive;                   // following
-WordFunction word_inject, word_hold, word_release;                              // acting
+WordFunction word_connect, word_disconnect;                                        // wiring
+WordFunction word_behavior, word_component, word_robot, word_marker, word_remove;  // members
+WordFunction word_activate, word_deactivate, word_log_level;                       // life
+WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;     // looking
+WordFunction word_watch, word_unwatch, word_plot, word_drive;                      // following
+WordFunction word_inject, word_hold, word_release;                                 // acting
 WordFunction word_teleport, word_stop, word_rearm;
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
 WordFunction word_reload, word_rollback;                                            // versions

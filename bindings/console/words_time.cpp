@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "bindings/console/words.hpp"
 
@@ -76,8 +78,25 @@ Expected<WordEnd> word_speed(Session::Parts& parts, const Arguments& arguments) 
     return WordEnd::done;
 }
 
-Expected<WordEnd> word_restart(Session::Parts& parts, const Arguments&) {
+// What acts have added is in no file.
+Expected<void> check_lost(Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.has(1)) {
+        const auto how = arguments.text(1, "nothing, or \"anyway\"");
+        if (!how) return Unexpected(how.error());
+        if (*how != "anyway") return failure(fmt::format("expected nothing, or \"anyway\", got '{}'", shown(*how)));
+        return {};
+    }
+    auto look = parts.at_system([&] { return parts.live.lost_by_restart(); });
+    if (!look) return failure("interrupted");
+    const std::vector<std::string> names = look();
+    if (names.empty()) return {};
+    return failure(
+        fmt::format("{} would be gone: save \"FILE.lua\" first, or say restart \"anyway\"", fmt::join(names, ", ")));
+}
+
+Expected<WordEnd> word_restart(Session::Parts& parts, const Arguments& arguments) {
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    if (auto ok = check_lost(parts, arguments); !ok) return Unexpected(ok.error());
     const auto attempt = parts.at_system([&] { return parts.live.try_restart(); });
     if (!attempt) return failure("interrupted");
     if (auto ok = attempt(); !ok) return Unexpected(ok.error());

@@ -66,11 +66,14 @@ Json number(double value) {
 Json write_plain(const PlainData& data);
 Json write_parameter(const ParameterValue& value);
 Json write_entry(const Entry& entry);
+Json write_marker(const MarkerSpec& marker);
 
 template <class T>
 Json write(const T& value) {
     if constexpr (std::is_same_v<T, Entry>) {
         return write_entry(value);
+    } else if constexpr (std::is_same_v<T, MarkerSpec>) {
+        return write_marker(value);
     } else if constexpr (std::is_same_v<T, AnyPayload>) {
         return Json{
             {message_type_names[value.index()], std::visit([](const auto& each) { return write(each); }, value)}};
@@ -144,6 +147,13 @@ Json write_entry(const Entry& entry) {
     SystemSpec spec;
     spec.entries.push_back(entry);
     return Json{{"lua", text_to_json(write_system_text(spec, "An entry."))}, {"file", place_of(entry).file}};
+}
+
+// The same.
+Json write_marker(const MarkerSpec& marker) {
+    SystemSpec spec;
+    spec.arena.markers.push_back(marker);
+    return Json{{"lua", text_to_json(write_system_text(spec, "A marker."))}, {"file", marker.place.file}};
 }
 
 // Reading. Each returns what is wrong, "" for nothing.
@@ -254,15 +264,18 @@ std::string read_payload(const Json& json, AnyPayload& out, const Project& proje
     return wrong;
 }
 
-std::string read_entry(const Json& json, Entry& out, const Project& project) {
+// A part of a system, as `write_entry` and `write_marker` have written it; `part` gives what there is of its kind.
+template <class T, class Part>
+std::string read_part(const Json& json, T& out, const Project& project, std::string_view what, const Part& part) {
     if (!json.is_object() || !json.contains("lua") || !json.contains("file") || !json["file"].is_string())
-        return expected("an entry's lua and file", json);
+        return expected(fmt::format("{}'s lua and file", what), json);
     const auto text = text_from_json(json["lua"]);
     if (!text) return text.error().message;
     auto spec = read_system_text(*text, json["file"].get<std::string>(), project);
     if (!spec) return describe(spec.error());
-    if (spec->entries.size() != 1) return fmt::format("expected one entry, got {}", spec->entries.size());
-    out = std::move(spec->entries.front());
+    auto& all = part(*spec);
+    if (all.size() != 1) return fmt::format("expected {}, got {}", what, all.size());
+    out = std::move(all.front());
     return "";
 }
 
@@ -295,7 +308,11 @@ std::string read_fields(const Json& json, T& out, const Project& project) {
 template <class T>
 std::string read(const Json& json, T& out, const Project& project) {
     if constexpr (std::is_same_v<T, Entry>) {
-        return read_entry(json, out, project);
+        return read_part(
+            json, out, project, "an entry", [](SystemSpec & spec) -> auto& { return spec.entries; });
+    } else if constexpr (std::is_same_v<T, MarkerSpec>) {
+        return read_part(
+            json, out, project, "a marker", [](SystemSpec & spec) -> auto& { return spec.arena.markers; });
     } else if constexpr (std::is_same_v<T, AnyPayload>) {
         return read_payload(json, out, project);
     } else if constexpr (std::is_same_v<T, ParameterValue>) {

@@ -15,6 +15,7 @@
 #include "engine/ports/messages.hpp"
 #include "engine/system/actor.hpp"
 #include "engine/system/system_spec.hpp"
+#include "engine/world/arena_spec.hpp"
 
 namespace nezumi {
 
@@ -76,6 +77,12 @@ struct MoveMarker {
     std::string marker;
     Pose3D pose;
 };
+struct AddMarker {
+    MarkerSpec marker;
+};
+struct RemoveMarker {
+    std::string marker;
+};
 struct Disturb {
     std::string robot;
     std::optional<double> vx{};
@@ -112,15 +119,15 @@ struct Stop {};
 struct Rearm {};
 
 using Act = std::variant<SetParameter, Write, Inject, Hold, Release, Drop, Freeze, Activate, Deactivate, Reset, Use,
-                         Connect, Disconnect, Teleport, MoveMarker, Disturb, Press, Command, Reload, Rollback, Add,
-                         Remove, Restart, Stop, Rearm>;
+                         Connect, Disconnect, Teleport, MoveMarker, AddMarker, RemoveMarker, Disturb, Press, Command,
+                         Reload, Rollback, Add, Remove, Restart, Stop, Rearm>;
 
 /// What an act has come to.
 struct ActResult {
     PlainData values{};                     ///< that a command returned
     std::vector<std::string> components{};  ///< that run another version now
     int version = 0;                        ///< of the first of them
-    std::vector<std::string> notes{};       ///< ports that went with a version, and what they were connected to
+    std::vector<std::string> notes{};       ///< ports that went, and what they were connected to
 };
 
 template <>
@@ -240,6 +247,18 @@ struct Describe<MoveMarker> {
         Field{"marker", &MoveMarker::marker, "", ""},
         Field{"pose", &MoveMarker::pose, "", "where it hangs from now on"},
     };
+};
+
+template <>
+struct Describe<AddMarker> {
+    static constexpr std::string_view name = "AddMarker";
+    static constexpr std::tuple fields{Field{"marker", &AddMarker::marker, "", "as an arena gives it"}};
+};
+
+template <>
+struct Describe<RemoveMarker> {
+    static constexpr std::string_view name = "RemoveMarker";
+    static constexpr std::tuple fields{Field{"marker", &RemoveMarker::marker, "", ""}};
 };
 
 template <>

@@ -186,6 +186,10 @@ public:
     /// Carries a marker elsewhere, wherever that is: a marker touches nothing. An error when there is none of this
     /// name, which names the nearest, or when the pose is not finite.
     virtual Expected<void> move_marker(std::string_view name, const Pose3D& pose);
+    /// Hangs up another marker. An error when its name is taken, or when it is none that can be seen.
+    virtual Expected<void> add_marker(const MarkerSpec& marker);
+    /// Takes a marker away. An error when there is none of this name, which names the nearest.
+    virtual Expected<void> remove_marker(std::string_view name);
     /// A camera that looks at this world; must not outlive it. An error when there is nothing that can be looked at, or
     /// no such robot.
     virtual Expected<std::unique_ptr<CameraSource>> open_camera(const CameraMount& mount,

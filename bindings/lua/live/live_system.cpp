@@ -1,6 +1,7 @@
 // Builds beside the system that runs, and takes its place only when all has gone well.
 #include "bindings/lua/live/live_system.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -226,6 +227,8 @@ Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*
 
 Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
     SystemSpec& spec = running_->spec;
+    if (options_.build.real_time && std::holds_alternative<RobotEntry>(act.entry))
+        return failure(fmt::format("robot '{}': with --hw all robots are there from the start", name_of(act.entry)));
     if (const auto* robot = std::get_if<RobotEntry>(&act.entry);
         robot != nullptr && !spec.models.contains(robot->described_by())) {
         const auto path = project_.find(FileKind::model, robot->model, robot->place.file);
@@ -242,10 +245,43 @@ Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
 }
 
 Expected<ActResult> LiveSystem::perform(const Remove& act, const Actor& /*who*/) {
-    if (auto gone = running_->system->remove(act.component); !gone) return Unexpected(gone.error());
+    System& system = *running_->system;
+    const auto component = system.component(act.component);
+    if (!component) return Unexpected(component.error());
+    if (const auto* robot = dynamic_cast<const Robot*>(*component); robot != nullptr && robot->is_real())
+        return failure(fmt::format("{} is a real robot: it stays until the run ends", act.component));
+    for (const Entry& entry : running_->spec.entries) {
+        const auto* carried = std::get_if<ComponentEntry>(&entry);
+        if (carried != nullptr && carried->on == act.component)
+            return failure(fmt::format("{} carries {}: remove that first", act.component, carried->name));
+    }
+    ActResult result;
+    const auto note = [&](const auto& ports) {
+        for (const auto& port : ports) {
+            const auto peers = system.peers(*port);
+            if (!peers.empty())
+                result.notes.push_back(
+                    fmt::format("{}.{} was connected to {}", act.component, port->name(), fmt::join(peers, ", ")));
+        }
+    };
+    note((*component)->in_ports());
+    note((*component)->out_ports());
+    if (auto gone = system.remove(act.component); !gone) return Unexpected(gone.error());
     std::erase_if(running_->spec.entries, [&](const Entry& entry) { return name_of(entry) == act.component; });
     watch_again();
-    return ActResult{};
+    return result;
+}
+
+Expected<ActResult> LiveSystem::perform(const AddMarker& act, const Actor& who) {
+    auto added = nezumi::perform(*running_->system, act, who);
+    if (added) running_->spec.arena.markers.push_back(act.marker);
+    return added;
+}
+
+Expected<ActResult> LiveSystem::perform(const RemoveMarker& act, const Actor& who) {
+    auto gone = nezumi::perform(*running_->system, act, who);
+    if (gone) std::erase_if(running_->spec.arena.markers, [&](const auto& each) { return each.name == act.marker; });
+    return gone;
 }
 
 Expected<ActResult> LiveSystem::perform(const Restart& /*act*/, const Actor& /*who*/) {
@@ -299,6 +335,30 @@ std::function<Expected<void>()> LiveSystem::try_restart() const {
             }
             return {};
         };
+}
+
+std::function<std::vector<std::string>()> LiveSystem::lost_by_restart() const {
+    // What a file says has a line.
+    std::vector<std::string> added;
+    for (const Entry& entry : running_->spec.entries) {
+        if (place_of(entry).line == 0) added.push_back(name_of(entry));
+    }
+    for (const MarkerSpec& marker : running_->spec.arena.markers) {
+        if (marker.place.line == 0) added.push_back(marker.name);
+    }
+    if (file_.empty()) added.clear();
+    return [added, file = file_, project = project_, seed = options_.build.seed]() mutable {
+        if (added.empty()) return added;
+        const auto spec = read_system_file(file, project, {.seed = seed});
+        if (!spec) return added;
+        std::erase_if(added, [&](const std::string& name) {
+            const auto same = [&](const auto& each) { return each.name == name; };
+            return std::any_of(spec->entries.begin(), spec->entries.end(),
+                               [&](const Entry& entry) { return name_of(entry) == name; }) ||
+                   std::any_of(spec->arena.markers.begin(), spec->arena.markers.end(), same);
+        });
+        return added;
+    };
 }
 
 std::uint64_t LiveSystem::trace_hash() const {

@@ -73,7 +73,8 @@ public:
     /// Checks an act and performs it, between two ticks: the one way in which the system that runs is changed from
     /// outside. On an error nothing has changed, but for what a hook or command of a script did before it failed.
     ///   Restart reads the file again and starts anew from time 0, activated: everything is as in the file.
-    ///   Add does not activate. Remove lets the safe values of a component through.
+    ///   Add does not activate. Remove lets the safe values of a component through; what carries others, and a real
+    ///   robot, stays. Its connections and the hands on its ports go with it, its columns of a recording stay empty.
     Expected<ActResult> act(const Act& act, const Actor& who);
     /// Ends what one holds who goes for good, as a connection that closes: a velocity is zero for a tick first.
     void let_go(const Actor& who);
@@ -114,6 +115,9 @@ public:
     std::function<std::vector<std::string>()> look_for_changes() const;
     /// Reads what `Restart` reads. The error is the system file's.
     std::function<Expected<void>()> try_restart() const;
+    /// Names of components and markers that acts have added and that the system's file does not have: a restart would
+    /// lose them. Reads that file, as `look_for_changes`.
+    std::function<std::vector<std::string>()> lost_by_restart() const;
     /// Of everything since the start; after a restart, of that and of what the start before came to.
     std::uint64_t trace_hash() const;
     /// What it carries, over restarts.
@@ -129,6 +133,8 @@ private:
     Expected<ActResult> perform(const Rollback& act, const Actor& who);
     Expected<ActResult> perform(const Add& act, const Actor& who);
     Expected<ActResult> perform(const Remove& act, const Actor& who);
+    Expected<ActResult> perform(const AddMarker& act, const Actor& who);
+    Expected<ActResult> perform(const RemoveMarker& act, const Actor& who);
     Expected<ActResult> perform(const Restart& act, const Actor& who);
     void watch_again();
     void end_holds();

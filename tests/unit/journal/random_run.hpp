@@ -141,6 +141,11 @@ function on_execute()
     }
     Act make(std::in_place_type_t<Teleport>) { return Teleport{"mouse", {{number(), number()}, number() * 3}}; }
     Act make(std::in_place_type_t<MoveMarker>) { return MoveMarker{"target", {{number(), number(), 0.1}, {}}}; }
+    Act make(std::in_place_type_t<AddMarker>) {
+        return AddMarker{
+            {.name = "sign", .id = 5, .size = 0.1, .at = {number(), number(), 0.1}, .place = {file.string(), 1}}};
+    }
+    Act make(std::in_place_type_t<RemoveMarker>) { return RemoveMarker{"sign"}; }
     Act make(std::in_place_type_t<Disturb>) {
         Disturb push{"mouse"};
         if (below(2) == 0) push.vx = number() / 4;

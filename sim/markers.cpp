@@ -1,0 +1,76 @@
+// What cameras see is read from the world for each picture, so that a marker may come and go at any tick.
+#include "sim/markers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "engine/ports/payload.hpp"
+#include "sim/ode_world.hpp"
+#include "sim/picture.hpp"
+
+namespace nezumi::sim {
+namespace {
+
+auto find_marker(std::vector<MarkerPose>& markers, std::string_view name) {
+    return std::find_if(markers.begin(), markers.end(), [&](const MarkerPose& each) { return each.name == name; });
+}
+
+Unexpected no_marker(std::string_view name, const std::vector<MarkerPose>& markers) {
+    std::vector<std::string_view> names;
+    for (const MarkerPose& marker : markers) names.push_back(marker.name);
+    return failure(fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, names)));
+}
+
+}  // namespace
+
+Expected<void> check_marker(const MarkerSpec& marker) {
+    if (marker.id < 0 || marker.id >= tag_count) {
+        return failure(
+            fmt::format("marker '{}': there is no tag {}, they go from 0 to {}", marker.name, marker.id, tag_count - 1),
+            marker.place);
+    }
+    const bool has_size = marker.size > 0 && std::isfinite(marker.size);
+    if (!has_size || !nezumi::is_finite(marker.at) || !std::isfinite(marker.facing)) {
+        return failure(fmt::format("marker '{}' needs a positive size and finite numbers", marker.name), marker.place);
+    }
+    return {};
+}
+
+MarkerPose pose_of(const MarkerSpec& marker) {
+    return {.name = marker.name,
+            .id = marker.id,
+            .size = marker.size,
+            .pose = {.position = marker.at, .orientation = {.y = marker.facing}}};
+}
+
+std::vector<MarkerPose> OdeWorld::markers() const { return markers_; }
+
+Expected<void> OdeWorld::move_marker(std::string_view name, const Pose3D& pose) {
+    if (!nezumi::is_finite(pose))
+        return failure(fmt::format("marker '{}': its pose must be of finite numbers", shown(name)));
+    const auto marker = find_marker(markers_, name);
+    if (marker == markers_.end()) return no_marker(name, markers_);
+    marker->pose = pose;
+    return {};
+}
+
+Expected<void> OdeWorld::add_marker(const MarkerSpec& marker) {
+    if (find_marker(markers_, marker.name) != markers_.end())
+        return failure(fmt::format("marker: the name '{}' is taken by another", shown(marker.name)), marker.place);
+    if (auto ok = check_marker(marker); !ok) return ok;
+    markers_.push_back(pose_of(marker));
+    return {};
+}
+
+Expected<void> OdeWorld::remove_marker(std::string_view name) {
+    const auto marker = find_marker(markers_, name);
+    if (marker == markers_.end()) return no_marker(name, markers_);
+    markers_.erase(marker);
+    return {};
+}
+
+}  // namespace nezumi::sim
