@@ -68,3 +68,45 @@ TEST_CASE("what is removed is gone from the description too", "[lua][act]") {
     CHECK(it.live->spec().entries.size() == 1);
     it.tick(3);
 }
+
+TEST_CASE("the trace goes on when a component comes and goes", "[lua][act]") {
+    LiveRig it;
+    const auto error = [&](const Act& act) {
+        const auto done = it.live->act(act, {});
+        return done ? "" : done.error().message;
+    };
+    it.tick(3);
+    BehaviorEntry second{.name = "second", .script = "counter"};
+    second.path = it.folder.path("behaviors/counter.lua").string();
+    REQUIRE(it.live->act(Add{second}, {}));
+    REQUIRE(it.live->act(Activate{"second"}, {}));
+    const auto followed = it.live->trace().follow("second.out");
+    REQUIRE(followed);
+    it.tick(3);
+    CHECK((*followed)->exists());
+    REQUIRE(it.live->act(Remove{"second"}, {}));
+    it.tick(3);
+    CHECK_FALSE((*followed)->exists());
+    REQUIRE(it.live->act(Add{second}, {}));
+    it.tick();
+    CHECK((*followed)->exists());  // the same channel, by its name
+    CHECK(error(AddMarker{{.name = "m", .id = 1, .size = -1}}) ==
+          "marker 'm' needs a positive size and finite numbers");
+    CHECK(error(RemoveMarker{"m"}) == "there is no marker 'm'");
+}
+
+TEST_CASE("a run in which components come and go has the same hash each time", "[lua][act]") {
+    const auto hash = [] {
+        LiveRig it;
+        it.tick(5);
+        BehaviorEntry second{.name = "second", .script = "counter"};
+        second.path = it.folder.path("behaviors/counter.lua").string();
+        REQUIRE(it.live->act(Add{second}, {}));
+        REQUIRE(it.live->act(Activate{"second"}, {}));
+        it.tick(5);
+        REQUIRE(it.live->act(Remove{"controller"}, {}));
+        it.tick(5);
+        return it.live->trace_hash();
+    };
+    CHECK(hash() == hash());
+}

@@ -1,0 +1,131 @@
+// What is added to the running system at the prompt, and taken away.
+#include <catch2/catch.hpp>
+
+#include <string>
+
+#include "engine/trace/trace.hpp"
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("a behaviour is added, runs, and is gone again, as acts", "[console][session][act]") {
+    SessionRig it;
+    it.turn(5);
+    CHECK(it.type("behavior 'second' { script = 'counter', config = { speed_x = 0.5 } }").empty());
+    CHECK(it.type("second.status") == "\"ACTIVE\"");
+    CHECK(it.type("connect('mouse.ir_sensor_out', 'second.in') step(3) return second.out.value.vx") == "0.5");
+    CHECK(it.type("behavior('third', { script = 'counter', active = false }) third.status") == "\"INACTIVE\"");
+    CHECK(it.type("for i = 1, 3 do behavior('more' .. i) { script = 'counter' } end return more3.status") ==
+          "\"ACTIVE\"");
+    CHECK(it.type("remove 'second'") == "second.in was connected to mouse.ir_sensor_out");
+    CHECK_THAT(it.type("second"), StartsWith("! unknown name 'second'"));
+    CHECK(it.type("remove(third)").empty());
+    it.turn(3);
+}
+
+TEST_CASE("a robot and a native component are added where there is room for them", "[console][session][act]") {
+    SessionRig it;
+    CHECK(it.type("robot 'other' { model = 'raspimouse', pose = { x = 0, y = 0.5 } }").empty());
+    CHECK(it.type("component 'stick' { type = 'Joystick' }").empty());
+    CHECK(it.type("other.status, stick.status") == "\"ACTIVE\"\t\"ACTIVE\"");
+    CHECK(
+        it.type("connect(controller.out, other.target_velocity_in) run(1) return other.truth.pose.position.x > 0.1") ==
+        "true");
+    CHECK_THAT(it.type("robot 'third' { model = 'raspimouse', pose = { x = 0.8 } }"), StartsWith("! robot: "));
+    CHECK_THAT(it.type("third"), StartsWith("! unknown name 'third'"));  // nothing half done
+    CHECK(it.type("robot 'third' { model = 'raspimouse', pose = { x = 0, y = -0.5 } }").empty());
+    CHECK_THAT(it.type("remove 'other'"), Contains("other.target_velocity_in was connected to controller.out"));
+    it.turn(10);
+}
+
+TEST_CASE("a marker is hung up, carried and taken away", "[console][session][act]") {
+    SessionRig it;
+    const auto count = [&] { return it.live->system().world()->markers().size(); };
+    CHECK(it.type("marker { name = 'target', id = 7, size = 0.1, at = { 1, 0, 0.1 }, facing = math.pi }").empty());
+    CHECK(count() == 1);
+    CHECK(it.live->spec().arena.markers.size() == 1);
+    CHECK(it.type("teleport('target', { x = 1.5 })").empty());
+    CHECK(it.live->system().world()->markers()[0].pose.position.x == 1.5);
+    CHECK_THAT(it.type("marker { name = 'target', id = 8, at = { 1, 0, 0.1 } }"),
+               Contains("the name 'target' is taken"));
+    CHECK_THAT(it.type("marker { name = 'no', id = 587, at = { 1, 0, 0.1 } }"), Contains("586"));
+    CHECK(it.type("marker 7") ==
+          "! marker: expected a table, as in marker { name = \"target\", id = 7, size = 0.1, at = { 1, 0, 0.1 } }");
+    CHECK(count() == 1);
+    CHECK(it.type("remove 'target'").empty());
+    CHECK(count() == 0);
+    CHECK(it.live->spec().arena.markers.empty());
+    CHECK_THAT(it.type("remove 'target'"), StartsWith("! remove: there is no component 'target'"));
+}
+
+TEST_CASE("what can't be added or removed is told, and nothing changes", "[console][session][act]") {
+    SessionRig it;
+    const auto layout = it.live->system().layout();
+    CHECK(it.type("behavior 'controller' { script = 'counter' }") ==
+          "! behavior: the name 'controller' is taken: remove \"controller\" frees it, or choose another");
+    CHECK_THAT(it.type("behavior 'x' { script = 'conter' }"), Contains("(did you mean 'counter'?)"));
+    CHECK_THAT(it.type("behavior 'x' { script = 'counter', config = { sped_x = 1 } }"),
+               Contains("(did you mean 'speed_x'?)"));
+    CHECK_THAT(it.type("behavior 'x' { scrpt = 'counter' }"), Contains("(did you mean 'script'?)"));
+    CHECK_THAT(it.type("behavior 'x' { script = 'counter', rate = 1000 }"), Contains("1000"));
+    CHECK_THAT(it.type("behavior 'end' { script = 'counter' }"), Contains("choose another name"));
+    CHECK_THAT(it.type("behavior 'print' { script = 'counter' }"), Contains("choose another name"));
+    CHECK(it.type("behavior { script = 'counter' }") == "! behavior: expected a name, as in behavior \"NAME\" { ... }");
+    CHECK_THAT(it.type("robot 'x' { model = 'raspimous' }"), Contains("(did you mean 'raspimouse'?)"));
+    CHECK_THAT(it.type("component 'x' { type = 'Joystik' }"), Contains("(did you mean 'Joystick'?)"));
+    CHECK(it.type("remove 'contoller'") == "! remove: there is no component 'contoller' (did you mean 'controller'?)");
+    CHECK_THAT(it.type("remove()"), StartsWith("! remove: expected a name, as in remove \"explorer\""));
+    CHECK(it.live->system().layout() == layout);
+    CHECK(it.live->spec().entries.size() == 2);
+}
+
+TEST_CASE("a hand on a port goes with it, and another of the name begins free", "[console][session][act]") {
+    SessionRig it;
+    it.type("hold(controller.out, { vx = 0.1 })");
+    it.type("watch(controller.out) remove 'controller'");
+    CHECK(it.live->system().held_by({Actor::Kind::console}).empty());
+    it.turn(3);
+    CHECK(it.type("behavior 'controller' { script = 'counter' } controller.out.override").find("\"\"") !=
+          std::string::npos);
+    CHECK(it.type("step(3) return controller.out.value.vx") == "0.25");
+}
+
+TEST_CASE("a robot stops when what drives it is removed", "[console][session][act]") {
+    SessionRig it;
+    it.type("run(1)");
+    CHECK(it.type("mouse.truth.velocity.vx > 0.2") == "true");
+    it.type("remove 'controller' run(1)");
+    CHECK(it.type("math.abs(mouse.truth.velocity.vx) < 0.001") == "true");
+}
+
+TEST_CASE("a plot of what has gone is another's when the name comes again", "[console][session][act]") {
+    SessionRig it;
+    it.type("plot(controller.out) step(10)");
+    it.type("remove 'controller'");
+    it.turn(5);
+    CHECK_THAT(it.type("plot(controller.out)"), StartsWith("! plot: "));
+    it.type("behavior 'controller' { script = 'counter', config = { speed_x = 1.0 } } plot(controller.out) step(5)");
+    CHECK_THAT(it.type("plot(controller.out, 0.045)"), Contains("vx = 1 all the time"));
+}
+
+TEST_CASE("restart says what would be gone, unless it is in the file", "[console][session][act]") {
+    SessionRig it;
+    it.type("behavior 'second' { script = 'counter' } marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
+    CHECK(it.type("restart()") ==
+          "! restart: second, target would be gone: save \"FILE.lua\" first, or say restart \"anyway\"");
+    CHECK(it.type("second.status") == "\"ACTIVE\"");
+    CHECK(it.type("restart 'now'") == "! restart: expected nothing, or \"anyway\", got 'now'");
+    SECTION("they are saved to it") {
+        CHECK_THAT(it.type("save '" + it.file.string() + "'"), StartsWith("saved "));
+        CHECK(it.type("restart()") == "started anew, time is 0");
+        CHECK(it.type("second.status") == "\"ACTIVE\"");
+        CHECK(it.live->system().world()->markers().size() == 1);
+    }
+    SECTION("it is meant") {
+        CHECK(it.type("restart 'anyway'") == "started anew, time is 0");
+        CHECK_THAT(it.type("second"), StartsWith("! unknown name 'second'"));
+        CHECK(it.type("restart()") == "started anew, time is 0");
+    }
+}
