@@ -232,6 +232,7 @@ void Session::replace_stuck() {
     }
     (*fresh)->jobs = std::move(parts_->jobs);
     (*fresh)->watches = std::move(parts_->watches);
+    (*fresh)->plots = std::move(parts_->plots);
     (*fresh)->drive = std::move(parts_->drive);
     parts_->worker.close({});
     const bool ended = parts_->worker.join(Worker::Clock::now());
@@ -269,6 +270,15 @@ void Session::after_tick() {
         parts.show(fmt::format("{} is gone: no longer watched", watch.path));
         return true;
     });
+    std::erase_if(parts.plots, [&parts](Plot& plot) {
+        const double now = parts.live.system().now().seconds;
+        if (now < plot.next - plot.every) plot.next = now;  // started anew
+        if (now < plot.next) return false;
+        plot.next = now + plot.every;
+        auto looked = look_at_plot(parts.live, plot);
+        parts.show(looked ? to_text(std::move(*looked)) : looked.error().message + ": no longer drawn");
+        return !looked;
+    });
     if (auto driving = parts.drive.after_tick(parts.live); !driving) {
         parts.show(driving.error().message);
         if (parts.options.output.take_keys) parts.options.output.take_keys(false);
@@ -279,6 +289,7 @@ void Session::interrupt() {
     Parts& parts = *parts_;
     if (parts.drive.is_on()) key(Key::escape);
     parts.watches.clear();
+    parts.plots.clear();
     parts.worker.serve_posts();
     auto jobs = std::exchange(parts.jobs, {});
     if (parts.job) {

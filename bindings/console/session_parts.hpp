@@ -15,6 +15,7 @@
 #include "bindings/console/worker.hpp"
 #include "bindings/lua/live/objects.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "engine/trace/text_plot.hpp"
 
 namespace nezumi {
 
@@ -24,6 +25,26 @@ struct Watch {
     std::string shown;     ///< its value as it was shown last
     double shown_at = -1;  ///< [s] simulated; -1: not yet
 };
+
+/// What `plot` was asked for.
+struct Plot {
+    std::vector<std::string> names{};  ///< of channels: "controller.out.vx"
+    double seconds = 0;                ///< that are drawn
+    double every = 0;                  ///< [s] of simulated time: it is drawn again; 0: once
+    double next = 0;                   ///< [s] when
+};
+
+/// A copy of what it draws.
+struct PlotCurves {
+    Plot plot;
+    double from = 0;  ///< [s]
+    double to = 0;
+    std::vector<Curve> curves{};
+};
+
+/// Looks at the system, between two ticks; what was not remembered is from now on.
+Expected<PlotCurves> look_at_plot(LiveSystem& live, const Plot& plot);
+std::string to_text(PlotCurves looked);
 
 /// An input, or a question what could stand before the cursor.
 struct Job {
@@ -59,6 +80,7 @@ struct Session::Parts {
     std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was, which may not have ended yet
     std::optional<Worker::Clock::time_point> quits;    ///< when a line asked for the run's end
     std::vector<Watch> watches;
+    std::vector<Plot> plots;  ///< that are drawn again and again
     Drive drive;
 
     // Of the worker, and of what is done for it while it waits:

@@ -1,11 +1,10 @@
-// Words that follow a port in time, or move something: watches, plots, the stick, a marker.
+// Words that follow a port in time, or move something: watches, the stick, a marker.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "bindings/console/words.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
-#include "engine/trace/text_plot.hpp"
 
 namespace nezumi {
 namespace {
@@ -30,6 +29,7 @@ Expected<WordEnd> word_watch(Session::Parts& parts, const Arguments& arguments) 
 Expected<WordEnd> word_unwatch(Session::Parts& parts, const Arguments& arguments) {
     if (!arguments.has(1)) {
         parts.watches.clear();
+        parts.plots.clear();
         return WordEnd::done;
     }
     // A port that is gone can be named by its text.
@@ -38,36 +38,6 @@ Expected<WordEnd> word_unwatch(Session::Parts& parts, const Arguments& arguments
     if (!port) return Unexpected(port.error());
     if (std::erase_if(parts.watches, [&](const Watch& watch) { return watch.path == *port; }) == 0)
         return failure(fmt::format("{} is not watched", *port));
-    return WordEnd::done;
-}
-
-Expected<WordEnd> word_plot(Session::Parts& parts, const Arguments& arguments) {
-    // What is drawn is a copy: drawing takes longer than a look.
-    struct Drawn {
-        std::string port;
-        Series series;
-        double now = 0;
-    };
-    double seconds = 10;
-    const auto drawn = parts.at_system([&]() -> Expected<Drawn> {
-        const auto port = path(parts, arguments);
-        if (!port) return Unexpected(port.error());
-        if (arguments.has(2)) {
-            const auto given = arguments.number(2, "seconds");
-            if (!given) return Unexpected(given.error());
-            if (!(*given > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *given));
-            seconds = *given;
-        }
-        const auto series = parts.live.trace().remember(*port);
-        if (!series) return Unexpected(series.error());
-        return Drawn{*port, **series, parts.live.system().now().seconds};
-    });
-    if (!drawn) return Unexpected(drawn.error());
-    const Series& series = drawn->series;
-    std::string text;
-    if (series.size() > 0) text = braille_plot(series, std::max(series.seconds(0), drawn->now - seconds), drawn->now);
-    parts.show(text.empty() ? fmt::format("{} has carried no numbers in this time", drawn->port)
-                            : fmt::format("{}\n{}", drawn->port, text));
     return WordEnd::done;
 }
 

@@ -28,11 +28,6 @@ namespace {
 
 constexpr std::uint64_t no_version = ~std::uint64_t{0};
 
-bool is_within(std::string_view path, std::string_view part) {
-    return path.starts_with(part) &&
-           (path.size() == part.size() || path[part.size()] == '.' || path[part.size()] == '[');
-}
-
 // Where the first name of a path ends.
 std::size_t end_of_name(std::string_view path) { return std::min(path.find_first_of(".["), path.size()); }
 
@@ -81,6 +76,11 @@ std::span<const Message<T>> messages_of(const Port& port) {
 }
 
 }  // namespace
+
+bool is_within(std::string_view path, std::string_view part) {
+    return part.empty() || (path.starts_with(part) &&
+                            (path.size() == part.size() || path[part.size()] == '.' || path[part.size()] == '['));
+}
 
 Channel::Channel(std::string_view owner, std::string_view member, std::string_view part)
     : owner_(owner), member_(member), part_(part) {
@@ -237,16 +237,20 @@ void Channel::append_to(Series& series, double seconds) const {
     const auto take = [&](const auto& leaf) {
         if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(leaf)>>) {
             if (count < values.size()) values[count++] = static_cast<double>(leaf);
+        } else if constexpr (std::is_convertible_v<decltype(leaf), std::string_view>) {
+            if (count < values.size()) values[count++] = static_cast<double>(series.place_of(leaf));
         }
     };
     const auto add = [&](std::size_t message, double at) {
         if (count > series.labels().size()) {
             std::vector<std::string> labels;
+            std::vector<bool> are_texts;
             visit(message, [&](const LeafPath& path, const Leaf& leaf) {
-                if (!std::holds_alternative<std::string_view>(leaf) && labels.size() < values.size())
-                    labels.push_back(path.text());
+                if (labels.size() == values.size()) return;
+                labels.push_back(path.text());
+                are_texts.push_back(std::holds_alternative<std::string_view>(leaf));
             });
-            series.set_labels(std::move(labels));
+            series.set_labels(std::move(labels), std::move(are_texts));
         }
         series.add(at, {values.data(), count});
         count = 0;

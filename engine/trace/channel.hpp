@@ -18,12 +18,20 @@ class Series;
 /// What each kind has in a tick: an out-port all that it published, an in-port all that arrived (of connections, of
 /// `inject` and of `hold`), `truth` the robot as its sensors saw it, `config` the parameters in the tick in which one
 /// changed, any other member of a component (a script's `state`) what it is after the execution.
+/// Whether a leaf's path is `part` or within it: "pose.heading" in "pose", all in "".
+bool is_within(std::string_view path, std::string_view part);
+
 class Channel {
 public:
     /// The channel "mouse.truth.pose" of this system. An error says what is not there, and names the nearest.
     static Expected<Channel> find(const System& system, std::string_view name);
 
     const std::string& name() const { return name_; }
+    /// What it is a part of: "mouse.truth"; and the part: "pose", "" for all.
+    std::string whole() const { return owner_ + "." + member_; }
+    const std::string& part() const { return part_; }
+    /// It holds its value from one message to the next: parameters do.
+    bool holds() const { return kind_ == Kind::config; }
     /// What a leaf of it is called: "mouse.truth.pose.heading", "mouse.ir_sensor_out[1]".
     std::string name_of(const LeafPath& path) const;
 
@@ -44,7 +52,7 @@ public:
     void resolve(const System& system);
     /// Takes a tick's messages: between this and the next tick they can be visited.
     void latch(const System& system, std::int64_t tick);
-    /// Adds the numbers of these messages; `seconds` is the stamp of what carries none.
+    /// Adds the numbers, truth values and texts of these messages; `seconds` is the stamp of what carries none.
     void append_to(Series& series, double seconds) const;
     /// It carries pictures.
     bool has_pictures() const;

@@ -12,7 +12,16 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-void Series::set_labels(std::vector<std::string> labels) {
+std::size_t Series::place_of(std::string_view text) {
+    text = text.substr(0, longest_text);
+    const auto known = std::find(texts_.begin(), texts_.end(), text);
+    if (known != texts_.end()) return static_cast<std::size_t>(known - texts_.begin());
+    if (texts_.size() + 1 == most_texts) text = "...";
+    if (texts_.size() < most_texts) texts_.emplace_back(text);
+    return texts_.size() - 1;
+}
+
+void Series::set_labels(std::vector<std::string> labels, std::vector<bool> are_texts) {
     assert(labels.size() >= labels_.size());
     std::vector<double> rows;
     rows.reserve(size_ * (labels.size() + 1));
@@ -22,6 +31,7 @@ void Series::set_labels(std::vector<std::string> labels) {
     }
     rows_ = std::move(rows);
     labels_ = std::move(labels);
+    are_texts_ = std::move(are_texts);
     first_ = 0;
 }
 

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/visible.hpp"
+#include "engine/trace/channel.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -111,19 +114,54 @@ std::vector<std::string> plain_plot(const std::vector<Curve>& curves, const Plot
     return lines;
 }
 
-std::string braille_plot(const Series& series, double from, double to, const PlotSize& size) {
-    std::string text;
-    const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+std::vector<Curve> curves_of(const Series& series, std::string_view part, double from, double to, bool holds) {
+    std::vector<Curve> curves;
     for (std::size_t label = 0; label < series.labels().size(); ++label) {
-        Curve curve{series.labels()[label].empty() ? "value" : series.labels()[label]};
-        Range values;
+        const std::string& name = series.labels()[label];
+        if (!is_within(name, part)) continue;
+        Curve curve{name.empty() ? "value" : name};
+        if (series.is_text(label)) curve.texts = series.texts();
         for (std::size_t i = 0; i < series.size(); ++i) {
-            const double value = series.value(i, label);
-            if (series.seconds(i) < from || series.seconds(i) > to || !std::isfinite(value)) continue;
-            values.add(value);
-            curve.points.emplace_back(series.seconds(i), value);
+            const double value = series.value(i, label), at = series.seconds(i);
+            if (at > to || !std::isfinite(value)) continue;
+            if (at < from && !holds) continue;
+            if (at < from) curve.points.clear();
+            curve.points.emplace_back(std::max(at, from), value);
         }
         if (curve.points.empty()) continue;
+        if (holds && curve.points.back().first < to) curve.points.emplace_back(to, curve.points.back().second);
+        curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
+std::string text_line(const Curve& curve) {
+    constexpr std::size_t most_shown = 8;
+    std::vector<std::string> changes;
+    double last = -1;
+    for (const auto& [seconds, place] : curve.points) {
+        if (std::exchange(last, place) == place) continue;
+        const auto index = static_cast<std::size_t>(place);
+        changes.push_back(fmt::format("\"{}\" from {:.6g} s", visible(curve.texts[index]), seconds));
+    }
+    std::string text = curve.name + ": ";
+    if (changes.size() > most_shown) {
+        text += "..., ";
+        changes.erase(changes.begin(), changes.end() - most_shown);
+    }
+    return text + fmt::format("{}", fmt::join(changes, ", "));
+}
+
+std::string braille_plot(const std::vector<Curve>& curves, double from, double to, const PlotSize& size) {
+    std::string text;
+    const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+    for (const Curve& curve : curves) {
+        if (!curve.texts.empty()) {
+            add(text_line(curve));
+            continue;
+        }
+        Range values;
+        for (const auto& [seconds, value] : curve.points) values.add(value);
         if (values.low == values.high || from >= to) {
             add(fmt::format("{} = {} all the time", curve.name, number_text(values.low)));
         } else {

@@ -1,6 +1,7 @@
 // Channels keep pointers into the system, and find them anew when its layout has changed.
 #include "engine/trace/trace.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,23 @@ Expected<const Series*> Trace::remember(std::string_view name) {
     if (!found) return Unexpected(found.error());
     (*found)->remembered = true;
     return &(*found)->series;
+}
+
+Expected<Trace::Remembered> Trace::remember_part(std::string_view name) {
+    const auto channel = Channel::find(*system_, name);
+    if (!channel) return Unexpected(channel.error());
+    const auto whole = remember(channel->whole());
+    if (!whole) return Unexpected(whole.error());
+    Remembered all{*whole, channel->whole(), channel->part(), channel->holds()};
+    // A part that the whole has no room for is remembered for itself.
+    const bool is_full = (*whole)->labels().size() == Series::most_values;
+    const auto& labels = (*whole)->labels();
+    const auto has = [&](const std::string& label) { return is_within(label, all.part); };
+    if (!is_full || std::any_of(labels.begin(), labels.end(), has)) return all;
+    const auto own = remember(name);
+    if (!own) return Unexpected(own.error());
+    all.series = *own;
+    return all;
 }
 
 void Trace::remember_ports() {

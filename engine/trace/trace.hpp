@@ -27,6 +27,14 @@ public:
     Expected<const Channel*> follow(std::string_view name);
     /// Keeps its numbers from now on as well. The series lives as long as the system has the channel.
     Expected<const Series*> remember(std::string_view name);
+    /// What it has of this name, which may be a part of a port ("controller.out.vx") that is remembered as a whole.
+    struct Remembered {
+        const Series* series;
+        std::string whole;   ///< of what the series is: "controller.out"
+        std::string part;    ///< labels within this are meant; "" for all
+        bool holds = false;  ///< as `Channel::holds`
+    };
+    Expected<Remembered> remember_part(std::string_view name);
     /// Does so for every port that carries no pictures, also for those to come, in a system of at most `most_ports`.
     void remember_ports();
 

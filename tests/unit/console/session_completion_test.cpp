@@ -22,7 +22,7 @@ TEST_CASE("names are completed from the words, the library and the system", "[co
     SessionRig it;
     CHECK(offer(it, "cont", 0) == "controller");
     CHECK(offer(it, "print(mou", 6) == "mouse");
-    CHECK(offer(it, "re", 0) == "rearm release reload repeat restart return");
+    CHECK(offer(it, "re", 0) == "rearm release reload remove repeat restart return");
     CHECK(offer(it, "xyz", 0).empty());
     it.type("my_table = { alpha = 1, beta = { gamma = 2 } }");
     CHECK(offer(it, "my_", 0) == "my_table");

@@ -1,0 +1,143 @@
+// The word that draws what was carried lately.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/console/words.hpp"
+#include "bindings/lua/files/file_value.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr double usual_seconds = 10;
+constexpr double shortest_period = 0.1;  // [s] of simulated time between two drawings
+
+Expected<double> positive(const FileValue& value, std::string_view what) {
+    double number = 0;
+    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
+        number = static_cast<double>(*whole);
+    } else if (const auto* real = std::get_if<double>(&value.data)) {
+        number = *real;
+    } else {
+        return failure(fmt::format("expected {}, got {}", what, kind_of(value)));
+    }
+    if (!(number > 0)) return failure(fmt::format("expected {}, more than 0, got {}", what, number));
+    return number;
+}
+
+Expected<void> read_options(const FileValue& value, Plot& plot) {
+    const FileTable& table = *value.table();
+    for (const FileField& field : table.fields) {
+        if (field.name != "every")
+            return failure(fmt::format("there is no option '{}'{}: write {{ every = 1 }}", shown(field.name),
+                                       did_you_mean(field.name, {"every"})));
+        const auto every = positive(field.value, "every = seconds");
+        if (!every) return Unexpected(every.error());
+        plot.every = std::max(*every, shortest_period);
+    }
+    if (!table.elements.empty() || table.fields.empty()) return failure("expected options, as in { every = 1 }");
+    return {};
+}
+
+// Names first, then how many seconds, then options.
+Expected<Plot> read(const Session::Parts& parts, const Arguments& arguments) {
+    Plot plot{.seconds = usual_seconds};
+    bool has_seconds = false, has_options = false;
+    for (int i = 1; i <= arguments.count(); ++i) {
+        const int index = arguments.index(i);
+        const int type = lua_type(arguments.lua, index);
+        const auto value = read_file_value(arguments.lua, index);
+        if (type == LUA_TTABLE && !std::exchange(has_options, true)) {
+            if (!value) return Unexpected(value.error());
+            if (auto ok = read_options(*value, plot); !ok) return Unexpected(ok.error());
+        } else if (type == LUA_TNUMBER && !has_options && !std::exchange(has_seconds, true)) {
+            const auto seconds = positive(*value, "seconds");
+            if (!seconds) return Unexpected(seconds.error());
+            plot.seconds = *seconds;
+        } else if (has_seconds || has_options) {
+            return failure(
+                "expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
+        } else if (type == LUA_TSTRING) {
+            plot.names.push_back(*value->text());
+        } else {
+            const auto port = parts.objects->to_port(arguments.lua, index);
+            if (!port) return Unexpected(port.error());
+            plot.names.push_back(port->path());
+        }
+    }
+    if (plot.names.empty()) return failure("expected a port or \"name.port\", got nothing");
+    return plot;
+}
+
+// "controller.out" with "vx", "[1]" or "value": what a leaf is called.
+std::string full_name(const std::string& whole, const std::string& label) {
+    if (label == "value") return whole;
+    return whole + (label.starts_with('[') ? "" : ".") + label;
+}
+
+constexpr std::string_view marks = "*o+x#%@&";
+
+}  // namespace
+
+Expected<PlotCurves> look_at_plot(LiveSystem& live, const Plot& plot) {
+    PlotCurves looked{.plot = plot, .to = live.system().now().seconds};
+    double first = looked.to;
+    std::vector<Trace::Remembered> all;
+    for (const std::string& name : plot.names) {
+        auto found = live.trace().remember_part(name);
+        if (!found) return Unexpected(found.error());
+        if (found->holds) first = 0;
+        if (found->series->size() > 0) first = std::min(first, found->series->seconds(0));
+        all.push_back(std::move(*found));
+    }
+    looked.from = std::max(first, looked.to - plot.seconds);
+    for (const auto& each : all) {
+        for (Curve& curve : curves_of(*each.series, each.part, looked.from, looked.to, each.holds)) {
+            if (plot.names.size() > 1) curve.name = full_name(each.whole, curve.name);
+            looked.curves.push_back(std::move(curve));
+        }
+    }
+    return looked;
+}
+
+std::string to_text(PlotCurves looked) {
+    const auto names = fmt::format("{}", fmt::join(looked.plot.names, ", "));
+    if (looked.curves.empty()) return names + " has carried nothing in this time that can be drawn";
+    if (looked.plot.names.size() == 1) return names + "\n" + braille_plot(looked.curves, looked.from, looked.to);
+    // Several share a drawing, and so a scale.
+    std::vector<Curve> drawn;
+    std::string texts;
+    for (Curve& curve : looked.curves) {
+        if (!curve.texts.empty()) {
+            texts += (texts.empty() ? "" : "\n") + text_line(curve);
+            continue;
+        }
+        curve.mark = marks[drawn.size() % marks.size()];
+        drawn.push_back(std::move(curve));
+    }
+    std::string text = fmt::format("{}", fmt::join(plain_plot(drawn, {.rows = 10}), "\n"));
+    return text + (text.empty() || texts.empty() ? "" : "\n") + texts;
+}
+
+Expected<WordEnd> word_plot(Session::Parts& parts, const Arguments& arguments) {
+    // What is drawn is a copy: drawing takes longer than a look.
+    auto looked = parts.at_system([&]() -> Expected<PlotCurves> {
+        const auto plot = read(parts, arguments);
+        if (!plot) return Unexpected(plot.error());
+        auto curves = look_at_plot(parts.live, *plot);
+        if (curves && plot->every > 0) {
+            parts.plots.push_back(*plot);
+            parts.plots.back().next = curves->to + plot->every;
+        }
+        return curves;
+    });
+    if (!looked) return Unexpected(looked.error());
+    parts.show(to_text(std::move(*looked)));
+    return WordEnd::done;
+}
+
+}  // namespace nezumi
