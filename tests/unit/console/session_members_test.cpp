@@ -105,7 +105,7 @@ TEST_CASE("a plot of what has gone is another's when the name comes again", "[co
     it.type("plot(controller.out) step(10)");
     it.type("remove 'controller'");
     it.turn(5);
-    CHECK_THAT(it.type("plot(controller.out)"), StartsWith("! plot: "));
+    CHECK_THAT(it.type("plot 'controller.out'"), StartsWith("! plot: "));
     it.type("behavior 'controller' { script = 'counter', config = { speed_x = 1.0 } } plot(controller.out) step(5)");
     CHECK_THAT(it.type("plot(controller.out, 0.045)"), Contains("vx = 1 all the time"));
 }

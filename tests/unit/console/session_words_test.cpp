@@ -188,7 +188,7 @@ TEST_CASE("a watch shows changes as they come", "[console][session]") {
 
 TEST_CASE("a plot draws what a port carried", "[console][session]") {
     SessionRig it;
-    CHECK(it.type("plot(controller.out, 5)") == "controller.out has carried no numbers in this time");
+    CHECK(it.type("plot(controller.out, 5)") == "controller.out has carried nothing in this time that can be drawn");
     it.type("step(10) controller.config.speed_x = 0.5 step(10)");
     const std::string plot = it.type("plot(controller.out, 5)");
     CHECK_THAT(plot, StartsWith("controller.out\nvx\n 0.5 │"));

@@ -1,5 +1,6 @@
 // What a trace follows: every message in order, by name, over restarts, in bounded memory.
 #include "engine/trace/trace.hpp"
+#include "engine/trace/text_plot.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -271,4 +272,34 @@ TEST_CASE("a table has a row for each message of a tick, the last one with the l
     it.tick();
     CHECK(read(table) == Rows{"0.25,0,0,," + word});
     CHECK(TraceTable::row("0.01", {2, 0, 3}, {"a", "b", "c"}) == "0.01,c,a,");
+}
+
+TEST_CASE("a series keeps texts by their places, each once, and not without end", "[engine][trace]") {
+    Series series;
+    CHECK(series.place_of("slow") == 0);
+    CHECK(series.place_of("fast") == 1);
+    CHECK(series.place_of("slow") == 0);
+    for (int i = 0; i < 1000; ++i) series.place_of(std::to_string(i));
+    CHECK(series.texts().size() == Series::most_texts);
+    CHECK(series.texts().back() == "...");
+    CHECK(series.place_of("another") == Series::most_texts - 1);
+    CHECK(series.texts()[series.place_of(std::string(100, 'x'))].size() <= Series::longest_text);
+}
+
+TEST_CASE("curves are the labels within a part, and what holds is drawn over the whole time", "[engine][trace]") {
+    Series series;
+    series.set_labels({"pose.x", "pose.y", "mode"}, {false, false, true});
+    for (const double at : {1.0, 2.0}) {
+        const double values[] = {at, -at, static_cast<double>(series.place_of(at < 1.5 ? "slow" : "fast"))};
+        series.add(at, values);
+    }
+    CHECK(curves_of(series, "", 0, 3).size() == 3);
+    const auto pose = curves_of(series, "pose", 0, 3);
+    REQUIRE(pose.size() == 2);
+    CHECK(pose[1].points == std::vector<std::pair<double, double>>{{1, -1}, {2, -2}});
+    CHECK(curves_of(series, "pose.x", 1.5, 3)[0].points == std::vector<std::pair<double, double>>{{2, 2}});
+    CHECK(curves_of(series, "pose.x", 1.5, 3, true)[0].points ==
+          std::vector<std::pair<double, double>>{{1.5, 1}, {2, 2}, {3, 2}});
+    CHECK(curves_of(series, "pose.x", 2.5, 3).empty());
+    CHECK(text_line(curves_of(series, "mode", 0, 3)[0]) == "mode: \"slow\" from 1 s, \"fast\" from 2 s");
 }

@@ -1,0 +1,112 @@
+// What can be plotted at the prompt, together and again and again.
+#include <catch2/catch.hpp>
+
+#include <string>
+
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+const std::string talker = R"(
+local mode = output("mode", "TimedString", "")
+local blocked = output("blocked", "TimedBoolean", "")
+param("gain", 1.0)
+state.n = 0
+function on_execute()
+  state.n = state.n + 1
+  mode:write(state.n > 5 and "fast" or "slow")
+  blocked:write(state.n > 3)
+end
+)";
+
+struct PlotRig : SessionRig {
+    PlotRig()
+        : SessionRig(counter_system + "behavior \"talker\" { script = \"talker\" }\n",
+                     {{"counter", counter_behavior}, {"talker", talker}}) {}
+};
+
+}  // namespace
+
+TEST_CASE("a field of a port is plotted for itself, from before it was asked for", "[console][plot]") {
+    PlotRig it;
+    it.type("plot(controller.out) step(10) controller.config.speed_x = 0.5 step(10)");
+    const std::string plot = it.type("plot('controller.out.vx', 5)");
+    CHECK_THAT(plot, StartsWith("controller.out.vx\nvx\n 0.5 │"));
+    CHECK_THAT(plot, !Contains("vy"));
+    CHECK_THAT(it.type("plot('mouse.ir_sensor_out[2]')"), Contains("mouse.ir_sensor_out[2]"));
+    CHECK(it.type("plot 'controller.out.vz'") == "! plot: controller.out has no 'vz' (did you mean 'vx'?)");
+}
+
+TEST_CASE("texts and truth values are plotted, texts as their changes", "[console][plot]") {
+    PlotRig it;
+    it.type("plot(talker.mode, talker.blocked) step(10)");
+    CHECK(it.type("plot(talker.mode)") == "talker.mode\nvalue: \"slow\" from 0 s, \"fast\" from 0.05 s");
+    CHECK_THAT(it.type("plot(talker.blocked)"), StartsWith("talker.blocked\nvalue\n1 │"));
+    const std::string both = it.type("plot(talker.mode, talker.blocked, 5)");
+    CHECK_THAT(both, Contains("* talker.blocked"));
+    CHECK_THAT(both, Contains("talker.mode: \"slow\" from 0 s, \"fast\" from 0.05 s"));
+}
+
+TEST_CASE("truth, parameters and state are remembered from the first plot on", "[console][plot]") {
+    PlotRig it;
+    it.turn(50);
+    CHECK(it.type("plot 'mouse.truth.pose.position.x'") ==
+          "mouse.truth.pose.position.x has carried nothing in this time that can be drawn");
+    it.type("plot('controller.config.speed_x', 'talker.state.n') step(20)");
+    CHECK_THAT(it.type("plot('mouse.truth.pose.position.x', 1)"), Contains("pose.position.x"));
+    CHECK_THAT(it.type("plot 'talker.state.n'"), StartsWith("talker.state.n\nn\n"));
+    CHECK_THAT(it.type("plot('controller.config.speed_x', 0.05)"), Contains("speed_x = 0.25 all the time"));
+}
+
+TEST_CASE("several share one drawing and one scale, each with its mark", "[console][plot]") {
+    PlotRig it;
+    it.type("plot(controller.out) step(20)");
+    const std::string plot =
+        it.type("plot('controller.out.vx', 'mouse.target_velocity_in.vx', 'controller.out.va', 5)");
+    CHECK_THAT(plot, Contains("* controller.out.vx   o mouse.target_velocity_in.vx   + controller.out.va") ||
+                         Contains("* controller.out.vx   o controller.out.va"));
+    CHECK_THAT(plot, StartsWith("0.25 |"));
+}
+
+TEST_CASE("a plot is drawn again and again, until unwatch or Ctrl-C", "[console][plot]") {
+    PlotRig it;
+    it.type("plot(controller.out, 1, { every = 0.2 })");
+    it.shown.clear();
+    it.turn(41);
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = it.shown.find("controller.out", at)) != std::string::npos; ++at) ++count;
+    CHECK(count == 2);
+    SECTION("unwatch") { it.type("unwatch()"); }
+    SECTION("Ctrl-C") { it.session->interrupt(); }
+    it.shown.clear();
+    it.turn(50);
+    CHECK(it.shown.empty());
+}
+
+TEST_CASE("a plot of what goes ends, which is told once", "[console][plot]") {
+    PlotRig it;
+    it.type("plot(talker.mode, { every = 0.1 }) remove 'talker'");
+    it.shown.clear();
+    it.turn(30);
+    CHECK_THAT(it.shown, Contains("there is no component 'talker'") && Contains(": no longer drawn"));
+    it.shown.clear();
+    it.turn(30);
+    CHECK(it.shown.empty());
+}
+
+TEST_CASE("what plot can't draw is told", "[console][plot]") {
+    PlotRig it;
+    CHECK(it.type("plot()") == "! plot: expected a port or \"name.port\", got nothing");
+    CHECK(it.type("plot(5)") == "! plot: expected a port or \"name.port\", got nothing");
+    CHECK(it.type("plot(controller.out, -1)") == "! plot: expected seconds, more than 0, got -1");
+    CHECK(it.type("plot(controller.out, 1, controller.out)") ==
+          "! plot: expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
+    CHECK(it.type("plot(controller.out, { evry = 1 })") ==
+          "! plot: there is no option 'evry' (did you mean 'every'?): write { every = 1 }");
+    CHECK(it.type("plot(controller.out, { every = 'x' })") == "! plot: expected every = seconds, got string");
+    CHECK_THAT(it.type("plot(controller)"), StartsWith("! plot: expected a port, got the component controller"));
+}
