@@ -1,7 +1,13 @@
 // Tokens before Lua's compiler, twice: first as an expression.
 #include "bindings/console/input_text.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "bindings/lua/sandbox/lexer.hpp"
 
@@ -40,16 +46,83 @@ std::string with_keyword_names(std::string_view text) {
     return changed.append(text.substr(copied));
 }
 
+namespace {
+
+// The chain of names that the tokens from `at` on are, if a comma or bracket ends it; `at` is behind it then.
+std::optional<std::vector<std::string>> read_chain(const std::vector<Token>& tokens, std::size_t& at) {
+    std::vector<std::string> chain;
+    std::size_t next = at;
+    const auto is = [&](std::size_t ahead, std::string_view sign) {
+        return next + ahead < tokens.size() && tokens[next + ahead].is(sign);
+    };
+    const auto is_index = [](const Token& token) {
+        return token.kind == Token::Kind::literal && std::all_of(token.text.begin(), token.text.end(), [](char c) {
+                   return std::isdigit(static_cast<unsigned char>(c)) != 0;
+               });
+    };
+    if (next >= tokens.size() || tokens[next].kind != Token::Kind::name) return std::nullopt;
+    chain.emplace_back(tokens[next++].text);
+    while (!is(0, ",") && !is(0, ")")) {
+        if (is(0, ".") && next + 1 < tokens.size() &&
+            (tokens[next + 1].kind == Token::Kind::name || tokens[next + 1].kind == Token::Kind::keyword)) {
+            chain.push_back("." + std::string(tokens[next + 1].text));
+            next += 2;
+        } else if (is(0, "[") && is(2, "]") && is_index(tokens[next + 1])) {
+            chain.push_back("[" + std::string(tokens[next + 1].text) + "]");
+            next += 3;
+        } else {
+            return std::nullopt;
+        }
+    }
+    at = next;
+    return chain;
+}
+
+}  // namespace
+
+std::string with_plotted_names(std::string_view text) {
+    std::vector<Token> tokens;
+    Lexer lexer(text);
+    for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) tokens.push_back(token);
+    std::string changed;
+    std::size_t copied = 0;
+    for (std::size_t at = 0; at + 1 < tokens.size(); ++at) {
+        const bool is_member = at > 0 && (tokens[at - 1].is(".") || tokens[at - 1].is(":"));
+        if (tokens[at].kind != Token::Kind::name || tokens[at].text != "plot" || is_member || !tokens[at + 1].is("("))
+            continue;
+        for (std::size_t next = at + 2; next < tokens.size(); ++next) {
+            const Token& first = tokens[next];
+            auto chain = read_chain(tokens, next);
+            if (!chain) break;
+            const bool is_part = chain->size() > 2;
+            if (is_part && (*chain)[1] == ".ports") chain->erase(chain->begin() + 1);
+            if (chain->size() > 2 && (*chain)[2] == ".value") chain->erase(chain->begin() + 2);
+            if (is_part) {
+                const auto from = static_cast<std::size_t>(first.text.data() - text.data());
+                const Token& last = tokens[next - 1];
+                const auto to = static_cast<std::size_t>(last.text.data() - text.data()) + last.text.size();
+                changed.append(text.substr(copied, from - copied));
+                changed.append(fmt::format("\"{}\"", fmt::join(*chain, "")));
+                const std::string_view replaced = text.substr(from, to - from);
+                changed.append(static_cast<std::size_t>(std::count(replaced.begin(), replaced.end(), '\n')), '\n');
+                copied = to;
+            }
+            if (tokens[next].is(")")) break;
+        }
+    }
+    return changed.append(text.substr(copied));
+}
+
 Expected<Chunk> compile_input(std::string_view text) {
     if (text.size() > longest_input) return failure("the input is too long: at most 64 KB");
-    const std::string lua = with_keyword_names(text);
+    const std::string lua = with_keyword_names(with_plotted_names(text));
     if (auto expression = compile("return " + lua, input_name)) return expression;
     return compile(lua, input_name);
 }
 
 bool is_complete_input(std::string_view text) {
     // A line ends here: a quoted text that is open is a mistake, and no text to be continued.
-    const std::string lua = with_keyword_names(text) + "\n";
+    const std::string lua = with_keyword_names(with_plotted_names(text)) + "\n";
     const auto expression = compile("return " + lua, input_name);
     if (expression) return true;
     const auto statements = compile(lua, input_name);

@@ -80,7 +80,7 @@ const std::vector<Word>& console_words() {
         {"watch", "watch(port)", "shows a port's value whenever it changes", 1, word_watch},
         {"unwatch", "unwatch(port) or unwatch()", "ends one watch, or all and every plot", 1, word_unwatch},
         {"plot", "plot(port, ..., seconds, { every = 1 })",
-         "draws what was carried in the last seconds, also \"mouse.truth.pose.x\"; every: again and again", 18,
+         "draws what was carried in the last seconds, also \"mouse.truth.pose.heading\"; every: again and again", 18,
          word_plot, true},
         {"inject", "inject(port, value)", "sends one message to a port, as from a connection", 2, word_inject, true},
         {"hold", "hold(port, value, { take = true })", "sends this value every tick; nothing else gets through", 3,

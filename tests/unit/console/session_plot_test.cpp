@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "bindings/console/input_text.hpp"
 #include "tests/unit/console/session_rig.hpp"
 
 using namespace nezumi;
@@ -109,4 +110,28 @@ TEST_CASE("what plot can't draw is told", "[console][plot]") {
           "! plot: there is no option 'evry' (did you mean 'every'?): write { every = 1 }");
     CHECK(it.type("plot(controller.out, { every = 'x' })") == "! plot: expected every = seconds, got string");
     CHECK_THAT(it.type("plot(controller)"), StartsWith("! plot: expected a port, got the component controller"));
+}
+
+TEST_CASE("what plot is given is meant by its name, not by its value", "[console][plot][input]") {
+    const auto text = [](const std::string& given) { return with_plotted_names(given); };
+    CHECK(text("plot(controller.out.vx, 5)") == "plot(\"controller.out.vx\", 5)");
+    CHECK(text("plot(a.out.value.vx, mouse.truth.pose.heading)") == "plot(\"a.out.vx\", \"mouse.truth.pose.heading\")");
+    CHECK(text("plot(mouse.ir_sensor_out[2], a.in.x, { every = 1 })") ==
+          "plot(\"mouse.ir_sensor_out[2]\", \"a.in.x\", { every = 1 })");
+    CHECK(text("plot(a.out.value, 5)") == "plot(\"a.out\", 5)");
+    CHECK(text("plot(a.ports.out, 5)") == "plot(\"a.out\", 5)");
+    CHECK(text("for i = 1, 2 do plot(a . \n b.c) end") == "for i = 1, 2 do plot(\"a.b.c\"\n) end");
+    for (const std::string same :
+         {"plot(a.out, 5)", "plot 'a.out.vx'", "x.plot(a.b.c)", "x:plot(a.b.c)", "'plot(a.b.c)' -- plot(a.b.c)",
+          "plot(f(a.b.c))", "plot(a.b.c + 1)", "plot(a.b[i])", "plot(", "plot(a.b.c", "plot(a.b.", "plot"}) {
+        CHECK(text(same) == same);
+    }
+}
+
+TEST_CASE("a field is plotted as it is written elsewhere", "[console][plot]") {
+    PlotRig it;
+    it.type("plot(controller.out) step(10) controller.config.speed_x = 0.5 step(10)");
+    CHECK_THAT(it.type("plot(controller.out.vx, 5)"), StartsWith("controller.out.vx\nvx\n 0.5 │"));
+    CHECK(it.type("plot(controller.out.vz, 5)") == "! plot: controller.out has no 'vz' (did you mean 'vx'?)");
+    CHECK_THAT(it.type("plot(controller.config.speed_x, 0.05)"), Contains("speed_x"));
 }

@@ -1,11 +1,11 @@
 // What a trace follows: every message in order, by name, over restarts, in bounded memory.
 #include "engine/trace/trace.hpp"
-#include "engine/trace/text_plot.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 
+#include "engine/trace/text_plot.hpp"
 #include "engine/trace/trace_table.hpp"
 #include "tests/unit/engine/fake_world.hpp"
 #include "tests/unit/engine/try_component.hpp"
