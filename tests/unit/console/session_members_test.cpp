@@ -16,7 +16,7 @@ TEST_CASE("a behaviour is added, runs, and is gone again, as acts", "[console][s
     CHECK(it.type("behavior 'second' { script = 'counter', config = { speed_x = 0.5 } }").empty());
     CHECK(it.type("second.status") == "\"ACTIVE\"");
     CHECK(it.type("connect('mouse.ir_sensor_out', 'second.in') step(3) return second.out.value.vx") == "0.5");
-    CHECK(it.type("behavior('third', { script = 'counter', active = false }) third.status") == "\"INACTIVE\"");
+    CHECK(it.type("behavior('third', { script = 'counter', active = false }) return third.status") == "\"INACTIVE\"");
     CHECK(it.type("for i = 1, 3 do behavior('more' .. i) { script = 'counter' } end return more3.status") ==
           "\"ACTIVE\"");
     CHECK(it.type("remove 'second'") == "second.in was connected to mouse.ir_sensor_out");
@@ -51,7 +51,7 @@ TEST_CASE("a marker is hung up, carried and taken away", "[console][session][act
     CHECK_THAT(it.type("marker { name = 'target', id = 8, at = { 1, 0, 0.1 } }"),
                Contains("the name 'target' is taken"));
     CHECK_THAT(it.type("marker { name = 'no', id = 587, at = { 1, 0, 0.1 } }"), Contains("586"));
-    CHECK(it.type("marker 7") ==
+    CHECK(it.type("marker(7)") ==
           "! marker: expected a table, as in marker { name = \"target\", id = 7, size = 0.1, at = { 1, 0, 0.1 } }");
     CHECK(count() == 1);
     CHECK(it.type("remove 'target'").empty());
@@ -87,7 +87,7 @@ TEST_CASE("a hand on a port goes with it, and another of the name begins free", 
     it.type("watch(controller.out) remove 'controller'");
     CHECK(it.live->system().held_by({Actor::Kind::console}).empty());
     it.turn(3);
-    CHECK(it.type("behavior 'controller' { script = 'counter' } controller.out.override").find("\"\"") !=
+    CHECK(it.type("behavior 'controller' { script = 'counter' } return controller.out.override").find("\"\"") !=
           std::string::npos);
     CHECK(it.type("step(3) return controller.out.value.vx") == "0.25");
 }

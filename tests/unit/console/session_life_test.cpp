@@ -1,0 +1,78 @@
+// Words for all components at once, for what is heard of the log, and for what is drawn.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("all components are deactivated and activated at once, each by an act of its own",
+          "[console][session][act]") {
+    SessionRig it(counter_system + "behavior \"idle\" { script = \"counter\", active = false }\n");
+    it.turn(20);
+    CHECK(it.type("deactivate()") == "INACTIVE now: controller, mouse");
+    CHECK(it.type("controller.status, mouse.status, idle.status") == "\"INACTIVE\"\t\"INACTIVE\"\t\"INACTIVE\"");
+    CHECK(it.type("deactivate()") == "nothing is ACTIVE");
+    it.turn(100);
+    CHECK(std::abs(it.live->system().find_robot("mouse")->guard().current().vx) < 1e-9);  // and stands
+    CHECK(it.type("activate()") == "ACTIVE now: mouse, controller, idle");
+    CHECK(it.type("activate()") == "nothing is INACTIVE");
+    CHECK(it.type("deactivate(idle)") == "INACTIVE now: idle");
+    CHECK(it.type("activate 'idle'") == "ACTIVE now: idle");
+    CHECK(it.type("activate 'idel'") == "! activate: there is no component 'idel' (did you mean 'idle'?)");
+    CHECK(it.type("activate(idle, 2)") ==
+          "! activate: expected at most 1 argument, got 2: activate() or activate(component)");
+}
+
+TEST_CASE("who can't be activated is told, and the others are", "[console][session][act]") {
+    SessionRig it(counter_system + "behavior \"bad\" { script = \"bad\", active = false }\n",
+                  {{"counter", counter_behavior}, {"bad", "function on_activated() error('no luck') end"}});
+    it.type("deactivate()");
+    const std::string said = it.type("activate()");
+    CHECK_THAT(said, StartsWith("ACTIVE now: mouse, controller\n! activate: "));
+    CHECK_THAT(said, Contains("no luck"));
+    CHECK(it.type("bad.status") == "\"ERROR\"");
+    CHECK(it.type("activate()") == "nothing is INACTIVE");
+}
+
+TEST_CASE("a level of the log that there is not is told", "[console][session]") {
+    SessionRig it;
+    CHECK(it.type("log_level 'warning'") == "! log_level: there is no level 'warning' (did you mean 'warn'?)");
+    CHECK(it.type("log_level 'loud'") == "! log_level: there is no level 'loud' (there are debug, info, warn, error)");
+    CHECK(it.type("log_level 'debug'") ==
+          "! log_level: no log is shown here: it is where `nezumi run` or `nezumi attach` has a terminal");
+}
+
+TEST_CASE("pictures and graphs are drawn within the project by whoever can draw", "[console][session]") {
+    std::string drawn;
+    const Scratch outside;
+    SessionOptions options;
+    options.draughtsman = [&drawn](Drawn what) -> Drawing {
+        return [&drawn, what](const std::string& file) -> Expected<void> {
+            drawn +=
+                (what == Drawn::world ? "world " : "wiring ") + std::filesystem::path(file).filename().string() + ";";
+            if (file.find("full") != std::string::npos) return failure("the disk is full", {file});
+            return {};
+        };
+    };
+    SessionRig it(counter_system, {{"counter", counter_behavior}}, std::move(options));
+    const std::string home = it.folder.path("").parent_path().string();
+    CHECK(it.type("picture '" + home + "/now.png'") == "wrote " + home + "/now.png");
+    CHECK(it.type("graph '" + home + "/wiring'") == "wrote " + home + "/wiring.svg");
+    CHECK(drawn == "world now.png;wiring wiring.svg;");
+    CHECK(it.type("picture '" + home + "/now.gif'") ==
+          "! picture: a picture ends in .png or .svg: write picture \"" + home + "/now.png\"");
+    CHECK(it.type("graph '" + outside.path("x.svg").string() + "'") ==
+          "! graph: '" + outside.path("x.svg").string() + "' lies outside of the project: it is saved in " + home +
+              " or below");
+    CHECK(it.type("picture '" + home + "/full.png'") == "! picture: " + home + "/full.png: the disk is full");
+    CHECK_THAT(it.type("picture()"), StartsWith("! picture: expected the name of a file, as in picture \"x.png\""));
+    SessionRig without;
+    CHECK(without.type("graph 'x.svg'") == "! graph: nothing is drawn here: `nezumi run` does");
+}
