@@ -49,6 +49,9 @@ struct Event {
         bye,          ///< nothing comes any more; `text` says why
     };
 
+    /// `level` of an output that is a drawing drawn anew: a terminal shows it in place of the one before.
+    static constexpr std::string_view in_place = "in_place";
+
     Kind kind = Kind::output;
     std::int64_t id = 0;
     bool ok = true;

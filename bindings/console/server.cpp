@@ -198,6 +198,10 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     options.output.show = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});
     };
+    options.output.show_in_place = [this, id](std::string_view text) {
+        transport_.send(
+            id, {.kind = Event::Kind::output, .text = std::string(text), .level = std::string(Event::in_place)});
+    };
     options.output.show_error = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::error, .text = std::string(text)});
     };

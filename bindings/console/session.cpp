@@ -276,7 +276,11 @@ void Session::after_tick() {
         if (now < plot.next) return false;
         plot.next = now + plot.every;
         auto looked = look_at_plot(parts.live, plot);
-        parts.show(looked ? to_text(std::move(*looked)) : looked.error().message + ": no longer drawn");
+        if (looked) {
+            parts.show_in_place(to_text(std::move(*looked)));
+        } else {
+            parts.show(looked.error().message + ": no longer drawn");
+        }
         return !looked;
     });
     if (auto driving = parts.drive.after_tick(parts.live); !driving) {

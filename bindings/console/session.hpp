@@ -27,6 +27,8 @@ enum class Key { up, down, left, right, space, escape, faster, slower };
 struct SessionOutput {
     /// One or more lines, without the last end of line: results, what words show, what `print` prints.
     std::function<void(std::string_view text)> show;
+    /// The same for a drawing that takes the place of the one before. Empty: `show`.
+    std::function<void(std::string_view text)> show_in_place{};
     /// The same for errors of what was typed.
     std::function<void(std::string_view text)> show_error;
     /// An input of `submit` is finished, well or with an error: the prompt may come again.

@@ -58,6 +58,9 @@ struct Session::Parts {
 
     /// Shows it behind all that was shown before. From both threads.
     void show(std::string_view text) { tell(options.output.show, text); }
+    void show_in_place(std::string_view text) {
+        tell(options.output.show_in_place ? options.output.show_in_place : options.output.show, text);
+    }
     void show_error(std::string_view text) { tell(options.output.show_error, text); }
     void tell(const std::function<void(std::string_view)>& output, std::string_view text);
 

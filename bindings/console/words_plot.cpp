@@ -136,7 +136,13 @@ Expected<WordEnd> word_plot(Session::Parts& parts, const Arguments& arguments) {
         return curves;
     });
     if (!looked) return Unexpected(looked.error());
-    parts.show(to_text(std::move(*looked)));
+    const bool again = looked->plot.every > 0;
+    const std::string text = to_text(std::move(*looked));
+    if (again) {
+        parts.show_in_place(text);
+    } else {
+        parts.show(text);
+    }
     return WordEnd::done;
 }
 

@@ -57,7 +57,8 @@ struct LineEditor::Parts {
     std::string prompt;
     std::string so_far;
     std::string typed;
-    int width = 0;  // [columns] when libedit last read it
+    int width = 0;          // [columns] when libedit last read it
+    int rows_in_place = 0;  // that `print_in_place` wrote, right above the input
     bool editing = false;
     Outcome outcome = Outcome::input;
     std::string dropped;
@@ -72,6 +73,10 @@ struct LineEditor::Parts {
     int columns() const {
         winsize size{};
         return ioctl(input, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+    }
+    int rows() const {
+        winsize size{};
+        return ioctl(input, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
     }
     int cursor_row() const;
     void follow_size();
@@ -100,15 +105,15 @@ int LineEditor::Parts::cursor_row() const {
     const LineInfoW* line = el_wline(editor);
     const std::wstring text =
         to_wide(prompt) + std::wstring(line->buffer, static_cast<std::size_t>(line->cursor - line->buffer));
-    winsize size{};
-    const int rows = ioctl(input, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
-    return std::min(row_after(text, columns()), rows - 1);
+    return std::min(row_after(text, columns()), rows() - 1);
 }
 
 // The window may have been resized: polled, as SIGWINCH belongs to the whole process.
 void LineEditor::Parts::follow_size() {
     const int before_now = std::exchange(width, columns());
-    if (width != before_now) el_resize(editor);
+    if (width == before_now) return;
+    el_resize(editor);
+    rows_in_place = 0;  // lines may have been broken anew
 }
 
 void LineEditor::Parts::erase_input() {
@@ -152,6 +157,7 @@ unsigned char LineEditor::Parts::complete() {
     }
     if (found.candidates.size() == 1) return CC_NORM;
     erase_input();
+    rows_in_place = 0;
     std::fputs(in_columns(found.candidates, columns()).c_str(), out.get());
     draw_input();
     return CC_NORM;
@@ -310,14 +316,33 @@ LineEditor::Outcome LineEditor::read(const std::string& so_far, std::string& inp
         input = to_utf8({line, static_cast<std::size_t>(count)});
         if (input.ends_with('\n')) input.pop_back();
     }
+    parts_->rows_in_place = 0;
     std::fflush(parts_->out.get());
     return parts_->outcome;
 }
 
 void LineEditor::print(std::string_view lines) {
     parts_->erase_input();
+    parts_->rows_in_place = 0;
     std::fwrite(lines.data(), 1, lines.size(), parts_->out.get());
     parts_->draw_input();
+}
+
+void LineEditor::print_in_place(std::string_view lines) {
+    Parts& parts = *parts_;
+    parts.follow_size();
+    parts.erase_input();
+    if (parts.rows_in_place > 0) put_text(parts.out.get(), fmt::format("\x1b[{}A\x1b[J", parts.rows_in_place));
+    std::fwrite(lines.data(), 1, lines.size(), parts.out.get());
+    int rows = 0;
+    for (std::string_view rest = lines; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rows += row_after(to_wide(std::string(line)), parts.columns()) + 1;
+        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    }
+    // What has left the screen can't be written over.
+    parts.rows_in_place = parts.plain || rows + 1 >= parts.rows() ? 0 : rows;
+    parts.draw_input();
 }
 
 void LineEditor::set_prompt(std::string prompt) {

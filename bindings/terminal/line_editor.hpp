@@ -44,6 +44,9 @@ public:
     Outcome read(const std::string& so_far, std::string& input);
     /// Writes whole lines; an input that is being edited is drawn again below them.
     void print(std::string_view lines);
+    /// The same for a drawing that is drawn anew: it takes the place of the one before, where nothing else was written
+    /// since then and the terminal can.
+    void print_in_place(std::string_view lines);
     /// Sets the prompt of the input that is edited now and of those that follow.
     void set_prompt(std::string prompt);
     /// Sets the terminal's title, where it has one.

@@ -221,7 +221,14 @@ Prompt::Came Prompt::wait(int timeout) {
 void Prompt::show_events() {
     // All pending output at once, so that the line being edited is redrawn only once.
     std::string text;
-    while (auto event = client_.next(0)) show(*event, text);
+    while (auto event = client_.next(0)) {
+        if (event->kind == Event::Kind::output && event->level == Event::in_place) {
+            if (!text.empty()) editor_->print(std::exchange(text, {}));
+            editor_->print_in_place(visible(event->text) + "\n");
+            continue;
+        }
+        show(*event, text);
+    }
     if (!text.empty()) editor_->print(text);
     editor_->set_prompt(std::string(prompt_of(begun_)));
 }

