@@ -70,3 +70,22 @@ TEST_CASE("base64 is that of RFC 4648", "[journal]") {
     CHECK_FALSE(from_base64("Zg="));
     CHECK_FALSE(from_base64("Z!=="));
 }
+
+TEST_CASE("a marker that is hung up comes back", "[journal]") {
+    const MarkerSpec marker{
+        .name = "target", .id = 5, .size = 0.125, .at = {1, -2, 0.1}, .facing = -0.3, .place = {"system.lua", 0}};
+    const MarkerSpec same = back(AddMarker{marker}).marker;
+    CHECK(same.name == marker.name);
+    CHECK(same.id == marker.id);
+    CHECK(same.size == marker.size);
+    CHECK(same.at == marker.at);
+    CHECK(same.facing == marker.facing);
+    CHECK(same.place.file == marker.place.file);
+    CHECK(back(RemoveMarker{"target"}).marker == "target");
+    const auto read = [](const char* text) {
+        const auto act = act_from_json("AddMarker", nlohmann::ordered_json::parse(text), project);
+        return act ? "" : act.error().message;
+    };
+    CHECK_THAT(read(R"({"marker":{}})"), Catch::Contains("expected a marker's lua and file"));
+    CHECK_THAT(read(R"({"marker":{"lua":"arena {}","file":"s.lua"}})"), Catch::Contains("expected a marker, got 0"));
+}
