@@ -17,6 +17,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/scenario_files.hpp"
+#include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/test_session.hpp"
 #include "engine/base/whole_file.hpp"
@@ -33,6 +34,7 @@ struct TestOptions {
     std::uint64_t repeat = 1;
     std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency());
     std::string junit;
+    std::string measures;
     bool tap = false;
     bool update_goldens = false;
     std::string folder = "nezumi-test";
@@ -134,15 +136,20 @@ int test(const TestOptions& command) {
     if (command.list) return list(*plan);
     if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
 
-    if (!command.junit.empty()) {
+    for (const std::string& file : {command.junit, command.measures}) {
+        if (file.empty()) continue;
         // Found out before hours of tests have run.
-        if (auto ok = check_can_write(command.junit); !ok) return refuse(ok.error());
+        if (auto ok = check_can_write(file); !ok) return refuse(ok.error());
     }
     const bool colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
     const auto reporter = command.tap ? tap_reporter(write_out) : console_reporter(write_out, colour);
     const SessionEnd end = run_tests(*plan, options, *reporter);
     if (!command.junit.empty()) {
         if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
+    }
+    if (!command.measures.empty()) {
+        if (auto ok = write_whole(command.measures, measures_csv(end.measured, end.summary.seed)); !ok)
+            return refuse(ok.error());
     }
     if (end.interrupted) return refuse("interrupted: not all scenarios have run");
     return end.status();
@@ -174,6 +181,8 @@ Command test_command() {
              {"--dev-root", &options->dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
              {"--sys-root", &options->sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
              {"--junit", &options->junit, "write the results to this file, as JUnit's XML", "FILE"},
+             {"--measures", &options->measures, "write what s:measure kept to this file, as CSV: a row for each run",
+              "FILE.csv"},
              {"--tap", &options->tap, "print the results as TAP"},
              {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},
              {"-o,--output", &options->folder, "the folder for traces and pictures of failures", "DIR"}},

@@ -41,6 +41,7 @@ public:
         text += fmt::format(" (seed {}, {:.2f} s simulated in {:.2f} s with {} job{})\n", summary.seed, summary.seconds,
                             summary.wall_seconds, summary.jobs, summary.jobs == 1 ? "" : "s");
         write_(text);
+        for (const MeasureSummary& measure : summary.measures) write_(text_of(measure) + "\n");
     }
 
 private:
@@ -103,6 +104,7 @@ public:
     void end(const SessionSummary& summary) override {
         write_(fmt::format("# seed {}, {} passed, {} failed, {} could not run\n", summary.seed, summary.passed,
                            summary.failed, summary.could_not_run));
+        for (const MeasureSummary& measure : summary.measures) write_("# " + text_of(measure) + "\n");
     }
 
 private:

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/run_result.hpp"
 
 namespace nezumi {
@@ -32,6 +33,7 @@ struct SessionSummary {
     double wall_seconds = 0;  ///< of the session
     std::uint64_t seed = 0;
     std::size_t jobs = 0;
+    std::vector<MeasureSummary> measures;
 };
 
 using WriteText = std::function<void(std::string_view)>;

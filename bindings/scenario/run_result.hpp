@@ -16,12 +16,22 @@ enum class RunOutcome : unsigned char {
     could_not_run,  ///< it says nothing about what was tried: a file is missing, a script runs without end, a crash
 };
 
+/// A number that a run keeps by `s:measure`.
+struct Measure {
+    std::string name;
+    double value = 0;  ///< finite
+    std::string unit;  ///< "" for none
+
+    bool operator==(const Measure&) const = default;
+};
+
 struct RunResult {
     RunOutcome outcome = RunOutcome::passed;
     Error error{};                     ///< what failed, with the scenario's line
     std::vector<std::string> facts;    ///< more about it, a line each: by how much, when, values, a plot
     std::vector<std::string> margins;  ///< how near the conditions came to their limits, a line each
     std::vector<std::string> printed;  ///< what the scenario printed, and what was warned of
+    std::vector<Measure> measures{};   ///< in the order in which they were taken, each name once
     std::string folder;                ///< where the files of a failure lie; empty: there are none
     std::vector<std::string> files;    ///< their names
     double seconds = 0;                ///< simulated

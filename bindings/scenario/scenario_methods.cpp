@@ -1,6 +1,7 @@
 // How the methods of `s` are found and called, and those that let time pass.
 #include "bindings/scenario/scenario_methods.hpp"
 #include "bindings/lua/files/read_options.hpp"
+#include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ bool is_object(lua_State* lua, int index) {
 
 // Methods that need no world.
 bool is_early(std::string_view name) {
-    constexpr std::string_view others[] = {"check", "near", "now", "load"};
+    constexpr std::string_view others[] = {"check", "near", "measure", "now", "load"};
     const auto& words = system_word_names();
     return std::find(std::begin(others), std::end(others), name) != std::end(others) ||
            std::find(words.begin(), words.end(), name) != words.end();
@@ -270,6 +271,33 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     return end_run;
 }
 
+int ScenarioRun::Methods::measure(ScenarioRun& run, lua_State* lua) {
+    if (lua_type(lua, 2) != LUA_TSTRING)
+        return raise(run, fmt::format("expected a name (what is measured), got {}", type_at(lua, 2)));
+    Measure measure{.name = std::string(string_at(lua, 2))};
+    const std::string what = fmt::format("'{}'", shown(measure.name));
+    if (measure.name.empty() || one_line(measure.name) != measure.name)
+        return raise(run, fmt::format("{}: expected a name of one line", what));
+    if (is_column_of_measures(measure.name))
+        return raise(run, fmt::format("{}: --measures has a column of this name: choose another", what));
+    if (lua_type(lua, 3) != LUA_TNUMBER)
+        return raise(run, fmt::format("{}: expected a number, got {}", what, type_at(lua, 3)));
+    measure.value = lua_tonumber(lua, 3);
+    if (!std::isfinite(measure.value))
+        return raise(run, fmt::format("{}: expected a finite number, got {}", what, measure.value));
+    if (lua_type(lua, 4) > LUA_TNIL && lua_type(lua, 4) != LUA_TSTRING)
+        return raise(run, fmt::format("{}: expected a unit as in \"s\", got {}", what, type_at(lua, 4)));
+    if (lua_type(lua, 4) == LUA_TSTRING) measure.unit = one_line(std::string(string_at(lua, 4)));
+    const auto same = [&](const Measure& other) { return other.name == measure.name; };
+    const auto& taken = run.result_.measures;
+    const auto before = std::find_if(taken.begin(), taken.end(), same);
+    if (before != taken.end())
+        return raise(run,
+                     fmt::format("{}: is measured already, as {}: a run keeps one number a name", what, before->value));
+    run.result_.measures.push_back(std::move(measure));
+    return 0;
+}
+
 int ScenarioRun::Methods::now(ScenarioRun& run, lua_State* lua) {
     lua_pushnumber(lua, run.worlds_.now());
     return 1;
@@ -286,6 +314,7 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_time()
         {"run", run_seconds, 1, "(seconds)"},
         {"check", check, 2, "(value, message)"},
         {"near", near, 4, "(actual, expected, tolerance, message)"},
+        {"measure", measure, 3, "(name, value, unit)"},
         {"now", now, 0, "()"},
     };
     return methods;

@@ -56,6 +56,7 @@ private:
     static int run_seconds(ScenarioRun& run, lua_State* lua);
     static int check(ScenarioRun& run, lua_State* lua);
     static int near(ScenarioRun& run, lua_State* lua);
+    static int measure(ScenarioRun& run, lua_State* lua);
     static int now(ScenarioRun& run, lua_State* lua);
 
     static int golden(ScenarioRun& run, lua_State* lua);

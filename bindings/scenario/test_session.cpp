@@ -93,6 +93,7 @@ public:
         end_.interrupted = run_in_processes(tasks, options_.jobs) == PoolEnd::interrupted;
         if (!end_.interrupted) simplify_failures();
         tell_finished(true);
+        measure();
         end_.summary.seed = options_.seed;
         end_.summary.jobs = options_.jobs;
         end_.summary.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -133,6 +134,21 @@ private:
             if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
             tell(report_of(plan_, run, std::move(result), options_));
         }
+    }
+
+    // The runs as they were planned: the simplest failure of a random sweep is another one, which was sought.
+    void measure() {
+        for (std::size_t i = 0; i < told_; ++i) {
+            const PlannedRun& run = plan_.runs[i];
+            const Scenario& scenario = plan_.files[run.file].scenarios[run.scenario];
+            const RunResult result = agree(results_[i], scenario);
+            end_.measured.push_back({.scenario = scenario.name,
+                                     .name = run.name,
+                                     .point = run.point,
+                                     .passed = result.outcome == RunOutcome::passed,
+                                     .measures = result.measures});
+        }
+        end_.summary.measures = summarize(end_.measured);
     }
 
     // What is said of the simplest failure of a random sweep need not be said of each.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 #include "bindings/scenario/test_plan.hpp"
@@ -32,6 +33,7 @@ struct SessionOptions {
 struct SessionEnd {
     SessionSummary summary;
     std::vector<RunReport> reports;
+    std::vector<MeasuredRun> measured;  ///< every run that was made, as it was planned
     bool interrupted = false;
 
     /// 0: all passed, 1: a scenario failed, 2: something could not be run.

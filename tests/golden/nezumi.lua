@@ -1041,6 +1041,12 @@ function s:check(value, message) end
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
 
+---Keeps one number of this run under a name: `nezumi test --measures FILE.csv` has a row for each run.
+---@param name string
+---@param value number finite
+---@param unit? string
+function s:measure(name, value, unit) end
+
 ---Records these ports from here on, after every tick, and compares with the committed file beside the scenario's.
 ---@param file string
 ---@param options GoldenOptions

@@ -136,6 +136,23 @@ TEST_CASE("results go to JUnit and TAP", "[cli][test]") {
     CHECK(xml.ends_with("</testsuites>\n"));
 }
 
+TEST_CASE("nezumi test --measures writes a row for each run", "[cli][test]") {
+    const Tried tried(
+        "scenario('drives', { sweep = { speed = { 0.1, 0.2 } } }, function(s, p)\n"
+        "  s:measure('doubled', 2 * p.speed, 'm/s')\n"
+        "  s:check(p.speed < 0.15, 'too fast')\n"
+        "end)\n");
+    const auto told = tried.test({"it_test.lua", "--measures", "it.csv"});
+    CHECK(told.status == 1);
+    CHECK(contains(told.out, "\ndoubled [m/s] of drives: 2 runs, min 0.2, median 0.3, mean 0.3, max 0.4\n"));
+    CHECK(text_of_file(tried.path("it.csv")) ==
+          "scenario,run,seed,passed,speed,doubled\n"
+          "drives,drives [speed=0.1],124,true,0.1,0.2\n"
+          "drives,drives [speed=0.2],124,false,0.2,0.4\n");
+    CHECK(tried.test({"it_test.lua", "--measures", "none/it.csv"}).error ==
+          "none/it.csv: can't be written: No such file or directory\n");
+}
+
 TEST_CASE("an interruption ends all runs at once", "[cli][test]") {
     const Tried tried(
         "scenario('long', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s)\n"

@@ -1,0 +1,77 @@
+// Structures as bytes, and back: a field after the other, numbers as they lie in memory, texts and lists with their
+// length before them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace nezumi {
+
+// Results travel from one machine to another.
+static_assert(std::endian::native == std::endian::little);
+
+template <class T>
+inline constexpr bool is_list = false;
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
+
+/// A structure takes part by `each_field(archive, value)` in its namespace, which calls the archive with each of its
+/// fields and says whether all of them were there. A number's size must not depend on the machine (no `std::size_t`).
+struct ArchiveWriter {
+    std::string bytes{};
+
+    template <class T>
+    bool operator()(const T& value) {
+        if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+            bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+            return true;
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            (*this)(static_cast<std::uint64_t>(value.size()));
+            bytes += value;
+            return true;
+        } else if constexpr (is_list<T>) {
+            (*this)(static_cast<std::uint64_t>(value.size()));
+            for (const auto& each : value) (*this)(each);
+            return true;
+        } else {
+            return each_field(*this, value);
+        }
+    }
+};
+
+struct ArchiveReader {
+    std::string_view bytes;
+
+    template <class T>
+    bool operator()(T& value) {
+        if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+            if (bytes.size() < sizeof value) return false;
+            std::memcpy(&value, bytes.data(), sizeof value);
+            bytes.remove_prefix(sizeof value);
+            return true;
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            std::uint64_t size = 0;
+            if (!(*this)(size) || size > bytes.size()) return false;
+            value.assign(bytes.substr(0, static_cast<std::size_t>(size)));
+            bytes.remove_prefix(static_cast<std::size_t>(size));
+            return true;
+        } else if constexpr (is_list<T>) {
+            std::uint64_t size = 0;
+            if (!(*this)(size) || size > bytes.size()) return false;  // each takes a byte at least
+            value.clear();
+            for (; size > 0; --size) {
+                if (!(*this)(value.emplace_back())) return false;
+            }
+            return true;
+        } else {
+            return each_field(*this, value);
+        }
+    }
+};
+
+}  // namespace nezumi

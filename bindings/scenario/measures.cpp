@@ -1,0 +1,107 @@
+// Columns come in the order in which runs have them first.
+#include "bindings/scenario/measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "engine/base/csv.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::array<std::string_view, 4> fixed_columns{"scenario", "run", "seed", "passed"};
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+std::string cell(const std::string& text) {
+    return text.find_first_of(",\"\r\n") == std::string::npos ? text : csv_quoted(text);
+}
+
+}  // namespace
+
+double quantile(const std::vector<double>& sorted, double share) {
+    const double at = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(std::floor(at));
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (sorted[above] - sorted[below]) * (at - std::floor(at));
+}
+
+std::vector<MeasureSummary> summarize(const std::vector<MeasuredRun>& runs) {
+    std::vector<MeasureSummary> all;
+    std::vector<std::vector<double>> values;
+    for (const MeasuredRun& run : runs) {
+        for (const Measure& measure : run.measures) {
+            const auto same = [&](const MeasureSummary& other) {
+                return other.scenario == run.scenario && other.name == measure.name && other.unit == measure.unit;
+            };
+            const auto found = std::find_if(all.begin(), all.end(), same);
+            const auto index = static_cast<std::size_t>(found - all.begin());
+            if (found == all.end()) {
+                all.push_back({.scenario = run.scenario, .name = measure.name, .unit = measure.unit});
+                values.emplace_back();
+            }
+            values[index].push_back(measure.value);
+        }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        std::sort(values[i].begin(), values[i].end());
+        all[i].count = values[i].size();
+        all[i].min = values[i].front();
+        all[i].median = quantile(values[i], 0.5);
+        all[i].mean = std::accumulate(values[i].begin(), values[i].end(), 0.0) / static_cast<double>(all[i].count);
+        all[i].max = values[i].back();
+    }
+    return all;
+}
+
+std::string text_of(const MeasureSummary& summary) {
+    const std::string unit = summary.unit.empty() ? "" : fmt::format(" [{}]", summary.unit);
+    return fmt::format("{}{} of {}: {} run{}, min {:.6g}, median {:.6g}, mean {:.6g}, max {:.6g}", summary.name, unit,
+                       summary.scenario, summary.count, summary.count == 1 ? "" : "s", summary.min, summary.median,
+                       summary.mean, summary.max);
+}
+
+bool is_column_of_measures(std::string_view name) {
+    return std::find(fixed_columns.begin(), fixed_columns.end(), name) != fixed_columns.end();
+}
+
+std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t seed) {
+    std::vector<std::string> parameters;
+    std::vector<std::string> measures;
+    for (const MeasuredRun& run : runs) {
+        for (const auto& parameter : run.point) add_once(parameters, parameter.first);
+        for (const Measure& measure : run.measures) add_once(measures, measure.name);
+    }
+    std::string out = fmt::format("{}", fmt::join(fixed_columns, ","));
+    for (const std::string& name : parameters) {
+        const bool taken =
+            is_column_of_measures(name) || std::find(measures.begin(), measures.end(), name) != measures.end();
+        out += "," + cell(taken ? "p." + name : name);
+    }
+    for (const std::string& name : measures) out += "," + cell(name);
+    out += "\n";
+    for (const MeasuredRun& run : runs) {
+        out += fmt::format("{},{},{},{}", cell(run.scenario), cell(run.name), seed, run.passed);
+        for (const std::string& name : parameters) {
+            const auto has = [&](const auto& parameter) { return parameter.first == name; };
+            const auto found = std::find_if(run.point.begin(), run.point.end(), has);
+            out += "," + (found == run.point.end() ? "" : cell(found->second.text));
+        }
+        for (const std::string& name : measures) {
+            const auto has = [&](const Measure& measure) { return measure.name == name; };
+            const auto found = std::find_if(run.measures.begin(), run.measures.end(), has);
+            out += found == run.measures.end() ? "," : fmt::format(",{}", found->value);
+        }
+        out += "\n";
+    }
+    return out;
+}
+
+}  // namespace nezumi

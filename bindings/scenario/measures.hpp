@@ -1,0 +1,53 @@
+// Numbers that runs keep by `s:measure`: their statistics, and all of them as a table.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/scenario/run_result.hpp"
+#include "bindings/scenario/sweep.hpp"
+
+namespace nezumi {
+
+/// What one run measured.
+struct MeasuredRun {
+    std::string scenario;  ///< its name
+    std::string name;      ///< with the values of its sweep
+    SweepPoint point;
+    bool passed = false;
+    std::vector<Measure> measures;
+};
+
+/// What the runs of a scenario came to in one measure.
+struct MeasureSummary {
+    std::string scenario;
+    std::string name;
+    std::string unit;
+    std::size_t count = 0;
+    double min = 0;
+    double median = 0;
+    double mean = 0;
+    double max = 0;
+};
+
+/// The value below which this share (0 to 1) of the values lies, between two of them by linear interpolation (type 7 of
+/// Hyndman and Fan 1996, as R and NumPy have it). Of at least one value, in ascending order.
+double quantile(const std::vector<double>& sorted, double share);
+
+/// Of each measure of each scenario, in the order in which they come first.
+std::vector<MeasureSummary> summarize(const std::vector<MeasuredRun>& runs);
+
+/// "time to goal [s] of drives: 20 runs, min 3.2, median 4, mean 4.1, max 6".
+std::string text_of(const MeasureSummary& summary);
+
+/// CSV: a row for each run, the columns scenario, run, seed, passed, the parameters and the measures. What a run does
+/// not have is an empty cell. A parameter that is called like another column is called `p.NAME`.
+std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t seed);
+
+/// Whether a measure may not be called so: it is another column.
+bool is_column_of_measures(std::string_view name);
+
+}  // namespace nezumi

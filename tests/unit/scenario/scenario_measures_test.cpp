@@ -1,0 +1,96 @@
+// What runs measure: kept, refused, summed up, written as CSV.
+#include "bindings/scenario/measures.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/unit/scenario/scenario_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+MeasuredRun measured(const std::string& name, double value, const std::string& unit = "s") {
+    return {.scenario = "a", .name = name, .point = {}, .passed = true, .measures = {{"time", value, unit}}};
+}
+
+}  // namespace
+
+TEST_CASE("a run keeps a number under each name, without a world and when it fails", "[scenario][measures]") {
+    ScenarioRig rig(
+        "scenario('it', function(s)\n"
+        "  s:measure('count', 3)\n"
+        "  s:measure('time to goal', 1.5, 's')\n"
+        "  s:check(false, 'no')\n"
+        "  s:measure('never', 1)\n"
+        "end)");
+    const RunResult result = rig.run();
+    CHECK(result.outcome == RunOutcome::failed);
+    CHECK(result.measures == std::vector<Measure>{{"count", 3, ""}, {"time to goal", 1.5, "s"}});
+    CHECK(from_bytes(to_bytes(result)).value().measures == result.measures);
+}
+
+TEST_CASE("what is no measure is refused with what was expected", "[scenario][measures]") {
+    const std::string could_not = "could not run: ";
+    const auto refused = [&](const std::string& line) {
+        const std::string text = outcome_of(line);
+        const auto at = text.find("measure: ");
+        return text.starts_with(could_not) && at != std::string::npos ? text.substr(at) : text;
+    };
+    CHECK(refused("s:measure(3, 1)") == "measure: expected a name (what is measured), got number");
+    CHECK(refused("s:measure('', 1)") == "measure: '': expected a name of one line");
+    CHECK(refused("s:measure('passed', 1)") ==
+          "measure: 'passed': --measures has a column of this name: choose another");
+    CHECK(refused("s:measure('a')") == "measure: 'a': expected a number, got nothing");
+    CHECK(refused("s:measure('a', math.huge)") == "measure: 'a': expected a finite number, got inf");
+    CHECK(refused("s:measure('a', 1, 5)") == "measure: 'a': expected a unit as in \"s\", got number");
+    CHECK(refused("s:measure('a', 0.5) s:measure('a', 1)") ==
+          "measure: 'a': is measured already, as 0.5: a run keeps one number a name");
+}
+
+TEST_CASE("quantiles lie between values as R and NumPy have them", "[scenario][measures]") {
+    CHECK(quantile({7}, 0.25) == 7);
+    CHECK(quantile({1, 2, 3, 4}, 0.25) == 1.75);
+    CHECK(quantile({1, 2, 3, 4}, 0.5) == 2.5);
+    CHECK(quantile({1, 2, 3, 4, 10}, 0.75) == 4);
+    CHECK(quantile({1, 2}, 0) == 1);
+    CHECK(quantile({1, 2}, 1) == 2);
+}
+
+TEST_CASE("a summary has one line for each measure of a scenario", "[scenario][measures]") {
+    const auto all = summarize({measured("x", 4), measured("y", 1), measured("z", 1.5), measured("z", 9, "m")});
+    REQUIRE(all.size() == 2);
+    CHECK(text_of(all[0]) == "time [s] of a: 3 runs, min 1, median 1.5, mean 2.16667, max 4");
+    CHECK(text_of(all[1]) == "time [m] of a: 1 run, min 9, median 9, mean 9, max 9");
+}
+
+TEST_CASE("the table has a row for each run, and names no column twice", "[scenario][measures]") {
+    const auto text = [](std::string value) {
+        PlainData data;
+        data.values.emplace_back(std::move(value));
+        return to_sweep_value(std::move(data));
+    };
+    MeasuredRun first = measured("a [kind=\"x,y\", time=now]", 0.1);
+    first.point = {{"kind", text("x,y")}, {"time", text("now")}};
+    MeasuredRun second{.scenario = "b", .name = "b", .point = {{"seed", text("s")}}, .passed = false, .measures = {}};
+    CHECK(measures_csv({first, second}, 7) ==
+          "scenario,run,seed,passed,kind,p.time,p.seed,time\n"
+          "a,\"a [kind=\"\"x,y\"\", time=now]\",7,true,\"\"\"x,y\"\"\",now,,0.1\n"
+          "b,b,7,false,,,s,\n");
+    CHECK(measures_csv({}, 7) == "scenario,run,seed,passed\n");
+}
+
+TEST_CASE("a session sums up what its runs measured, each as it was planned", "[scenario][measures][session]") {
+    ScenarioRig rig(
+        "scenario('it', { sweep = { x = range(0, 100) }, samples = 9 }, function(s, p)\n"
+        "  s:measure('x', p.x, 'm')\n"
+        "  s:check(p.x < 20, 'too large')\n"
+        "end)");
+    const SessionEnd end = rig.session();
+    REQUIRE(end.measured.size() == 9);
+    for (const MeasuredRun& run : end.measured) {
+        REQUIRE(run.measures.size() == 1);
+        CHECK(run.name == "it [x=" + run.point.front().second.text + "]");
+        CHECK(run.passed == (run.measures.front().value < 20));
+    }
+    CHECK(rig.said.find("\nx [m] of it: 9 runs, min ") != std::string::npos);
+}
