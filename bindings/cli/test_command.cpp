@@ -17,6 +17,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/scenario_files.hpp"
+#include "bindings/cli/sweep_progress.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/test_session.hpp"
@@ -36,6 +37,7 @@ struct TestOptions {
     std::string junit;
     std::string measures;
     bool tap = false;
+    bool quiet = false;
     bool update_goldens = false;
     std::string folder = "nezumi-test";
     bool hw = false;
@@ -105,6 +107,8 @@ void write_out(std::string_view text) {
     std::fflush(stdout);
 }
 
+void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
 int list(const TestPlan& plan) {
     int status = kDone;
     for (const PlannedFile& file : plan.files) {
@@ -118,6 +122,7 @@ int list(const TestPlan& plan) {
 }
 
 int test(const TestOptions& command) {
+    if (command.tap && command.quiet) return refuse("--tap tells of every run: leave out --quiet");
     SessionOptions options;
     options.seed = command.seed;
     options.repeat = command.repeat;
@@ -142,8 +147,15 @@ int test(const TestOptions& command) {
         if (auto ok = check_can_write(file); !ok) return refuse(ok.error());
     }
     const bool colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
-    const auto reporter = command.tap ? tap_reporter(write_out) : console_reporter(write_out, colour);
+    SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);
+    options.progress = [&](std::size_t done, std::size_t all) { progress.update(done, all); };
+    const auto write = [&](std::string_view text) {
+        progress.clear();
+        write_out(text);
+    };
+    const auto reporter = command.tap ? tap_reporter(write) : console_reporter(write, colour, command.quiet);
     const SessionEnd end = run_tests(*plan, options, *reporter);
+    progress.clear();
     if (!command.junit.empty()) {
         if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
     }
@@ -184,6 +196,7 @@ Command test_command() {
              {"--measures", &options->measures, "write what s:measure kept to this file, as CSV: a row for each run",
               "FILE.csv"},
              {"--tap", &options->tap, "print the results as TAP"},
+             {"--quiet", &options->quiet, "tell only of runs that do not pass, and the summary"},
              {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},
              {"-o,--output", &options->folder, "the folder for traces and pictures of failures", "DIR"}},
         .run = [options] { return test(*options); },

@@ -134,6 +134,11 @@ PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t jobs) {
     std::map<std::size_t, Expected<std::string>> done;  // out of order
     std::size_t next = 0;
     std::size_t taken = 0;
+    std::size_t over = 0;
+    const auto tell_progress = [&] {
+        ++over;
+        if (tasks.progress) tasks.progress(over);
+    };
     while (taken < tasks.count) {
         while (running.size() < jobs && next < tasks.count) {
             auto started = start(tasks, next, signals);
@@ -141,6 +146,7 @@ PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t jobs) {
                 running.push_back(std::move(*started));
             } else {
                 done.emplace(next, Unexpected(started.error()));
+                tell_progress();
             }
             ++next;
         }
@@ -160,6 +166,7 @@ PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t jobs) {
                 if (files[i + 1].revents == 0 || read_some(running[i])) continue;
                 done.emplace(running[i].task, collect(running[i]));
                 running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+                tell_progress();
             }
         }
         for (auto first = done.find(taken); first != done.end(); first = done.find(taken)) {

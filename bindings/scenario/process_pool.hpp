@@ -21,6 +21,8 @@ struct PoolTasks {
     std::function<std::string(std::size_t task)> run;
     /// Gets the answers in the order of the tasks; an error says how the process ended instead.
     std::function<void(std::size_t task, Expected<std::string> answer)> take;
+    /// Is told after each task how many are over, in whatever order; may be empty.
+    std::function<void(std::size_t done)> progress{};
 };
 
 /// At most `jobs` processes at a time. This process must have no other threads. SIGINT and SIGTERM end all processes.

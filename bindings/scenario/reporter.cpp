@@ -8,12 +8,14 @@ namespace {
 
 class ConsoleReporter final : public Reporter {
 public:
-    ConsoleReporter(WriteText write, bool colour) : write_(std::move(write)), colour_(colour) {}
+    ConsoleReporter(WriteText write, bool colour, bool quiet)
+        : write_(std::move(write)), colour_(colour), quiet_(quiet) {}
 
     void begin(std::size_t) override {}
 
     void add(const RunReport& report) override {
         const RunResult& result = report.result;
+        if (quiet_ && result.outcome == RunOutcome::passed) return;
         const bool read = !report.scenario.empty();
         switch (result.outcome) {
             case RunOutcome::passed: paint("32", "ok    "); break;
@@ -51,6 +53,7 @@ private:
 
     WriteText write_;
     bool colour_;
+    bool quiet_;
 };
 
 // A text as YAML takes it on one line.
@@ -114,8 +117,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Reporter> console_reporter(WriteText write, bool colour) {
-    return std::make_unique<ConsoleReporter>(std::move(write), colour);
+std::unique_ptr<Reporter> console_reporter(WriteText write, bool colour, bool quiet) {
+    return std::make_unique<ConsoleReporter>(std::move(write), colour, quiet);
 }
 
 std::unique_ptr<Reporter> tap_reporter(WriteText write) { return std::make_unique<TapReporter>(std::move(write)); }

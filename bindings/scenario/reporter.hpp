@@ -47,8 +47,8 @@ public:
     virtual void end(const SessionSummary& summary) = 0;
 };
 
-/// For people. `colour`: with the terminal's colours.
-std::unique_ptr<Reporter> console_reporter(WriteText write, bool colour);
+/// For people. `colour`: with the terminal's colours. `quiet`: nothing of runs that passed, but for the summary.
+std::unique_ptr<Reporter> console_reporter(WriteText write, bool colour, bool quiet = false);
 /// TAP version 13, a diagnostic block for each failure.
 std::unique_ptr<Reporter> tap_reporter(WriteText write);
 

@@ -89,6 +89,7 @@ public:
         tasks.take = [this](std::size_t task, const Expected<std::string>& answer) {
             take(task / options_.repeat, result_of(answer));
         };
+        if (options_.progress) tasks.progress = [&](std::size_t done) { options_.progress(done, tasks.count); };
         for (const RunReport& report : unread_) tell(report);
         end_.interrupted = run_in_processes(tasks, options_.jobs) == PoolEnd::interrupted;
         if (!end_.interrupted) simplify_failures();

@@ -25,6 +25,8 @@ struct SessionOptions {
     std::function<LiveOptions()> systems;  ///< how systems are made
     std::string words;                     ///< options that repeating a run needs besides its name and seed
     bool is_real = false;                  ///< systems have real robots: nothing is run again by itself
+    /// Is told how many of the runs that it makes are over; may be empty.
+    std::function<void(std::size_t done, std::size_t all)> progress;
     /// Keeps the files of a run that failed, in a folder that is there; may be empty.
     std::function<std::unique_ptr<RunFiles>(const std::filesystem::path& folder)> files;
 };

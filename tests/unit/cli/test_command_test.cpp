@@ -153,6 +153,19 @@ TEST_CASE("nezumi test --measures writes a row for each run", "[cli][test]") {
           "none/it.csv: can't be written: No such file or directory\n");
 }
 
+TEST_CASE("nezumi test --quiet says nothing of runs that pass", "[cli][test]") {
+    const Tried tried;
+    const auto passed = tried.test({"it_test.lua", "--filter", "passes", "--quiet"});
+    CHECK(passed.status == 0);
+    CHECK(passed.out.starts_with("2 runs: 2 passed (seed 124, "));
+    const auto failed = tried.test({"it_test.lua", "--quiet"});
+    CHECK(failed.out.starts_with("FAILED fails\n"));
+    CHECK(contains(failed.out, "\ncould not run can not\n"));
+    CHECK_FALSE(contains(failed.out, "passes"));
+    CHECK(tried.test({"it_test.lua", "--tap", "--quiet"}).error ==
+          "nezumi: --tap tells of every run: leave out --quiet\n");
+}
+
 TEST_CASE("an interruption ends all runs at once", "[cli][test]") {
     const Tried tried(
         "scenario('long', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s)\n"

@@ -54,6 +54,17 @@ TEST_CASE("an interruption ends all processes at once", "[lua][scenario][pool]")
     CHECK(run_in_processes(tasks, 2) == PoolEnd::interrupted);
 }
 
+TEST_CASE("a pool tells after each task how many are over", "[lua][scenario][pool]") {
+    std::vector<std::size_t> told;
+    PoolTasks tasks;
+    tasks.count = 3;
+    tasks.run = [](std::size_t) { return std::string(); };
+    tasks.take = [](std::size_t, const Expected<std::string>&) {};
+    tasks.progress = [&](std::size_t done) { told.push_back(done); };
+    CHECK(run_in_processes(tasks, 2) == PoolEnd::done);
+    CHECK(told == std::vector<std::size_t>{1, 2, 3});
+}
+
 TEST_CASE("a result travels as bytes, and half of it is an error", "[lua][scenario][pool]") {
     RunResult result{.outcome = RunOutcome::failed,
                      .error = {"no", {"a.lua", 3, 4}},
