@@ -166,6 +166,7 @@ private:
                           problems_.take(line);
                           if (!console_ || !console_->log(line)) screen_.log(line);
                       }};
+        live.values = options_.values;
         live.budget = options_.headless ? headless_budget : paced_budget;
         live.watch = !options_.headless;
         if (devices_) use_hardware(live, *options_.hardware, devices_->roots());

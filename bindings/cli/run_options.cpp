@@ -105,6 +105,10 @@ std::vector<Option> run_options(RunWords& words) {
          "ask the kernel for ticks in time beside other programs: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
         {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n)", "N"},
+        {"--set", &words.set, "a parameter's value over the file's, also after a restart; as often as you like",
+         "NAME.PARAMETER=VALUE"},
+        {"--params", &words.params, "take the parameters of this file, which the console's save has written",
+         "FILE.lua"},
         {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
         {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
         {"--picture", &words.picture, "draw the arena, the robots and their paths when the run ends", "FILE.png|svg"},
@@ -169,10 +173,13 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     options.sounds = words.sounds;
     options.journal = words.journal;
     options.replay = words.replay;
+    options.values = {.file = words.params, .set = words.set};
     for (const auto& [option, given] : {std::pair{"--batch", words.batch},
                                         {"--seed", !words.seed.empty()},
                                         {"--duration", !words.duration.empty()},
-                                        {"--journal", !words.journal.empty()}}) {
+                                        {"--journal", !words.journal.empty()},
+                                        {"--set", !words.set.empty()},
+                                        {"--params", !words.params.empty()}}) {
         if (!words.replay.empty() && given)
             return failure(fmt::format("--replay does what the journal says: leave out {}", option));
     }

@@ -9,6 +9,7 @@
 
 #include "bindings/cli/command_line.hpp"
 #include "bindings/cli/run_hardware.hpp"
+#include "bindings/lua/files/start_values.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi::cli {
@@ -18,6 +19,8 @@ struct RunWords {
     std::string file;
     std::string speed, duration, seed, threads, picture, record, ports, sounds, journal, replay;
     std::string dev_root, sys_root, device_log, played_log;
+    std::string params;
+    std::vector<std::string> set;
     FlagText hw;
     bool headless = false;
     bool batch = false;
@@ -45,6 +48,7 @@ struct RunOptions {
     std::string journal;               ///< "" for none
     std::string replay;                ///< "" for none; then headless
     std::string sounds;                ///< folder for what robots say; "" for none
+    StartValues values;                ///< over the file's
     std::optional<Hardware> hardware;  ///< none: everything is simulated
 };
 

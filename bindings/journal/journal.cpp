@@ -62,6 +62,8 @@ void Journal::begin(LiveSystem& live, const std::string& version, bool hardware)
                {"installed", std::move(installed)},
                {"seed", live.options().build.seed},
                {"seed_wins", live.options().build.seed_wins},
+               {"params", live.options().values.file},
+               {"set", live.options().values.set},
                {"files", files_to_json(files_.take())}};
     add([first = std::move(first)] { return line(first); });
     live.observe_acts(this);

@@ -136,6 +136,15 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
         if (!folder.is_string()) return wrong(1, "'installed' must be a list of folders");
         installed_.emplace_back(folder.get<std::string>());
     }
+    // A journal need not have them: none were given.
+    values_.file = field<std::string>(json, "params").value_or("");
+    if (const auto set = json.find("set"); set != json.end()) {
+        if (!set->is_array()) return wrong(1, "'set' must be a list of texts");
+        for (const Json& each : *set) {
+            if (!each.is_string()) return wrong(1, "'set' must be a list of texts");
+            values_.set.emplace_back(each.get<std::string>());
+        }
+    }
     system_ = *system;
     seed_ = *seed;
     seed_wins_ = *seed_wins;
@@ -207,6 +216,7 @@ Expected<std::unique_ptr<LiveSystem>> Replay::load(LiveOptions options) {
     options.world = with_pictures_from(*files_, std::move(options.world));
     options.build.seed = seed_;
     options.build.seed_wins = seed_wins_;
+    options.values = values_;
     options.build.out_of_time_is_fatal = false;
     options.watch = false;
     options.budget = headless_budget;

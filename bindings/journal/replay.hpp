@@ -55,6 +55,7 @@ private:
     std::vector<std::filesystem::path> installed_;
     std::uint64_t seed_ = 0;
     bool seed_wins_ = false;
+    StartValues values_;
     std::optional<RecordedFiles> files_;
     std::vector<Entry> entries_;
     std::size_t next_ = 0;

@@ -32,6 +32,9 @@ Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project&
     if (spec && options.prepare) {
         if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
     }
+    if (spec) {
+        if (auto ok = apply(options.values, *spec, project); !ok) return Unexpected(ok.error());
+    }
     return spec;
 }
 

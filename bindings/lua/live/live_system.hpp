@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/lua/files/start_values.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "bindings/lua/reload/live_reload.hpp"
 #include "bindings/lua/reload/reloader.hpp"
@@ -29,6 +30,7 @@ struct LiveOptions {
     decltype(Makers::components) components;       ///< native components by type
     /// Has a look at what a file says before it is built, and may change it; an error refuses it. May be empty.
     std::function<Expected<void>(SystemSpec&)> prepare;
+    StartValues values{};  ///< over those of the file, at each start
     BuildOptions build;
     Budget budget = paced_budget;  ///< of each call into a script; `headless_budget` in runs without a clock
     bool watch = false;            ///< reload scripts when they are saved

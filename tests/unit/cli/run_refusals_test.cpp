@@ -129,3 +129,22 @@ TEST_CASE("what is wrong with an option is said", "[cli][run]") {
     CHECK(said({"run", "x.lua", "--speed"}) == "nezumi: --speed: a value is missing; see nezumi run --help\n");
     CHECK(said({"rum", "x.lua"}).find("there is no command 'rum' (did you mean 'run'?)") != std::string::npos);
 }
+
+TEST_CASE("a value that --set or --params can't give is refused with the option or the line", "[cli][run]") {
+    CHECK(refused(good, {"--set", "it.speed"}) ==
+          "--set it.speed: expected COMPONENT.PARAMETER=VALUE as in controller.speed_x=0.3");
+    CHECK(refused(good, {"--set", "ti.speed=1"}) ==
+          "--set ti.speed=1: system.lua has no component 'ti' (did you mean 'it'?)");
+    CHECK(refused(good, {"--set", "it.sped=1"}) ==
+          "--set it.sped=1: it: config: unknown parameter 'sped' (did you mean 'speed'?)");
+    CHECK(refused(good, {"--set", "it.speed=2"})
+              .starts_with("--set it.speed=2: it: config: parameter 'speed' (number): "));
+    CHECK(refused(good, {"--set", "it.speed=fast"})
+              .starts_with("--set it.speed=fast: it: config: parameter 'speed' (number): "));
+    CHECK(refused(good, {"--set", "it.speed={ 1, print }"}).starts_with("--set it.speed={ 1, print }: "));
+    CHECK(refused(mouse + good, {"--set", "mouse.speed=1"}) ==
+          "--set mouse.speed=1: mouse is a robot: only behaviours and components have parameters");
+    CHECK(refused(good, {"--params", "none.lua"}) == "none.lua: there is no such file");
+    CHECK(refused(good, {"--replay", "it.journal", "--set", "it.speed=1"}) ==
+          "nezumi: --replay does what the journal says: leave out --set");
+}

@@ -340,3 +340,34 @@ TEST_CASE("a folder's name can't turn what is said", "[cli][run]") {
     CHECK(run.status == 2);
     CHECK_THAT(run.error, Catch::Contains("systems\\u202eaul./s.lua:1") && !Catch::Contains("\xE2\x80\xAE"));
 }
+
+TEST_CASE("the options --set and --params give parameters their values, also after a restart and in a replay",
+          "[cli][run]") {
+    const Project project(R"(param("speed", 0.1)
+local out = output("out", "TimedDouble", "a number")
+function on_execute() out:write(config.speed) end
+)");
+    const auto hash = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {"--duration", "0.1", "--trace-hash"});
+        const Outcome outcome = project.run(options);
+        CAPTURE(outcome.error);
+        CHECK(outcome.status == 0);
+        return outcome.out;
+    };
+    const std::string saved =
+        project.scratch.write("saved.lua", "behavior \"it\" { script = \"it\", config = { speed = 0.5 } }\n").string();
+    const std::string half = hash({"--set", "it.speed=0.5"});
+    CHECK(half != hash({}));
+    CHECK(hash({"--params", saved}) == half);
+    CHECK(hash({"--params", saved, "--set", "it.speed=0.1"}) == hash({}));
+
+    const std::string commands = project.scratch.write("commands", "run(0.1)\nrestart()\nit.config.speed\n").string();
+    CHECK(run_nezumi({"run", project.file, "--batch", "--set", "it.speed=0.5"}, "", commands).out.find("0.5") !=
+          std::string::npos);
+
+    const std::string journal = project.scratch.path("journal").string();
+    CHECK(hash({"--set", "it.speed=0.5", "--journal", journal}) == half);
+    const Outcome again = run_nezumi({"run", project.file, "--replay", journal, "--trace-hash"});
+    CHECK(again.status == 0);
+    CHECK(again.out == half);
+}

@@ -1,0 +1,145 @@
+// A value counts as if it stood in the system file, and its place says that it does not.
+#include "bindings/lua/files/start_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <type_traits>
+#include <variant>
+
+#include "bindings/lua/files/data_file.hpp"
+#include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/system_file.hpp"
+
+namespace nezumi {
+namespace {
+
+template <class T>
+std::optional<T> number(std::string_view word) {
+    T value{};
+    const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (problem != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+// What Lua makes of a text in quotes or of a table.
+Expected<ParameterValue> read_lua(const std::string& text, const Project& project, const std::string& shown) {
+    auto file = DataFile::create(project, {});
+    if (!file) return Unexpected(file.error());
+    if (auto ran = (*file)->run("return " + text, shown, {}); !ran) return failure(ran.error().message);
+    const auto value = read_file_value((*file)->lua(), -1);
+    return value ? to_parameter(*value) : Expected<ParameterValue>(Unexpected(value.error()));
+}
+
+// 30, 0.3, true, "text", { 1, 2 } as in Lua; any other word is a text.
+Expected<ParameterValue> read_value(const std::string& text, const Project& project, const std::string& shown) {
+    if (text == "true" || text == "false") return text == "true";
+    if (const auto whole = number<std::int64_t>(text)) return *whole;
+    if (const auto real = number<double>(text); real && std::isfinite(*real)) return *real;
+    if (text.starts_with('{') || text.starts_with('"') || text.starts_with('\'')) return read_lua(text, project, shown);
+    return text;
+}
+
+Entry* find_entry(SystemSpec& spec, std::string_view name) {
+    const auto found = std::find_if(spec.entries.begin(), spec.entries.end(),
+                                    [&](const Entry& entry) { return name_of(entry) == name; });
+    return found == spec.entries.end() ? nullptr : &*found;
+}
+
+std::string nearest_entry(const SystemSpec& spec, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Entry& entry : spec.entries) {
+        if (!std::holds_alternative<RobotEntry>(entry)) names.emplace_back(name_of(entry));
+    }
+    return did_you_mean(name, names);
+}
+
+Expected<void> set_one(const std::string& text, SystemSpec& spec, const Project& project) {
+    const std::string option = "--set " + shown(text);
+    const Place place{.file = option};
+    const auto equals = text.find('=');
+    const auto dot = text.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot > equals || dot == 0 || dot + 1 == equals ||
+        equals + 1 == text.size())
+        return failure("expected COMPONENT.PARAMETER=VALUE as in controller.speed_x=0.3", place);
+    const std::string name = text.substr(0, dot);
+    const std::string parameter = text.substr(dot + 1, equals - dot - 1);
+    Entry* const entry = find_entry(spec, name);
+    if (entry == nullptr)
+        return failure(fmt::format("{} has no component '{}'{}", spec.file, name, nearest_entry(spec, name)), place);
+    auto value = read_value(text.substr(equals + 1), project, option);
+    if (!value) return failure(value.error().message, place);
+    return std::visit(
+        [&](auto& each) -> Expected<void> {
+            using Kind = std::decay_t<decltype(each)>;
+            if constexpr (std::is_same_v<Kind, RobotEntry>) {
+                return failure(fmt::format("{} is a robot: only behaviours and components have parameters", name),
+                               place);
+            } else {
+                each.places["config." + parameter] = place;
+                if constexpr (std::is_same_v<Kind, BehaviorEntry>) {
+                    // The set in use counts over `config`.
+                    const auto used = each.sets.find(each.set);
+                    if (used != each.sets.end() && used->second.contains(parameter)) used->second[parameter] = *value;
+                }
+                each.config[parameter] = std::move(*value);
+                return {};
+            }
+        },
+        *entry);
+}
+
+template <class AnEntry>
+void take_config(AnEntry& entry, const AnEntry& from) {
+    for (const auto& [parameter, value] : from.config) entry.config.insert_or_assign(parameter, value);
+    for (const auto& [path, place] : from.places) entry.places.insert_or_assign(path, place);
+}
+
+Expected<void> take_file(const std::string& file, SystemSpec& spec, const Project& project) {
+    const auto saved = read_system_file(file, project);
+    if (!saved) return Unexpected(saved.error());
+    for (const Entry& from : saved->entries) {
+        Entry* const entry = find_entry(spec, name_of(from));
+        const auto* behavior = std::get_if<BehaviorEntry>(&from);
+        const auto* component = std::get_if<ComponentEntry>(&from);
+        const bool says_nothing = behavior != nullptr    ? behavior->config.empty() && behavior->sets.empty()
+                                  : component != nullptr ? component->config.empty()
+                                                         : true;
+        if (says_nothing) continue;
+        const bool fits = entry != nullptr && entry->index() == from.index();
+        if (!fits) {
+            return failure(fmt::format("{} has no {} '{}'{}: --params wants a file that save has written of it",
+                                       spec.file, behavior != nullptr ? "behavior" : "component", name_of(from),
+                                       nearest_entry(spec, name_of(from))),
+                           place_of(from));
+        }
+        if (behavior != nullptr) {
+            auto& into = std::get<BehaviorEntry>(*entry);
+            take_config(into, *behavior);
+            into.sets = behavior->sets;
+            into.set = behavior->set;
+        } else {
+            take_config(std::get<ComponentEntry>(*entry), *component);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Expected<void> apply(const StartValues& values, SystemSpec& spec, const Project& project) {
+    if (!values.file.empty()) {
+        if (auto ok = take_file(values.file, spec, project); !ok) return ok;
+    }
+    for (const std::string& text : values.set) {
+        if (auto ok = set_one(text, spec, project); !ok) return ok;
+    }
+    return {};
+}
+
+}  // namespace nezumi
