@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -18,6 +20,7 @@
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/scenario_files.hpp"
 #include "bindings/cli/sweep_progress.hpp"
+#include "bindings/cli/test_parts.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "bindings/scenario/test_session.hpp"
@@ -38,6 +41,9 @@ struct TestOptions {
     std::string measures;
     bool tap = false;
     bool quiet = false;
+    std::string shard;
+    bool resume = false;
+    bool merge = false;
     bool update_goldens = false;
     std::string folder = "nezumi-test";
     bool hw = false;
@@ -68,10 +74,12 @@ Expected<void> choose_robots(const TestOptions& command, SessionOptions& options
         }
         return {};
     }
-    for (const auto& [option, given] :
-         {std::pair{"--repeat", command.repeat > 1}, {"--update-goldens", command.update_goldens}}) {
-        if (given) return failure(fmt::format("--hw: a real robot is never the same twice: leave out {}", option));
-    }
+    auto fits = refuse_given({{"--repeat", command.repeat > 1},
+                              {"--update-goldens", command.update_goldens},
+                              {"--shard", !command.shard.empty()},
+                              {"--resume", command.resume}},
+                             "--hw: a real robot is never the same twice");
+    if (!fits) return fits;
     auto sockets = read_rig(command.rig);
     if (!sockets) return Unexpected(sockets.error());
     Hardware hardware;
@@ -109,20 +117,72 @@ void write_out(std::string_view text) {
 
 void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-int list(const TestPlan& plan) {
+int list(const TestPlan& plan, const Shard& shard) {
     int status = kDone;
     for (const PlannedFile& file : plan.files) {
         for (const Error& error : file.errors) status = refuse(error);
     }
-    for (const PlannedRun& run : plan.runs) {
+    for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+        if (!shard.has(i)) continue;
+        const PlannedRun& run = plan.runs[i];
         const Place& place = plan.files[run.file].scenarios[run.scenario].place;
         fmt::print("{}  {}:{}\n", run.name, place.file, place.line);
     }
     return status;
 }
 
+// Whether the options go together.
+Expected<void> check_options(const TestOptions& command) {
+    const GivenOptions parts{{"--shard", !command.shard.empty()}, {"--resume", command.resume}};
+    auto ok = refuse_given({{"--quiet", command.tap && command.quiet}}, "--tap tells of every run");
+    if (ok && command.update_goldens) ok = refuse_given(parts, "--update-goldens: every run has to be made");
+    if (!ok || !command.merge) return ok;
+    ok = refuse_given(parts, "--merge tells of runs that others have made");
+    if (ok) {
+        ok = refuse_given({{"--filter", !command.filter.empty()},
+                           {"--list", command.list},
+                           {"--hw", command.hw},
+                           {"--update-goldens", command.update_goldens}},
+                          "--merge tells of runs that others have made");
+    }
+    if (ok && command.paths.empty())
+        return failure("--merge: expected the folders of the parts, as in nezumi test --merge part-*");
+    return ok;
+}
+
+// Runs what was planned.
+Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, SessionOptions& options,
+                              Reporter& reporter) {
+    options.made_with = fingerprint(plan, command.seed, NEZUMI_VERSION, options.installed);
+    if (!command.shard.empty()) {
+        const KeptPlan kept{.plan = plan,
+                            .made_with = options.made_with,
+                            .seed = command.seed,
+                            .repeat = command.repeat,
+                            .shards = options.shard.count,
+                            .words = options.words};
+        if (auto ok = keep_plan(options.folder, options.shard, kept); !ok) return Unexpected(ok.error());
+    }
+    return run_tests(plan, options, reporter);
+}
+
+// Tells what the session came to, and writes what was asked for.
+int finish(const TestOptions& command, const SessionEnd& end) {
+    if (!command.junit.empty()) {
+        if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
+    }
+    if (!command.measures.empty()) {
+        if (auto ok = write_whole(command.measures, measures_csv(end.measured, end.summary.seed)); !ok)
+            return refuse(ok.error());
+    }
+    if (end.interrupted)
+        return refuse(end.can_resume ? "interrupted: not all scenarios have run; --resume goes on with the others"
+                                     : "interrupted: not all scenarios have run");
+    return end.status();
+}
+
 int test(const TestOptions& command) {
-    if (command.tap && command.quiet) return refuse("--tap tells of every run: leave out --quiet");
+    if (auto ok = check_options(command); !ok) return refuse(ok.error());
     SessionOptions options;
     options.seed = command.seed;
     options.repeat = command.repeat;
@@ -130,16 +190,30 @@ int test(const TestOptions& command) {
     options.folder = command.folder;
     options.update_goldens = command.update_goldens;
     options.installed = installed_folders();
+    options.resume = command.resume;
+    options.keep = command.resume || !command.shard.empty();
     options.systems = simulated_systems;
     options.files = scenario_files;
     if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
-    const auto plan = plan_tests({.paths = {command.paths.begin(), command.paths.end()},
-                                  .filter = command.filter,
-                                  .seed = command.seed,
-                                  .installed = options.installed});
-    if (!plan) return refuse(plan.error());
-    if (command.list) return list(*plan);
-    if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
+    const auto shard = read_shard(command.shard);
+    if (!shard) return refuse(shard.error());
+    options.shard = *shard;
+    const std::vector<std::filesystem::path> paths(command.paths.begin(), command.paths.end());
+    std::function<Expected<SessionEnd>(Reporter&)> session;
+    if (command.merge) {
+        auto kept = find_plan(paths);
+        if (!kept) return refuse(kept.error());
+        session = [&paths, kept = std::move(*kept)](Reporter& reporter) { return merge_tests(kept, paths, reporter); };
+    } else {
+        auto plan = plan_tests(
+            {.paths = paths, .filter = command.filter, .seed = command.seed, .installed = options.installed});
+        if (!plan) return refuse(plan.error());
+        if (command.list) return list(*plan, options.shard);
+        if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
+        session = [&, plan = std::move(*plan)](Reporter& reporter) {
+            return run_plan(command, plan, options, reporter);
+        };
+    }
 
     for (const std::string& file : {command.junit, command.measures}) {
         if (file.empty()) continue;
@@ -154,17 +228,9 @@ int test(const TestOptions& command) {
         write_out(text);
     };
     const auto reporter = command.tap ? tap_reporter(write) : console_reporter(write, colour, command.quiet);
-    const SessionEnd end = run_tests(*plan, options, *reporter);
+    const auto end = session(*reporter);
     progress.clear();
-    if (!command.junit.empty()) {
-        if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
-    }
-    if (!command.measures.empty()) {
-        if (auto ok = write_whole(command.measures, measures_csv(end.measured, end.summary.seed)); !ok)
-            return refuse(ok.error());
-    }
-    if (end.interrupted) return refuse("interrupted: not all scenarios have run");
-    return end.status();
+    return end ? finish(command, *end) : refuse(end.error());
 }
 
 }  // namespace
@@ -184,6 +250,13 @@ Command test_command() {
               whole_number(1, 1'000'000, "1000000")},
              {"--jobs", &options->jobs, "processes at a time; the results do not depend on it", "N",
               whole_number(1, 1024, "1024")},
+             {"--shard", &options->shard,
+              "make only part K of N of the runs, and keep their results in -o DIR; --merge puts the parts together",
+              "K/N"},
+             {"--resume", &options->resume,
+              "go on: runs whose results are kept in -o DIR, made of the same files, are not made again"},
+             {"--merge", &options->merge,
+              "PATHS are folders with the results of parts: tell of all of them as of one session"},
              {"--hw", &options->hw,
               "drive the real robots, at real time, one run at a time; what asks for the truth, disturbs or "
               "teleports needs --rig"},

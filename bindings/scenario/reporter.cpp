@@ -40,8 +40,11 @@ public:
         std::string text = fmt::format("{} run{}: {} passed", all, all == 1 ? "" : "s", summary.passed);
         if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
         if (summary.could_not_run > 0) text += fmt::format(", {} could not run", summary.could_not_run);
-        text += fmt::format(" (seed {}, {:.2f} s simulated in {:.2f} s with {} job{})\n", summary.seed, summary.seconds,
-                            summary.wall_seconds, summary.jobs, summary.jobs == 1 ? "" : "s");
+        text += fmt::format(" (seed {}, {:.2f} s simulated ", summary.seed, summary.seconds);
+        text += summary.merged > 0 ? fmt::format("elsewhere, merged from {} folder{})\n", summary.merged,
+                                                 summary.merged == 1 ? "" : "s")
+                                   : fmt::format("in {:.2f} s with {} job{})\n", summary.wall_seconds, summary.jobs,
+                                                 summary.jobs == 1 ? "" : "s");
         write_(text);
         for (const MeasureSummary& measure : summary.measures) write_(text_of(measure) + "\n");
     }

@@ -33,6 +33,7 @@ struct SessionSummary {
     double wall_seconds = 0;  ///< of the session
     std::uint64_t seed = 0;
     std::size_t jobs = 0;
+    std::size_t merged = 0;  ///< folders whose results these are; 0: the session made them
     std::vector<MeasureSummary> measures;
 };
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -70,39 +71,68 @@ RunResult agree(std::vector<RunResult> results, const Scenario& scenario) {
     return first;
 }
 
+// Runs by their number in the plan.
 class Session {
 public:
     Session(const TestPlan& plan, const SessionOptions& options, Reporter& reporter)
-        : plan_(plan), options_(options), reporter_(reporter) {}
+        : plan_(plan), options_(options), reporter_(reporter), results_(plan.runs.size()) {
+        for (std::size_t run = 0; run < plan.runs.size(); ++run) {
+            if (options.shard.has(run)) mine_.push_back(run);
+        }
+    }
 
-    SessionEnd run() {
-        const auto began = std::chrono::steady_clock::now();
-        add_unread_files();
-        reporter_.begin(unread_.size() + plan_.runs.size());
-        results_.resize(plan_.runs.size());
-        PoolTasks tasks;
-        tasks.count = plan_.runs.size() * options_.repeat;
-        tasks.run = [this](std::size_t task) {
-            const PlannedRun& planned = plan_.runs[task / options_.repeat];
-            return to_bytes(run_planned(plan_, planned, options_, planned.drawn || task % options_.repeat > 0));
-        };
-        tasks.take = [this](std::size_t task, const Expected<std::string>& answer) {
-            take(task / options_.repeat, result_of(answer));
-        };
-        if (options_.progress) tasks.progress = [&](std::size_t done) { options_.progress(done, tasks.count); };
-        for (const RunReport& report : unread_) tell(report);
-        end_.interrupted = run_in_processes(tasks, options_.jobs) == PoolEnd::interrupted;
+    // Makes the runs.
+    SessionEnd make() {
+        keep_.emplace(options_.folder, options_.made_with);
+        begin();
+        take_kept();
+        make_rest();
         if (!end_.interrupted) simplify_failures();
-        tell_finished(true);
-        measure();
-        end_.summary.seed = options_.seed;
-        end_.summary.jobs = options_.jobs;
-        end_.summary.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        end();
+        tidy_up();
+        reporter_.end(end_.summary);
+        return std::move(end_);
+    }
+
+    // Takes those that others have made.
+    SessionEnd merge(const std::vector<fs::path>& folders, std::size_t shards) {
+        for (const fs::path& folder : folders) merged_.emplace_back(folder, options_.made_with);
+        begin();
+        for (const std::size_t run : mine_) {
+            for (std::size_t i = 0; i < options_.repeat; ++i) results_[run].push_back(find_merged(run, i, shards));
+        }
+        for (const std::size_t run : first_failures()) {
+            for (const ResultStore& store : merged_) {
+                auto kept = store.find(key_of(run, 0, true));
+                if (!kept) continue;
+                take_simplest(run, kept->name, std::move(kept->result));
+                break;
+            }
+        }
+        end();
+        end_.summary.merged = folders.size();
         reporter_.end(end_.summary);
         return std::move(end_);
     }
 
 private:
+    using Made = std::pair<std::size_t, std::size_t>;  // a run and the number of its repetition
+
+    void begin() {
+        began_ = std::chrono::steady_clock::now();
+        add_unread_files();
+        reporter_.begin(unread_.size() + mine_.size());
+        for (const RunReport& report : unread_) tell(report);
+    }
+
+    void end() {
+        tell_finished(true);
+        measure();
+        end_.summary.seed = options_.seed;
+        end_.summary.jobs = options_.jobs;
+        end_.summary.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+    }
+
     void add_unread_files() {
         for (const PlannedFile& file : plan_.files) {
             if (file.errors.empty()) continue;
@@ -115,22 +145,91 @@ private:
         }
     }
 
-    void take(std::size_t run, RunResult result) {
-        results_[run].push_back(std::move(result));
+    const Scenario& scenario_of(const PlannedRun& run) const { return plan_.files[run.file].scenarios[run.scenario]; }
+
+    ResultKey key_of(std::size_t run, std::size_t repetition, bool simplest = false) const {
+        return {plan_.files[plan_.runs[run].file].shown, plan_.runs[run].name, repetition, simplest};
+    }
+
+    // What real robots do is never the same, and goldens are written by the run itself.
+    bool keeps() const { return !options_.is_real && !options_.update_goldens; }
+
+    void take_kept() {
+        for (const std::size_t run : mine_) {
+            for (std::size_t i = 0; i < options_.repeat; ++i) {
+                auto kept = options_.resume ? keep_->find(key_of(run, i)) : std::nullopt;
+                if (kept) {
+                    known_.emplace(Made(run, i), std::move(kept->result));
+                } else {
+                    to_make_.emplace_back(run, i);
+                }
+            }
+        }
+    }
+
+    void make_rest() {
+        PoolTasks tasks;
+        tasks.count = to_make_.size();
+        tasks.run = [this](std::size_t task) { return make_one(to_make_[task]); };
+        tasks.take = [this](std::size_t task, const Expected<std::string>& answer) {
+            known_.emplace(to_make_[task], result_of(answer));
+            take_known();
+        };
+        if (options_.progress) tasks.progress = [&](std::size_t done) { options_.progress(done, tasks.count); };
+        take_known();
+        end_.interrupted = run_in_processes(tasks, options_.jobs) == PoolEnd::interrupted;
+    }
+
+    // In a process of its own. The result is kept here, so that it outlives whoever waits for it.
+    std::string make_one(const Made& made) const {
+        const auto& [run, repetition] = made;
+        const PlannedRun& planned = plan_.runs[run];
+        RunResult result = run_planned(plan_, planned, options_, planned.drawn || repetition > 0);
+        if (keeps()) {
+            const auto kept = keep_->keep(key_of(run, repetition), {planned.name, result});
+            if (!kept && options_.keep) {
+                result.outcome = RunOutcome::could_not_run;
+                result.error = {"the result of this run can't be kept: " + describe(kept.error())};
+            }
+        }
+        return to_bytes(result);
+    }
+
+    // The results of a run are together when all of its repetitions are.
+    void take_known() {
+        for (; taken_ < mine_.size(); ++taken_) {
+            const std::size_t run = mine_[taken_];
+            std::vector<RunResult>& results = results_[run];
+            for (auto found = known_.find(Made(run, results.size())); found != known_.end();
+                 found = known_.find(Made(run, results.size()))) {
+                results.push_back(std::move(found->second));
+                known_.erase(found);
+            }
+            if (results.size() < options_.repeat) break;
+        }
         tell_finished(false);
+    }
+
+    RunResult find_merged(std::size_t run, std::size_t repetition, std::size_t shards) const {
+        for (const ResultStore& store : merged_) {
+            if (auto kept = store.find(key_of(run, repetition))) return std::move(kept->result);
+        }
+        return {.outcome = RunOutcome::could_not_run,
+                .error = {fmt::format("this run is missing: no folder has its result; --shard {}/{} --resume makes it",
+                                      run % shards + 1, shards)}};
     }
 
     // Tells of all runs whose turn it is. Failures of random sweeps wait for the end.
     void tell_finished(bool all) {
-        for (; told_ < plan_.runs.size() && results_[told_].size() == options_.repeat; ++told_) {
-            const PlannedRun& run = plan_.runs[told_];
-            const auto simpler = simplified_.find(told_);
+        for (; told_ < mine_.size() && results_[mine_[told_]].size() == options_.repeat; ++told_) {
+            const std::size_t index = mine_[told_];
+            const PlannedRun& run = plan_.runs[index];
+            const auto simpler = simplified_.find(index);
             if (simpler != simplified_.end()) {
                 tell(simpler->second);
                 continue;
             }
-            const Scenario& scenario = plan_.files[run.file].scenarios[run.scenario];
-            RunResult result = agree(results_[told_], scenario);
+            RunResult result = agree(results_[index], scenario_of(run));
             if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
             if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
             tell(report_of(plan_, run, std::move(result), options_));
@@ -140,10 +239,9 @@ private:
     // The runs as they were planned: the simplest failure of a random sweep is another one, which was sought.
     void measure() {
         for (std::size_t i = 0; i < told_; ++i) {
-            const PlannedRun& run = plan_.runs[i];
-            const Scenario& scenario = plan_.files[run.file].scenarios[run.scenario];
-            const RunResult result = agree(results_[i], scenario);
-            end_.measured.push_back({.scenario = scenario.name,
+            const PlannedRun& run = plan_.runs[mine_[i]];
+            const RunResult result = agree(results_[mine_[i]], scenario_of(run));
+            end_.measured.push_back({.scenario = scenario_of(run).name,
                                      .name = run.name,
                                      .point = run.point,
                                      .passed = result.outcome == RunOutcome::passed,
@@ -175,16 +273,26 @@ private:
         end_.reports.push_back(report);
     }
 
-    // The first failure of each random sweep.
-    void simplify_failures() {
-        std::vector<std::pair<std::size_t, std::size_t>> seen;
-        for (std::size_t i = told_; i < plan_.runs.size() && !end_.interrupted; ++i) {
+    // Of each random sweep.
+    std::vector<std::size_t> first_failures() const {
+        std::vector<std::size_t> failures;
+        std::set<std::pair<std::size_t, std::size_t>> seen;
+        for (const std::size_t i : mine_) {
             const PlannedRun& run = plan_.runs[i];
-            const std::pair scenario{run.file, run.scenario};
-            if (!run.drawn || results_[i].front().outcome != RunOutcome::failed) continue;
-            if (!seen.empty() && seen.back() == scenario) continue;
-            seen.push_back(scenario);
-            simplify(i);
+            if (!run.drawn || results_[i].empty() || results_[i].front().outcome != RunOutcome::failed) continue;
+            if (seen.emplace(run.file, run.scenario).second) failures.push_back(i);
+        }
+        return failures;
+    }
+
+    void simplify_failures() {
+        for (const std::size_t run : first_failures()) {
+            if (end_.interrupted) return;
+            if (auto kept = options_.resume ? keep_->find(key_of(run, 0, true)) : std::nullopt) {
+                take_simplest(run, kept->name, std::move(kept->result));
+            } else {
+                simplify(run);
+            }
         }
     }
 
@@ -200,7 +308,7 @@ private:
 
     void simplify(std::size_t index) {
         const PlannedRun& found = plan_.runs[index];
-        const Scenario& scenario = plan_.files[found.file].scenarios[found.scenario];
+        const Scenario& scenario = scenario_of(found);
         const Error error = results_[index].front().error;
         PlannedRun simplest = found;
         for (int step = 0; step < most_simplifications && !end_.interrupted; ++step) {
@@ -220,28 +328,56 @@ private:
         }
         if (end_.interrupted) return;
         RunResult result = run_all({simplest}, false).front();
+        if (end_.interrupted) return;
+        // Whoever merges finds it by the run that was planned; without it that run is told as it was.
+        if (keeps()) static_cast<void>(keep_->keep(key_of(index, 0, true), {simplest.name, result}));
+        take_simplest(index, simplest.name, std::move(result));
+    }
+
+    void take_simplest(std::size_t index, const std::string& name, RunResult result) {
+        PlannedRun simplest = plan_.runs[index];
+        std::size_t samples = 0;
         std::size_t failed = 0;
-        for (std::size_t i = 0; i < plan_.runs.size(); ++i) {
+        for (const std::size_t i : mine_) {
             const PlannedRun& run = plan_.runs[i];
-            if (run.file == found.file && run.scenario == found.scenario && !results_[i].empty() &&
-                results_[i].front().outcome == RunOutcome::failed)
-                ++failed;
+            if (run.file != simplest.file || run.scenario != simplest.scenario) continue;
+            ++samples;
+            if (!results_[i].empty() && results_[i].front().outcome == RunOutcome::failed) ++failed;
         }
-        if (simplest.name != found.name)
-            result.facts.insert(result.facts.begin(), fmt::format("first seen with {}", text_of(found.point)));
+        if (name != simplest.name)
+            result.facts.insert(result.facts.begin(), fmt::format("first seen with {}", text_of(simplest.point)));
         result.facts.insert(
             result.facts.begin(),
-            fmt::format("{} of {} samples failed; this is the simplest failure found", failed, scenario.sweep.samples));
+            fmt::format("{} of {} samples failed; this is the simplest failure found", failed, samples));
+        simplest.name = name;
         simplified_.emplace(index, report_of(plan_, simplest, std::move(result), options_));
+    }
+
+    // What nobody resumes or merges goes.
+    void tidy_up() {
+        end_.can_resume = end_.interrupted && keeps() && told_ > 0;
+        if (end_.interrupted || options_.keep || !keeps()) return;
+        for (const std::size_t run : mine_) {
+            for (std::size_t i = 0; i < options_.repeat; ++i) keep_->forget(key_of(run, i));
+        }
+        for (const auto& simplest : simplified_) keep_->forget(key_of(simplest.first, 0, true));
+        keep_->remove_if_empty();
     }
 
     const TestPlan& plan_;
     const SessionOptions& options_;
     Reporter& reporter_;
+    std::optional<ResultStore> keep_;
+    std::vector<ResultStore> merged_;
+    std::chrono::steady_clock::time_point began_;
+    std::vector<std::size_t> mine_;  // runs of this part, in order
     std::vector<RunReport> unread_;
+    std::vector<Made> to_make_;
+    std::map<Made, RunResult> known_;              // those whose turn has not come
     std::vector<std::vector<RunResult>> results_;  // of each run, as often as it is made
     std::map<std::size_t, RunReport> simplified_;
-    std::size_t told_ = 0;
+    std::size_t taken_ = 0;  // so many of `mine_`
+    std::size_t told_ = 0;   // and so many of these
     SessionEnd end_;
 };
 
@@ -291,7 +427,16 @@ RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const Session
 }
 
 SessionEnd run_tests(const TestPlan& plan, const SessionOptions& options, Reporter& reporter) {
-    return Session(plan, options, reporter).run();
+    return Session(plan, options, reporter).make();
+}
+
+SessionEnd merge_tests(const KeptPlan& plan, const std::vector<fs::path>& folders, Reporter& reporter) {
+    SessionOptions options;
+    options.seed = plan.seed;
+    options.repeat = static_cast<std::size_t>(plan.repeat);
+    options.words = plan.words;
+    options.made_with = plan.made_with;
+    return Session(plan.plan, options, reporter).merge(folders, static_cast<std::size_t>(plan.shards));
 }
 
 }  // namespace nezumi

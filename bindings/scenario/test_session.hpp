@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "bindings/scenario/measures.hpp"
+#include "bindings/scenario/plan_file.hpp"
 #include "bindings/scenario/reporter.hpp"
+#include "bindings/scenario/result_store.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 #include "bindings/scenario/test_plan.hpp"
 
@@ -24,6 +26,10 @@ struct SessionOptions {
     std::vector<std::filesystem::path> installed;
     std::function<LiveOptions()> systems;  ///< how systems are made
     std::string words;                     ///< options that repeating a run needs besides its name and seed
+    Shard shard;                           ///< only these runs are made
+    bool resume = false;                   ///< results that are kept already are not made again
+    bool keep = false;                     ///< results stay for who resumes or merges; a run is lost without its own
+    std::uint64_t made_with = 0;           ///< `fingerprint` of the plan
     bool is_real = false;                  ///< systems have real robots: nothing is run again by itself
     /// Is told how many of the runs that it makes are over; may be empty.
     std::function<void(std::size_t done, std::size_t all)> progress;
@@ -37,6 +43,7 @@ struct SessionEnd {
     std::vector<RunReport> reports;
     std::vector<MeasuredRun> measured;  ///< every run that was made, as it was planned
     bool interrupted = false;
+    bool can_resume = false;  ///< it was interrupted, and results are kept of runs that were over
 
     /// 0: all passed, 1: a scenario failed, 2: something could not be run.
     int status() const {
@@ -46,7 +53,13 @@ struct SessionEnd {
 };
 
 /// Makes all runs of a plan and tells the reporter of each, in order. The result does not depend on the jobs.
+/// Each result is kept in `folder` as soon as there is one; at the end of all its runs a session takes them away,
+/// unless it is to `keep` them.
 SessionEnd run_tests(const TestPlan& plan, const SessionOptions& options, Reporter& reporter);
+
+/// Tells of the runs that others have made, as `run_tests` would have. `folders` are theirs; a run whose result is in
+/// none of them could not be run.
+SessionEnd merge_tests(const KeptPlan& plan, const std::vector<std::filesystem::path>& folders, Reporter& reporter);
 
 /// One run in this process; when it fails, once more to keep its files and plots (unless `quick`).
 RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick);

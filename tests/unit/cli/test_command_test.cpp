@@ -166,6 +166,68 @@ TEST_CASE("nezumi test --quiet says nothing of runs that pass", "[cli][test]") {
           "nezumi: --tap tells of every run: leave out --quiet\n");
 }
 
+TEST_CASE("parts of a session are merged to what the whole would have told", "[cli][test][parts]") {
+    const Tried tried;
+    const auto whole = tried.test({"it_test.lua", "--tap", "--measures", "whole.csv"});
+    CHECK_FALSE(std::filesystem::exists(tried.path("nezumi-test/results")));
+    CHECK(tried.test({"it_test.lua", "--shard", "1/2", "--list"}).out ==
+          "passes [speed=0.1]  it_test.lua:1\nfails  it_test.lua:6\n");
+    CHECK(tried.test({"it_test.lua", "--shard", "1/2", "-o", "one"}).status == 1);
+    const auto missing = tried.test({"--merge", "one", "--quiet"});
+    CHECK(missing.status == 2);
+    CHECK(contains(missing.out,
+                   "could not run passes [speed=0.2]\n    this run is missing: no folder has its result; "
+                   "--shard 2/2 --resume makes it\n"));
+    CHECK(tried.test({"it_test.lua", "--shard", "2/2", "-o", "two"}).status == 2);
+    const auto merged = tried.test({"--merge", "one", "two", "--tap", "--measures", "it.csv", "--junit", "it.xml"});
+    CHECK(merged.status == whole.status);
+    const auto without_folder = [](std::string text) {
+        for (const std::string folder : {"nezumi-test/", "one/"}) {
+            const auto at = text.find(folder);
+            if (at != std::string::npos) text.erase(at, folder.size());
+        }
+        return text;
+    };
+    CHECK(without_folder(merged.out) == without_folder(whole.out));
+    CHECK(text_of_file(tried.path("it.csv")) == text_of_file(tried.path("whole.csv")));
+    CHECK(contains(text_of_file(tried.path("it.xml")), "tests=\"4\" failures=\"1\" errors=\"1\""));
+    CHECK(contains(tried.test({"--merge", "one", "two"}).out, " s simulated elsewhere, merged from 2 folders)\n"));
+}
+
+TEST_CASE("nezumi test --resume makes nothing twice", "[cli][test][parts]") {
+    const Tried tried("scenario('it', { sweep = { n = { 1, 2 } } }, function(s) s:check(true) end)\n");
+    CHECK(tried.test({"it_test.lua", "--resume"}).status == 0);
+    // A result says when it was written; one that is taken again is not written again.
+    const auto results = tried.path("nezumi-test/results");
+    std::vector<std::filesystem::file_time_type> before;
+    for (const auto& file : std::filesystem::directory_iterator(results)) before.push_back(file.last_write_time());
+    CHECK(before.size() == 2);
+    CHECK(tried.test({"it_test.lua", "--resume"}).status == 0);
+    std::vector<std::filesystem::file_time_type> after;
+    for (const auto& file : std::filesystem::directory_iterator(results)) after.push_back(file.last_write_time());
+    CHECK(after == before);
+}
+
+TEST_CASE("what can't be said of parts is refused", "[cli][test][parts]") {
+    const Tried tried;
+    for (const std::string wrong : {"0/2", "3/2", "2", "1/", "a/b", "1/2x", "-1/2"}) {
+        CHECK(tried.test({"it_test.lua", "--shard", wrong}).error ==
+              "nezumi: --shard: expected a part K/N with K from 1 to N, as in 2/5, got '" + wrong + "'\n");
+    }
+    CHECK(tried.test({"--merge"}).error ==
+          "nezumi: --merge: expected the folders of the parts, as in nezumi test --merge part-*\n");
+    CHECK(tried.test({"--merge", "none"}).error ==
+          "none: has no results of nezumi test --shard: expected a folder that one wrote by -o\n");
+    CHECK(tried.test({"--merge", "one", "--shard", "1/2"}).error ==
+          "nezumi: --merge tells of runs that others have made: leave out --shard\n");
+    CHECK(tried.test({"--merge", "one", "--filter", "x"}).error ==
+          "nezumi: --merge tells of runs that others have made: leave out --filter\n");
+    CHECK(tried.test({"it_test.lua", "--update-goldens", "--resume"}).error ==
+          "nezumi: --update-goldens: every run has to be made: leave out --resume\n");
+    CHECK(tried.test({"it_test.lua", "--hw", "--shard", "1/2"}).error ==
+          "nezumi: --hw: a real robot is never the same twice: leave out --shard\n");
+}
+
 TEST_CASE("an interruption ends all runs at once", "[cli][test]") {
     const Tried tried(
         "scenario('long', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s)\n"

@@ -1,0 +1,23 @@
+// Sessions in parts: which part one makes, and what can't be said of parts.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/scenario/result_store.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi::cli {
+
+/// Of "2/5"; the whole where it is empty.
+Expected<Shard> read_shard(const std::string& text);
+
+/// Options that were given, or not.
+using GivenOptions = std::vector<std::pair<std::string_view, bool>>;
+
+/// An error that begins with `why` and names the first of these that was given.
+Expected<void> refuse_given(const GivenOptions& options, std::string_view why);
+
+}  // namespace nezumi::cli
