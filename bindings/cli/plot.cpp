@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "bindings/cli/axis.hpp"
 #include "bindings/cli/canvas.hpp"
 
 namespace nezumi::cli {
@@ -16,32 +16,6 @@ namespace {
 constexpr double width = 960, height = 440;                              // [px]
 constexpr double left = 76, right = 28, head = 56, axis = 44, row = 22;  // [px] around the drawing; of the legend
 constexpr std::size_t most_named = 24;                                   // series in the legend
-
-struct Range {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    void include(double value) {
-        if (!std::isfinite(value)) return;
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    // Never empty and never of no length; `part` of it more at both ends.
-    void widen(double part, double least) {
-        if (low > high) low = 0, high = 1;
-        const double more = std::max((high - low) * part, high - low > 0 ? 0 : std::max(least, std::abs(low) * 0.1));
-        low -= more;
-        high += more;
-    }
-};
-
-// About `count` round steps over a range.
-double round_step(const Range& range, int count) {
-    const double least = (range.high - range.low) / count;
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= least) return factor * power;
-    }
-    return 10 * power;
-}
 
 class Painter {
 public:
@@ -170,7 +144,7 @@ private:
     const Plot& plot_;
     double legend_;  // [px] its height
     Canvas canvas_;
-    Range times_, values_;
+    AxisRange times_, values_;
 };
 
 }  // namespace

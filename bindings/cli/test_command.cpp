@@ -11,6 +11,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/scenario_files.hpp"
+#include "bindings/cli/sweep_plots.hpp"
 #include "bindings/cli/sweep_progress.hpp"
 #include "bindings/cli/test_parts.hpp"
 #include "bindings/scenario/measures.hpp"
@@ -39,6 +41,7 @@ struct TestOptions {
     std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency());
     std::string junit;
     std::string measures;
+    std::string plots;
     bool tap = false;
     bool quiet = false;
     std::string shard;
@@ -175,6 +178,13 @@ int finish(const TestOptions& command, const SessionEnd& end) {
         if (auto ok = write_whole(command.measures, measures_csv(end.measured, end.summary.seed)); !ok)
             return refuse(ok.error());
     }
+    if (!command.plots.empty()) {
+        const auto plots = sweep_plots(end.measured);
+        for (const SweepPlot& plot : plots) {
+            if (auto ok = draw_sweep_plot(plot, command.plots); !ok) return refuse(ok.error());
+        }
+        if (plots.empty()) fmt::print(stderr, "nezumi: --plots: nothing was measured over a swept parameter\n");
+    }
     if (end.interrupted)
         return refuse(end.can_resume ? "interrupted: not all scenarios have run; --resume goes on with the others"
                                      : "interrupted: not all scenarios have run");
@@ -219,6 +229,11 @@ int test(const TestOptions& command) {
         if (file.empty()) continue;
         // Found out before hours of tests have run.
         if (auto ok = check_can_write(file); !ok) return refuse(ok.error());
+    }
+    if (!command.plots.empty()) {
+        std::error_code problem;
+        std::filesystem::create_directories(command.plots, problem);
+        if (problem) return refuse(Error{fmt::format("can't be made: {}", problem.message()), {command.plots}});
     }
     const bool colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
     SweepProgress progress(write_error, isatty(STDERR_FILENO) == 1);
@@ -268,6 +283,8 @@ Command test_command() {
              {"--junit", &options->junit, "write the results to this file, as JUnit's XML", "FILE"},
              {"--measures", &options->measures, "write what s:measure kept to this file, as CSV: a row for each run",
               "FILE.csv"},
+             {"--plots", &options->plots,
+              "draw each measure over each swept parameter into this folder, as SVG: medians and quartiles", "DIR"},
              {"--tap", &options->tap, "print the results as TAP"},
              {"--quiet", &options->quiet, "tell only of runs that do not pass, and the summary"},
              {"--update-goldens", &options->update_goldens, "write the traces of s:golden instead of comparing"},
