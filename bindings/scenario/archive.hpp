@@ -49,7 +49,12 @@ struct ArchiveReader {
 
     template <class T>
     bool operator()(T& value) {
-        if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
+        if constexpr (std::is_same_v<T, bool>) {
+            if (bytes.empty() || (bytes.front() != '\0' && bytes.front() != '\1')) return false;
+            value = bytes.front() == '\1';
+            bytes.remove_prefix(1);
+            return true;
+        } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
             if (bytes.size() < sizeof value) return false;
             std::memcpy(&value, bytes.data(), sizeof value);
             bytes.remove_prefix(sizeof value);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <system_error>
 #include <type_traits>
 
@@ -39,7 +38,8 @@ bool each_field(Archive& archive, T& place) {
 
 template <class Archive, MaybeConst<Error> T>
 bool each_field(Archive& archive, T& error) {
-    return archive(error.message) && archive(error.place) && archive(error.kind);
+    return archive(error.message) && archive(error.place) && archive(error.kind) &&
+           error.kind >= Error::Kind::ordinary && error.kind <= Error::Kind::out_of_time;
 }
 
 template <class Archive, MaybeConst<Scenario> T>
@@ -100,6 +100,8 @@ std::vector<fs::path> plans_in(const fs::path& folder) {
     return plans;
 }
 
+}  // namespace
+
 std::string to_bytes(const KeptPlan& kept) {
     ArchiveWriter writer{std::string(magic)};
     writer(kept.made_with);
@@ -113,7 +115,7 @@ std::string to_bytes(const KeptPlan& kept) {
     return std::move(writer.bytes);
 }
 
-std::optional<KeptPlan> from_plan_bytes(std::string_view bytes) {
+std::optional<KeptPlan> plan_from_bytes(std::string_view bytes) {
     if (!bytes.starts_with(magic)) return std::nullopt;
     ArchiveReader reader{bytes.substr(magic.size())};
     KeptPlan kept;
@@ -127,8 +129,6 @@ std::optional<KeptPlan> from_plan_bytes(std::string_view bytes) {
     }
     return reader.bytes.empty() ? std::optional(std::move(kept)) : std::nullopt;
 }
-
-}  // namespace
 
 Expected<void> keep_plan(const fs::path& folder, const Shard& shard, const KeptPlan& plan) {
     const fs::path there = ResultStore::folder_in(folder);
@@ -164,7 +164,7 @@ Expected<KeptPlan> find_plan(const std::vector<fs::path>& folders) {
             }
         }
     }
-    auto kept = from_plan_bytes(first);
+    auto kept = plan_from_bytes(first);
     if (kept) return std::move(*kept);
     return failure("has no plan that this nezumi can read", {.file = first_folder.string()});
 }

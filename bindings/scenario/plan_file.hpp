@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/scenario/result_store.hpp"
@@ -21,6 +23,10 @@ struct KeptPlan {
     std::uint64_t shards = 1;
     std::string words;  ///< options that repeating a run needs besides its name and seed
 };
+
+/// As bytes, and back; nothing when `to_bytes` did not make them.
+std::string to_bytes(const KeptPlan& kept);
+std::optional<KeptPlan> plan_from_bytes(std::string_view bytes);
 
 /// Writes the plan beside the results of this part. A plan of other runs that is there is of another time, and goes.
 Expected<void> keep_plan(const std::filesystem::path& folder, const Shard& shard, const KeptPlan& plan);

@@ -103,9 +103,9 @@ void ResultStore::forget(const ResultKey& key) const {
     fs::remove(path_of(key), none);
 }
 
-void ResultStore::remove_if_empty() const {
+void ResultStore::remove_if_empty(bool with_parent) const {
     std::error_code none;
-    if (fs::remove(folder_in(folder_), none)) fs::remove(folder_, none);
+    if (fs::remove(folder_in(folder_), none) && with_parent) fs::remove(folder_, none);
 }
 
 }  // namespace nezumi

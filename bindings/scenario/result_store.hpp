@@ -51,8 +51,8 @@ public:
     /// as it is seen from here.
     std::optional<KeptResult> find(const ResultKey& key) const;
     void forget(const ResultKey& key) const;
-    /// Takes the folder away if it is empty.
-    void remove_if_empty() const;
+    /// Takes the folder of the files away if it is empty, and the one that it is in when `with_parent`.
+    void remove_if_empty(bool with_parent) const;
 
     /// Where the files are.
     static std::filesystem::path folder_in(const std::filesystem::path& folder) { return folder / "results"; }

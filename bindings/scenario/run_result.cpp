@@ -1,6 +1,8 @@
 // The order of its fields, once for both directions.
 #include "bindings/scenario/run_result.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <utility>
 
@@ -16,6 +18,14 @@ bool all_fields(Archive& archive, Result& result) {
            archive(result.facts) && archive(result.margins) && archive(result.printed) && archive(result.measures) &&
            archive(result.folder) && archive(result.files) && archive(result.seconds) && archive(result.wall_seconds) &&
            archive(result.hash);
+}
+
+// Bytes of another machine may say anything.
+bool is_possible(const RunResult& result) {
+    const bool known = result.outcome <= RunOutcome::could_not_run && result.error.kind >= Error::Kind::ordinary &&
+                       result.error.kind <= Error::Kind::out_of_time;
+    const auto is_finite = [](const Measure& measure) { return std::isfinite(measure.value); };
+    return known && std::all_of(result.measures.begin(), result.measures.end(), is_finite);
 }
 
 }  // namespace
@@ -35,7 +45,8 @@ std::string to_bytes(const RunResult& result) {
 Expected<RunResult> from_bytes(std::string_view bytes) {
     RunResult result;
     ArchiveReader reader{bytes};
-    if (!all_fields(reader, result) || !reader.bytes.empty()) return failure("the run's result is incomplete");
+    if (!all_fields(reader, result) || !reader.bytes.empty() || !is_possible(result))
+        return failure("the run's result is incomplete");
     return result;
 }
 

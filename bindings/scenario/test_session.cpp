@@ -10,9 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/process_pool.hpp"
-#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace {
@@ -20,34 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_simplifications = 100;
-
-RunResult run_once(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options, RunFiles* files,
-                   bool keep_history) {
-    auto read = ScenarioFile::read(file.path, {.installed = options.installed, .seed = options.seed});
-    if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
-    if (run.scenario >= (*read)->scenarios().size())
-        return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};
-    ScenarioRun scenario(**read, run.scenario,
-                         {.seed = options.seed,
-                          .point = run.point,
-                          .systems = options.systems,
-                          .files = files,
-                          .keep_history = keep_history,
-                          .update_goldens = options.update_goldens});
-    return scenario.run();
-}
-
-std::string command_for(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options) {
-    return fmt::format("nezumi test {} --filter {} --seed {}{}", shell_text(file.shown), shell_text(run.name),
-                       options.seed, options.words);
-}
-
-RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const SessionOptions& options) {
-    const PlannedFile& file = plan.files[run.file];
-    const Scenario& scenario = file.scenarios[run.scenario];
-    return {scenario.place.file, scenario.place.line, scenario.name, run.name, command_for(file, run, options),
-            std::move(result)};
-}
 
 RunResult result_of(const Expected<std::string>& answer) {
     auto result = answer ? from_bytes(*answer) : Expected<RunResult>(Unexpected(answer.error()));
@@ -83,6 +53,8 @@ public:
 
     // Makes the runs.
     SessionEnd make() {
+        std::error_code none;
+        had_folder_ = fs::exists(options_.folder, none);
         keep_.emplace(options_.folder, options_.made_with);
         begin();
         take_kept();
@@ -361,13 +333,14 @@ private:
             for (std::size_t i = 0; i < options_.repeat; ++i) keep_->forget(key_of(run, i));
         }
         for (const auto& simplest : simplified_) keep_->forget(key_of(simplest.first, 0, true));
-        keep_->remove_if_empty();
+        keep_->remove_if_empty(!had_folder_);
     }
 
     const TestPlan& plan_;
     const SessionOptions& options_;
     Reporter& reporter_;
     std::optional<ResultStore> keep_;
+    bool had_folder_ = false;
     std::vector<ResultStore> merged_;
     std::chrono::steady_clock::time_point began_;
     std::vector<std::size_t> mine_;  // runs of this part, in order
@@ -382,49 +355,6 @@ private:
 };
 
 }  // namespace
-
-RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick) {
-    const PlannedFile& file = plan.files[run.file];
-    std::optional<RunResult> first;
-    if (quick || !options.is_real) first = run_once(file, run, options, nullptr, false);
-    if (first && (quick || first->outcome != RunOutcome::failed)) return std::move(*first);
-    const auto folder = make_failure_folder(options.folder / run_file_name(file.shown, run.name, file.has_own_stem));
-    std::unique_ptr<RunFiles> files;
-    if (folder && options.files) files = options.files(*folder);
-    RunResult again = run_once(file, run, options, files.get(), true);
-    if (first) {
-        if (again.outcome != first->outcome || again.hash != first->hash)
-            again.facts.push_back(
-                fmt::format("the same run again differs: it had hash {:016x}, then {:016x}", first->hash, again.hash));
-        again.outcome = RunOutcome::failed;
-        again.wall_seconds = first->wall_seconds;
-    } else if (again.outcome != RunOutcome::failed) {
-        std::error_code none;
-        if (folder) fs::remove_all(*folder, none);
-        again.files.clear();
-        return again;
-    }
-    if (!folder) {
-        again.facts.push_back(folder.error().message);
-        return again;
-    }
-    again.folder = *folder;
-    again.files.emplace_back("failure.txt");
-    std::string text;
-    for (const std::string& line : failure_lines(report_of(plan, run, again, options))) text += line + "\n";
-    text += fmt::format("seed: {}\n", options.seed);
-    for (const std::string& line : again.printed) text += "| " + line + "\n";
-    if (auto ok = write_whole(fs::path(*folder) / "failure.txt", text); !ok) {
-        again.files.pop_back();
-        again.facts.push_back(describe(ok.error()));
-    }
-    if (again.files.empty()) {
-        std::error_code none;
-        fs::remove(*folder, none);
-        again.folder.clear();
-    }
-    return again;
-}
 
 SessionEnd run_tests(const TestPlan& plan, const SessionOptions& options, Reporter& reporter) {
     return Session(plan, options, reporter).make();

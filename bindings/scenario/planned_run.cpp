@@ -1,0 +1,91 @@
+// A run that fails is made once more, with all that is kept of it.
+#include "bindings/scenario/planned_run.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "bindings/scenario/failure_folder.hpp"
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi {
+namespace {
+
+namespace fs = std::filesystem;
+
+RunResult run_once(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options, RunFiles* files,
+                   bool keep_history) {
+    auto read = ScenarioFile::read(file.path, {.installed = options.installed, .seed = options.seed});
+    if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
+    if (run.scenario >= (*read)->scenarios().size())
+        return {.outcome = RunOutcome::could_not_run, .error = {"the file has changed meanwhile", {file.shown}}};
+    ScenarioRun scenario(**read, run.scenario,
+                         {.seed = options.seed,
+                          .point = run.point,
+                          .systems = options.systems,
+                          .files = files,
+                          .keep_history = keep_history,
+                          .update_goldens = options.update_goldens});
+    return scenario.run();
+}
+
+std::string command_for(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options) {
+    return fmt::format("nezumi test {} --filter {} --seed {}{}", shell_text(file.shown), shell_text(run.name),
+                       options.seed, options.words);
+}
+
+}  // namespace
+
+RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const SessionOptions& options) {
+    const PlannedFile& file = plan.files[run.file];
+    const Scenario& scenario = file.scenarios[run.scenario];
+    return {scenario.place.file, scenario.place.line, scenario.name, run.name, command_for(file, run, options),
+            std::move(result)};
+}
+
+RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick) {
+    const PlannedFile& file = plan.files[run.file];
+    std::optional<RunResult> first;
+    if (quick || !options.is_real) first = run_once(file, run, options, nullptr, false);
+    if (first && (quick || first->outcome != RunOutcome::failed)) return std::move(*first);
+    const auto folder = make_failure_folder(options.folder / run_file_name(file.shown, run.name, file.has_own_stem));
+    std::unique_ptr<RunFiles> files;
+    if (folder && options.files) files = options.files(*folder);
+    RunResult again = run_once(file, run, options, files.get(), true);
+    if (first) {
+        if (again.outcome != first->outcome || again.hash != first->hash)
+            again.facts.push_back(
+                fmt::format("the same run again differs: it had hash {:016x}, then {:016x}", first->hash, again.hash));
+        again.outcome = RunOutcome::failed;
+        again.wall_seconds = first->wall_seconds;
+    } else if (again.outcome != RunOutcome::failed) {
+        std::error_code none;
+        if (folder) fs::remove_all(*folder, none);
+        again.files.clear();
+        return again;
+    }
+    if (!folder) {
+        again.facts.push_back(folder.error().message);
+        return again;
+    }
+    again.folder = *folder;
+    again.files.emplace_back("failure.txt");
+    std::string text;
+    for (const std::string& line : failure_lines(report_of(plan, run, again, options))) text += line + "\n";
+    text += fmt::format("seed: {}\n", options.seed);
+    for (const std::string& line : again.printed) text += "| " + line + "\n";
+    if (auto ok = write_whole(fs::path(*folder) / "failure.txt", text); !ok) {
+        again.files.pop_back();
+        again.facts.push_back(describe(ok.error()));
+    }
+    if (again.files.empty()) {
+        std::error_code none;
+        fs::remove(*folder, none);
+        again.folder.clear();
+    }
+    return again;
+}
+
+}  // namespace nezumi
