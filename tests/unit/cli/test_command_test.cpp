@@ -208,6 +208,30 @@ TEST_CASE("nezumi test --resume makes nothing twice", "[cli][test][parts]") {
     CHECK(after == before);
 }
 
+TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test][parts]") {
+    const Tried tried(
+        "scenario('long', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
+        "  s:load 'systems/stop_at_wall.lua'\n"
+        "  if p.n == 3 then s:run(1e7) end\n"
+        "end)\n");
+    Program program({"test", "it_test.lua", "--jobs", "1"}, tried.path("").string());
+    const auto kept = [&] {
+        std::error_code none;
+        std::size_t count = 0;
+        for (std::filesystem::directory_iterator file(tried.path("nezumi-test/results"), none), end; file != end;
+             file.increment(none))
+            count += file->path().extension().empty() ? 1 : 0;
+        return count;
+    };
+    for (int i = 0; i < 20'000 && kept() < 2; ++i) usleep(1000);
+    program.send(SIGINT);
+    CHECK(program.wait() == 2);
+    CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume goes on with the others\n");
+    const auto resumed = tried.test({"it_test.lua", "--resume", "--filter", "n=1"});
+    CHECK(resumed.status == 0);
+    CHECK(kept() == 2);
+}
+
 TEST_CASE("what can't be said of parts is refused", "[cli][test][parts]") {
     const Tried tried;
     for (const std::string wrong : {"0/2", "3/2", "2", "1/", "a/b", "1/2x", "-1/2"}) {

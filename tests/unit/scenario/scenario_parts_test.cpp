@@ -226,6 +226,29 @@ TEST_CASE("a session that was not to keep its results leaves none, and one that 
     CHECK(is_kept(2));
 }
 
+TEST_CASE("a worker that is killed costs its own run, which a session that resumes makes again", "[scenario][parts]") {
+    PartsRig rig(
+        "scenario('loads', { sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
+        "  if p.n == 2 then s:load 'systems/stop_at_wall.lua' end\n"
+        "end)\n");
+    const auto systems = rig.options.systems;
+    rig.options.systems = []() -> LiveOptions {
+        kill(getpid(), SIGKILL);
+        return {};
+    };
+    const SessionEnd killed = rig.session();
+    CHECK(killed.summary.passed == 2);
+    REQUIRE(killed.reports.size() == 3);
+    CHECK(killed.reports[1].result.error.message == "its process was ended by signal 9 (Killed)");
+
+    rig.options.systems = systems;
+    rig.options.resume = true;
+    std::size_t made = 0;
+    rig.options.progress = [&](std::size_t, std::size_t all) { made = all; };
+    CHECK(rig.session().status() == 0);
+    CHECK(made == 1);
+}
+
 TEST_CASE("a result that can't be kept for others is no result", "[scenario][parts]") {
     PartsRig rig("scenario('it', function() end)\n");
     rig.folder().write("failures", "a file");
