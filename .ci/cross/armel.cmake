@@ -1,0 +1,5 @@
+# The LEGO EV3 brick (ARM926: ARMv5TE, no floating point unit).
+set(architecture armel)
+set(triplet arm-linux-gnueabi)
+set(CMAKE_SYSTEM_PROCESSOR armv5te)
+include(${CMAKE_CURRENT_LIST_DIR}/debian.cmake)
