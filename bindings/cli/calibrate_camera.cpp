@@ -33,8 +33,7 @@ Expected<LensFit> calibrate_camera(const BoardCourse& course, const std::functio
         if (picture->tm - since.value_or(picture->tm) > course.patience) {
             return failure(
                 fmt::format("no new view of the board for {} s, {} of {} were taken: is all of it in the picture, has "
-                            "it {} x {} inner "
-                            "corners and a white margin, is it bright enough?",
+                            "it {} x {} inner corners and a white margin, is it bright enough?",
                             course.patience, views.size(), course.views, course.board.columns, course.board.rows));
         }
         if (!since) since = picture->tm;

@@ -6,7 +6,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/ports/messages.hpp"
-#include "engine/vision/gray_image.hpp"
+#include "engine/vision/checked_image.hpp"
 
 namespace nezumi {
 
