@@ -204,12 +204,11 @@ void FileWatcher::watch(const Files& files) {
     ::eventfd_write(shared_->wake, 1);
 }
 
-std::vector<std::string> FileWatcher::take_changes() {
+std::vector<FileWatcher::Change> FileWatcher::take_changes() {
     const std::lock_guard lock(shared_->mutex);
     shared_->has_news = !shared_->losses.empty();
-    std::vector<std::string> changes = std::exchange(shared_->changes, {});
-    std::sort(changes.begin(), changes.end());
-    changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
+    std::vector<Change> changes;
+    for (auto& [path, hash] : std::exchange(shared_->changes, {})) changes.push_back({path, hash});
     return changes;
 }
 
@@ -287,7 +286,7 @@ void FileWatcher::Watch::look_at(const std::string& path, std::uint64_t known, b
     const auto same = shared_.known.find(path);
     if (same == shared_.known.end() || same->second == found) return;
     same->second = found;
-    shared_.changes.push_back(path);
+    shared_.changes.insert_or_assign(path, found);
     shared_.has_news = true;
 }
 

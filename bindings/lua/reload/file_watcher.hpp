@@ -24,6 +24,11 @@ public:
     /// A file and the hash (`ScriptFile::hash`) of the content that is known of it.
     using Files = std::map<std::string, std::uint64_t>;
     using Reader = std::function<Expected<SourceText>(const std::string& path)>;
+    /// A file that has got another content, and that content's hash.
+    struct Change {
+        std::string path;
+        std::uint64_t hash;
+    };
     /// A file that can't be read any more.
     struct Loss {
         std::string path;
@@ -45,11 +50,11 @@ public:
 
     /// Whether there is something to take, changes or losses: no more than a look at a flag.
     bool has_news() const { return shared_->has_news.load(std::memory_order_relaxed); }
-    /// The files that have changed since the last time, in order. A file that went is none of them.
-    std::vector<std::string> take_changes();
-    /// The files that went, or are there and can't be read, for at least as long as it is
-    /// from look to look: each once, and again only when it
-    /// could be read in between.
+    /// The files that have changed since the last time, in the order of their paths, each once with what it holds now.
+    /// A file that went is none of them.
+    std::vector<Change> take_changes();
+    /// The files that went, or are there and can't be read, for at least as long as it is from look to look: each once,
+    /// and again only when it could be read in between.
     std::vector<Loss> take_losses();
     /// Whether another file of Lua was saved in one of the folders since the last time.
     bool take_others() { return shared_->others.exchange(false); }
@@ -72,7 +77,7 @@ private:
         bool ended = false;
         Files known;
         bool renewed = false;
-        std::vector<std::string> changes;
+        std::map<std::string, std::uint64_t> changes;
         std::vector<Loss> losses;
         std::atomic<bool> has_news{false};
         std::atomic<bool> others{false};

@@ -40,11 +40,11 @@ void LiveReload::take_changes() {
         }
     }
     std::vector<std::string> scripts;
-    for (std::string& path : watcher_.take_changes()) {
-        if (other_files_.contains(path)) {
-            system_.log(LogLevel::warn, fmt::format("{} has changed: restart() to use it", path));
-        } else {
-            scripts.push_back(std::move(path));
+    for (const FileWatcher::Change& change : watcher_.take_changes()) {
+        if (other_files_.contains(change.path)) {
+            system_.log(LogLevel::warn, fmt::format("{} has changed: restart() to use it", change.path));
+        } else if (!runs_already(change)) {
+            scripts.push_back(change.path);
         }
     }
     for (const FileWatcher::Loss& loss : watcher_.take_losses()) {
@@ -57,6 +57,16 @@ void LiveReload::take_changes() {
     // A module that was missing or wrong may have come: what failed without it is tried again.
     if (watcher_.take_others() || !scripts.empty()) scripts.insert(scripts.end(), failed_.begin(), failed_.end());
     if (!scripts.empty()) reload(scripts, false);
+}
+
+// As a module does that was missing: the script that failed without it was tried again before the watcher had looked.
+bool LiveReload::runs_already(const FileWatcher::Change& change) const {
+    if (std::find(failed_.begin(), failed_.end(), change.path) != failed_.end()) return false;
+    const std::vector<ScriptFile> files = reloader_.files();
+    const auto is_of = [&](const ScriptFile& file) { return file.path == change.path; };
+    return std::any_of(files.begin(), files.end(), is_of) &&
+           std::all_of(files.begin(), files.end(),
+                       [&](const auto& file) { return !is_of(file) || file.hash == change.hash; });
 }
 
 void LiveReload::reload(const std::vector<std::string>& paths, bool rehearsed) {

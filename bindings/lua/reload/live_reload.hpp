@@ -35,6 +35,7 @@ public:
 
 private:
     void take_changes();
+    bool runs_already(const FileWatcher::Change& change) const;
     void reload(const std::vector<std::string>& paths, bool rehearsed);
     void rehearse(std::vector<std::string> paths);
 

@@ -62,7 +62,13 @@ struct Watched : Folder {
     // Until nothing that has happened can still be under way.
     void settle() const { std::this_thread::sleep_for(std::chrono::milliseconds(60)); }
     bool notices(double seconds = longest_wait) {
-        return soon([this] { return !(changed = watcher.take_changes()).empty(); }, seconds);
+        return soon(
+            [this] {
+                changed.clear();
+                for (const FileWatcher::Change& change : watcher.take_changes()) changed.push_back(change.path);
+                return !changed.empty();
+            },
+            seconds);
     }
     // Whether the watched file, and only it, is told.
     bool notices_it() { return notices() && changed == std::vector<Text>{file.string()}; }
