@@ -7,6 +7,8 @@
 #include <set>
 
 #include "engine/base/whole_file.hpp"
+#include "engine/devices/camera.hpp"
+#include "hw/camera/video_camera.hpp"
 #include "hw/device/health.hpp"
 #include "tests/unit/hw/fake_ev3_rig.hpp"
 #include "tests/unit/hw/fake_mouse_rig.hpp"
@@ -26,6 +28,7 @@ struct FailingDevice {
     std::string robot, device, node;
     std::vector<std::string> faults;
     std::vector<std::string> ports;
+    double told_within = 1;  // [s] after which at the latest it is told that it fails
 };
 
 // What is told, sorted, without what differs from run to run.
@@ -60,8 +63,8 @@ bool drive(DrivenRobot& driven, double seconds, const std::function<bool()>& unt
 }
 
 // One row: the robot drives, the device fails for a while, and is well again.
-template <class Fake>
-std::string row(Fake& fake, DrivenRobot& driven, const FailingDevice& device, const std::string& fault) {
+template <class Fake, class Driven>
+std::string row(Fake& fake, Driven& driven, const FailingDevice& device, const std::string& fault) {
     const auto speak = [&] {
         return std::all_of(device.ports.begin(), device.ports.end(),
                            [&](const auto& port) { return driven.speaks(port); });
@@ -75,7 +78,7 @@ std::string row(Fake& fake, DrivenRobot& driven, const FailingDevice& device, co
     } else {
         fake.fault(device.node, fault);
     }
-    drive(driven, fault == "zeros" || fault == "frozen" ? 2 : 1);
+    drive(driven, fault == "zeros" || fault == "frozen" ? 2 : device.told_within);
     std::set<bool> moves;
     drive(driven, 1.2, [&] {
         moves.insert(fake.moves());
@@ -92,10 +95,30 @@ std::string row(Fake& fake, DrivenRobot& driven, const FailingDevice& device, co
     } else {
         fake.fault(device.node, "none");
     }
-    const bool back = drive(driven, 4, [&] { return fake.moves() && speak(); });
+    const bool back = drive(driven, 3 + device.told_within, [&] { return fake.moves() && speak(); });
     return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", device.robot, device.device, fault, wheels,
                        silent.empty() ? "all speak" : silent + " silent", said, back ? "as before" : "stays so");
 }
+
+// A mouse that carries a camera.
+struct SeeingMouse : DrivenMouse {
+    explicit SeeingMouse(FakeMouse& fake) : DrivenMouse(fake) {
+        ComponentEntry entry;
+        entry.name = "eye";
+        auto made = device_drivers(fake.roots()).at("Camera").begin()->second(entry, system);
+        REQUIRE(made);
+        eye = made->get();
+        REQUIRE(eye->parameters().set_all({{"width", std::int64_t{320}}, {"height", std::int64_t{240}}}));
+        REQUIRE(system.add(std::move(*made)));
+        REQUIRE(eye->activate(system.now()));
+    }
+    // Its pictures come 30 times a second, some of them late.
+    bool speaks(std::string_view port) const {
+        return port == "eye.out" ? system.now().seconds - std::as_const(*eye).find_out_port("out")->tm() < 0.5
+                                 : DrivenMouse::speaks(port);
+    }
+    Component* eye = nullptr;
+};
 
 // The rows of a device as the page has them.
 std::string rows_of(const FailingDevice& device, const std::string& text) {
@@ -157,6 +180,21 @@ TEST_CASE("each fault of each device of the mouse in motion comes to what the pa
     for (const std::string& fault : device.faults) {
         rows += row(fake, driven, device, fault);
     }
+    compare(device, rows);
+}
+
+TEST_CASE("each fault of a mouse's camera in motion comes to what the page says",
+          "[hw][mouse][camera][fakes][safety][.][matrix]") {
+    const FailingDevice device{.robot = "mouse",
+                               .device = "camera",
+                               .node = "video0",
+                               .faults = {"unplugged", "denied", "busy", "eio", "enodev", "hang", "silent"},
+                               .ports = {"eye.out"},
+                               .told_within = VideoCamera::slowest_opening + 2};
+    FakeMouse fake;
+    SeeingMouse driven(fake);
+    std::string rows;
+    for (const std::string& fault : device.faults) rows += row(fake, driven, device, fault);
     compare(device, rows);
 }
 
