@@ -13,12 +13,12 @@ namespace {
 
 constexpr Color floor_of_room{210, 210, 210}, black{20, 20, 20}, white{250, 250, 250};
 
-// A line 8 px wide through (x, y) that runs this way [rad], 0 upright and positive to the left.
+// A line 9 px wide through (x, y) that runs this way [rad], 0 upright and positive to the left.
 Canvas with_line(double x, double y, double angle, Color line = black, Color ground = floor_of_room) {
     Canvas canvas(160, 120, ground);
     canvas.paint_where(line, [&](int column, int row) {
         // Across the line: its own direction is (-sin, -cos) to the right and down.
-        return std::abs((column - x) * std::cos(angle) - (row - y) * std::sin(angle)) <= 4;
+        return std::abs((column - x) * std::cos(angle) - (row - y) * std::sin(angle)) < 4.5;
     });
     return canvas;
 }
