@@ -32,7 +32,7 @@ struct LensFit {
 /// The intrinsics with five coefficients of distortion, by Zhang's method as OpenCV has it (cv::calibrateCamera). The
 /// size of the squares makes no difference. `width`, `height` [px] are the pictures'. An error when the corners of
 /// some view don't lie where any lens has them (the board is bent), or when the views are so much alike that the focal
-/// length is unsure by more than 2 %.
+/// length is unsure by more than 2 %, or the board is turned by less than 20 degrees from any to any other.
 Expected<LensFit> fit_lens(const std::vector<Corners>& views, const BoardSize& board, int width, int height);
 
 }  // namespace nezumi

@@ -189,8 +189,9 @@ TEST_CASE("what a camera's calibration lacks is told with its line", "[lua][cali
     CHECK(project.refused(head +
                           "\ncameras = { eye = { width = 640, height = 480, fx = 500, fy = 500, cx = 300, cy = 200, "
                           "k1 = 0, k2 = 0, p1 = 0, p2 = 0 } } }") ==
-          "mouse.calibration.lua:2:1: calibration: field 'cameras.eye.k3' is missing: expected a number");
-    CHECK(project.refused(head + "cameras = { eye = { fx = -1 } } }").find("cameras.eye.width") != std::string::npos);
+          "mouse.calibration.lua:2:13: calibration: field 'cameras.eye.k3' is missing: expected a number");
+    CHECK(project.refused(head + "cameras = { eye = { fx = -1 } } }")
+              .ends_with("calibration: field 'cameras.eye.fx' expected a positive number, got -1"));
 }
 
 TEST_CASE("a robot that differs from its model is calibrated as it is", "[lua][calibration]") {
