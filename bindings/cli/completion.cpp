@@ -80,7 +80,7 @@ std::string bash_script(const Command& program) {
     }
     std::string places;
     for (const At& at : all_places(program)) {
-        std::vector<std::string> words;
+        std::vector<std::string> words, options;
         std::string values;
         bool files = false;
         for (const Command& below : at.command->commands) words.push_back(below.name);
@@ -92,19 +92,20 @@ std::string bash_script(const Command& program) {
                 continue;
             }
             const std::vector<std::string> names = names_of(option);
-            words.insert(words.end(), names.begin(), names.end());
+            options.insert(options.end(), names.begin(), names.end());
             if (!takes_value(option)) continue;
-            values += fmt::format("                {}) words={} files={} ;;\n", fmt::join(names, "|"),
+            values += fmt::format("                {}) words={} options='' files={} ;;\n", fmt::join(names, "|"),
                                   quoted(fmt::format("{}", fmt::join(value.words, " "))), value.files ? "yes" : "''");
         }
-        places += fmt::format("        {})\n            words={} files={}\n", quoted(at.place),
-                              quoted(fmt::format("{}", fmt::join(words, " "))), files ? "yes" : "''");
+        places += fmt::format("        {})\n            words={} options={} files={}\n", quoted(at.place),
+                              quoted(fmt::format("{}", fmt::join(words, " "))),
+                              quoted(fmt::format("{}", fmt::join(options, " "))), files ? "yes" : "''");
         if (!values.empty()) places += fmt::format("            case $before in\n{}            esac\n", values);
         places += "            ;;\n";
     }
     return fmt::format(R"bash(# Completion of nezumi's command line by bash, as `nezumi completion bash` writes it.
 _nezumi() {{
-    local place={0} word words files at=$COMP_CWORD
+    local place={0} word words options files at=$COMP_CWORD
     for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
         case "$place $word" in
 {1}        esac
@@ -116,8 +117,9 @@ _nezumi() {{
     local before=${{COMP_WORDS[at-1]}}
     case $place in
 {2}    esac
+    [[ $current == -* ]] && words=$options files=
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
-    if [[ $files && $current != -* ]]; then
+    if [[ $files ]]; then
         compopt -o filenames 2>/dev/null
         mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -f -- "$current")
     fi
@@ -171,7 +173,12 @@ std::string zsh_script(const Command& program) {
             for (const Command& below : at.command->commands) {
                 places += fmt::format("                {}\n", quoted(below.name + ":" + escaped(below.help, "\\:")));
             }
-            places += "            )\n            _describe -t commands command commands\n";
+            places +=
+                "            )\n"
+                "            if [[ $PREFIX != -* ]]; then\n"
+                "                _describe -t commands command commands\n"
+                "                return\n"
+                "            fi\n";
         }
         places += "            _arguments";
         for (const Option& option : options_at(*at.command)) {

@@ -48,10 +48,13 @@ TEST_CASE("bash completes commands, options, words and files", "[cli][completion
     const Scratch files;
     files.write("room.lua", "");
     CHECK(offered(files, "nezumi ma", 2) == "manual marker\n");
-    CHECK(offered(files, "nezumi new \"\"", 3) == "--help -h behavior project robot scenario system\n");
+    CHECK(offered(files, "nezumi new \"\"", 3) == "behavior project robot scenario system\n");
     CHECK(offered(files, "nezumi new behaviour --pa", 4) == "--param\n");
     CHECK(offered(files, "nezumi run --he", 3) == "--headless --help\n");
+    CHECK(offered(files, "nezumi new -", 3) == "--help -h\n");
     CHECK(offered(files, "nezumi run ro", 3) == "room.lua\n");
+    CHECK(offered(files, "nezumi run \"\"", 3) == "nezumi.bash room.lua\n");
+    CHECK(offered(files, "nezumi run --seed -", 4) == "\n");
     CHECK(offered(files, "nezumi run --speed m", 4) == "max\n");
     CHECK(offered(files, "nezumi run --speed = m", 5) == "max\n");
     CHECK(offered(files, "nezumi run --speed =", 4) == "max\n");
