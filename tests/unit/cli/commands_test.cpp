@@ -207,9 +207,10 @@ TEST_CASE("nezumi new project writes into a folder that is new or empty", "[cli]
 }
 
 TEST_CASE("nezumi new says in one line what there is to write", "[cli][new]") {
-    CHECK(run_nezumi({"new", "behavoir", "x"}).error ==
-          "nezumi: new: there is no 'behavoir' (did you mean 'behavior'?). Write `nezumi new behavior NAME` or `nezumi "
-          "new project DIR`\n");
+    CHECK(
+        run_nezumi({"new", "behavoir", "x"}).error ==
+        "nezumi: new: there is no 'behavoir' (did you mean 'behavior'?). Write `nezumi new behavior NAME`, `nezumi new "
+        "system NAME`, `nezumi new robot NAME`, `nezumi new scenario NAME` or `nezumi new project DIR`\n");
     CHECK(run_nezumi({"new"}).status == 2);
     CHECK(run_nezumi({"new", "behavior", "x", "--inn", "a:TimedShort"}).status == 2);
     for (const std::vector<std::string>& words : {std::vector<std::string>{"new", "--help"},

@@ -16,7 +16,7 @@ struct SmallProject {
         files.write("behaviors/corridor.lua", "function on_execute() end\n");
         files.write("behaviors/systems/corridor.lua", "behavior 'it' { script = 'corridor' }\n");
         files.write("tests/corridor_test.lua", "scenario('runs', function(s) s:load 'corridor' s:run(0.1) end)\n");
-        files.write("tests/deep/other_test.lua", "scenario('idles', function(s) s:run(0.1) end)\n");
+        files.write("tests/deep/other_test.lua", "scenario('idles', function(s) s:load 'corridor' s:run(0.1) end)\n");
     }
     Outcome nezumi(std::vector<std::string> words, const std::string& below = "", const std::string& input = "") const {
         return run_nezumi(std::move(words), files.path(below).string(), input);

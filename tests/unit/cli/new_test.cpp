@@ -148,14 +148,14 @@ TEST_CASE("a wrong word on the command line is one plain line with the nearest n
 TEST_CASE("a new behaviour has the documentation, units and bounds of the command line", "[cli][new]") {
     const auto texts = write_behavior(
         {.name = "hold_line",
-         .inputs = {"error:TimedDouble:from the line [m]; left is positive"},
+         .inputs = {"offset:TimedDouble:from the line [m]; left is positive"},
          .outputs = {"out:TimedVelocity2D"},
          .parameters = {"gain=0.01,min=0,max=1,unit=1/s,doc=of the error, per second", "mode=slow,choices={slow,fast}"},
          .doc = "Keeps to a line."});
     REQUIRE(texts.has_value());
     CHECK_THAT(texts->behavior,
                Catch::StartsWith("--- Keeps to a line.\n\n"
-                                 "local error_port = input(\"error\", \"TimedDouble\", \"from the line [m]; left is "
+                                 "local offset = input(\"offset\", \"TimedDouble\", \"from the line [m]; left is "
                                  "positive\")\n"));
     CHECK_THAT(texts->behavior,
                Catch::Contains("param(\"gain\", 0.01, { min = 0, max = 1, unit = \"1/s\", doc = \"of the error, per "

@@ -145,6 +145,9 @@ TEST_CASE("a value that --set or --params can't give is refused with the option 
     CHECK(refused(mouse + good, {"--set", "mouse.speed=1"}) ==
           "--set mouse.speed=1: mouse is a robot: only behaviours and components have parameters");
     CHECK(refused(good, {"--params", "none.lua"}) == "none.lua: there is no such file");
-    CHECK(refused(good, {"--replay", "it.journal", "--set", "it.speed=1"}) ==
-          "nezumi: --replay does what the journal says: leave out --set");
+    for (const std::string option : {"--set", "--params"}) {
+        const Outcome both = run_nezumi({"run", "it.lua", "--replay", "it.journal", option, "it.speed=1"});
+        CHECK(both.status == 2);
+        CHECK(both.error == "nezumi: --replay does what the journal says: leave out " + option + "\n");
+    }
 }
