@@ -90,7 +90,6 @@ Expected<PlotCurves> look_at_plot(LiveSystem& live, const Plot& plot) {
     for (const std::string& name : plot.names) {
         auto found = live.trace().remember_part(name);
         if (!found) return Unexpected(found.error());
-        if (found->holds) first = 0;
         if (found->series->size() > 0) first = std::min(first, found->series->seconds(0));
         all.push_back(std::move(*found));
     }

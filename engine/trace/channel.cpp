@@ -231,7 +231,9 @@ void Channel::visit_latest(const LeafVisitor& given) const {
 bool Channel::has_pictures() const { return port_ != nullptr && port_->type() == type_index<CameraImage>(); }
 
 void Channel::append_to(Series& series, double seconds) const {
-    if (fresh_ == 0) return;
+    // What holds its value has one before it changes.
+    const std::size_t messages_now = exists() && holds() && series.size() == 0 ? 1 : fresh_;
+    if (messages_now == 0) return;
     std::array<double, Series::most_values> values;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
     std::size_t count = 0;
     const auto take = [&](const auto& leaf) {
@@ -264,7 +266,7 @@ void Channel::append_to(Series& series, double seconds) const {
             }
         });
     }
-    for (std::size_t i = 0; i < fresh_; ++i) {
+    for (std::size_t i = 0; i < messages_now; ++i) {
         visit(i, [&](const LeafPath&, const Leaf& leaf) { std::visit(take, leaf); });
         add(i, seconds);
     }

@@ -52,7 +52,8 @@ public:
     void resolve(const System& system);
     /// Takes a tick's messages: between this and the next tick they can be visited.
     void latch(const System& system, std::int64_t tick);
-    /// Adds the numbers, truth values and texts of these messages; `seconds` is the stamp of what carries none.
+    /// Adds the numbers, truth values and texts of these messages; `seconds` is the stamp of what carries none. An
+    /// empty series gets what the channel holds.
     void append_to(Series& series, double seconds) const;
     /// It carries pictures.
     bool has_pictures() const;

@@ -32,8 +32,10 @@ Expected<const Channel*> Trace::follow(std::string_view name) {
 Expected<const Series*> Trace::remember(std::string_view name) {
     const auto found = find(name);
     if (!found) return Unexpected(found.error());
-    (*found)->remembered = true;
-    return &(*found)->series;
+    Followed& followed = **found;
+    if (!std::exchange(followed.remembered, true) && followed.channel.holds())
+        followed.channel.append_to(followed.series, system_->now().seconds);
+    return &followed.series;
 }
 
 Expected<Trace::Remembered> Trace::remember_part(std::string_view name) {

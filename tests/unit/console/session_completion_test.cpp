@@ -112,7 +112,7 @@ TEST_CASE("ports are completed within the quotes of a word", "[console][completi
     CHECK(offer(it, "drive 'm", 7) == "mouse");
     CHECK(offer(it, "controller:use '", 16) == "fast slow");
     CHECK(offer(it, "help 'pa", 6) == "pause");
-    CHECK(offer(it, "help 'co", 6) == "connect controller");
+    CHECK(offer(it, "help 'co", 6) == "component connect controller");
     CHECK(offer(it, "print('contr", 7).empty());
 }
 
