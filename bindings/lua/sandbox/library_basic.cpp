@@ -1,4 +1,5 @@
 // The basic functions: those of Lua that can neither swallow the end of a budget nor undermine the sandbox.
+#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -63,6 +64,16 @@ void refuse_caller(lua_State* lua) {
     lua_pop(lua, 1);
 }
 
+int get_metatable(lua_State* lua) {
+    luaL_checkany(lua, 1);
+    if (has_hidden_metatable(lua, 1) || lua_getmetatable(lua, 1) == 0) {
+        lua_pushnil(lua);
+    } else {
+        luaL_getmetafield(lua, 1, "__metatable");
+    }
+    return 1;
+}
+
 int set_metatable(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     const int type = lua_type(lua, 2);
@@ -77,6 +88,21 @@ int set_metatable(lua_State* lua) {
     }
     lua_setmetatable(lua, 1);
     return 1;
+}
+
+template <int (*get)(lua_State*, int, lua_Integer)>
+int next_element(lua_State* lua) {
+    const auto next = static_cast<lua_Integer>(static_cast<lua_Unsigned>(luaL_checkinteger(lua, 2)) + 1);
+    lua_pushinteger(lua, next);
+    return get(lua, 1, next) == LUA_TNIL ? 1 : 2;
+}
+
+int ipairs(lua_State* lua) {
+    luaL_checkany(lua, 1);
+    lua_pushcfunction(lua, has_hidden_metatable(lua, 1) ? next_element<lua_rawgeti> : next_element<lua_geti>);
+    lua_pushvalue(lua, 1);
+    lua_pushinteger(lua, 0);
+    return 3;
 }
 
 int raw_set(lua_State* lua) {
@@ -122,9 +148,10 @@ int print(lua_State* lua) {
 
 const Entries& basic() {
     static const Entries entries = [] {
-        Entries list =
-            stock("", {"assert", "error", "getmetatable", "ipairs", "rawequal", "select", "tonumber", "type"});
-        list.insert(list.end(), {{"next", ordered_next},
+        Entries list = stock("", {"assert", "error", "rawequal", "select", "tonumber", "type"});
+        list.insert(list.end(), {{"getmetatable", get_metatable},
+                                 {"ipairs", ipairs},
+                                 {"next", ordered_next},
                                  {"pairs", ordered_pairs},
                                  {"pcall", pcall},
                                  {"print", print},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
@@ -73,7 +74,7 @@ int port_read(lua_State* L) {
 }
 
 // __index of what a port of a sequence gave: nil, as of any table; should that lead to an error in the same line, the
-// error tells of it. `ipairs`, which ends so, has no line.
+// error tells of it. A C function that asks has no line.
 int missing_element(lua_State* L) {
     const PortSlot& slot = slot_of(L);
     lua_Debug activation;
@@ -240,7 +241,7 @@ void push_port_object(lua_State* L, PortSlot& slot) {
         lua_pushlightuserdata(L, &slot);
         lua_createtable(L, 0, 2);  // the metatable of what it reads
         set_closure(L, slot, "__index", missing_element);
-        mark_as_plain(L);
+        hide_metatable(L);
         lua_pushcclosure(L, functions.read, 2);
         lua_setfield(L, -2, "read");
     } else {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
@@ -15,8 +16,6 @@ namespace nezumi {
 namespace {
 
 using Value = PlainData::Value;
-
-constexpr char plain_mark = 0;  // its address is a key of metatables
 
 // Numbers in ascending order, then strings, then false, then true: the order in which scripts see them.
 bool key_before(const Value& a, const Value& b) {
@@ -146,10 +145,9 @@ struct Taker {
         // A parameter's array is locked; its elements are plain.
         if (push_behind_lock(L, lua_gettop(L))) {
             lua_remove(L, -2);
-        } else if (lua_getmetatable(L, -1) != 0) {
-            if (lua_rawgetp(L, -1, &plain_mark) == LUA_TNIL)
-                dropped.push_back({path_of(origins[index]), "a table with a metatable"});
-            lua_pop(L, 2);
+        } else if (!has_hidden_metatable(L, -1) && lua_getmetatable(L, -1) != 0) {
+            dropped.push_back({path_of(origins[index]), "a table with a metatable"});
+            lua_pop(L, 1);
         }
         const int table = lua_gettop(L);
         keys.clear();
@@ -287,11 +285,6 @@ void push(lua_State* L, const PlainData& data, std::size_t whole) {
 }
 
 }  // namespace
-
-void mark_as_plain(lua_State* L) {
-    lua_pushboolean(L, 1);
-    lua_rawsetp(L, -2, &plain_mark);
-}
 
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped) {

@@ -26,10 +26,6 @@ struct Dropped {
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped);
 
-/// Marks the metatable on top of the stack: a table that has it is plain data all the same. May raise a Lua error
-/// (memory).
-void mark_as_plain(lua_State* L);
-
 /// How much a look takes. What is copied between two ticks makes none of them late: some 0.3 us a value.
 struct PlainLimit {
     std::size_t values = 4000;                ///< entries of tables
