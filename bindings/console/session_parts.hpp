@@ -40,6 +40,7 @@ struct PlotCurves {
     double from = 0;  ///< [s]
     double to = 0;
     std::vector<Curve> curves{};
+    std::vector<std::string> silent{};  ///< names that have carried nothing
 };
 
 /// Looks at the system, between two ticks; what was not remembered is from now on.

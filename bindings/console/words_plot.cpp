@@ -75,7 +75,7 @@ Expected<Plot> read(const Session::Parts& parts, const Arguments& arguments) {
 
 // "controller.out" with "vx", "[1]" or "value": what a leaf is called.
 std::string full_name(const std::string& whole, const std::string& label) {
-    if (label == "value") return whole;
+    if (label.empty() || label == "value") return whole;
     return whole + (label.starts_with('[') ? "" : ".") + label;
 }
 
@@ -91,11 +91,18 @@ Expected<PlotCurves> look_at_plot(LiveSystem& live, const Plot& plot) {
         auto found = live.trace().remember_part(name);
         if (!found) return Unexpected(found.error());
         if (found->series->size() > 0) first = std::min(first, found->series->seconds(0));
+        const auto& labels = found->series->labels();
+        const auto has_part = [&](const std::string& label) { return is_within(label, found->part); };
+        if (!labels.empty() && std::none_of(labels.begin(), labels.end(), has_part))
+            return failure(fmt::format("{} has no '{}'{}", found->whole, shown(found->part),
+                                       did_you_mean(found->part, {labels.begin(), labels.end()})));
         all.push_back(std::move(*found));
     }
     looked.from = std::max(first, looked.to - plot.seconds);
     for (const auto& each : all) {
-        for (Curve& curve : curves_of(*each.series, each.part, looked.from, looked.to, each.holds)) {
+        auto curves = curves_of(*each.series, each.part, looked.from, looked.to, each.holds);
+        if (curves.empty()) looked.silent.push_back(full_name(each.whole, each.part));
+        for (Curve& curve : curves) {
             if (plot.names.size() > 1) curve.name = full_name(each.whole, curve.name);
             looked.curves.push_back(std::move(curve));
         }
@@ -118,6 +125,8 @@ std::string to_text(PlotCurves looked) {
         curve.mark = marks[drawn.size() % marks.size()];
         drawn.push_back(std::move(curve));
     }
+    for (const std::string& name : looked.silent)
+        texts += fmt::format("{}{} has carried nothing in this time", texts.empty() ? "" : "\n", name);
     std::string text = fmt::format("{}", fmt::join(plain_plot(drawn, {.rows = 10}), "\n"));
     return text + (text.empty() || texts.empty() ? "" : "\n") + texts;
 }

@@ -33,8 +33,7 @@ Expected<const Series*> Trace::remember(std::string_view name) {
     const auto found = find(name);
     if (!found) return Unexpected(found.error());
     Followed& followed = **found;
-    if (!std::exchange(followed.remembered, true) && followed.channel.holds())
-        followed.channel.append_to(followed.series, system_->now().seconds);
+    if (!std::exchange(followed.remembered, true)) followed.channel.append_to(followed.series, system_->now().seconds);
     return &followed.series;
 }
 

@@ -19,6 +19,7 @@ param("gain", 1.0)
 state.n = 0
 function on_execute()
   state.n = state.n + 1
+  probe("count", state.n)
   mode:write(state.n > 5 and "fast" or "slow")
   blocked:write(state.n > 3)
 end
@@ -55,12 +56,31 @@ TEST_CASE("texts and truth values are plotted, texts as their changes", "[consol
 TEST_CASE("truth, parameters and state are remembered from the first plot on", "[console][plot]") {
     PlotRig it;
     it.turn(50);
-    CHECK(it.type("plot 'mouse.truth.pose.position.x'") ==
-          "mouse.truth.pose.position.x has carried nothing in this time that can be drawn");
+    CHECK(it.type("plot 'mouse.truth.pose.position.y'") ==
+          "mouse.truth.pose.position.y\npose.position.y = 0 all the time");
     it.type("plot('controller.config.speed_x', 'talker.state.n') step(20)");
     CHECK_THAT(it.type("plot('mouse.truth.pose.position.x', 1)"), Contains("pose.position.x"));
     CHECK_THAT(it.type("plot 'talker.state.n'"), StartsWith("talker.state.n\nn\n"));
     CHECK_THAT(it.type("plot('controller.config.speed_x', 0.05)"), Contains("speed_x = 0.25 all the time"));
+}
+
+TEST_CASE("probes are plotted by their names", "[console][plot]") {
+    PlotRig it;
+    it.turn(1);
+    CHECK(it.type("plot(talker.probes.count)") == "talker.probes.count\ncount = 1 all the time");
+    CHECK(it.type("plot 'talker.probes.cuont'") == "! plot: talker.probes has no 'cuont' (did you mean 'count'?)");
+    CHECK(it.type("plot(mouse.probes)") == "! plot: mouse has no port 'probes'");
+    it.turn(20);
+    CHECK_THAT(it.type("plot(talker.probes.count, 5)"), StartsWith("talker.probes.count\ncount\n21 │"));
+    CHECK_THAT(it.type("plot(talker.probes.count, controller.out.vx, 5)"),
+               Contains("* talker.probes.count   o controller.out.vx"));
+}
+
+TEST_CASE("what carried nothing is named beside what did", "[console][plot]") {
+    PlotRig it;
+    it.turn(10);
+    CHECK_THAT(it.type("plot(talker.blocked, mouse.pose_update)"),
+               Contains("* talker.blocked") && Contains("mouse.pose_update has carried nothing in this time"));
 }
 
 TEST_CASE("several share one drawing and one scale, each with its mark", "[console][plot]") {
