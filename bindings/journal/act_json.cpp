@@ -271,7 +271,7 @@ std::string read_part(const Json& json, T& out, const Project& project, std::str
         return expected(fmt::format("{}'s lua and file", what), json);
     const auto text = text_from_json(json["lua"]);
     if (!text) return text.error().message;
-    auto spec = read_system_text(*text, json["file"].get<std::string>(), project);
+    auto spec = read_system_text(*text, json["file"].get<std::string>(), project, {.is_part = true});
     if (!spec) return describe(spec.error());
     auto& all = part(*spec);
     if (all.size() != 1) return fmt::format("expected {}, got {}", what, all.size());

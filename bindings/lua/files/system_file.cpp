@@ -34,7 +34,7 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
     if (host.calls == 0) {
         return failure("the file says nothing: expected robot, behavior, arena, connect ...", {shown});
     }
-    if (auto ok = words.finish(); !ok) return failure(one_line(ok.error().message), ok.error().place);
+    if (auto ok = words.finish(options.is_part); !ok) return failure(one_line(ok.error().message), ok.error().place);
     for (const std::string& module : (*file)->files()) words.note_file(module);
     for (Entry& entry : words.spec().entries) {
         auto* robot = std::get_if<RobotEntry>(&entry);

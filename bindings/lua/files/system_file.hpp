@@ -17,6 +17,7 @@ struct SystemFileOptions {
     std::uint64_t seed = 0;                       ///< of `math.random` in the file
     double seconds = 2.0;                         ///< of CPU time that the file may take
     std::function<void(std::string_view)> print;  ///< takes what `print` was given, a line at a time; may be empty
+    bool is_part = false;  ///< the robots that components are on, and the tick, may be in the rest of the system
 };
 
 /// Reads a system file and every file that it names, except scripts, which are only found. Errors say file and line.

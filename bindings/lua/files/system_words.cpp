@@ -229,7 +229,7 @@ Expected<void> SystemWords::physics(const WordCall& call, const FileValue& value
     return {};
 }
 
-Expected<void> SystemWords::finish() const {
+Expected<void> SystemWords::finish(bool is_part) const {
     for (const Begun& begun : begun_) {
         if (begun.complete) continue;
         return failure(fmt::format("{0} '{1}': expected a table after the name: {0} \"{1}\" {{ ... }}", begun.call.word,
@@ -241,6 +241,7 @@ Expected<void> SystemWords::finish() const {
         return failure(fmt::format("{0}: is not in the arena: write arena {{ {0} ... }}", thing.call.word),
                        thing.call.place);
     }
+    if (is_part) return {};
     if (auto ok = check_rates(); !ok) return ok;
     if (auto ok = check_lines(); !ok) return ok;
     std::vector<std::string_view> robots;

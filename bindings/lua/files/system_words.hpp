@@ -54,8 +54,8 @@ public:
     Expected<void> rate(const WordCall& call, const FileValue& hertz);
     Expected<void> physics(const WordCall& call, const FileValue& fields);
 
-    /// Checks what depends on the whole. May be called again after more words.
-    Expected<void> finish() const;
+    /// Checks what depends on the whole, which a part does not know. May be called again after more words.
+    Expected<void> finish(bool is_part = false) const;
 
     SystemSpec& spec() { return spec_; }
     const SystemSpec& spec() const { return spec_; }

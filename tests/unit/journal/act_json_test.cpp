@@ -71,6 +71,16 @@ TEST_CASE("base64 is that of RFC 4648", "[journal]") {
     CHECK_FALSE(from_base64("Z!=="));
 }
 
+TEST_CASE("what is added comes back without the system that it leans on", "[journal]") {
+    ComponentEntry eye{.name = "eye", .type = "Camera", .on = "second", .place = {"system.lua", 0}};
+    eye.rate = 150;  // above the usual tick's
+    const Entry same = back(Add{eye}).entry;
+    REQUIRE(std::holds_alternative<ComponentEntry>(same));
+    CHECK(std::get<ComponentEntry>(same).on == "second");
+    CHECK(std::get<ComponentEntry>(same).rate == 150);
+    CHECK(name_of(same) == "eye");
+}
+
 TEST_CASE("a marker that is hung up comes back", "[journal]") {
     const MarkerSpec marker{
         .name = "target", .id = 5, .size = 0.125, .at = {1, -2, 0.1}, .facing = -0.3, .place = {"system.lua", 0}};
