@@ -24,25 +24,32 @@ constexpr std::chrono::seconds longest_wait{1};
 
 Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const System& system,
                                   const std::vector<std::string>& names) {
-    std::vector<std::string> all = names;
-    if (names.empty()) {
-        for (const auto& component : system.components()) {
-            for (const auto& port : component->out_ports()) all.push_back(component->name() + "." + port->name());
-        }
-    }
-    std::vector<const Channel*> channels;
-    for (const std::string& name : all) {
+    Recorder recorder(trace);
+    if (names.empty()) recorder.follow_ports(system);
+    for (const std::string& name : names) {
         const auto channel = trace.follow(name);
         if (!channel) return failure("--ports: " + channel.error().message);
-        channels.push_back(*channel);
+        recorder.table_.follow(**channel);
     }
     auto opened = ResultFile::open(file);
     if (!opened) return Unexpected(opened.error());
-    Recorder recorder(channels);
     recorder.name_ = file;
     recorder.file_ = std::move(*opened);
     recorder.writer_ = std::make_unique<FileWriter>(recorder.file_.descriptor());
     return recorder;
+}
+
+// Those that were there before go on in their columns.
+void Recorder::follow_ports(const System& system) {
+    followed_layout_ = system.layout();
+    for (const auto& component : system.components()) {
+        for (const auto& port : component->out_ports()) {
+            std::string name = component->name() + "." + port->name();
+            if (followed_.contains(name)) continue;
+            if (const auto channel = trace_->follow(name)) table_.follow(**channel);
+            followed_.insert(std::move(name));
+        }
+    }
 }
 
 void Recorder::begin_layout() {
@@ -57,6 +64,7 @@ void Recorder::begin_layout() {
 void Recorder::add_rows(const System& system) {
     const std::lock_guard lock(*mutex_);
     if (sealed_ || error_) return;
+    if (followed_layout_ && *followed_layout_ != system.layout()) follow_ports(system);
     const std::string time = fmt::format("{}", static_cast<double>(system.now().tick - 1) / system.settings().rate);
     table_.read([&](const std::vector<std::string>& cells) {
         if (layouts_.empty() || table_.width() > width_) begin_layout();

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,8 @@ namespace nezumi::cli {
 class Recorder {
 public:
     /// Opens the file for these channels of the system ("mouse.ir_sensor_out", "mouse.truth", "controller.config"), or
-    /// for every out-port when there are none. An error names what is not there, or says why the file can't be written;
-    /// then the file is as it was. The trace must outlive the recorder.
+    /// for every out-port when there are none, also of components that come while it runs. An error names what is not
+    /// there, or says why the file can't be written; then the file is as it was. The trace must outlive the recorder.
     static Expected<Recorder> open(const std::string& file, Trace& trace, const System& system,
                                    const std::vector<std::string>& names);
     Recorder(Recorder&&) noexcept = default;
@@ -57,7 +58,8 @@ private:
     };
     using Clock = std::chrono::steady_clock;
 
-    explicit Recorder(const std::vector<const Channel*>& channels) : table_(channels) {}
+    explicit Recorder(Trace& trace) : trace_(&trace), table_({}) {}
+    void follow_ports(const System& system);
     void begin_layout();
     void flush();
     void fail(int code);
@@ -69,6 +71,9 @@ private:
     std::string name_;                                                                // of the file, as it was given
     ResultFile file_;
     std::unique_ptr<FileWriter> writer_;
+    Trace* trace_;
+    std::set<std::string> followed_;                // out-ports, where it is all of them
+    std::optional<std::uint64_t> followed_layout_;  // the system's when they were looked for; none: not all of them
     TraceTable table_;
     std::vector<Layout> layouts_;  // the last one is today's
     std::size_t width_ = 0;        // of the table in the last one

@@ -28,12 +28,14 @@ std::string cell_of(const Leaf& leaf) {
 }  // namespace
 
 TraceTable::TraceTable(const std::vector<const Channel*>& channels) {
-    for (const Channel* channel : channels) {
-        Source& source = sources_.emplace_back(Source{channel});
-        // Columns are there before anything was carried.
-        std::size_t at = 0;
-        channel->visit_latest([&](const LeafPath& path, const Leaf&) { set_cell(source, at, path, ""); });
-    }
+    for (const Channel* channel : channels) follow(*channel);
+}
+
+void TraceTable::follow(const Channel& channel) {
+    Source& source = sources_.emplace_back(Source{&channel});
+    // Columns are there before anything was carried.
+    std::size_t at = 0;
+    channel.visit_latest([&](const LeafPath& path, const Leaf&) { set_cell(source, at, path, ""); });
 }
 
 void TraceTable::set_cell(Source& source, std::size_t& at, const LeafPath& path, std::string text) {

@@ -20,6 +20,8 @@ class TraceTable {
 public:
     /// The channels must outlive it.
     explicit TraceTable(const std::vector<const Channel*>& channels);
+    /// Another one, behind those that are there; it adds no columns when these are fixed.
+    void follow(const Channel& channel);
 
     /// To be called after a tick: calls `add` with the cells of its row, by their ids. A tick in which a channel had
     /// several messages has as many rows: in each the channels' next message, or the last where one had fewer.

@@ -1,8 +1,10 @@
 // What carries a camera stays until that is gone; what is recorded of a component that comes and goes.
+#include <algorithm>
 #include <catch2/catch.hpp>
-
 #include <string>
+#include <string_view>
 
+#include "engine/base/csv.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -39,8 +41,18 @@ TEST_CASE("a recording keeps the columns of what has gone, empty, and has those 
     const SmallRun it("step(2)\nbehavior 'second' { script = 'it' }\nstep(2)\nremove 'it'\nstep(2)\n");
     const auto lines = lines_of(text_of_file(it.files.path("r.csv")));
     REQUIRE(lines.size() == 7);
-    CHECK(lines[0].find("it.out") != std::string::npos);
-    CHECK(lines[0].find("second.out") != std::string::npos);
+    const auto column = [&](std::string_view name) {
+        const auto names = *split_csv_row(lines[0]);
+        const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+        std::string cells;
+        for (std::size_t row = 1; row < lines.size(); ++row) {
+            const auto all = *split_csv_row(lines[row]);
+            cells += (row > 1 ? "," : "") + (at < all.size() ? std::string(all[at]) : "none");
+        }
+        return cells;
+    };
+    CHECK(column("it.out") == "1,2,3,4,,");
+    CHECK(column("second.out") == ",,1,2,3,4");
 }
 
 TEST_CASE("what came and went replays to the same hash", "[cli][act]") {
