@@ -5,17 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace nezumi {
 namespace {
 
 constexpr double most_steps = 1e6;  // of physics in a tick
 
-// Wide enough for a tick number times a rate; not of ISO C++, which -Wpedantic wants to hear.
-__extension__ using Wide = __int128;
-
 // Rates as whole micro-hertz, so that "due" is exact.
-Wide micro(double rate) { return static_cast<Wide>(std::llround(rate * 1e6)); }
+std::uint64_t micro(double rate) { return static_cast<std::uint64_t>(std::llround(rate * 1e6)); }
+
+// a * b modulo m, for a < m < 2^63: exact also where the product has more than 64 bits.
+std::uint64_t product_modulo(std::uint64_t a, std::uint64_t b, std::uint64_t m) {
+    if (b == 0 || a <= std::numeric_limits<std::uint64_t>::max() / b) return a * b % m;
+    std::uint64_t sum = 0;
+    for (; b > 0; b /= 2, a = 2 * a % m) {
+        if (b % 2 == 1) sum = (sum + a) % m;
+    }
+    return sum;
+}
 
 }  // namespace
 
@@ -40,9 +49,10 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
 
 bool is_due(std::int64_t k, double rate, double tick_rate) {
     if (rate <= 0 || rate >= tick_rate || k == 0) return true;
-    const Wide component = micro(rate);
-    const Wide tick = micro(tick_rate);
-    return (k * component) / tick > ((k - 1) * component) / tick;
+    const std::uint64_t component = micro(rate);
+    const std::uint64_t tick = micro(tick_rate);
+    // The quotient has grown since k - 1 where what is left of it is less than one more of these.
+    return product_modulo(static_cast<std::uint64_t>(k) % tick, component, tick) < component;
 }
 
 }  // namespace nezumi

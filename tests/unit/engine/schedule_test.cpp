@@ -55,6 +55,10 @@ TEST_CASE("a component is due when floor(k * rate / tick rate) grows: exact on a
     int executed = 0;
     for (std::int64_t k = year; k < year + 100; ++k) executed += is_due(k, 30, 100) ? 1 : 0;
     CHECK(executed == 30);
+    // Where tick times rate has more than 64 bits.
+    executed = 0;
+    for (std::int64_t k = 9'000'000'000'001; k < 9'000'000'000'001 + 100; ++k) executed += is_due(k, 7e6, 1e7) ? 1 : 0;
+    CHECK(executed == 70);
 }
 
 TEST_CASE("without a rate, or at the tick's, a component is due in every tick", "[engine][schedule]") {
