@@ -2,4 +2,5 @@
 set(architecture armel)
 set(triplet arm-linux-gnueabi)
 set(CMAKE_SYSTEM_PROCESSOR armv5te)
+set(emulator qemu-arm-static -cpu arm926)
 include(${CMAKE_CURRENT_LIST_DIR}/debian.cmake)

@@ -18,5 +18,10 @@ set(libraries ${sysroot}/usr/lib/${triplet})
 set(CMAKE_EXE_LINKER_FLAGS_INIT
     "-Wl,-rpath-link,${libraries} -Wl,-rpath-link,${libraries}/blas -Wl,-rpath-link,${libraries}/lapack")
 
+# How a program for it runs here.
+file(GLOB folders ${libraries} ${libraries}/blas ${libraries}/lapack)
+list(JOIN folders ":" folders)
+set(CMAKE_CROSSCOMPILING_EMULATOR ${emulator} -L ${sysroot} -E LD_LIBRARY_PATH=${folders})
+
 set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${architecture})
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${libraries})

@@ -1,6 +1,6 @@
 # What Debian wants to read in a package: copyright, changelogs, the manual pages, and what shells complete by. Runs while the package is made: the date is
 # that of the package, and the texts may have changed since CMake ran.
-# Needs package, source, program (that runs here), version, debian_name, contact.
+# Needs package, source, program (a command that runs it here), version, debian_name, contact.
 set(root $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
 set(doc ${root}/share/doc/${package})
 

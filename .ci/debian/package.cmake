@@ -31,7 +31,7 @@ foreach(component program dev)
   install(CODE "
     set(package ${package})
     set(source ${PROJECT_SOURCE_DIR})
-    set(program \"$<TARGET_FILE:nezumi>\")
+    set(program ${CMAKE_CROSSCOMPILING_EMULATOR} \"$<TARGET_FILE:nezumi>\")
     set(version ${version})
     set(debian_name ${debian_name})
     set(contact \"${CPACK_PACKAGE_CONTACT}\")
