@@ -1,8 +1,6 @@
 // Whatever can't be read counts as not there: a person who may not see something still gets the rest.
 #include "hw/doctor/looks.hpp"
 
-#include <grp.h>
-#include <pwd.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +9,7 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -18,6 +17,22 @@
 namespace nezumi::hw {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// As /etc/group has it. getgrgid would load what else the computer asks for groups, which a static program can't.
+std::string name_of_group(gid_t id) {
+    std::ifstream groups("/etc/group");
+    for (std::string line; std::getline(groups, line);) {
+        std::istringstream fields(line);
+        std::string name, password, number;
+        std::getline(std::getline(std::getline(fields, name, ':'), password, ':'), number, ':');
+        if (number == fmt::to_string(id)) return name;
+    }
+    return "";
+}
+
+}  // namespace
 
 std::string first_line(const std::string& path) {
     std::ifstream file(path);
@@ -89,10 +104,8 @@ std::string group_that_may(const std::string& path) {
     if (stat(path.c_str(), &status) != 0 || (status.st_mode & S_IRGRP) == 0 || (status.st_mode & S_IWGRP) == 0 ||
         status.st_gid == 0)
         return "";
-    const group* const its_group = getgrgid(status.st_gid);
-    const passwd* const user = getpwuid(geteuid());
-    if (its_group == nullptr || user == nullptr) return "";
-    return fmt::format("sudo adduser {} {}, then log in again", user->pw_name, its_group->gr_name);
+    const std::string group = name_of_group(status.st_gid);
+    return group.empty() ? "" : fmt::format("sudo adduser $USER {}, then log in again", group);
 }
 
 std::string listed(const std::vector<std::string>& names) {

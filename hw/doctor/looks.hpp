@@ -48,8 +48,8 @@ struct Holder {
 /// The other programs that have any of these files open, as far as this user may see that.
 std::vector<Holder> holders_of(const std::vector<std::string>& files, const std::string& proc);
 
-/// What gives this user access to a node that it may not use, where a group does: "sudo adduser lisa dialout, then log
-/// in again"; "" where no group does.
+/// What gives this user access to a node that it may not use, where a group does: "sudo adduser $USER dialout, then
+/// log in again"; "" where no group of /etc/group does.
 std::string group_that_may(const std::string& path);
 
 /// "a, b and c".

@@ -1,6 +1,7 @@
 // What `nezumi doctor` finds on machines that are folders.
 #include "hw/doctor/doctor.hpp"
 
+#include <grp.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <string>
 
+#include "hw/doctor/looks.hpp"
 #include "hw/guard/lease.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -266,4 +268,19 @@ TEST_CASE("a computer that is no robot is told to look on the robot", "[hw][doct
     CHECK(not_well(all) ==
           "robot: this machine is neither a Raspberry Pi Mouse nor an EV3 -> run nezumi doctor on the "
           "robot; here systems are simulated, which needs nothing more\n");
+}
+
+TEST_CASE("who may use a node is told by its group's name", "[hw][doctor]") {
+    const Scratch folder;
+    folder.write("node", "");
+    const std::string node = folder.path("node").string();
+    std::filesystem::permissions(node, std::filesystem::perms(0660));
+    const group* const devices = getgrnam("dialout");
+    if (devices == nullptr || chown(node.c_str(), geteuid(), devices->gr_gid) != 0) {
+        WARN("SKIPPED: this user can't give a file to the group dialout");
+        return;
+    }
+    CHECK(group_that_may(node) == "sudo adduser $USER dialout, then log in again");
+    std::filesystem::permissions(node, std::filesystem::perms(0640));
+    CHECK(group_that_may(node).empty());
 }
