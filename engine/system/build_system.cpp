@@ -42,7 +42,7 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, c
     if (model == spec.models.end()) return refuse(no_such("model", entry.model, keys_of(spec.models)));
     const std::string_view backend = backend_of(entry.backend);
     if (backend == simulated) {
-        if (system.world() == nullptr) return refuse("there is no world to put it in");
+        if (system.world() == nullptr) return refuse("there is no simulated world to put it in");
         return system.world()->add_robot(entry.name, model->second, entry.pose);
     }
     const auto maker = makers.bodies.find(backend);

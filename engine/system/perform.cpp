@@ -91,8 +91,8 @@ Expected<SeenRobot> seen_robot(const System& system, const Component& component)
         if (const auto id = system.rig()->find(name)) return SeenRobot{robot, system.rig()->world.get(), *id};
         return failure(fmt::format("{}{}: run this in simulation, or give --rig {}=SOCKET", name, not_seen, name));
     }
-    if (system.world() == nullptr) return failure("there is no simulated world");
     if (robot->is_real()) return failure(fmt::format("{} is a real robot: this works in simulation", name));
+    if (system.world() == nullptr) return failure("there is no simulated world");
     return SeenRobot{robot, system.world(), robot->id()};
 }
 

@@ -182,7 +182,7 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
     CHECK(refused([](Plan& p) { p.robot("other").model = "mose"; }) ==
           "s.lua:2: robot 'other': there is no model 'mose' (did you mean 'mouse'?)");
     CHECK(refused([](Plan& p) { p.makers.world = nullptr; }) ==
-          "s.lua:1: robot 'mouse': there is no world to put it in");
+          "s.lua:1: robot 'mouse': there is no simulated world to put it in");
     CHECK(refused([](Plan& p) { p.robot("other").backend = "x"; }) ==
           "s.lua:2: robot 'other': there is no backend 'x'; there are sim, mouse_driver");
     CHECK(refused([](Plan& p) { p.robot("other").backend = "mouse_drvier"; }) ==
