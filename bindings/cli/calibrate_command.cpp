@@ -210,6 +210,10 @@ private:
 };
 
 int run(CalibrateOptions options, Expected<int> (Session::*calibrate)()) {
+    if (auto ok = need_simulation(
+            {{"calibrate --sim", options.simulated}, {"calibrate camera", calibrate == &Session::camera}});
+        !ok)
+        return refuse(ok.error());
     const auto file = find_system_file(options.file);
     if (!file) return refuse(file.error());
     options.file = file->string();

@@ -69,9 +69,4 @@ private:
     std::unique_ptr<cairo_t, Release> context_;
 };
 
-/// Whether a name ends in .png or .svg.
-bool is_picture_name(std::string_view name);
-/// An error when a picture could not be written there, as far as can be known without writing it.
-Expected<void> check_can_write(const std::string& file);
-
 }  // namespace nezumi::cli

@@ -82,6 +82,16 @@ bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     return !gone.empty();
 }
 
+// Where nothing is simulated robots have no bodies: what is checked never runs.
+void leave_out_bodies(SystemSpec& spec, Makers& makers) {
+    const std::string none = "none";
+    makers.bodies[none] = [](const RobotEntry& /*entry*/, const RobotSpec& /*spec*/) { return nullptr; };
+    for (Entry& entry : spec.entries) {
+        auto* robot = std::get_if<RobotEntry>(&entry);
+        if (robot != nullptr && (robot->backend.empty() || robot->backend == simulated)) robot->backend = none;
+    }
+}
+
 std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,
                                 const LiveOptions& options) {
     if (auto errors = check_system_text(text, shown, project); !errors.empty()) return errors;
@@ -91,6 +101,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     makers.world = options.world;
     makers.bodies = options.bodies;
     makers.components = options.components;
+    if (!makers.world) leave_out_bodies(*spec, makers);
     makers.behavior = [&](const BehaviorEntry& entry,
                           const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {
         auto source = read_shown(entry.path, project);

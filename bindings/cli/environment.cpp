@@ -27,6 +27,14 @@ std::vector<std::filesystem::path> installed_folders() {
 
 LiveOptions simulated_systems() { return nezumi::simulated_systems(installed_folders()); }
 
+Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses) {
+    if (nezumi::simulated_systems({}).world) return {};
+    for (const auto& [use, is_wanted] : uses) {
+        if (is_wanted) return failure(fmt::format("{}: {}", use, no_simulation));
+    }
+    return {};
+}
+
 int refuse(std::string_view why) {
     put_text(stderr, fmt::format("nezumi: {}\n", visible(why)));
     return kCouldNotRun;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bindings/lua/live/live_system.hpp"
@@ -15,6 +17,15 @@ std::vector<std::filesystem::path> installed_folders();
 
 /// How systems are made here: simulated, from the project's files and the installed ones.
 LiveOptions simulated_systems();
+
+/// What a program that is built without simulation, vision and pictures (NEZUMI_SIMULATION=OFF) says where one of these
+/// is wanted.
+inline constexpr std::string_view no_simulation =
+    "this nezumi is built for real robots alone, without simulation, vision and pictures: do it on another computer; "
+    "here is `nezumi run FILE --hw`";
+
+/// That error in such a program, with the name of the first use that is wanted and needs one of these.
+Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses);
 
 /// Says on standard error why something can't be done: one plain line. Returns `kCouldNotRun`.
 int refuse(std::string_view why);

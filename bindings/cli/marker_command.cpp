@@ -44,6 +44,7 @@ Expected<std::vector<int>> read_ids(const std::vector<std::string>& words) {
 }
 
 int write_markers(const MarkerOptions& options) {
+    if (auto ok = need_simulation({{"marker", true}}); !ok) return refuse(ok.error());
     const auto ids = read_ids(options.ids);
     if (!ids) return refuse(ids.error());
     const auto paper =

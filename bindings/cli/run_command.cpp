@@ -10,10 +10,10 @@
 #include <optional>
 #include <string>
 
-#include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/named_files.hpp"
+#include "bindings/cli/output_files.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/problems.hpp"
 #include "bindings/cli/real_time.hpp"
@@ -29,8 +29,8 @@
 #include "bindings/cli/stop_signals.hpp"
 #include "bindings/cli/trajectories.hpp"
 #include "bindings/console/put_text.hpp"
+#include "bindings/embed/simulation.hpp"
 #include "bindings/lua/script/script_words.hpp"
-#include "sim/world.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -92,6 +92,11 @@ public:
           screen_(!options_.headless && !prompt_ && isatty(STDERR_FILENO) != 0) {}
 
     Expected<int> operator()() {
+        if (auto ok = need_simulation({{"run without --hw", !options_.hardware},
+                                       {"--twin", options_.hardware && options_.hardware->twins},
+                                       {"--picture", !options_.picture.empty()}});
+            !ok)
+            return Unexpected(ok.error());
         // A replay reads no other file, and knows its system by name.
         auto file = find_system_file(options_.file);
         if (!file && options_.replay.empty()) return Unexpected(file.error());
@@ -157,7 +162,7 @@ public:
 private:
     LiveOptions live_options() {
         LiveOptions live = simulated_systems();
-        if (!options_.sounds.empty()) live.world = sim::make_worlds_with_sound(options_.sounds);
+        if (!options_.sounds.empty()) keep_sounds(live, options_.sounds);
         live.build = {.seed = options_.seed.value_or(0),
                       .seed_wins = options_.seed.has_value(),
                       .threads = options_.threads,

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "bindings/cli/canvas.hpp"
+#include "bindings/cli/output_files.hpp"
 #include "bindings/cli/run_loop.hpp"
 
 namespace nezumi::cli {

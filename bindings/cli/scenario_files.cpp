@@ -52,8 +52,9 @@ public:
         if (problem_) kept.problems.push_back(*problem_);
         for (World& world : worlds_) {
             if (world.recorder) take(world.trace, world.recorder->finish());
-            // Without robots there is nothing to be seen.
-            if (!world.begun || world.live.system().robots().empty()) continue;
+            // Without simulated robots there is nothing to be seen.
+            const System& system = world.live.system();
+            if (!world.begun || system.world() == nullptr || system.robots().empty()) continue;
             take(world.picture,
                  draw_picture(look_at(world.live, world.trajectories, title), (folder_ / world.picture).string()));
         }

@@ -15,9 +15,9 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/cli/canvas.hpp"
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/output_files.hpp"
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/scenario_files.hpp"
 #include "bindings/cli/sweep_plots.hpp"
@@ -193,6 +193,10 @@ int finish(const TestOptions& command, const SessionEnd& end) {
 
 int test(const TestOptions& command) {
     if (auto ok = check_options(command); !ok) return refuse(ok.error());
+    if (auto ok = need_simulation({{"test without --hw", !command.hw && !command.list && !command.merge},
+                                   {"--plots", !command.plots.empty()}});
+        !ok)
+        return refuse(ok.error());
     SessionOptions options;
     options.seed = command.seed;
     options.repeat = command.repeat;

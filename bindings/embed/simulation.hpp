@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bindings/lua/live/live_system.hpp"
@@ -14,8 +15,12 @@
 namespace nezumi {
 
 /// How systems are made in simulation: with ODE's world and all native components. `installed` are folders like
-/// PREFIX/share/nezumi, which have `behaviors/` and `engine/robots/`: looked at after the project's own files.
+/// PREFIX/share/nezumi, which have `behaviors/` and `engine/robots/`: looked at after the project's own files. A
+/// library that is built without simulation (NEZUMI_SIMULATION=OFF) has no `world` in them, and can simulate no robot.
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed);
+
+/// Has what simulated robots say become WAV files in this folder, which is made when it is not there.
+void keep_sounds(LiveOptions& live, const std::string& folder);
 
 class Simulation {
 public:

@@ -32,7 +32,7 @@ Robot::~Robot() {
 // Whatever a real robot's motors had before: from here on it has to be ACTIVE.
 void Robot::take_body(std::unique_ptr<RobotBody> body) {
     body_ = std::move(body);
-    powered_ = !is_real();
+    powered_ = has_body() && !is_real();
 }
 
 Expected<void> Robot::follow(const Robot& real, const World& world) {

@@ -157,6 +157,20 @@ TEST_CASE("what is shipped has nothing wrong with it", "[cli][check]") {
     }
 }
 
+TEST_CASE("systems are checked also where nothing can be simulated", "[cli][check]") {
+    LiveOptions systems = simulated_systems();
+    systems.world = nullptr;
+    const std::string folder = source_root() + "/behaviors/systems/";
+    for (const char* name : {"line_follower.lua", "leader_follower.lua"})
+        CHECK(check_file(folder + name, systems).empty());
+    const Scratch files;
+    files.write("behaviors/systems/x.lua",
+                "robot 'ev3' { model = 'ev3' }\nbehavior 'b' { script = 'errand' }\nconnect('ev3.touch', 'b.tuch')\n");
+    const auto errors = check_file(files.path("behaviors/systems/x.lua"), systems);
+    REQUIRE(errors.size() == 1);
+    CHECK(errors.front().place.line == 3);
+}
+
 TEST_CASE("folders give their Lua files, sorted, once and without hidden ones", "[cli][check]") {
     const Scratch files;
     files.write("b.lua", "");

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bindings/cli/canvas.hpp"
+#include "bindings/cli/output_files.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/plot.hpp"
 #include "tests/unit/file_text.hpp"

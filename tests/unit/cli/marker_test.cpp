@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/cli/marker_drawing.hpp"
 #include "bindings/cli/marker_sheet.hpp"
 #include "engine/vision/tag_finder.hpp"
 #include "tests/unit/cli/run_program.hpp"

@@ -1,0 +1,31 @@
+// What a program without simulation and vision (NEZUMI_SIMULATION=OFF) has instead: reasons.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bindings/embed/simulation.hpp"
+#include "engine/devices/joystick.hpp"
+
+namespace nezumi {
+namespace {
+
+Expected<std::unique_ptr<Component>> refuse(const ComponentEntry& entry, System& /*system*/) {
+    return failure(fmt::format("component '{}': this nezumi is built without cameras and vision, and has no {}",
+                               entry.name, entry.type),
+                   entry.place);
+}
+
+}  // namespace
+
+LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
+    return {.installed = std::move(installed),
+            .components = {{"Camera", {{"sim", refuse}}},
+                           {"ColorDetector", {{"sim", refuse}}},
+                           {"Joystick", {{"sim", make_joystick}}},
+                           {"LineDetector", {{"sim", refuse}}},
+                           {"MarkerDetector", {{"sim", refuse}}}}};
+}
+
+void keep_sounds(LiveOptions& /*live*/, const std::string& /*folder*/) {}
+
+}  // namespace nezumi
