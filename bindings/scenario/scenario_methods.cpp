@@ -116,11 +116,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
         run.described();
         return 1;
     }
-    if (auto settled = run.settle(); !settled) {
-        run.setup_error_ = settled.error();
-        run.setup_error_->message = one_line(run.setup_error_->message);
-        return raise(run, describe(*run.setup_error_));
-    }
+    if (auto settled = run.settle_or_note(); !settled) return raise(run, describe(settled.error()));
     if (!run.has_world()) {
         const auto known = names();
         if (!is_method && name != "world")

@@ -46,6 +46,10 @@ Expected<void> ScenarioRun::open() {
         state, [this]() -> LiveSystem& { return current(); }, scenario_actor);
     if (!objects) return Unexpected(objects.error());
     objects_ = std::move(*objects);
+    objects_->set_prepare([this] { return settle_or_note(); });
+    word_host_.push_entry = [this](lua_State* lua, std::string_view name) {
+        objects_->push_component(lua, described_.back().live, name);
+    };
     objects_->on_look([this](const PortAt& port) {
         constexpr std::size_t most = 32;
         if (looked_.size() < most) looked_.push_back(port);

@@ -1,6 +1,7 @@
 // One run of one scenario: its object `s`, its worlds, what it watches, and how it ends.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <lua.hpp>
 #include <map>
@@ -108,6 +109,7 @@ private:
     // The worlds that words describe.
     Described& described();
     Expected<void> settle();
+    Expected<void> settle_or_note();
     Expected<void> build(Described& described);
     Expected<void> change_arena(Described& described);
     Expected<void> add_new(Described& described);
@@ -129,8 +131,8 @@ private:
     const Scenario& scenario_;
     std::size_t index_;
     RunSettings settings_;
-    Worlds worlds_;  // before what refers to them
-    std::vector<Described> described_;
+    Worlds worlds_;                    // before what refers to them
+    std::deque<Described> described_;  // whose places stay
     WordHost word_host_;
     std::unique_ptr<Objects> objects_;
     Faults faults_;

@@ -92,6 +92,17 @@ Expected<void> ScenarioRun::settle() {
     return arena_changed ? change_arena(present) : add_new(present);
 }
 
+// What can't be built could not be run.
+Expected<void> ScenarioRun::settle_or_note() {
+    auto settled = settle();
+    if (!settled) {
+        setup_error_ = settled.error();
+        setup_error_->message = one_line(setup_error_->message);
+        return Unexpected(*setup_error_);
+    }
+    return {};
+}
+
 Expected<void> ScenarioRun::build(Described& described) {
     LiveOptions options = settings_.systems();
     options.build.seed = settings_.seed;
@@ -127,7 +138,7 @@ Expected<void> ScenarioRun::build(Described& described) {
 }
 
 Expected<void> ScenarioRun::change_arena(Described& described) {
-    const auto world = static_cast<std::size_t>(&described - described_.data());
+    const auto world = described_.size() - 1;
     if (worlds_.ticks(world) > 0)
         return failure("arena: can't change once time has moved: say it before s:run and all that waits");
     if (described.live->options().build.real_time)
@@ -181,13 +192,16 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<FileVal
     if (!spec) return Unexpected(spec.error());
     if (auto ok = change_robots(*spec, *options, theirs, place); !ok) return ok;
     merge(*spec, before);
-    if (!described_.empty() && described_.back().live == nullptr) described_.pop_back();
     Described next;
     next.project = std::make_unique<Project>(file_.project().root().empty() ? theirs : file_.project());
     next.words = std::make_unique<SystemWords>(*next.project, std::move(*spec));
     if (auto ok = next.words->finish(); !ok) return ok;
     if (auto ok = build(next); !ok) return ok;
-    described_.push_back(std::move(next));
+    if (!described_.empty() && described_.back().live == nullptr) {
+        described_.back() = std::move(next);
+    } else {
+        described_.push_back(std::move(next));
+    }
     word_host_.words = described_.back().words.get();
     return {};
 }

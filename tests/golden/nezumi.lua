@@ -717,6 +717,7 @@ function output(name, type, doc, options) end
 ---@field serial? string number of its computer: on another one the file is refused
 ---@field odometry? OdometryCalibrationFields its wheels, by `nezumi calibrate odometry`
 ---@field sensors? table<string, { table: number[][] }> what its range sensors say at distances [m], by `nezumi calibrate ir`: `right_front = { table = { { 0.02, 795 }, ... } }`
+---@field cameras? table<string, { width: integer, height: integer, fx: number, fy: number, cx: number, cy: number, k1: number, k2: number, p1: number, p2: number, k3: number }> how the cameras see that it carries, by `nezumi calibrate camera`: by their names, the fields of a CameraIntrinsics
 
 ---@class (exact) OdometryCalibrationFields
 ---@field track number [m] between the wheels
@@ -1151,19 +1152,22 @@ function s:arena(fields) end
 ---A robot of the system.
 ---@param name string
 ---@param fields RobotFields
----@overload fun(self: Scenario, name: string): fun(fields: RobotFields)
+---@overload fun(self: Scenario, name: string): fun(fields: RobotFields): Component
+---@return Component
 function s:robot(name, fields) end
 
 ---A component written in Lua.
 ---@param name string
 ---@param fields BehaviorFields
----@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields)
+---@overload fun(self: Scenario, name: string): fun(fields: BehaviorFields): Component
+---@return Component
 function s:behavior(name, fields) end
 
 ---A native component.
 ---@param name string
 ---@param fields ComponentFields
----@overload fun(self: Scenario, name: string): fun(fields: ComponentFields)
+---@overload fun(self: Scenario, name: string): fun(fields: ComponentFields): Component
+---@return Component
 function s:component(name, fields) end
 
 ---How the simulation runs.

@@ -33,11 +33,12 @@ enum Word : int {
     wall
 };
 
-// What a word gives back to Lua: nothing, a thing of the arena, or an entry that waits for its table.
+// What a word gives back to Lua: nothing, a thing of the arena, an entry, or one that waits for its table.
+struct Entered {};
 struct Begun {
     std::size_t index;
 };
-using Result = std::variant<std::monostate, FileThing, Begun>;
+using Result = std::variant<std::monostate, FileThing, Entered, Begun>;
 
 Expected<Result> nothing(Expected<void> done) {
     if (!done) return Unexpected(done.error());
@@ -73,7 +74,8 @@ Expected<Result> entry(SystemWords& words, const WordCall& call, const Arguments
     if (arguments.count() < 2) return Result{Begun{*begun}};
     const auto fields = value_of(arguments, 2);
     if (!fields) return Unexpected(fields.error());
-    return nothing(words.complete_entry(*begun, *fields));
+    if (auto done = words.complete_entry(*begun, *fields); !done) return Unexpected(done.error());
+    return Result{Entered{}};
 }
 
 Expected<Result> carry_out(SystemWords& words, int word, const WordCall& call, const Arguments& arguments) {
@@ -134,11 +136,20 @@ Expected<void> complete(lua_State* lua, WordHost& host, std::size_t begun) {
     return Unexpected(report(host, make_call(lua, host, ""), done.error()));
 }
 
+// The entry that was made last.
+int push_entry(lua_State* lua, WordHost& host) {
+    if (!host.push_entry) return 0;
+    luaL_checkstack(lua, 20, nullptr);
+    host.push_entry(lua, name_of(host.words->spec().entries.back()));
+    return 1;
+}
+
 // What `robot "mouse"` returns: takes the table.
 int take_table(lua_State* lua) {
     auto& host = *static_cast<WordHost*>(lua_touserdata(lua, lua_upvalueindex(1)));
     const auto begun = static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)));
-    return bridge(lua, [&] { return complete(lua, host, begun); });
+    bridge(lua, [&] { return complete(lua, host, begun); });
+    return push_entry(lua, host);
 }
 
 }  // namespace
@@ -160,6 +171,7 @@ int call_system_word(lua_State* lua) {
         push_file_thing(lua, *thing);
         return 1;
     }
+    if (std::holds_alternative<Entered>(result)) return push_entry(lua, host);
     if (const auto* begun = std::get_if<Begun>(&result)) {
         lua_pushvalue(lua, lua_upvalueindex(1));
         lua_pushinteger(lua, static_cast<lua_Integer>(begun->index));

@@ -18,6 +18,9 @@ struct WordHost {
     std::function<const FileSource*(const std::string& shown)> source{};
     /// Is given the error of a word, and returns what is raised in Lua. Empty: the error itself.
     std::function<Error(Error error)> fail{};
+    /// Pushes what `robot "mouse" { ... }` and its like return, by the name. May raise a Lua error. Empty: they return
+    /// nothing.
+    std::function<void(lua_State* lua, std::string_view name)> push_entry{};
     /// How many words were called.
     std::size_t calls = 0;
 };

@@ -110,6 +110,7 @@ Expected<std::size_t> SystemWords::begin_entry(const WordCall& call, const FileV
 }
 
 Expected<void> SystemWords::complete_entry(std::size_t begun, const FileValue& fields) {
+    if (begun >= begun_.size()) return failure("the name before this table was of a world that was loaded since");
     begun_[begun].complete = true;
     const Begun call = begun_[begun];
     return entry(call.call, call.name, fields);

@@ -87,7 +87,7 @@ int method(lua_State* L) {
         return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
             if (auto ok = check_call(L, **self, name); !ok) return Unexpected(ok.error());
             if (!act) return Unexpected(act.error());
-            if (auto done = (*self)->live->act(*act, ObjectAccess::who(objects)); !done)
+            if (auto done = (*self)->live()->act(*act, ObjectAccess::who(objects)); !done)
                 return Unexpected(done.error());
             const auto at = find_component(**self);
             if (!at) return Unexpected(at.error());
@@ -152,8 +152,8 @@ int command(lua_State* L) {
         return ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
             if (auto at = find_component(ref); !at) return Unexpected(at.error());
             if (!arguments) return Unexpected(arguments.error());
-            auto done = ref.live->act(Command{std::string(ref.component()), std::string(name), std::move(*arguments)},
-                                      ObjectAccess::who(objects));
+            auto done = ref.live()->act(Command{std::string(ref.component()), std::string(name), std::move(*arguments)},
+                                        ObjectAccess::who(objects));
             if (!done) return Unexpected(done.error());
             return Answer{std::move(done->values)};
         });
@@ -178,7 +178,7 @@ Expected<PlainLook> data_of(const ComponentAt& at, std::string_view word, const 
 Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::string_view word) {
     const Component& component = *at.component;
     const auto part = [&](ObjectKind kind) {
-        return Answer{ObjectName{kind, ref.live, std::string(ref.component()), ""}};
+        return Answer{ObjectName{kind, at.live, std::string(ref.component()), ""}};
     };
     if (word == "ports") return part(ObjectKind::ports);
     if (word == "config") return part(ObjectKind::config);
@@ -246,7 +246,7 @@ Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string
     };
     if (own != nullptr && !own->yields) return own_member();
     if (component.find_port(name) != nullptr)
-        return Answer{ObjectName{ObjectKind::port, ref.live, component.name(), std::string(name)}};
+        return Answer{ObjectName{ObjectKind::port, at.live, component.name(), std::string(name)}};
     for (const CommandDeclaration& each : commands_of(component)) {
         if (each.name == name) return Answer{MethodName{command, each.name}};
     }
@@ -341,9 +341,11 @@ std::vector<std::string> Objects::methods(const Component& component) {
 }
 
 Expected<ComponentAt> find_component(const ObjectRef& ref) {
-    auto found = ref.live->system().component(ref.component());
+    LiveSystem* live = ref.live();
+    if (live == nullptr) return failure(fmt::format("the world of '{}' is not built", ref.component()));
+    auto found = live->system().component(ref.component());
     if (!found) return Unexpected(found.error());
-    return ComponentAt{ref.live, *found};
+    return ComponentAt{live, *found};
 }
 
 Expected<ComponentAt> Objects::to_component(lua_State* L, int index) const {

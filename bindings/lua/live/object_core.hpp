@@ -25,11 +25,13 @@ inline constexpr std::size_t object_kinds = 6;
 /// in the same block.
 struct ObjectRef {
     Objects* objects;
-    LiveSystem* live;
+    LiveSystem* built;         // null: the system is made later, and stands then in
+    LiveSystem* const* place;  // this place
     std::uint32_t component_length;
     std::uint32_t port_length;
     ObjectKind kind;
 
+    LiveSystem* live() const { return built != nullptr ? built : *place; }
     std::string_view component() const { return {reinterpret_cast<const char*>(this + 1), component_length}; }
     std::string_view port() const { return {reinterpret_cast<const char*>(this + 1) + component_length, port_length}; }
 };
@@ -76,6 +78,9 @@ struct ObjectAccess {
     /// Runs `body()` where the system may be looked at and acted on.
     template <class Body>
     static Expected<Answer> visit(const Objects& objects, Body&& body) {
+        if (objects.prepare_) {
+            if (auto ready = objects.prepare_(); !ready) return Unexpected(ready.error());
+        }
         if (!objects.visit_) return body();
         Expected<Answer> got = failure("interrupted");
         objects.visit_([&] { got = body(); });
@@ -98,7 +103,8 @@ inline Objects& objects_of(lua_State* L) { return *static_cast<Objects*>(lua_tou
 ObjectRef* to_object(lua_State* L, int index);
 ObjectRef* to_object(lua_State* L, int index, ObjectKind kind);
 
-/// Pushes an object. May raise a Lua error.
+/// Pushes an object, which has these names. May raise a Lua error.
+void push_object(lua_State* L, ObjectRef ref, std::string_view component, std::string_view port);
 void push_object(lua_State* L, Objects& objects, ObjectKind kind, LiveSystem& live, std::string_view component,
                  std::string_view port);
 

@@ -34,7 +34,7 @@ const ObjectFunctions& functions_of(std::size_t kind) {
 int objects_equal(lua_State* L) {
     const ObjectRef* a = to_object(L, 1);
     const ObjectRef* b = to_object(L, 2);
-    const bool same = a != nullptr && b != nullptr && a->kind == b->kind && a->live == b->live &&
+    const bool same = a != nullptr && b != nullptr && a->kind == b->kind && a->live() == b->live() &&
                       a->component() == b->component() && a->port() == b->port();
     lua_pushboolean(L, same ? 1 : 0);
     return 1;
@@ -178,6 +178,10 @@ void Objects::push_component(lua_State* L, LiveSystem& live, std::string_view na
     push_object(L, *this, ObjectKind::component, live, name, "");
 }
 
+void Objects::push_component(lua_State* L, LiveSystem* const& place, std::string_view name) {
+    push_object(L, {this, nullptr, &place, 0, 0, ObjectKind::component}, name, "");
+}
+
 void Objects::push_port(lua_State* L, LiveSystem& live, std::string_view component, std::string_view port) {
     push_object(L, *this, ObjectKind::port, live, component, port);
 }
@@ -200,17 +204,21 @@ ObjectRef* to_object(lua_State* L, int index, ObjectKind kind) {
     return ref != nullptr && ref->kind == kind ? ref : nullptr;
 }
 
-void push_object(lua_State* L, Objects& objects, ObjectKind kind, LiveSystem& live, std::string_view component,
-                 std::string_view port) {
+void push_object(lua_State* L, ObjectRef ref, std::string_view component, std::string_view port) {
     luaL_checkstack(L, 3, nullptr);
     void* block = lua_newuserdatauv(L, sizeof(ObjectRef) + component.size() + port.size(), 0);
-    auto* ref = new (block) ObjectRef{&objects, &live, static_cast<std::uint32_t>(component.size()),
-                                      static_cast<std::uint32_t>(port.size()), kind};
-    char* names = reinterpret_cast<char*>(ref + 1);
+    ref.component_length = static_cast<std::uint32_t>(component.size());
+    ref.port_length = static_cast<std::uint32_t>(port.size());
+    char* names = reinterpret_cast<char*>(new (block) ObjectRef(ref) + 1);
     if (!component.empty()) std::memcpy(names, component.data(), component.size());
     if (!port.empty()) std::memcpy(names + component.size(), port.data(), port.size());
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &metatable_keys[static_cast<std::size_t>(kind)]);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &metatable_keys[static_cast<std::size_t>(ref.kind)]);
     lua_setmetatable(L, -2);
+}
+
+void push_object(lua_State* L, Objects& objects, ObjectKind kind, LiveSystem& live, std::string_view component,
+                 std::string_view port) {
+    push_object(L, {&objects, &live, nullptr, 0, 0, kind}, component, port);
 }
 
 void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::string_view name) {

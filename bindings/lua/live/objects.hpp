@@ -62,6 +62,8 @@ public:
     /// How a member's look or act comes to the system: `visit` has it done, by the thread that ticks, and returns false
     /// when it was not. Empty: it is done where it is.
     void set_visit(std::function<bool(const std::function<void()>&)> visit) { visit_ = std::move(visit); }
+    /// Is called before each look and act, whose error its own is.
+    void set_prepare(std::function<Expected<void>()> prepare) { prepare_ = std::move(prepare); }
     /// Is called with every port that a script looks at. Must not throw.
     void on_look(std::function<void(const PortAt&)> look) { look_ = std::move(look); }
 
@@ -71,6 +73,8 @@ public:
     /// All of a system by name: `world.controller`.
     void push_system(lua_State* L, LiveSystem& live);
     void push_component(lua_State* L, LiveSystem& live, std::string_view name);
+    /// The same of a system that is perhaps not made yet: `place` is null until then, and stays where it is.
+    void push_component(lua_State* L, LiveSystem* const& place, std::string_view name);
     void push_port(lua_State* L, LiveSystem& live, std::string_view component, std::string_view port);
 
     // These read a value of Lua and raise nothing.
@@ -103,6 +107,7 @@ private:
     bool hardware_ = false;
     std::function<void(const PortAt&)> look_;
     std::function<bool(const std::function<void()>&)> visit_;
+    std::function<Expected<void>()> prepare_;
     std::unique_ptr<Core> core_;
     friend struct ObjectAccess;
 };

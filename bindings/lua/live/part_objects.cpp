@@ -66,7 +66,7 @@ int ports_index(lua_State* L) {
         if (!name) return Unexpected(name.error());
         if (at->component->find_port(*name) == nullptr)
             return failure(unknown(at->component->name() + " has no port", *name, port_names(*at->component)));
-        return Answer{ObjectName{ObjectKind::port, ref.live, at->component->name(), std::string(*name)}};
+        return Answer{ObjectName{ObjectKind::port, at->live, at->component->name(), std::string(*name)}};
     });
 }
 
@@ -189,7 +189,7 @@ std::vector<std::string> component_names(const System& system) {
 
 int system_index(lua_State* L) {
     return answer(L, objects_of(L), [&]() -> Expected<Answer> {
-        LiveSystem* live = to_object(L, 1)->live;
+        LiveSystem* live = to_object(L, 1)->live();
         const auto name = key_of(L, "system");
         if (!name) return Unexpected(name.error());
         const auto component = live->system().component(*name);
@@ -200,7 +200,7 @@ int system_index(lua_State* L) {
 
 int system_tostring(lua_State* L) {
     return answer(L, objects_of(L), [&]() -> Expected<Answer> {
-        return Answer{fmt::format("system of {}", fmt::join(component_names(to_object(L, 1)->live->system()), ", "))};
+        return Answer{fmt::format("system of {}", fmt::join(component_names(to_object(L, 1)->live()->system()), ", "))};
     });
 }
 
@@ -243,7 +243,7 @@ int truth_pairs(lua_State* L) {
 
 int system_pairs(lua_State* L) {
     return pairs_of_names(L, [](const ObjectRef& ref) -> Expected<std::vector<std::string>> {
-        return component_names(ref.live->system());
+        return component_names(ref.live()->system());
     });
 }
 
@@ -275,7 +275,7 @@ std::vector<std::string> Objects::truth_members() { return {std::begin(truth_nam
 
 LiveSystem* Objects::to_system(lua_State* L, int index) {
     const ObjectRef* ref = to_object(L, index, ObjectKind::system);
-    return ref != nullptr ? ref->live : nullptr;
+    return ref != nullptr ? ref->live() : nullptr;
 }
 
 }  // namespace nezumi

@@ -227,9 +227,9 @@ std::vector<std::string> Objects::port_methods() {
 Expected<PortAt> find_port(const ObjectRef& ref) {
     const auto at = find_component(ref);
     if (!at) return Unexpected(at.error());
-    const auto port = ref.live->system().port(fmt::format("{}.{}", ref.component(), ref.port()));
+    const auto port = at->live->system().port(fmt::format("{}.{}", ref.component(), ref.port()));
     if (!port) return Unexpected(port.error());
-    return PortAt{ref.live, at->component, *port};
+    return PortAt{at->live, at->component, *port};
 }
 
 Expected<PortAt> Objects::to_port(lua_State* L, int index) const {

@@ -24,8 +24,11 @@ std::string word(const RecordShape& record, Form form, bool methods) {
     std::string text = fmt::format("---{}\n", record.doc);
     if (form == Form::entry) text += "---@param name string\n";
     text += fmt::format("---@param fields {}\n", table);
-    if (form == Form::entry)
-        text += fmt::format("---@overload fun({}name: string): fun(fields: {})\n", receiver, table);
+    if (form == Form::entry) {
+        const char* given = methods ? ": Component" : "";
+        text += fmt::format("---@overload fun({}name: string): fun(fields: {}){}\n", receiver, table, given);
+        if (methods) text += "---@return Component\n";
+    }
     if (form == Form::thing) text += "---@return Thing\n";
     return text + fmt::format("function {}({}fields) end\n\n", name, form == Form::entry ? "name, " : "");
 }

@@ -165,6 +165,36 @@ TEST_CASE("words add to a world that runs, and an arena to one that does not yet
               .find("arena: can't change once time has moved") != std::string::npos);
 }
 
+TEST_CASE("a word for a component returns it, whether its world is built or not", "[lua][scenario][run]") {
+    CHECK(outcome_of(
+              "local mouse = s:robot 'mouse' { model = 'raspimouse' }\n"
+              "local driver = s:behavior('driver', { script = 'robot_controller', config = { speed_x = 0.1 } })\n"
+              "s:connect('driver.out', 'mouse.target_velocity_in')\n"
+              "s:run(1)\n"
+              "s:check(mouse == s.mouse and driver == s.world.driver)\n"
+              "s:near(driver.out.value.vx, 0.1, 0)\n"
+              "s:check(mouse.truth.pose.position.x > 0.05)\n"
+              "s:reload(driver, { text = 'function on_execute() end' }) s:check(driver.version == 2)") == "passed");
+    CHECK(outcome_of("local mouse = s:robot 'mouse' { model = 'raspimouse', pose = { y = 1 } }\n"
+                     "s:near(mouse.truth.pose.position.y, 1, 1e-9)") == "passed");
+    CHECK(outcome_of("local second = s:robot 'second' { model = 'raspimouse', pose = { y = 1 } }\n"
+                     "local world = s:load 'systems/stop_at_wall.lua'\n"
+                     "local third = s:robot 'third' { model = 'raspimouse', pose = { y = -1 } }\n"
+                     "s:check(second == world.second and third == world.third and second ~= third)\n"
+                     "local other = s:load 'systems/stop_at_wall.lua'\n"
+                     "s:check(second == world.second and not pcall(function() return other.second end))") == "passed");
+}
+
+TEST_CASE("a component whose world can't be built says why", "[lua][scenario][run]") {
+    CHECK(outcome_of("local mouse = s:robot 'mouse' { model = 'raspimouse' }\n"
+                     "s:connect('mouse.nothing', 'mouse.target_velocity_in')\n"
+                     "return mouse.truth")
+              .starts_with("could not run: it_test.lua:3: "));
+    CHECK(outcome_of(
+              "local begun = s:robot 'mouse'\ns:load 'systems/stop_at_wall.lua'\nbegun { model = 'raspimouse' }") ==
+          "could not run: it_test.lua:4: the name before this table was of a world that was loaded since");
+}
+
 TEST_CASE("a failure tells by how much, the ports it looked at and the time", "[lua][scenario][run]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"
