@@ -101,7 +101,8 @@ std::string status_of(const Command& command) {
 }
 
 std::string begin(const std::string& name, const std::string& version, const std::string& help) {
-    std::string what = help;
+    // "nezumi runs ..." stands behind "nezumi -".
+    std::string what = help.starts_with(name + " ") ? help.substr(name.size() + 1) : help;
     if (what.size() > 1 && std::islower(static_cast<unsigned char>(what[1])) != 0)
         what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
     return fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n", upper(plain(name)), version,

@@ -148,6 +148,7 @@ TEST_CASE("the manual has a page for each command, with every option, and man fi
     CHECK(run.find("EXIT STATUS") != std::string::npos);
     CHECK(words("nezumi-test.1").find("-o, --output DIR") != std::string::npos);
     CHECK(words("nezumi-new.1").find("NEZUMI NEW BEHAVIOR") != std::string::npos);
+    CHECK(words("nezumi.1").find("NAME nezumi - runs what small robots do") != std::string::npos);
     const std::string all = read("nezumi.1");
     for (const Command& command : whole.commands) CHECK(all.find("\n       " + command.name) != std::string::npos);
 }
