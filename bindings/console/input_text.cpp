@@ -78,6 +78,11 @@ std::optional<std::vector<std::string>> read_chain(const std::vector<Token>& tok
     return chain;
 }
 
+// What is no port, but can be followed as one.
+bool is_followed_member(std::string_view member) {
+    return member == ".config" || member == ".probes" || member == ".state" || member == ".tasks" || member == ".truth";
+}
+
 }  // namespace
 
 std::string with_plotted_names(std::string_view text) {
@@ -94,7 +99,7 @@ std::string with_plotted_names(std::string_view text) {
             const Token& first = tokens[next];
             auto chain = read_chain(tokens, next);
             if (!chain) break;
-            const bool is_part = chain->size() > 2;
+            const bool is_part = chain->size() > 2 || (chain->size() == 2 && is_followed_member((*chain)[1]));
             if (is_part && (*chain)[1] == ".ports") chain->erase(chain->begin() + 1);
             if (chain->size() > 2 && (*chain)[2] == ".value") chain->erase(chain->begin() + 2);
             if (is_part) {

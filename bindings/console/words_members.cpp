@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,11 @@ struct Present {
 // What is added belongs to the system's file, at no line of it.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
 
-// An error of what was typed has no file; one of a script or robot file has.
+// An error of what was typed has no file; one of a script or robot file has. The word is told by the console.
 Error as_typed(Error error, const Present& present) {
     if (error.place.file == present.spec.file) error.place = {};
+    constexpr std::string_view marker = "marker: ";
+    if (error.message.starts_with(marker)) error.message.erase(0, marker.size());
     return error;
 }
 

@@ -51,6 +51,8 @@ TEST_CASE("a marker is hung up, carried and taken away", "[console][session][act
     CHECK_THAT(it.type("marker { name = 'target', id = 8, at = { 1, 0, 0.1 } }"),
                Contains("the name 'target' is taken"));
     CHECK_THAT(it.type("marker { name = 'no', id = 587, at = { 1, 0, 0.1 } }"), Contains("586"));
+    CHECK(it.type("marker {}") ==
+          "! marker: field 'id' is missing: expected a whole number from 0 to 586: the tag's number");
     CHECK(it.type("marker(7)") ==
           "! marker: expected a table, as in marker { name = \"target\", id = 7, size = 0.1, at = { 1, 0, 0.1 } }");
     CHECK(count() == 1);
