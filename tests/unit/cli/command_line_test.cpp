@@ -97,9 +97,9 @@ TEST_CASE("nothing runs when a word is wrong", "[cli][command line]") {
 
 TEST_CASE("a slip in the command line is one line with the nearest name", "[cli][command line]") {
     CHECK(run_nezumi({"new"}).error ==
-          "nezumi: new: which? Write `nezumi new behavior NAME` or `nezumi new system NAME` or `nezumi new robot NAME` "
-          "or "
-          "`nezumi new scenario NAME` or `nezumi new project DIR`\n");
+          "nezumi: new: which? Write `nezumi new behavior NAME`, `nezumi new system NAME`, `nezumi new robot NAME`, "
+          "`nezumi "
+          "new scenario NAME` or `nezumi new project DIR`\n");
     CHECK(run_nezumi({"new", "--project", "x"}).error ==
           "nezumi: there is no option '--project'; see nezumi new --help\n");
     CHECK(run_nezumi({"calc", "--rate", "1"}).error ==
