@@ -88,7 +88,8 @@ std::string no_command(const Command& command, const std::string& path, const st
     }
     return (word ? fmt::format("{}: there is no '{}'{}. ", path.substr(1), shown(*word), did_you_mean(*word, names))
                  : fmt::format("{}: which? ", path.substr(1))) +
-           fmt::format("Write {} or {}", fmt::join(forms.begin(), forms.end() - 1, ", "), forms.back());
+           fmt::format("Write {}{}{}", fmt::join(forms.begin(), forms.end() - 1, ", "), forms.size() > 1 ? " or " : "",
+                       forms.back());
 }
 
 std::string about_extras(const CLI::App& command, const std::vector<std::string>& extras) {
