@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <utility>
 
+#include "bindings/lua/live/object_core.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/perform.hpp"
@@ -49,6 +51,10 @@ Expected<void> ScenarioRun::open() {
     objects_->set_prepare([this] { return settle_or_note(); });
     word_host_.push_entry = [this](lua_State* lua, std::string_view name) {
         objects_->push_component(lua, described_.back().live, name);
+    };
+    word_host_.port_path = [](lua_State* lua, int index) -> std::optional<std::string> {
+        const ObjectRef* port = to_object(lua, index, ObjectKind::port);
+        return port == nullptr ? std::nullopt : std::optional(fmt::format("{}.{}", port->component(), port->port()));
     };
     objects_->on_look([this](const PortAt& port) {
         constexpr std::size_t most = 32;

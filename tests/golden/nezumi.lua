@@ -874,8 +874,8 @@ function component(name, fields) end
 function physics(fields) end
 
 ---Connects an out-port to an in-port of the same type.
----@param from string "name.port"
----@param to string "name.port"
+---@param from string|Port "name.port", or in a scenario the port itself
+---@param to string|Port
 function connect(from, to) end
 
 ---Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.
@@ -1175,8 +1175,8 @@ function s:component(name, fields) end
 function s:physics(fields) end
 
 ---Connects an out-port to an in-port of the same type.
----@param from string "name.port"
----@param to string "name.port"
+---@param from string|Port "name.port", or in a scenario the port itself
+---@param to string|Port
 function s:connect(from, to) end
 
 ---Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.

@@ -51,6 +51,14 @@ Expected<FileValue> value_of(const Arguments& arguments, int position) {
     return read_file_value(arguments.lua, arguments.index(position));
 }
 
+// An end of a connection: a text, or a port itself.
+Expected<FileValue> end_of(const WordHost& host, const Arguments& arguments, int position) {
+    if (host.port_path && arguments.has(position)) {
+        if (auto path = host.port_path(arguments.lua, arguments.index(position))) return FileValue{std::move(*path)};
+    }
+    return value_of(arguments, position);
+}
+
 // What is given to a word, for messages.
 std::string_view usage_of(int word) {
     switch (word) {
@@ -78,19 +86,25 @@ Expected<Result> entry(SystemWords& words, const WordCall& call, const Arguments
     return Result{Entered{}};
 }
 
-Expected<Result> carry_out(SystemWords& words, int word, const WordCall& call, const Arguments& arguments) {
+Expected<Result> wire(const WordHost& host, const WordCall& call, const Arguments& arguments) {
+    const auto from = end_of(host, arguments, 1);
+    if (!from) return Unexpected(from.error());
+    const auto to = end_of(host, arguments, 2);
+    if (!to) return Unexpected(to.error());
+    return nothing(host.words->connect(call, *from, *to));
+}
+
+Expected<Result> carry_out(const WordHost& host, int word, const WordCall& call, const Arguments& arguments) {
+    SystemWords& words = *host.words;
     const int most = word == connect || word == robot || word == behavior || word == component ? 2 : 1;
     if (auto ok = arguments.at_most(call.word, most, usage_of(word)); !ok) return Unexpected(ok.error());
     if (word == robot || word == behavior || word == component) return entry(words, call, arguments);
+    if (word == connect) return wire(host, call, arguments);
     const auto first = value_of(arguments, 1);
     if (!first) return Unexpected(first.error());
-    const auto second = value_of(arguments, 2);
-    if (!second) return Unexpected(second.error());
-    if (first->is_nil() && word != connect)
-        return failure(fmt::format("{}: expected an argument, got none", call.word));
+    if (first->is_nil()) return failure(fmt::format("{}: expected an argument, got none", call.word));
     switch (word) {
         case arena: return nothing(words.arena(call, *first));
-        case connect: return nothing(words.connect(call, *first, *second));
         case physics: return nothing(words.physics(call, *first));
         case rate: return nothing(words.rate(call, *first));
         case seed: return nothing(words.seed(call, *first));
@@ -121,7 +135,7 @@ WordCall make_call(lua_State* lua, const WordHost& host, std::string word) {
 Expected<Result> run_word(lua_State* lua, WordHost& host, int word, bool method) {
     ++host.calls;
     const WordCall call = make_call(lua, host, system_word_names()[static_cast<std::size_t>(word)]);
-    auto done = carry_out(*host.words, word, call, {lua, method ? 2 : 1});
+    auto done = carry_out(host, word, call, {lua, method ? 2 : 1});
     if (!done) return Unexpected(report(host, call, done.error()));
     return done;
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <lua.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ struct WordHost {
     /// Pushes what `robot "mouse" { ... }` and its like return, by the name. May raise a Lua error. Empty: they return
     /// nothing.
     std::function<void(lua_State* lua, std::string_view name)> push_entry{};
+    /// "name.port" of the object that an argument is; nothing when it is no port. Raises no Lua error. Empty: there are
+    /// no such objects.
+    std::function<std::optional<std::string>(lua_State* lua, int index)> port_path{};
     /// How many words were called.
     std::size_t calls = 0;
 };

@@ -60,7 +60,8 @@ struct Word {
 };
 constexpr Word words[] = {
     {"connect", "Connects an out-port to an in-port of the same type.",
-     "---@param from string \"name.port\"\n---@param to string \"name.port\"\n", "from, to"},
+     "---@param from string|Port \"name.port\", or in a scenario the port itself\n---@param to string|Port\n",
+     "from, to"},
     {"csv", "Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.", "---@param file string\n---@return Thing\n",
      "file"},
     {"map", "Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.",

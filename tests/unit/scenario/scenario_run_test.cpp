@@ -185,6 +185,16 @@ TEST_CASE("a word for a component returns it, whether its world is built or not"
                      "s:check(second == world.second and not pcall(function() return other.second end))") == "passed");
 }
 
+TEST_CASE("connect takes ports as well as their names", "[lua][scenario][run]") {
+    const std::string parts =
+        "s:robot 'mouse' { model = 'raspimouse' }\n"
+        "s:behavior('driver', { script = 'robot_controller', config = { speed_x = 0.1 } })\n";
+    CHECK(outcome_of(parts + "s:connect(s.driver.out, s.mouse.target_velocity_in)\n"
+                             "s:run(1)\ns:check(s.mouse.truth.pose.position.x > 0.05)") == "passed");
+    CHECK(outcome_of(parts + "s:connect(s.driver.out, s.mouse)\ns:run(1)") ==
+          "could not run: it_test.lua:4: connect: expected \"name.port\", got userdata");
+}
+
 TEST_CASE("a component whose world can't be built says why", "[lua][scenario][run]") {
     CHECK(outcome_of("local mouse = s:robot 'mouse' { model = 'raspimouse' }\n"
                      "s:connect('mouse.nothing', 'mouse.target_velocity_in')\n"
