@@ -34,7 +34,7 @@ std::vector<std::string> examples(const std::string& page) {
 TEST_CASE("the documentation's robots can be read", "[lua][docs]") {
     const Project project = Project::of(root / "behaviors/r.lua", {root});
     const auto all = examples("robot-files.md");
-    CHECK(all.size() == 5);
+    CHECK(all.size() == 7);
     for (const std::string& text : all) {
         if (!text.starts_with("return")) continue;  // a system, below
         const auto robot = read_robot_text(text, "behaviors/r.lua", project);
@@ -48,11 +48,11 @@ TEST_CASE("the documentation's systems can be read", "[lua][docs]") {
     auto all = examples("system-files.md");
     CHECK(all.size() == 4);
     for (const std::string& text : examples("camera-and-markers.md")) all.push_back(text);
-    CHECK(all.size() == 5);
+    CHECK(all.size() == 7);
     for (const std::string& text : examples("robot-files.md")) {
         if (!text.starts_with("return")) all.push_back(text);
     }
-    CHECK(all.size() == 6);
+    CHECK(all.size() == 8);
     for (const std::string& text : all) {
         const auto system = read_system_text(text, "behaviors/s.lua", project);
         INFO((system ? std::string() : describe(system.error())));

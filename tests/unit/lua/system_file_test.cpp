@@ -290,7 +290,7 @@ TEST_CASE("a line needs points, and a floor to be painted on", "[lua][system_fil
           std::string::npos);
     CHECK(said("points = { { 0, 0 } }").find("line: field 'points' expected two points or more, got 1") !=
           std::string::npos);
-    CHECK(said("points = { { 0, 0 }, { 1 } }").find("line: field 'points.[2]' expected { x, y }, two numbers in m") !=
+    CHECK(said("points = { { 0, 0 }, { 1 } }").find("line: field 'points[2]' expected { x, y }, two numbers in m") !=
           std::string::npos);
     CHECK(said("points = { { 0, 0 }, { 0, 1 } }, width = 0").find("'width' expected a positive number, got 0") !=
           std::string::npos);
