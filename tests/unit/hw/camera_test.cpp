@@ -331,7 +331,8 @@ TEST_CASE("nezumi calibrate camera measures a real camera's lens by a chessboard
     FakeMouse fake({"board"});
     CHECK(fake.say("lens 1.15 -0.22 0.06 0 0 0").empty());
     fake.folder.write("system.lua",
-                      "robot 'mouse' { model = 'raspimouse' }\ncomponent 'eye' { type = 'Camera', on = 'mouse' }\n");
+                      "robot 'mouse' { model = 'raspimouse' }\ncomponent 'eye' { type = 'Camera', on = 'mouse', "
+                      "config = { width = 320, height = 240 } }\n");
     fake.folder.write("mouse.calibration.lua",
                       "calibration { robot = 'mouse', model = 'raspimouse',\n"
                       "  odometry = { track = 0.095, left_radius = 0.024, right_radius = 0.024 } }\n");
@@ -354,10 +355,10 @@ TEST_CASE("nezumi calibrate camera measures a real camera's lens by a chessboard
         return std::stod(text.str().substr(at + name.size() + 4));
     };
     CHECK(number("track") == 0.095);
-    const double truth = 320 / std::tan(1.15 / 2);
-    CHECK(number("width") == 640);
+    const double truth = 160 / std::tan(1.15 / 2);
+    CHECK(number("width") == 320);
     CHECK(number("fx") == Approx(truth).epsilon(0.01));
     CHECK(number("fy") == Approx(truth).epsilon(0.01));
-    CHECK(number("cx") == Approx(319.5).margin(5));
+    CHECK(number("cx") == Approx(159.5).margin(3));
     CHECK(number("k1") == Approx(-0.22).margin(0.05));
 }
