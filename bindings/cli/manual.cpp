@@ -43,8 +43,9 @@ std::string upper(std::string text) {
 std::string heading(const Option& option) {
     const std::vector<std::string> names = names_of(option);
     if (is_positional(option)) return fmt::format("\\fI{}\\fR", plain(names.front()));
-    std::vector<std::string> shown;
-    for (const std::string& name : names) shown.push_back("\\fB" + plain(name) + "\\fR");
+    std::vector<std::string> shown(names.size());
+    std::transform(names.begin(), names.end(), shown.begin(),
+                   [](const auto& name) { return "\\fB" + plain(name) + "\\fR"; });
     std::string text = fmt::format("{}", fmt::join(shown, ", "));
     if (std::holds_alternative<FlagText*>(option.value)) text += "[=\\fINAME\\fR,...]";
     if (takes_value(option) && !option.form.empty()) text += " \\fI" + plain(option.form) + "\\fR";
