@@ -20,8 +20,9 @@ auto find_marker(std::vector<MarkerPose>& markers, std::string_view name) {
 }
 
 Unexpected no_marker(std::string_view name, const std::vector<MarkerPose>& markers) {
-    std::vector<std::string_view> names;
-    for (const MarkerPose& marker : markers) names.push_back(marker.name);
+    std::vector<std::string_view> names(markers.size());
+    std::transform(markers.begin(), markers.end(), names.begin(),
+                   [](const MarkerPose& marker) { return std::string_view(marker.name); });
     return failure(fmt::format("there is no marker '{}'{}", shown(name), did_you_mean(name, names)));
 }
 

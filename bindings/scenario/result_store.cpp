@@ -26,7 +26,7 @@ std::string text_of(const ResultKey& key) {
 // The Lua files that a run of this scenario file may read, as far as they are of the project.
 std::set<fs::path> files_beside(const fs::path& scenario, const std::vector<fs::path>& installed) {
     const Project project = Project::of(scenario, installed);
-    const fs::path root = project.root();
+    const fs::path& root = project.root();
     const fs::path own = fs::absolute(scenario).parent_path();
     std::set<fs::path> files;
     const auto add = [&](const fs::path& folder) {

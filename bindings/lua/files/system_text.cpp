@@ -23,7 +23,7 @@ std::string table_of(const T& entry) {
 
 // With the fields of a robot file in which it differs from its model.
 std::string table_of(const RobotEntry& entry) {
-    const std::string own = write_record(entry);
+    std::string own = write_record(entry);
     if (entry.changes.empty()) return own;
     return fmt::format("{}, {}", std::string_view(own).substr(0, own.size() - 2),
                        std::string_view(entry.changes).substr(2));
