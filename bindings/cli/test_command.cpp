@@ -68,7 +68,7 @@ Expected<std::map<std::string, std::string>> read_rig(const std::string& words) 
 }
 
 // Has scenarios run with real robots, or says why they can't be.
-Expected<void> choose_robots(const TestOptions& command, SessionOptions& options) {
+Expected<void> choose_robots(const TestOptions& command, TestSessionOptions& options) {
     if (!command.hw) {
         for (const auto& [option, given] : {std::pair{"--rig", !command.rig.empty()},
                                             {"--dev-root", !command.dev_root.empty()},
@@ -154,7 +154,7 @@ Expected<void> check_options(const TestOptions& command) {
 }
 
 // Runs what was planned.
-Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, SessionOptions& options,
+Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, TestSessionOptions& options,
                               Reporter& reporter) {
     options.made_with = fingerprint(plan, command.seed, NEZUMI_VERSION, options.installed);
     if (!command.shard.empty()) {
@@ -197,7 +197,7 @@ int test(const TestOptions& command) {
                                    {"--plots", !command.plots.empty()}});
         !ok)
         return refuse(ok.error());
-    SessionOptions options;
+    TestSessionOptions options;
     options.seed = command.seed;
     options.repeat = command.repeat;
     options.jobs = command.jobs;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RunResult run_once(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options, RunFiles* files,
+RunResult run_once(const PlannedFile& file, const PlannedRun& run, const TestSessionOptions& options, RunFiles* files,
                    bool keep_history) {
     auto read = ScenarioFile::read(file.path, {.installed = options.installed, .seed = options.seed});
     if (!read) return {.outcome = RunOutcome::could_not_run, .error = read.error()};
@@ -31,21 +31,21 @@ RunResult run_once(const PlannedFile& file, const PlannedRun& run, const Session
     return scenario.run();
 }
 
-std::string command_for(const PlannedFile& file, const PlannedRun& run, const SessionOptions& options) {
+std::string command_for(const PlannedFile& file, const PlannedRun& run, const TestSessionOptions& options) {
     return fmt::format("nezumi test {} --filter {} --seed {}{}", shell_text(file.shown), shell_text(run.name),
                        options.seed, options.words);
 }
 
 }  // namespace
 
-RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const SessionOptions& options) {
+RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const TestSessionOptions& options) {
     const PlannedFile& file = plan.files[run.file];
     const Scenario& scenario = file.scenarios[run.scenario];
     return {scenario.place.file, scenario.place.line, scenario.name, run.name, command_for(file, run, options),
             std::move(result)};
 }
 
-RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick) {
+RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSessionOptions& options, bool quick) {
     const PlannedFile& file = plan.files[run.file];
     std::optional<RunResult> first;
     if (quick || !options.is_real) first = run_once(file, run, options, nullptr, false);

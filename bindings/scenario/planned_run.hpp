@@ -15,7 +15,8 @@
 
 namespace nezumi {
 
-struct SessionOptions {
+/// How a plan is carried out.
+struct TestSessionOptions {
     std::uint64_t seed = 124;
     std::size_t repeat = 1;                        ///< how often each run is made; all must have the same hash
     std::size_t jobs = 1;                          ///< processes at a time
@@ -36,9 +37,9 @@ struct SessionOptions {
 };
 
 /// One run in this process; when it fails, once more to keep its files and plots (unless `quick`).
-RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const SessionOptions& options, bool quick);
+RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSessionOptions& options, bool quick);
 
 /// What is told of a run's result.
-RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const SessionOptions& options);
+RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const TestSessionOptions& options);
 
 }  // namespace nezumi

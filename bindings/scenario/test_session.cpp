@@ -44,7 +44,7 @@ RunResult agree(std::vector<RunResult> results, const Scenario& scenario) {
 // Runs by their number in the plan.
 class Session {
 public:
-    Session(const TestPlan& plan, const SessionOptions& options, Reporter& reporter)
+    Session(const TestPlan& plan, const TestSessionOptions& options, Reporter& reporter)
         : plan_(plan), options_(options), reporter_(reporter), results_(plan.runs.size()) {
         for (std::size_t run = 0; run < plan.runs.size(); ++run) {
             if (options.shard.has(run)) mine_.push_back(run);
@@ -337,7 +337,7 @@ private:
     }
 
     const TestPlan& plan_;
-    const SessionOptions& options_;
+    const TestSessionOptions& options_;
     Reporter& reporter_;
     std::optional<ResultStore> keep_;
     bool had_folder_ = false;
@@ -356,12 +356,12 @@ private:
 
 }  // namespace
 
-SessionEnd run_tests(const TestPlan& plan, const SessionOptions& options, Reporter& reporter) {
+SessionEnd run_tests(const TestPlan& plan, const TestSessionOptions& options, Reporter& reporter) {
     return Session(plan, options, reporter).make();
 }
 
 SessionEnd merge_tests(const KeptPlan& plan, const std::vector<fs::path>& folders, Reporter& reporter) {
-    SessionOptions options;
+    TestSessionOptions options;
     options.seed = plan.seed;
     options.repeat = static_cast<std::size_t>(plan.repeat);
     options.words = plan.words;

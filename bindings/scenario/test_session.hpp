@@ -30,7 +30,7 @@ struct SessionEnd {
 /// Makes all runs of a plan and tells the reporter of each, in order. The result does not depend on the jobs.
 /// Each result is kept in `folder` as soon as there is one; at the end of all its runs a session takes them away,
 /// unless it is to `keep` them.
-SessionEnd run_tests(const TestPlan& plan, const SessionOptions& options, Reporter& reporter);
+SessionEnd run_tests(const TestPlan& plan, const TestSessionOptions& options, Reporter& reporter);
 
 /// Tells of the runs that others have made, as `run_tests` would have. `folders` are theirs; a run whose result is in
 /// none of them could not be run.

@@ -39,7 +39,7 @@ int main() {
     const auto folder = std::filesystem::temp_directory_path() / ("nezumi_bench_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "it_test.lua") << scenario_text();
-    SessionOptions options;
+    TestSessionOptions options;
     options.installed = {NEZUMI_SOURCE_ROOT};
     options.systems = [] { return LiveOptions{.installed = {NEZUMI_SOURCE_ROOT}, .world = sim::make_world}; };
     const auto plan = plan_tests({.paths = {folder / "it_test.lua"}, .seed = 124, .installed = options.installed});

@@ -59,7 +59,7 @@ int main(int count, char** words) {
     const auto folder = std::filesystem::temp_directory_path() / ("nezumi_bench_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "it_test.lua") << sweep_text(runs);
-    SessionOptions options;
+    TestSessionOptions options;
     options.jobs = jobs;
     options.folder = folder / "results";
     options.keep = true;

@@ -12,8 +12,8 @@
 
 namespace nezumi {
 
-inline SessionOptions simulated_session() {
-    SessionOptions options;
+inline TestSessionOptions simulated_session() {
+    TestSessionOptions options;
     options.installed = {source_root()};
     options.systems = [] { return LiveOptions{.installed = {source_root()}, .world = sim::make_world}; };
     return options;
@@ -54,7 +54,7 @@ public:
     }
 
     const Scratch& folder() const { return folder_; }
-    SessionOptions options = simulated_session();
+    TestSessionOptions options = simulated_session();
     std::string said;  ///< of the last session
 
 private:
