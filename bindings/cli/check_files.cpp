@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bindings/cli/named_files.hpp"
+#include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_lua.hpp"
@@ -139,6 +140,11 @@ std::vector<Error> check_scenarios(const fs::path& file, const std::string& text
     return errors;
 }
 
+std::vector<Error> check_calibration(const std::string& text, const std::string& shown, const Project& project) {
+    auto calibration = read_calibration_text(text, shown, project);
+    return calibration ? std::vector<Error>() : std::vector<Error>{std::move(calibration.error())};
+}
+
 }  // namespace
 
 std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) {
@@ -157,6 +163,7 @@ std::vector<Error> check_text(const std::string& text, const fs::path& file, con
         case LuaKind::system_module:
             return check_words(text, shown, {system_word_names().begin(), system_word_names().end()});
         case LuaKind::system: return check_system(text, shown, project, options);
+        case LuaKind::calibration: return check_calibration(text, shown, project);
         case LuaKind::robot: return check_robot_text(text, shown, project);
         case LuaKind::scenario: return check_scenarios(file, text, options);
         case LuaKind::definitions: break;

@@ -38,6 +38,7 @@ bool returns(std::string_view text) {
 LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
     if (path.stem().string().ends_with("_test")) return LuaKind::scenario;
     if (text.starts_with("---@meta")) return LuaKind::definitions;
+    if (path.stem().extension() == ".calibration") return LuaKind::calibration;
     const std::string folder = path.parent_path().filename().string();
 
     int of_behaviors = 0;
@@ -46,6 +47,7 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
     for (const GlobalUse& use : scan_globals(text)) {
         if (use.name == "robot_model") return LuaKind::robot;
         if (use.name == "scenario") return LuaKind::scenario;
+        if (use.name == "calibration") return LuaKind::calibration;
         if (use.assigned && use.name.starts_with("on_")) declares = true;
         if (has(script_words(), use.name) && use.name != "require") ++of_behaviors;
         if (has(system_word_names(), use.name)) ++of_systems;

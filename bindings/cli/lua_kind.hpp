@@ -12,6 +12,7 @@ enum class LuaKind {
     system_module,  ///< a module that uses the words of system files
     system,
     robot,
+    calibration,  ///< `ROBOT.calibration.lua`
     scenario,     ///< `*_test.lua`
     definitions,  ///< `---@meta`: for the language server, nothing that runs
 };

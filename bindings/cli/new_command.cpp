@@ -75,7 +75,7 @@ int new_system(NewSystem wanted) {
     const auto text = system_text(wanted);
     if (!text) return refuse("new system: " + text.error().message);
     const std::string file = Here().system(*name);
-    if (const auto problem = problem_of(*text, file)) return refuse("new system: " + problem->message);
+    if (const auto problem = problem_of(*text, file)) return refuse(*problem);
     return write({{file, *text}}, "nezumi run " + *name);
 }
 

@@ -54,6 +54,7 @@ private:
         return expect(run, lua, kind);
     }
     static int run_seconds(ScenarioRun& run, lua_State* lua);
+    static std::optional<int> wrong_message(ScenarioRun& run, lua_State* lua, int index);
     static int check(ScenarioRun& run, lua_State* lua);
     static int near(ScenarioRun& run, lua_State* lua);
     static int measure(ScenarioRun& run, lua_State* lua);

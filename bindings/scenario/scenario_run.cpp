@@ -52,9 +52,14 @@ Expected<void> ScenarioRun::open() {
     word_host_.push_entry = [this](lua_State* lua, std::string_view name) {
         objects_->push_component(lua, described_.back().live, name);
     };
-    word_host_.port_path = [](lua_State* lua, int index) -> std::optional<std::string> {
+    word_host_.port_path = [this](lua_State* lua, int index) -> Expected<std::optional<std::string>> {
         const ObjectRef* port = to_object(lua, index, ObjectKind::port);
-        return port == nullptr ? std::nullopt : std::optional(fmt::format("{}.{}", port->component(), port->port()));
+        if (port == nullptr) return std::nullopt;
+        auto path = fmt::format("{}.{}", port->component(), port->port());
+        if (described_.empty() || port->live() != described_.back().live)
+            return failure(
+                fmt::format("{} is of another world than the one that was loaded last, which words add to", path));
+        return std::optional(std::move(path));
     };
     objects_->on_look([this](const PortAt& port) {
         constexpr std::size_t most = 32;

@@ -92,7 +92,14 @@ private:
         LiveSystem* live = nullptr;  // null: not built yet
         std::size_t entries = 0;     // that it has, of the words'
         std::size_t connections = 0;
-        std::size_t things = 0;
+        // What can't change once time has moved.
+        struct Fixed {
+            std::size_t things = 0;
+            double rate = 0, physics_step = 0;
+            static Fixed of(const SystemSpec& spec);
+            bool operator==(const Fixed&) const = default;
+        };
+        Fixed fixed{};
     };
 
     // How a run ends before its function returns.
@@ -111,7 +118,7 @@ private:
     Expected<void> settle();
     Expected<void> settle_or_note();
     Expected<void> build(Described& described);
-    Expected<void> change_arena(Described& described);
+    Expected<void> rebuild(Described& described);
     Expected<void> add_new(Described& described);
     Expected<void> load(const std::string& name, const Expected<FileValue>& options, const Place& place);
     LiveSystem& current() { return *described_.back().live; }

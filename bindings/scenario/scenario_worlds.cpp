@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/change_robot.hpp"
 #include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/system_file.hpp"
@@ -64,6 +65,10 @@ Expected<void> change_robots(SystemSpec& spec, const FileValue& options, const P
 
 }  // namespace
 
+ScenarioRun::Described::Fixed ScenarioRun::Described::Fixed::of(const SystemSpec& spec) {
+    return {count_things(spec.arena), spec.rate, spec.physics_step};
+}
+
 ScenarioRun::Described& ScenarioRun::described() {
     if (described_.empty()) {
         Described first;
@@ -83,13 +88,14 @@ Expected<void> ScenarioRun::settle() {
     if (present.live == nullptr) {
         if (!says_anything(spec)) return {};
         if (auto ok = present.words->finish(); !ok) return ok;
+        if (auto ok = use_asked_calibrations(present.words->spec(), *present.project); !ok) return ok;
         return build(present);
     }
-    const bool arena_changed = count_things(spec.arena) != present.things;
-    if (!arena_changed && spec.entries.size() == present.entries && spec.connections.size() == present.connections)
+    const bool must_rebuild = Described::Fixed::of(spec) != present.fixed;
+    if (!must_rebuild && spec.entries.size() == present.entries && spec.connections.size() == present.connections)
         return {};
     if (auto ok = present.words->finish(); !ok) return ok;
-    return arena_changed ? change_arena(present) : add_new(present);
+    return must_rebuild ? rebuild(present) : add_new(present);
 }
 
 // What can't be built could not be run.
@@ -131,23 +137,30 @@ Expected<void> ScenarioRun::build(Described& described) {
     const SystemSpec& built = described.words->spec();
     described.entries = built.entries.size();
     described.connections = built.connections.size();
-    described.things = count_things(built.arena);
+    described.fixed = Described::Fixed::of(built);
     described.live = &worlds_.add(std::move(*live));
     if (settings_.files != nullptr) settings_.files->begin(worlds_.size() - 1, *described.live);
     return {};
 }
 
-Expected<void> ScenarioRun::change_arena(Described& described) {
+Expected<void> ScenarioRun::rebuild(Described& described) {
     const auto world = described_.size() - 1;
-    if (worlds_.ticks(world) > 0)
-        return failure("arena: can't change once time has moved: say it before s:run and all that waits");
-    if (described.live->options().build.real_time)
-        return failure("arena: with --hw it is said before robots are looked at");
     const SystemSpec& spec = described.words->spec();
+    const Described::Fixed now = Described::Fixed::of(spec);
+    const char* word = now.rate != described.fixed.rate                   ? "rate"
+                       : now.physics_step != described.fixed.physics_step ? "physics"
+                                                                          : "arena";
+    if (worlds_.ticks(world) > 0) {
+        return failure(
+            fmt::format("{}: can't change once time has moved: say it before s:run and all that waits", word),
+            word_host_.called);
+    }
+    if (described.live->options().build.real_time)
+        return failure(fmt::format("{}: with --hw it is said before robots are looked at", word), word_host_.called);
     if (auto ok = described.live->rebuild(spec); !ok) return ok;
     described.entries = spec.entries.size();
     described.connections = spec.connections.size();
-    described.things = count_things(spec.arena);
+    described.fixed = Described::Fixed::of(spec);
     return {};
 }
 

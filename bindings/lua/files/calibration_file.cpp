@@ -69,6 +69,7 @@ private:
     // Raises no Lua error.
     Expected<void> read(lua_State* lua) {
         const Place place = calling_place(lua);
+        if (calibration) return Unexpected(file_.fail({"calibration: is said twice: a file has one", place}));
         const auto value = read_file_value(lua, 1);
         if (!value) return Unexpected(file_.fail({"calibration: " + value.error().message, place}));
         FieldCheck check("calibration", "calibration", place, file_.source(place.file));
@@ -198,6 +199,15 @@ Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Projec
     robot.description = own_name;
     spec.models.insert_or_assign(robot.description, std::move(own));
     spec.files.push_back(shown);
+    return {};
+}
+
+Expected<void> use_asked_calibrations(SystemSpec& spec, const Project& project) {
+    for (Entry& entry : spec.entries) {
+        auto* robot = std::get_if<RobotEntry>(&entry);
+        if (robot == nullptr || !robot->calibrated) continue;
+        if (auto used = use_calibration(spec, *robot, project, {.is_needed = true, .serial = ""}); !used) return used;
+    }
     return {};
 }
 

@@ -31,4 +31,7 @@ struct CalibrationUse {
 /// Errors are those of the file, or say that it is another robot's.
 Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Project& project, const CalibrationUse& use);
 
+/// The same for each robot of the system that says `calibrated = true`: it needs one.
+Expected<void> use_asked_calibrations(SystemSpec& spec, const Project& project);
+
 }  // namespace nezumi

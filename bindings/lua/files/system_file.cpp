@@ -36,12 +36,7 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
     }
     if (auto ok = words.finish(options.is_part); !ok) return failure(one_line(ok.error().message), ok.error().place);
     for (const std::string& module : (*file)->files()) words.note_file(module);
-    for (Entry& entry : words.spec().entries) {
-        auto* robot = std::get_if<RobotEntry>(&entry);
-        if (robot == nullptr || !robot->calibrated) continue;
-        if (auto used = use_calibration(words.spec(), *robot, project, {.is_needed = true, .serial = ""}); !used)
-            return Unexpected(used.error());
-    }
+    if (auto used = use_asked_calibrations(words.spec(), project); !used) return Unexpected(used.error());
     for (const std::string& note : words.notes()) {
         if (options.print) options.print(note);
     }

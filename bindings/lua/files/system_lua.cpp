@@ -54,7 +54,9 @@ Expected<FileValue> value_of(const Arguments& arguments, int position) {
 // An end of a connection: a text, or a port itself.
 Expected<FileValue> end_of(const WordHost& host, const Arguments& arguments, int position) {
     if (host.port_path && arguments.has(position)) {
-        if (auto path = host.port_path(arguments.lua, arguments.index(position))) return FileValue{std::move(*path)};
+        auto path = host.port_path(arguments.lua, arguments.index(position));
+        if (!path) return Unexpected(path.error());
+        if (*path) return FileValue{std::move(**path)};
     }
     return value_of(arguments, position);
 }
@@ -135,6 +137,7 @@ WordCall make_call(lua_State* lua, const WordHost& host, std::string word) {
 Expected<Result> run_word(lua_State* lua, WordHost& host, int word, bool method) {
     ++host.calls;
     const WordCall call = make_call(lua, host, system_word_names()[static_cast<std::size_t>(word)]);
+    host.called = call.place;
     auto done = carry_out(host, word, call, {lua, method ? 2 : 1});
     if (!done) return Unexpected(report(host, call, done.error()));
     return done;

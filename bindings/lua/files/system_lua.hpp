@@ -22,9 +22,11 @@ struct WordHost {
     /// Pushes what `robot "mouse" { ... }` and its like return, by the name. May raise a Lua error. Empty: they return
     /// nothing.
     std::function<void(lua_State* lua, std::string_view name)> push_entry{};
-    /// "name.port" of the object that an argument is; nothing when it is no port. Raises no Lua error. Empty: there are
-    /// no such objects.
-    std::function<std::optional<std::string>(lua_State* lua, int index)> port_path{};
+    /// "name.port" of the object that an argument is; nothing when it is no port. An error when words can't have this
+    /// port. Raises no Lua error. Empty: there are no such objects.
+    std::function<Expected<std::optional<std::string>>(lua_State* lua, int index)> port_path{};
+    /// Where a word was called last.
+    Place called{};
     /// How many words were called.
     std::size_t calls = 0;
 };

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "engine/ports/payload.hpp"
@@ -240,9 +241,14 @@ Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
         if (!model) return Unexpected(model.error());
         spec.models.emplace(robot->described_by(), std::move(*model));
     }
-    if (auto added = add_entry(*running_->system, act.entry, spec, running_->makers); !added)
+    Entry entry = act.entry;
+    if (auto* robot = std::get_if<RobotEntry>(&entry); robot != nullptr && robot->calibrated) {
+        if (auto used = use_calibration(spec, *robot, project_, {.is_needed = true, .serial = ""}); !used)
+            return Unexpected(used.error());
+    }
+    if (auto added = add_entry(*running_->system, entry, spec, running_->makers); !added)
         return Unexpected(added.error());
-    spec.entries.push_back(act.entry);
+    spec.entries.push_back(std::move(entry));
     watch_again();
     return ActResult{};
 }

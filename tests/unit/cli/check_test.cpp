@@ -58,8 +58,18 @@ TEST_CASE("a file's kind is told by its words, then by its folder", "[cli][check
     CHECK(kind_of_file("a.lua", "return robot_model {}") == LuaKind::robot);
     CHECK(kind_of_file("robots/a.lua", "return robot_modle {}") == LuaKind::robot);
     CHECK(kind_of_file("a_test.lua", "") == LuaKind::scenario);
+    CHECK(kind_of_file("a.lua", "calibration { robot = 'm' }") == LuaKind::calibration);
+    CHECK(kind_of_file("m.calibration.lua", "calibraton {}") == LuaKind::calibration);
     CHECK(kind_of_file("a.lua", "scenario('x', function() end)") == LuaKind::scenario);
     CHECK(kind_of_file("nezumi.lua", "---@meta\nfunction input() end") == LuaKind::definitions);
+}
+
+TEST_CASE("a calibration is checked as it is read", "[cli][check]") {
+    const std::string file = "behaviors/systems/mouse.calibration.lua";
+    CHECK(wrong(file, "calibration { robot = 'mouse', model = 'raspimouse' }") == Lines{});
+    CHECK(wrong(file, "calibration { robot = 'mouse', modle = 'raspimouse' }").front().starts_with(file + ":1"));
+    CHECK(wrong(file, "calibration { robot = 'a', model = 'b' }\ncalibration { robot = 'a', model = 'b' }") ==
+          Lines{file + ":2: calibration: is said twice: a file has one"});
 }
 
 TEST_CASE("every slip of a behaviour is found, and nothing of it is run", "[cli][check]") {

@@ -193,6 +193,38 @@ TEST_CASE("connect takes ports as well as their names", "[lua][scenario][run]") 
                              "s:run(1)\ns:check(s.mouse.truth.pose.position.x > 0.05)") == "passed");
     CHECK(outcome_of(parts + "s:connect(s.driver.out, s.mouse)\ns:run(1)") ==
           "could not run: it_test.lua:4: connect: expected \"name.port\", got userdata");
+    CHECK(
+        outcome_of("local first = s:load 'systems/stop_at_wall.lua'\ns:load 'systems/stop_at_wall.lua'\n"
+                   "s:connect(first.controller.out, first.mouse.target_velocity_in)") ==
+        "could not run: it_test.lua:4: connect: controller.out is of another world than the one that was loaded last, "
+        "which words add to");
+}
+
+TEST_CASE("rate and physics are taken until time moves, and refused then", "[lua][scenario][run]") {
+    const std::string mouse = "s:robot 'mouse' { model = 'raspimouse' }\n";
+    CHECK(outcome_of(mouse + "s:near(s.mouse.truth.pose.position.x, 0, 1) s:rate(50)\n"
+                             "s:run(0.1) s:near(s.mouse.ir_sensor_out.count, 5, 1)") == "passed");
+    CHECK(
+        outcome_of(mouse + "s:run(0.1)\ns:rate(50)\ns:run(0.1)") ==
+        "could not run: it_test.lua:4: rate: can't change once time has moved: say it before s:run and all that waits");
+    CHECK(
+        outcome_of(mouse + "s:run(0.1)\ns:physics { step = 0.01 }\ns:run(0.1)").find("it_test.lua:4: physics: can't") !=
+        std::string::npos);
+}
+
+TEST_CASE("a robot that is to be calibrated needs its calibration wherever it is added", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:robot 'r' { model = 'raspimouse', calibrated = true }\ns:run(0.1)")
+              .find("robot 'r': calibrated = true, and there is no ") != std::string::npos);
+    CHECK(outcome_of("s:load 'systems/stop_at_wall.lua' s:run(0.1)\n"
+                     "s:robot 'r' { model = 'raspimouse', pose = { y = 1 }, calibrated = true }\ns:run(0.1)")
+              .find("robot 'r': calibrated = true, and there is no ") != std::string::npos);
+}
+
+TEST_CASE("the message of a check is a text", "[lua][scenario][run]") {
+    CHECK(outcome_of("s:check(true, 3)") ==
+          "could not run: it_test.lua:2: check: expected a message (a text), got number");
+    CHECK(outcome_of("s:near(1, 1, 1, {})") ==
+          "could not run: it_test.lua:2: near: expected a message (a text), got table");
 }
 
 TEST_CASE("a component whose world can't be built says why", "[lua][scenario][run]") {
