@@ -240,9 +240,9 @@ int ScenarioRun::Methods::run_seconds(ScenarioRun& run, lua_State* lua) {
     return run.pass_time(lua, *value) ? 0 : static_cast<int>(end_run);
 }
 
-// What is told of a check that fails is a text.
+// What is told of a check that fails is a text, or a number as Lua writes it.
 std::optional<int> ScenarioRun::Methods::wrong_message(ScenarioRun& run, lua_State* lua, int index) {
-    if (lua_isnoneornil(lua, index) || lua_type(lua, index) == LUA_TSTRING) return std::nullopt;
+    if (lua_isnoneornil(lua, index) || lua_isstring(lua, index) != 0) return std::nullopt;
     return raise(run, fmt::format("expected a message (a text), got {}", type_at(lua, index)));
 }
 
@@ -250,8 +250,8 @@ int ScenarioRun::Methods::check(ScenarioRun& run, lua_State* lua) {
     if (lua_gettop(lua) < 2) return raise(run, "expected a value");
     if (auto refused = wrong_message(run, lua, 3)) return *refused;
     if (lua_toboolean(lua, 2) != 0) return lua_pushvalue(lua, 2), 1;
-    const bool is_text = lua_type(lua, 3) == LUA_TSTRING;
-    fails(run, lua, is_text ? fmt::format("check failed: {}", string_at(lua, 3)) : "check failed");
+    const bool is_told = !lua_isnoneornil(lua, 3);
+    fails(run, lua, is_told ? fmt::format("check failed: {}", string_at(lua, 3)) : "check failed");
     return end_run;
 }
 
@@ -270,7 +270,7 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     if (off <= tolerance) return 0;
     std::string text = fmt::format("near failed: {} is off {} by {:.6g}, more than the tolerance of {}", actual,
                                    expected, off, tolerance);
-    if (lua_type(lua, 5) == LUA_TSTRING) text += fmt::format(": {}", string_at(lua, 5));
+    if (!lua_isnoneornil(lua, 5)) text += fmt::format(": {}", string_at(lua, 5));
     fails(run, lua, std::move(text));
     return end_run;
 }

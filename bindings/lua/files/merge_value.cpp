@@ -58,15 +58,21 @@ FileValue merge(FieldCheck* check, const FileValue& base, const FileValue& chang
     const FileTable *from = base.table(), *over = changes.table();
     if (!is_group(from) || !is_group(over) || changes_kind(*from, *over)) return changes;
     FileTable merged = *from;
+    const auto is_given = [&](std::string_view name) {
+        const FileValue* given = over->find(name);
+        return given != nullptr && !is_false(*given);
+    };
     for (const FileField& change : over->fields) {
         FieldPath inner = path;
         inner.push_back(change.name);
         const FileValue* before = from->find(change.name);
         if (check != nullptr && is_false(change.value) && before == nullptr && is_table_of_names(path))
             check->wrong(inner, fmt::format("takes away what is not there{}", nearest(change.name, *from)));
+        // Who gives both is told by the reader that they don't go together.
         for (const auto& [one, other] : alternatives) {
-            if (change.name == one) erase(merged, other);
-            if (change.name == other) erase(merged, one);
+            if (is_given(one) == is_given(other)) continue;
+            if (change.name == one && is_given(one)) erase(merged, other);
+            if (change.name == other && is_given(other)) erase(merged, one);
         }
         erase(merged, change.name);
         if (check != nullptr && is_false(change.value) && before != nullptr) continue;

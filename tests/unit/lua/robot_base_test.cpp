@@ -112,6 +112,15 @@ TEST_CASE("false takes a thing away, unless a port needs it", "[lua][robot_file]
           "robot_model: field 'mass' is missing: expected a positive number in kg: of the whole robot");
 }
 
+TEST_CASE("of two ways to say a thing, false takes away its own, and both are one too many", "[lua][robot_file]") {
+    const Robots robots;
+    CHECK(sensor_of(robots.robot("sensors = { right = { table = false, response = function(d) return 2 * d end } }"),
+                    "right")
+              .response(0.5) == Approx(1.0));
+    CHECK(robots.error("sensors = { right = { table = { { 0, 1 }, { 1, 0 } }, response = function(d) return d end } }")
+              .find("'sensors.right.response'") != std::string::npos);
+}
+
 TEST_CASE("another kind, or another way to say a thing, leaves nothing of the old one", "[lua][robot_file]") {
     const Robots robots;
     const RobotSpec spec = robots.robot(

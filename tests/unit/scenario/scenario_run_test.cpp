@@ -221,8 +221,9 @@ TEST_CASE("a robot that is to be calibrated needs its calibration wherever it is
 }
 
 TEST_CASE("the message of a check is a text", "[lua][scenario][run]") {
-    CHECK(outcome_of("s:check(true, 3)") ==
-          "could not run: it_test.lua:2: check: expected a message (a text), got number");
+    CHECK(outcome_of("s:check(true, {})") ==
+          "could not run: it_test.lua:2: check: expected a message (a text), got table");
+    CHECK(outcome_of("s:check(1 == 2, 3.5)") == "failed: it_test.lua:2: check failed: 3.5");
     CHECK(outcome_of("s:near(1, 1, 1, {})") ==
           "could not run: it_test.lua:2: near: expected a message (a text), got table");
 }
