@@ -23,20 +23,21 @@ std::string text_of(const ResultKey& key) {
     return fmt::format("{}\n{}\n{}\n{}", key.file, key.run, key.repetition, key.simplest ? "simplest" : "run");
 }
 
-// The Lua files that a run of this scenario file may read, as far as they are of the project.
+// The files that a run of this scenario file may read, as far as they are of the project: of its behaviors all, with
+// maps and pictures, elsewhere those in Lua, as recordings and results may lie there.
 std::set<fs::path> files_beside(const fs::path& scenario, const std::vector<fs::path>& installed) {
     const Project project = Project::of(scenario, installed);
     const fs::path& root = project.root();
     const fs::path own = fs::absolute(scenario).parent_path();
     std::set<fs::path> files;
-    const auto add = [&](const fs::path& folder) {
-        const FoundFiles found = find_files(folder, ".lua");
+    const auto add = [&](const fs::path& folder, std::string_view ending) {
+        const FoundFiles found = find_files(folder, ending);
         files.insert(found.files.begin(), found.files.end());
     };
     std::error_code none;
-    if (!root.empty() && fs::is_directory(root / "behaviors", none)) add(root / "behaviors");
+    if (!root.empty() && fs::is_directory(root / "behaviors", none)) add(root / "behaviors", "");
     if (!root.empty() && !fs::equivalent(root, own, none)) {
-        add(own);
+        add(own, ".lua");
     } else {
         // Nobody knows what lies below a folder of no project.
         for (const auto& entry : fs::directory_iterator(own, none)) {

@@ -181,7 +181,8 @@ TEST_CASE("a session that resumes makes only what is not kept, and tells of all"
     CHECK(all == 4);
 }
 
-TEST_CASE("what results were made of: the version, the seed and the project's Lua files", "[scenario][parts]") {
+TEST_CASE("what results were made of: the version, the seed, the project's Lua files and its behaviours' maps",
+          "[scenario][parts]") {
     PartsRig rig("scenario('it', function() end)\n");
     const auto now = [&](const std::string& version = "1", std::uint64_t seed = 1) {
         return fingerprint(rig.plan(), seed, version, rig.options.installed);
@@ -190,10 +191,13 @@ TEST_CASE("what results were made of: the version, the seed and the project's Lu
     CHECK(now() == before);
     CHECK(now("2") != before);
     CHECK(now("1", 2) != before);
-    rig.folder().write("behaviors/none.txt", "not read");
+    rig.folder().write("measured.csv", "of a session");
     CHECK(now() == before);
+    rig.folder().write("behaviors/systems/map.csv", "x,y,z,lx,ly,lz,yaw");
+    const std::uint64_t with_map = now();
+    CHECK(with_map != before);
     rig.folder().write("behaviors/none.lua", "param('x', 2)");
-    CHECK(now() != before);
+    CHECK(now() != with_map);
 }
 
 TEST_CASE("a session that was not to keep its results leaves none, and one that is killed leaves those that were over",
