@@ -12,6 +12,23 @@ void BodyView::put(const Vec3& centre, const Rotation& rotation) const {
     dBodySetAngularVel(id, 0, 0, 0);
 }
 
+void BodyView::advance(const Vec3& velocity, const Vec3& spin, double step) const {
+    const Vec3 to = centre() + velocity * step;
+    dBodySetPosition(id, to.x(), to.y(), to.z());
+    const dReal* const q = dBodyGetQuaternion(id);
+    const Vec3 along{q[1], q[2], q[3]}, turned = along + (spin * q[0] + spin.cross(along)) * (step / 2);
+    const dQuaternion next{q[0] - spin.dot(along) * (step / 2), turned.x(), turned.y(), turned.z()};
+    dBodySetQuaternion(id, next);  // which also makes it of length 1
+    dBodySetLinearVel(id, velocity.x(), velocity.y(), velocity.z());
+    dBodySetAngularVel(id, spin.x(), spin.y(), spin.z());
+}
+
+void SimRobot::leave_to_ode(bool solved_by_ode) {
+    if (by_ode == solved_by_ode) return;
+    by_ode = solved_by_ode;
+    by_ode ? dBodyEnable(body.id) : dBodyDisable(body.id);
+}
+
 void Thing::wake() {
     quiet_steps = 0;
     if (!asleep) return;

@@ -35,9 +35,17 @@ struct BodyView {
     bool is_sound() const { return centre().allFinite() && spin().allFinite() && velocity().squaredNorm() < 1e6; }
     /// Puts it there, at rest.
     void put(const Vec3& centre, const Rotation& rotation) const;
+    /// Moves it for `step` [s] with these velocities, as a step of ODE does at its end.
+    void advance(const Vec3& velocity, const Vec3& spin, double step) const;
 
     dBodyID id;
     const dReal *p, *r, *v, *w;
+};
+
+/// How a body moves: its centre [m/s], and about it [rad/s], in the world's directions.
+struct Motion {
+    Vec3 velocity;
+    Vec3 spin;
 };
 
 /// Puts the hull of a robot to where its body is.
@@ -69,6 +77,8 @@ struct SimRobot {
 
     /// The rays of its range sensors with the servos as they are.
     const RayFan& fan() const { return turned_fan != nullptr ? *turned_fan : model->fan; }
+    /// Whether ODE's solver moves it in the step that comes.
+    void leave_to_ode(bool solved_by_ode);
 
     BodyView body;
     RobotModel* model;  // its contacts are filled in on the way to ODE
@@ -76,9 +86,13 @@ struct SimRobot {
     bool gone = false;  // removed: nobody meets or sees it any more, and its number is not given again
     bool left = false;  // the arena, once
     bool has_neighbours = false;
+    bool meets = false;        // touches something else than the flat floor, in this step
+    bool by_ode = true;        // ODE's solver moves it; otherwise it rolls freely
+    bool kept_by_ode = false;  // always: for tests that compare the two
     bool coasting = false;
     Wheels speeds;                    // [m/s]
     Wheels angles;                    // [rad]
+    Motion rolling{};                 // of one that rolls freely, after the step
     std::optional<Obstacle> touched;  // first in this call of `step`
     Neighbours near;
     std::string name;

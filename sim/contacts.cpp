@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/free_rolling.hpp"
+
 namespace nezumi::sim {
 namespace {
 
@@ -20,16 +22,37 @@ Contacts::Contacts(dWorldID world, double step, const Scene& scene, Movers& move
 
 void Contacts::find() {
     count_ = 0;
+    any_by_ode_ = false;
     for (SimRobot& robot : movers_.robots) {
-        if (robot.gone) continue;
-        touch_floor(robot);
         if (robot.has_neighbours) touch_neighbours(robot);
     }
     for (Thing& thing : movers_.things) {
         if (thing.asleep) continue;
+        any_by_ode_ = true;
         touch_floor(thing);
         touch_neighbours(thing);
     }
+    for (SimRobot& robot : movers_.robots) {
+        if (robot.gone) continue;
+        const bool free = rolls_freely(robot);
+        robot.meets = false;
+        robot.leave_to_ode(!free);
+        if (free) continue;
+        any_by_ode_ = true;
+        touch_floor(robot);
+    }
+}
+
+bool Contacts::rolls_freely(SimRobot& robot) const {
+    if (robot.kept_by_ode || robot.meets || robot.coasting || robot.constraint) return false;
+    const auto motion = roll_freely(*robot.model, robot.body, robot.speeds, step_);
+    if (motion) robot.rolling = *motion;
+    return motion.has_value();
+}
+
+void Contacts::meet(SimRobot& robot, const Obstacle& obstacle) {
+    robot.meets = true;
+    if (!robot.touched) robot.touched = obstacle;
 }
 
 void Contacts::clear() { dJointGroupEmpty(joints_.get()); }
@@ -70,23 +93,16 @@ void Contacts::add_skid_contact(SimRobot& robot, const Touch& touch, dBodyID oth
 
 void Contacts::touch_floor(SimRobot& robot) {
     const RobotModel& model = *robot.model;
-    const Vec3 centre = robot.body.centre();
-    const Rotation rotation = robot.body.rotation();
-    const Vec3 axis = rotation.col(1);
-
-    // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
-    const double flat = std::sqrt(std::max(0.0, 1 - axis.z() * axis.z()));
-    if (flat > 0.3) {
-        const Vec3 down = (axis * axis.z() - Vec3::UnitZ()) * (1 / flat), forward{axis.y() / flat, -axis.x() / flat, 0};
-        for (int side = 0; side < 2; ++side) {
-            const Vec3 lowest =
-                centre + rotate(rotation, model.wheels[static_cast<std::size_t>(side)]) + down * model.wheel_radius;
-            if (lowest.z() < 0) add_wheel_contact(robot, side, {lowest, Vec3::UnitZ(), -lowest.z()}, forward, nullptr);
+    const Supports supports = supports_of(model, robot.body.centre(), robot.body.rotation());
+    for (std::size_t i = supports.wheels_stand ? 0 : Supports::wheels; i < Supports::count; ++i) {
+        const Vec3& lowest = supports.at[i];
+        if (lowest.z() >= 0) continue;
+        const Touch touch{lowest, Vec3::UnitZ(), -lowest.z()};
+        if (i < Supports::wheels) {
+            add_wheel_contact(robot, static_cast<int>(i), touch, supports.forward, nullptr);
+        } else {
+            add_skid_contact(robot, touch, nullptr);
         }
-    }
-    for (const Vec3& skid : model.skids) {
-        const Vec3 lowest = centre + rotate(rotation, skid);
-        if (lowest.z() < 0) add_skid_contact(robot, {lowest, Vec3::UnitZ(), -lowest.z()}, nullptr);
     }
     Shape hull = model.hull;
     place_hull(hull, model, robot.body);
@@ -147,7 +163,7 @@ void Contacts::touch_fixed(SimRobot& robot, Scene::Index index) {
         islands_.add_equations(robot.mover, 3);
         touches = true;
     }
-    if (touches && !robot.touched) robot.touched = Obstacle{false, index};
+    if (touches) meet(robot, {false, index});
 }
 
 void Contacts::touch_thing(SimRobot& robot, Scene::Index index) {
@@ -163,7 +179,7 @@ void Contacts::touch_thing(SimRobot& robot, Scene::Index index) {
         touches = true;
     }
     if (!touches) return;
-    if (!robot.touched) robot.touched = Obstacle{true, index};
+    meet(robot, {true, index});
     thing.wake();
     islands_.link(robot.mover, index);
 }
@@ -180,8 +196,8 @@ void Contacts::touch_robot(SimRobot& robot, SimRobot& other) {
     const int beside = touch_beside(robot, other_hull, other.body.id, lighter.firm) +
                        touch_beside(other, hull, robot.body.id, lighter.firm);
     if (touches.empty() && beside == 0) return;
-    if (!robot.touched) robot.touched = Obstacle{true, other.mover};
-    if (!other.touched) other.touched = Obstacle{true, robot.mover};
+    meet(robot, {true, other.mover});
+    meet(other, {true, robot.mover});
     islands_.link(robot.mover, other.mover);
 }
 

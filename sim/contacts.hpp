@@ -16,8 +16,11 @@ public:
     Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands);
 
     /// Makes the contacts of everybody that is awake with the floor and its neighbours, notes who has touched whom, and
-    /// wakes what is touched. Neighbours and places in the scene must be up to date.
+    /// wakes what is touched. Whoever rolls freely gets no contacts but its `SimRobot::rolling`. Neighbours and places
+    /// in the scene must be up to date.
     void find();
+    /// Whether there is anything for ODE in this step.
+    bool any_by_ode() const { return any_by_ode_; }
     /// Whether there were more than a step has room for in the last `find`: what touches what was left out from there
     /// on, the floor apart. Things that are heaped up have about 24 each; more means that they lie in each other.
     bool is_full() const { return count_ >= most_contacts(); }
@@ -28,8 +31,10 @@ public:
     void keep() { OdeLibrary::keep(joints_.release()); }
 
 private:
+    bool rolls_freely(SimRobot& robot) const;
     void touch_floor(SimRobot& robot);
     void touch_neighbours(SimRobot& robot);
+    static void meet(SimRobot& robot, const Obstacle& obstacle);
     void touch_fixed(SimRobot& robot, Scene::Index fixed);
     void touch_thing(SimRobot& robot, Scene::Index thing);
     void touch_robot(SimRobot& robot, SimRobot& other);
@@ -52,6 +57,7 @@ private:
     Islands& islands_;
     JointGroupHandle joints_;
     std::size_t count_ = 0;
+    bool any_by_ode_ = false;
     NarrowPhase narrow_;
 };
 

@@ -18,16 +18,6 @@ constexpr double least_overlap = 1e-6;            // [m] to touch is not to over
 constexpr double least_overlap_of_things = 1e-3;  // [m] nor is to stand on each other a little carelessly
 constexpr const char* border_color = "#5c6470";
 
-dMass mass_of(const Shape& shape, double mass) {
-    dMass m;
-    if (shape.kind == Shape::Kind::box) {
-        dMassSetBoxTotal(&m, mass, 2 * shape.half.x(), 2 * shape.half.y(), 2 * shape.half.z());
-    } else {
-        dMassSetCylinderTotal(&m, mass, 3, shape.half.x(), 2 * shape.half.z());
-    }
-    return m;
-}
-
 }  // namespace
 
 OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::function<void(const std::string&)> warn)
@@ -46,8 +36,7 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
     dWorldSetStepThreadingImplementation(world_.get(), dThreadingImplementationGetFunctions(threading_.get()),
                                          threading_.get());
     dWorldSetGravity(world_.get(), 0, 0, -gravity);
-    // What has got into something else is pushed out gently instead of being shot.
-    dWorldSetContactMaxCorrectingVel(world_.get(), 1.0);
+    dWorldSetContactMaxCorrectingVel(world_.get(), correcting_speed);
     dWorldSetQuickStepNumIterations(world_.get(), 20);
     add_border(arena);
     int number = 0;

@@ -15,6 +15,16 @@ constexpr double least_skid = 0.005;
 
 }  // namespace
 
+dMass mass_of(const Shape& shape, double mass) {
+    dMass m;
+    if (shape.kind == Shape::Kind::box) {
+        dMassSetBoxTotal(&m, mass, 2 * shape.half.x(), 2 * shape.half.y(), 2 * shape.half.z());
+    } else {
+        dMassSetCylinderTotal(&m, mass, 3, shape.half.x(), 2 * shape.half.z());
+    }
+    return m;
+}
+
 RobotModel::RobotModel(const RobotSpec& robot, double step)
     : spec(&robot),
       origin(-to_vec(robot.body.at)),
@@ -27,6 +37,8 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     const double bottom = std::max(robot.body.at.z - hull.half.z(), std::min(least_clearance, top - 0.001));
     hull.half.z() = (top - bottom) / 2;
     hull_drop = (top + bottom) / 2 - robot.body.at.z;
+    const dMass solid = mass_of(hull, mass);
+    inertia = {solid.I[0], solid.I[5], solid.I[10]};
 
     // At rest the wheels carry the load and each skid 15 % of it, more or less where the hull's centre is before or
     // behind the axle, so that the robot stands level. Each is longer by what its spring then gives.

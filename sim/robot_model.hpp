@@ -3,6 +3,7 @@
 
 #include <ode/common.h>
 #include <ode/contact.h>
+#include <ode/mass.h>
 
 #include <array>
 #include <vector>
@@ -36,9 +37,14 @@ inline constexpr double slip = 8e-4;                          ///< [m/s for each
 inline constexpr int sprung = dContactSoftERP | dContactSoftCFM | dContactApprox1;
 
 inline constexpr double gravity = 9.81;  // [m/s^2]
+// [m/s] What has got into something else is pushed out gently instead of being shot.
+inline constexpr double correcting_speed = 1.0;
 inline constexpr double rolling_friction = 0.01;
 inline constexpr double hull_friction = 0.3;
 inline constexpr double thing_friction = 0.35;  // a mouse can push half a kilogram
+
+/// Of a solid of this shape and mass [kg].
+dMass mass_of(const Shape& shape, double mass);
 
 /// A robot is one body: the hull, whose centre is the centre of mass. Wheels and skids are points where it touches what
 /// lies below. All places are from the hull's centre [m], in the robot's frame.
@@ -50,6 +56,7 @@ struct RobotModel {
     double hull_drop;     ///< the cut hull's centre is so much above the hull's own
     Vec3 origin;          ///< the body frame's origin
     double mass;          ///< [kg]
+    Vec3 inertia;         ///< [kg m^2] about the hull's axes
     double wheel_radius;  ///< what the floor feels: a little more than the nominal one, by which the wheel sinks in
     std::array<Vec3, 2> wheels;  ///< centres: left, right
     double wheel_overhang;       ///< by how much the wheels stand out beside the hull; negative: they don't

@@ -23,7 +23,9 @@ struct Shape {
     /// [m] Radius of the upright cylinder about the centre that holds the shape, however it has turned.
     double reach() const;
     /// [m] Half the height of the shape as it stands now.
-    double half_height() const;
+    double half_height() const { return half_height_at(rotation); }
+    /// The same as if it stood so.
+    double half_height_at(const Rotation& how) const;
     /// Whether its own z axis is vertical, up or down, within 0.01 rad.
     bool is_upright() const;
 };

@@ -91,8 +91,11 @@ void OdeWorld::place_awake() {
 void OdeWorld::advance() {
     if (islands_.find_large()) {
         advance_large_islands();
-    } else {
+    } else if (contacts_.any_by_ode()) {
         dWorldStep(world_.get(), step_);
+    }
+    for (const SimRobot& robot : movers_.robots) {
+        if (!robot.gone && !robot.by_ode) robot.body.advance(robot.rolling.velocity, robot.rolling.spin, step_);
     }
 }
 
@@ -105,7 +108,7 @@ void OdeWorld::advance_large_islands() {
             if (!thing.asleep) set(thing.body.id, islands_.is_large(thing.mover) == large_ones);
         }
         for (const SimRobot& robot : movers_.robots) {
-            if (!robot.gone) set(robot.body.id, islands_.is_large(robot.mover) == large_ones);
+            if (!robot.gone && robot.by_ode) set(robot.body.id, islands_.is_large(robot.mover) == large_ones);
         }
     };
     enable(false);
@@ -116,7 +119,7 @@ void OdeWorld::advance_large_islands() {
         if (!thing.asleep) dBodyEnable(thing.body.id);
     }
     for (const SimRobot& robot : movers_.robots) {
-        if (!robot.gone) dBodyEnable(robot.body.id);
+        if (!robot.gone && robot.by_ode) dBodyEnable(robot.body.id);
     }
 }
 

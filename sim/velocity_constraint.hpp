@@ -15,6 +15,8 @@ public:
     /// Of the robot as it stands now: the axes then turn with it.
     VelocityConstraint(dWorldID world, const SimRobot& robot, const Push& push);
 
+    explicit operator bool() const { return linear_ || angular_; }
+
 private:
     void hold_linear(dWorldID world, const SimRobot& robot, const Push& push);
     void hold_angular(dWorldID world, const SimRobot& robot, const Push& push);

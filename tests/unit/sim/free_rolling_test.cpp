@@ -1,0 +1,283 @@
+// Robots that roll freely move as ODE's solver would move them.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "sim/ode_world.hpp"
+#include "tests/unit/sim/try_world.hpp"
+
+using namespace nezumi;
+using namespace nezumi::sim;
+
+namespace {
+
+constexpr double step = 0.005;
+
+// Long, tall, heavy before its axle, with wheels of two sizes.
+RobotSpec odd_spec() {
+    RobotSpec spec = mouse_spec();
+    spec.mass = 3;
+    spec.body = {BodySpec::Shape::box, {0.3, 0.12, 0.3}, {0.02, 0.005, 0.17}};
+    spec.drive.track = 0.16;
+    spec.drive.skid = 0.12;
+    spec.drive.left_radius = 0.0245;
+    return spec;
+}
+
+// One robot that rolls as it may, and one that ODE alone moves, each in a world of its own.
+struct Pair {
+    explicit Pair(RobotSpec robot, double length = step, const ArenaSpec& arena = {})
+        : spec(std::move(robot)),
+          rolled(arena, {.step = length, .seed = 1}, nullptr),
+          solved(arena, {.step = length, .seed = 1}, nullptr) {
+        bodies.push_back(rolled.add_robot("it", spec, {}).value());
+        bodies.push_back(solved.add_robot("it", spec, {}).value());
+        solved.robot(0).kept_by_ode = true;
+    }
+
+    void drive(Wheels speeds) {
+        for (const auto& body : bodies) body->set_wheel_speeds(speeds);
+    }
+    // Of the next step. Whether the first robot has rolled freely in it.
+    bool take_step() {
+        rolled.step(1);
+        solved.step(1);
+        return !rolled.robot(0).by_ode;
+    }
+    // The largest difference of places [m], rotations and velocities [m/s, rad/s].
+    double difference() {
+        const BodyView &a = rolled.robot(0).body, &b = solved.robot(0).body;
+        return std::max({(a.centre() - b.centre()).lpNorm<Eigen::Infinity>(),
+                         (a.rotation() - b.rotation()).lpNorm<Eigen::Infinity>(),
+                         (a.velocity() - b.velocity()).lpNorm<Eigen::Infinity>(),
+                         (a.spin() - b.spin()).lpNorm<Eigen::Infinity>()});
+    }
+
+    RobotSpec spec;
+    OdeWorld rolled, solved;
+    std::vector<std::unique_ptr<RobotBody>> bodies;
+};
+
+// Somewhere, nodding and rolling a little, moving about as its wheels turn.
+struct RandomState {
+    std::mt19937_64 random{17};
+    double height = 0;  // [m] of the centre at rest
+
+    double within(double most) { return std::uniform_real_distribution(-most, most)(random); }
+
+    void put(Pair& pair) {
+        const Wheels speeds{within(0.5), within(0.5)};
+        const double heading = within(M_PI), track = pair.spec.drive.track;
+        const Rotation rotation = yaw_pitch_rotation(heading, within(0.02)) *
+                                  Eigen::AngleAxisd(within(1e-3), Vec3::UnitX()).toRotationMatrix();
+        const double vx = (speeds.left + speeds.right) / 2 + within(0.02);
+        const Vec3 velocity = rotate(rotation, {vx, within(0.01), within(0.01)});
+        const Vec3 spin{within(0.1), within(0.1), (speeds.right - speeds.left) / track + within(0.1)};
+        const Vec3 centre{within(5), within(5), height + within(1e-4)};
+        for (OdeWorld* world : {&pair.rolled, &pair.solved}) {
+            const BodyView& body = world->robot(0).body;
+            body.put(centre, rotation);
+            dBodySetLinearVel(body.id, velocity.x(), velocity.y(), velocity.z());
+            dBodySetAngularVel(body.id, spin.x(), spin.y(), spin.z());
+        }
+        pair.drive(speeds);
+    }
+};
+
+// Speeds that somebody might drive at, now and then changed at once: [m/s].
+struct RandomDriver {
+    std::mt19937_64 random{5};
+    Wheels speeds{}, wanted{};
+
+    Wheels next() {
+        std::uniform_real_distribution<double> any(-0.4, 0.4);
+        if (random() % 200 == 0) wanted = {any(random), any(random)};
+        if (random() % 2000 == 0) speeds = wanted;  // a jolt
+        const auto follow = [](double& speed, double to) { speed += std::clamp(to - speed, -0.01, 0.01); };
+        follow(speeds.left, wanted.left);
+        follow(speeds.right, wanted.right);
+        return speeds;
+    }
+};
+
+// What twenty robots do in ten seconds that drive on until they bump into something, and then turn away.
+struct Bustle {
+    double speed = 0;       // [m/s] in the mean
+    double collisions = 0;  // a robot-minute
+    double spread = 0;      // [m] from the middle, root of the mean square, at the end
+};
+
+Bustle bustle(std::uint64_t seed, bool by_ode) {
+    constexpr std::size_t count = 20;
+    constexpr double seconds = 10, length = 0.01;
+    ArenaSpec arena;
+    arena.size = {3, 3};
+    arena.border = BorderSpec{};
+    OdeWorld world(arena, {.step = length, .seed = seed}, nullptr);
+    const RobotSpec spec = swarm_spec();
+    std::mt19937_64 random{seed};
+    std::vector<std::unique_ptr<RobotBody>> bodies;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = -1 + 0.5 * static_cast<double>(i % 5), y = -0.9 + 0.6 * static_cast<double>(i / 5);
+        bodies.push_back(
+            world.add_robot(std::to_string(i), spec, {{x, y}, static_cast<double>(random() % 628) / 100}).value());
+        world.robot(i).kept_by_ode = by_ode;
+    }
+    std::vector<int> turning(count, 0);
+    std::vector<bool> touched(count, false);
+    Bustle all;
+    const int ticks = static_cast<int>(seconds / length / 10);
+    for (int tick = 0; tick < ticks; ++tick) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool touches = world.collided(i);
+            if (touches && !touched[i]) all.collisions += 1;
+            touched[i] = touches;
+            if (touches) turning[i] = 10 + static_cast<int>(random() % 20);
+            bodies[i]->set_wheel_speeds(turning[i] > 0 ? Wheels{-0.1, 0.05} : Wheels{0.15, 0.15});
+            if (turning[i] > 0) --turning[i];
+            all.speed += world.robot(i).body.velocity().norm();
+        }
+        world.step(10);
+    }
+    for (std::size_t i = 0; i < count; ++i) all.spread += world.robot(i).body.centre().head<2>().squaredNorm();
+    all.speed /= static_cast<double>(count) * ticks;
+    all.collisions /= static_cast<double>(count) * seconds / 60;
+    all.spread = std::sqrt(all.spread / count);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("from a hundred thousand states a step in closed form is ODE's to 1e-12", "[sim][rolling]") {
+    RandomState state;
+    double most = 0;
+    for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
+        Pair pair(spec);
+        state.height = pair.rolled.robot(0).body.p[2];
+        int rolled = 0, tried = 0;
+        while (rolled < 34'000 && tried < 340'000) {
+            ++tried;
+            state.put(pair);
+            if (!pair.take_step()) continue;
+            ++rolled;
+            const double difference = pair.difference();
+            if (!(difference < 1e-12)) FAIL_CHECK("try " << tried << " differs by " << difference);
+            most = std::max(most, difference);
+        }
+        CAPTURE(spec.model, tried, rolled, most);
+        CHECK(rolled >= 34'000);
+    }
+    WARN("a step differs by " << most << " at most");
+}
+
+TEST_CASE("after ten minutes of driving at random the closed form is where ODE is", "[sim][rolling]") {
+    for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
+        Pair pair(spec);
+        RandomDriver driver;
+        double most = 0;
+        int rolled = 0;
+        const int steps = static_cast<int>(600 / step);
+        for (int i = 0; i < steps; ++i) {
+            pair.drive(driver.next());
+            rolled += pair.take_step() ? 1 : 0;
+            most = std::max(most, pair.difference());
+        }
+        const Truth a = pair.rolled.truth(0), b = pair.solved.truth(0);
+        CAPTURE(spec.mass, rolled, most, a.pose.position.x, a.pose.position.y);
+        CHECK(std::hypot(a.pose.position.x - b.pose.position.x, a.pose.position.y - b.pose.position.y) < 1e-9);
+        CHECK(std::abs(a.pose.heading - b.pose.heading) < 1e-9);
+        CHECK(most < 1e-9);
+        CHECK(rolled > steps * 9 / 10);
+    }
+}
+
+TEST_CASE("a robot that is handed to and fro between the two at random takes the same path", "[sim][rolling]") {
+    Pair pair(mouse_spec(), 0.01);
+    RandomDriver driver;
+    std::mt19937_64 random{3};
+    for (int i = 0; i < 6000; ++i) {
+        pair.rolled.robot(0).kept_by_ode = random() % 2 == 0;
+        pair.drive(driver.next());
+        pair.take_step();
+    }
+    CHECK(pair.difference() < 1e-9);
+    CHECK(pair.rolled.robot(0).angles == pair.solved.robot(0).angles);
+}
+
+TEST_CASE("wheels that slip, coasting wheels, a pushing hand, a wall and a ramp are ODE's", "[sim][rolling]") {
+    ArenaSpec arena;
+    arena.boxes.push_back({.at = {1, 0, 0.1}, .size = {0.1, 1, 0.2}});
+    arena.boxes.push_back({.at = {-1, 0, 0}, .size = {0.5, 1, 0.1}, .pitch = 0.1});
+    const auto rolls = [&](auto&& prepare, double friction = 1) {
+        RobotSpec spec = mouse_spec();
+        spec.friction = friction;
+        Pair pair(spec, step, arena);
+        for (int i = 0; i < 100; ++i) pair.take_step();
+        REQUIRE_FALSE(pair.rolled.robot(0).by_ode);  // at rest
+        prepare(pair);
+        bool always = true;
+        for (int i = 0; i < 400; ++i) always = pair.take_step() && always;
+        CHECK(pair.difference() < 1e-9);
+        return always;
+    };
+    CHECK(rolls([](Pair& pair) { pair.drive({0.01, 0.01}); }));
+    CHECK_FALSE(rolls([](Pair& pair) { pair.drive({0.2, 0.2}); }, 0.02));
+    CHECK_FALSE(rolls([](Pair& pair) {
+        for (const auto& body : pair.bodies) body->coast();
+    }));
+    CHECK_FALSE(rolls([](Pair& pair) {
+        pair.rolled.disturb(0, {.vx = 0.1});
+        pair.solved.disturb(0, {.vx = 0.1});
+    }));
+    for (const double x : {0.88, -0.6}) {  // into the wall, up the ramp
+        CHECK_FALSE(rolls([x](Pair& pair) {
+            CHECK(pair.rolled.teleport(0, {{x, 0}, x > 0 ? 0 : M_PI}));
+            CHECK(pair.solved.teleport(0, {{x, 0}, x > 0 ? 0 : M_PI}));
+            pair.drive({0.1, 0.1});
+        }));
+    }
+}
+
+TEST_CASE("a robot that rolled is taken away, and nobody sees it any more", "[sim][rolling]") {
+    OdeWorld world({}, {.step = step, .seed = 1}, nullptr);
+    const RobotSpec spec = mouse_spec();
+    auto body = world.add_robot("it", spec, {}).value();
+    body->set_wheel_speeds({0.1, 0.1});
+    world.step(50);
+    REQUIRE_FALSE(world.robot(0).by_ode);
+    const double there = world.robot(0).body.p[0];
+    CHECK(there > 0.01);
+    body.reset();
+    world.step(50);
+    CHECK(world.robot(0).body.p[0] == there);
+}
+
+TEST_CASE("a crowd that bumps into each other does the same in the mean of twenty seeds", "[sim][rolling]") {
+    // Collisions are chaotic: rounding decides who meets whom a minute later.
+    constexpr double seeds = 20;
+    const auto compare = [](const char* what, double Bustle::*figure, const std::vector<Bustle>& a,
+                            const std::vector<Bustle>& b) {
+        const auto mean_of = [&](const std::vector<Bustle>& all) {
+            double sum = 0;
+            for (const Bustle& each : all) sum += each.*figure;
+            return sum / seeds;
+        };
+        const auto error_of = [&](const std::vector<Bustle>& all) {  // of the mean, squared
+            double sum = 0;
+            for (const Bustle& each : all) sum += std::pow(each.*figure - mean_of(all), 2);
+            return sum / (seeds - 1) / seeds;
+        };
+        const double apart = mean_of(a) - mean_of(b), error = std::sqrt(error_of(a) + error_of(b));
+        CAPTURE(what, mean_of(a), mean_of(b), error);
+        CHECK(mean_of(a) > 0.01);
+        CHECK(std::abs(apart) < 2.5 * error);
+    };
+    std::vector<Bustle> rolled, solved;
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(seeds); ++seed) {
+        rolled.push_back(bustle(seed, false));
+        solved.push_back(bustle(seed, true));
+    }
+    compare("speed", &Bustle::speed, rolled, solved);
+    compare("collisions", &Bustle::collisions, rolled, solved);
+    compare("spread", &Bustle::spread, rolled, solved);
+}
