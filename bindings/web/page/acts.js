@@ -1,0 +1,45 @@
+// What a person does to the system: each an act of the engine, whose refusal is shown.
+import { T } from "./texts.js";
+
+/// A parameter's value as an act writes it: an array is named by the kind of its elements.
+const as_parameter = (type, value) => (Array.isArray(value) ? { [type === "strings" ? "texts" : type]: value } : value);
+
+export class Acts {
+  #link;
+  #model;
+  #notices;
+
+  constructor(link, model, notices) {
+    this.#link = link;
+    this.#model = model;
+    this.#notices = notices;
+  }
+
+  async #ask(what, name) {
+    if (!this.#model.may_act) return false;
+    const { ok, text } = await this.#link.ask(what);
+    if (!ok) this.#notices.say(T.failed(name, text || T.link.no_answer), "error");
+    return ok;
+  }
+
+  act = (name, fields = {}) => this.#ask({ do: "act", act: name, fields }, name);
+  time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) }, what);
+
+  /// Waits for nothing, and is sent even where nobody knows yet what one may do.
+  stop = () => this.#link.send({ do: "stop" });
+  rearm = () => this.#ask({ do: "rearm" }, T.stop.rearm);
+
+  set_parameter = (component, { name, type }, value) =>
+    this.act("SetParameter", { component, parameter: name, value: as_parameter(type, value) });
+  use = (component, set) => this.act("Use", { component, set });
+  activate = (component) => this.act("Activate", { component });
+  deactivate = (component) => this.act("Deactivate", { component });
+  reset = (component) => this.act("Reset", { component });
+  remove = (component) => this.act("Remove", { component });
+  connect = (from, to) => this.act("Connect", { from, to });
+  disconnect = (from, to) => this.act("Disconnect", { from, to });
+  teleport = (robot, { x, y, yaw }) =>
+    this.act("Teleport", { robot, pose: { position: { x, y }, heading: yaw } });
+  move_marker = (marker, { x, y, z, yaw }) =>
+    this.act("MoveMarker", { marker, pose: { position: { x, y, z }, orientation: { r: 0, p: 0, y: yaw } } });
+}

@@ -1,0 +1,118 @@
+// Reads plain CDR (little endian, aligned from the start of the stream) by the descriptions of the types.
+
+const utf8 = new TextDecoder();
+
+// size, alignment and the DataView's getter of what has a fixed size.
+const NUMBERS = {
+  int8: [1, "getInt8"], uint8: [1, "getUint8"], octet: [1, "getUint8"],
+  int16: [2, "getInt16"], uint16: [2, "getUint16"],
+  int32: [4, "getInt32"], uint32: [4, "getUint32"], float: [4, "getFloat32"],
+  int64: [8, "getBigInt64"], uint64: [8, "getBigUint64"], double: [8, "getFloat64"],
+};
+
+class Stream {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    this.at = 0;
+  }
+
+  /// Where `size` bytes aligned to `alignment` begin; they count as read.
+  take(size, alignment) {
+    const begin = Math.ceil(this.at / alignment) * alignment;
+    if (begin + size > this.bytes.length) throw new Error(`the message ends at byte ${this.bytes.length}`);
+    this.at = begin + size;
+    return begin;
+  }
+
+  length() {
+    return this.view.getUint32(this.take(4, 4), true);
+  }
+}
+
+function read_text(stream) {
+  const size = stream.length();
+  if (size === 0) throw new Error("a text without its end");
+  const begin = stream.take(size, 1);
+  return utf8.decode(stream.bytes.subarray(begin, begin + size - 1));
+}
+
+/// Readers for the types of `types`: { NAME: [{ name, type }, ...] }.
+export class Cdr {
+  #types;
+  #readers = new Map();
+
+  constructor(types) {
+    this.#types = types;
+  }
+
+  /// What these bytes say, as a value of this type. Throws on what is too short or of a type that nobody knows.
+  read(type, bytes) {
+    return this.#reader(type)(new Stream(bytes));
+  }
+
+  #reader(type) {
+    if (!this.#readers.has(type)) {
+      this.#readers.set(type, (stream) => this.#readers.get(type)(stream));  // a type may contain itself
+      this.#readers.set(type, this.#make(type));
+    }
+    return this.#readers.get(type);
+  }
+
+  #make(type) {
+    const number = NUMBERS[type];
+    if (number) {
+      const [size, get] = number;
+      const is_big = size === 8 && type !== "double";
+      return (stream) => {
+        const value = stream.view[get](stream.take(size, size), true);
+        return is_big ? Number(value) : value;
+      };
+    }
+    if (type === "bool") return (stream) => stream.view.getUint8(stream.take(1, 1)) !== 0;
+    if (type === "string") return read_text;
+    const element = /^sequence<(.+)>$/.exec(type)?.[1];
+    if (element === "octet" || element === "uint8") {
+      return (stream) => {
+        const size = stream.length();
+        const begin = stream.take(size, 1);
+        return stream.bytes.subarray(begin, begin + size);
+      };
+    }
+    if (element) {
+      const read = this.#reader(element);
+      return (stream) => {
+        const values = [];
+        for (let left = stream.length(); left > 0; --left) values.push(read(stream));
+        return values;
+      };
+    }
+    const fields = this.#types[type];
+    if (!fields) throw new Error(`no type is called '${type}'`);
+    const readers = fields.map((field) => [field.name, this.#reader(field.type)]);
+    return (stream) => {
+      const value = {};
+      for (const [name, read] of readers) value[name] = read(stream);
+      return value;
+    };
+  }
+}
+
+/// A message in the way a behaviour sees it: { tm, value }.
+export function to_message({ tm, ...fields }) {
+  const names = Object.keys(fields);
+  const value = names.length === 1 && names[0] === "data" ? fields.data : fields;
+  return { tm: tm && typeof tm === "object" ? tm.sec + tm.nsec * 1e-9 : tm ?? 0, value };
+}
+
+/// The numbers within a value, by their path: [["position.x", 0.5], ...]. Truth values are 0 and 1.
+export function numbers_in(value, path = "", found = []) {
+  if (typeof value === "number") found.push([path, value]);
+  else if (typeof value === "boolean") found.push([path, value ? 1 : 0]);
+  else if (Array.isArray(value)) {
+    value.slice(0, 64).forEach((each, i) => numbers_in(each, `${path}[${i}]`, found));
+  } else if (value && typeof value === "object" && !ArrayBuffer.isView(value)) {
+    for (const [name, each] of Object.entries(value)) numbers_in(each, path ? `${path}.${name}` : name, found);
+  }
+  return found;
+}

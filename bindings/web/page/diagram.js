@@ -1,0 +1,300 @@
+// The system as a diagram: components, their ports and connections, and what can be done to them.
+import { at_most_every, el, svg } from "./dom.js";
+import { curve, place, port_at, route } from "./diagram_layout.js";
+import { Sheet } from "./diagram_view.js";
+import { T } from "./texts.js";
+import { value_text } from "./value_text.js";
+
+const SIGNS = { ACTIVE: "▶", INACTIVE: "❚❚", ERROR: "!", CREATED: "○" };
+
+/// The colour of a type of port: the same wherever it is.
+export function type_color(type) {
+  let sum = 7;
+  for (const letter of type.replace("Timed", "")) sum = (sum * 31 + letter.charCodeAt(0)) % 3600;
+  return `hsl(${(sum * 137.5) % 360} 62% var(--port-light))`;
+}
+
+/// Whether these two ports can be connected, and from which to which: { from, to }, or null.
+export function fits(model, one, other) {
+  const [a, b] = [model.port(one), model.port(other)];
+  if (!a || !b || a.way === b.way || a.type !== b.type) return null;
+  const pair = a.way === "out" ? { from: one, to: other } : { from: other, to: one };
+  const is_there = model.system.connections.some(({ from, to }) => from === pair.from && to === pair.to);
+  return is_there ? null : pair;
+}
+
+class Diagram {
+  #parts;
+  #boxes = new Map();
+  #shape = "";
+  #chosen = null;  // { component } or { from, to }
+  #begun = null;  // the port that a connection begins at
+  #looked_at = null;
+
+  constructor(parts) {
+    this.#parts = parts;
+    this.wires = svg("g");
+    this.nodes = svg("g");
+    this.loose = svg("path", { class: "wire loose" });
+    this.svg = svg("svg", { class: "sheet", role: "group", "aria-label": T.diagram.label }, this.wires, this.nodes, this.loose);
+    this.sheet = new Sheet(this.svg);
+    this.sheet.on_size = () => this.sheet.fit(this.#boxes);
+    this.tip = el("div", { class: "tip", role: "tooltip", hidden: true });
+    this.bar = el("div", { class: "chosen", role: "status" });
+    const { model, acts } = parts;
+    model.on("system", () => this.#update());
+    model.on("port", at_most_every(60, () => this.#show_value()));
+    this.svg.addEventListener("click", (event) => event.target === this.svg && this.#choose(null));
+    this.svg.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") this.#begin(null);
+      if (event.key === "Delete" && this.#chosen?.from && model.may_act) acts.disconnect(this.#chosen.from, this.#chosen.to);
+    });
+  }
+
+  get #places() {
+    return JSON.parse(localStorage.getItem(`nezumi.places ${this.#parts.model.system.file}`) ?? "{}");
+  }
+
+  #keep_places(places) {
+    localStorage.setItem(`nezumi.places ${this.#parts.model.system.file}`, JSON.stringify(places));
+  }
+
+  arrange() {
+    this.#keep_places({});
+    this.#update(true);
+    this.sheet.fit(this.#boxes);
+  }
+
+  fit() {
+    this.sheet.fit(this.#boxes);
+  }
+
+  shown(is_shown) {
+    if (!is_shown) this.#look(null);
+  }
+
+  #update(anyway = false) {
+    const { components, connections } = this.#parts.model.system;
+    const shape = JSON.stringify([components.map(({ parameters, ...rest }) => rest), connections]);
+    if (shape === this.#shape && !anyway) return;
+    const is_first = this.#boxes.size === 0;
+    const count = this.#boxes.size;
+    this.#shape = shape;
+    const focus = document.activeElement?.dataset?.key;
+    this.#boxes = place(components, connections, this.#places);
+    this.nodes.replaceChildren(...components.map((each) => this.#make_node(each)));
+    this.#draw_wires();
+    if (focus) this.svg.querySelector(`[data-key="${CSS.escape(focus)}"]`)?.focus();
+    if (is_first || count !== this.#boxes.size) this.sheet.fit(this.#boxes);
+    this.#light();
+    this.#show_chosen();
+  }
+
+  #draw_wires() {
+    const { model } = this.#parts;
+    this.wires.replaceChildren(...route(this.#boxes, model.system.connections).map(({ from, to, path }) => {
+      const choose = () => this.#choose({ from, to });
+      const wire = svg("g", { class: "wire-group wire", tabindex: 0, role: "button", "aria-label": T.diagram.connection(from, to),
+        data: { key: `${from} ${to}`, from, to }, onclick: choose, onfocus: choose },
+      svg("path", { class: "grip", d: path }), svg("path", { class: "line", d: path }));
+      wire.style.setProperty("--type", type_color(model.port(from)?.type ?? ""));
+      return wire;
+    }));
+  }
+
+  #make_node(component) {
+    const { name, type, state, error, ports } = component;
+    const box = this.#boxes.get(name);
+    const title = svg("g", { class: "title", tabindex: 0, role: "button", data: { key: name },
+      "aria-label": `${name}, ${type}, ${T.states[state] ?? state}`, onfocus: () => this.#choose({ component: name }) },
+    svg("path", { class: "head", d: `M0 8q0-8 8-8h${box.w - 16}q8 0 8 8v22h${-box.w}z` }),
+    svg("text", { class: "sign", x: 12, y: 20, text: SIGNS[state] ?? "?" }),
+    svg("text", { class: "name", x: 34, y: 20, text: name }),
+    svg("text", { class: "type", x: box.w - 10, y: 20, "text-anchor": "end", text: type }));
+    const node = svg("g", { class: `node ${state.toLowerCase()}`, transform: `translate(${box.x} ${box.y})`, data: { component: name } },
+      svg("rect", { class: "body", width: box.w, height: box.h, rx: 8 }), title,
+      ...ports.map((port) => this.#make_port(name, port, box.ports.get(port.name))));
+    if (error) {
+      const most = Math.floor(box.w / 6.4);
+      node.append(svg("text", { class: "error", x: 10, y: box.h - 11, text: error.length > most ? `${error.slice(0, most - 1)}…` : error },
+        svg("title", { text: error })));
+    }
+    this.#make_movable(title, node, name);
+    return node;
+  }
+
+  #make_movable(title, node, name) {
+    let grip = null;
+    title.addEventListener("pointerdown", (event) => {
+      const [x, y] = this.sheet.point(event);
+      const box = this.#boxes.get(name);
+      grip = { dx: box.x - x, dy: box.y - y, x: event.clientX, y: event.clientY, moved: false };
+      title.setPointerCapture(event.pointerId);
+    });
+    title.addEventListener("pointermove", (event) => {
+      if (!grip) return;
+      grip.moved ||= Math.hypot(event.clientX - grip.x, event.clientY - grip.y) > 4;
+      if (!grip.moved) return;
+      const [x, y] = this.sheet.point(event);
+      const box = this.#boxes.get(name);
+      Object.assign(box, { x: Math.round(x + grip.dx), y: Math.round(y + grip.dy) });
+      node.setAttribute("transform", `translate(${box.x} ${box.y})`);
+      this.#draw_wires();
+    });
+    title.addEventListener("pointerup", () => {
+      if (grip?.moved) {
+        const box = this.#boxes.get(name);
+        this.#keep_places({ ...this.#places, [name]: [box.x, box.y] });
+      }
+      grip = null;
+    });
+    title.addEventListener("pointercancel", () => {
+      grip = null;
+    });
+  }
+
+  #make_port(owner, { name, way, type }, [x, y]) {
+    const full = `${owner}.${name}`;
+    const inward = way === "in" ? 1 : -1;
+    const node = svg("g", { class: `port ${way}`, tabindex: 0, role: "button", "aria-label": T.diagram.port(full, way, type),
+      data: { port: full, key: full }, transform: `translate(${x} ${y})`,
+      onpointerenter: () => this.#look(full), onpointerleave: () => this.#look(null),
+      onfocus: () => this.#look(full), onblur: () => this.#look(null) },
+    svg("circle", { class: "reach", r: 12 }), svg("path", { class: "dot", d: "M-6-6H1L7 0 1 6H-6z" }),
+    svg("text", { x: 12 * inward, y: 4, "text-anchor": way === "in" ? "start" : "end", text: name }));
+    node.style.setProperty("--type", type_color(type));
+    node.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      this.#end_at(full);
+    });
+    node.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      node.releasePointerCapture?.(event.pointerId);
+      if (this.#begun && this.#begun !== full) return this.#end_at(full);
+      this.#drag_from(full, event);
+    });
+    return node;
+  }
+
+  /// Until the pointer is let go; where it never moved, the next port that is pressed ends it.
+  #drag_from(port, down) {
+    if (!this.#begin(port)) return;
+    const start = [down.clientX, down.clientY];
+    let moved = false;
+    const move = (event) => {
+      moved ||= Math.hypot(event.clientX - start[0], event.clientY - start[1]) > 5;
+      const at = port_at(this.#boxes, port);
+      const here = this.sheet.point(event);
+      this.loose.setAttribute("d", this.#parts.model.port(port).way === "out" ? curve(at, here) : curve(here, at));
+    };
+    const up = (event) => {
+      for (const [name, work] of [["pointermove", move], ["pointerup", up], ["pointercancel", up]]) removeEventListener(name, work);
+      this.loose.removeAttribute("d");
+      if (!moved) return;
+      const over = event.type === "pointerup" && document.elementFromPoint(event.clientX, event.clientY)?.closest(".port")?.dataset.port;
+      if (over && over !== port) this.#end_at(over);
+      else this.#begin(null);
+    };
+    for (const [name, work] of [["pointermove", move], ["pointerup", up], ["pointercancel", up]]) addEventListener(name, work);
+  }
+
+  #begin(port) {
+    if (port && !this.#parts.model.may_act) return false;
+    this.#begun = port;
+    this.#light();
+    this.#show_chosen();
+    return true;
+  }
+
+  #end_at(port) {
+    if (!this.#begun) return this.#begin(port);
+    const pair = fits(this.#parts.model, this.#begun, port);
+    this.#begin(null);
+    if (pair) this.#parts.acts.connect(pair.from, pair.to);
+  }
+
+  /// Only what fits is bright while a connection is made.
+  #light() {
+    this.svg.classList.toggle("connecting", this.#begun !== null);
+    for (const node of this.nodes.querySelectorAll(".port")) {
+      const { port } = node.dataset;
+      node.classList.toggle("begun", port === this.#begun);
+      node.classList.toggle("fits", this.#begun !== null && fits(this.#parts.model, this.#begun, port) !== null);
+    }
+  }
+
+  #choose(chosen) {
+    this.#chosen = chosen;
+    this.#show_chosen();
+  }
+
+  #look(port) {
+    this.#looked_at = port;
+    this.#parts.model.watch("diagram", port && { ports: [port] });
+    this.tip.hidden = port === null;
+    if (port) this.#show_value();
+  }
+
+  #show_value() {
+    const { model } = this.#parts;
+    const port = this.#looked_at && model.port(this.#looked_at);
+    if (!port) return;
+    const node = this.nodes.querySelector(`[data-port="${CSS.escape(this.#looked_at)}"]`);
+    const now = model.values.get(this.#looked_at);
+    this.tip.replaceChildren(el("b", { text: this.#looked_at }), el("small", { text: `${T.diagram[port.way]} ${port.type}` }),
+      port.doc ? el("p", { text: port.doc }) : "", el("code", { text: now ? value_text(now.value) : T.diagram.nothing_yet }),
+      now && now.tm > 0 ? el("small", { text: T.diagram.age(Math.max(0, model.frame.time - now.tm).toFixed(2)) }) : "");
+    const [box, frame] = [node.getBoundingClientRect(), this.svg.getBoundingClientRect()];
+    const room = frame.width - this.tip.offsetWidth - 8;
+    this.tip.style.left = `${Math.max(8, Math.min(room, box.left - frame.left))}px`;
+    const below = box.bottom - frame.top + 8;
+    const is_low = below + this.tip.offsetHeight > frame.height;
+    this.tip.style.top = `${is_low ? Math.max(4, box.top - frame.top - this.tip.offsetHeight - 8) : below}px`;
+  }
+
+  #show_chosen() {
+    const { model, acts } = this.#parts;
+    const chosen = this.#chosen;
+    for (const node of this.nodes.children) node.classList.toggle("chosen", chosen?.component === node.dataset.component);
+    for (const wire of this.wires.children) wire.classList.toggle("chosen", chosen?.from === wire.dataset.from && chosen?.to === wire.dataset.to);
+    const button = (text, onclick, disabled = false) => el("button", { class: "acts", text, onclick, disabled });
+    if (this.#begun) {
+      this.bar.replaceChildren(el("span", { text: T.diagram.connecting(this.#begun, model.port(this.#begun).type) }));
+      return;
+    }
+    const component = chosen?.component && model.component(chosen.component);
+    if (component) {
+      const { name, state, error, about, script } = component;
+      this.bar.replaceChildren(el("b", { text: name }), el("span", { class: `state ${state.toLowerCase()}`, text: T.states[state] ?? state }),
+        el("small", { text: script ?? "" }),
+        button(T.diagram.activate, () => acts.activate(name), state !== "INACTIVE"),
+        button(T.diagram.deactivate, () => acts.deactivate(name), state !== "ACTIVE"),
+        button(T.diagram.reset, () => acts.reset(name), state !== "ERROR"),
+        button(T.diagram.remove, () => confirm(T.diagram.remove_sure(name)) && acts.remove(name)),
+        error ? el("code", { class: "error", text: error }) : about && typeof about === "string" ? el("small", { text: about }) : "");
+    } else if (chosen?.from && model.system?.connections.some(({ from, to }) => from === chosen.from && to === chosen.to)) {
+      this.bar.replaceChildren(el("b", { text: `${chosen.from} → ${chosen.to}` }),
+        button(T.diagram.disconnect, () => acts.disconnect(chosen.from, chosen.to)));
+    } else this.bar.replaceChildren(el("span", { class: "hint", text: T.diagram.about }));
+  }
+}
+
+export function make_diagram(parts) {
+  const diagram = new Diagram(parts);
+  const { model, acts } = parts;
+  const all = (state, work) => () => {
+    for (const { name, state: now } of model.system?.components ?? []) if (now === state) work(name);
+  };
+  const button = (text, onclick, kind = "") => el("button", { class: kind, text, onclick });
+  const tools = el("div", { class: "tools", role: "toolbar", "aria-label": T.views.diagram },
+    el("span", { class: "acts label", text: T.diagram.all }),
+    button(T.diagram.activate, all("INACTIVE", acts.activate), "acts"), button(T.diagram.deactivate, all("ACTIVE", acts.deactivate), "acts"),
+    button(T.diagram.reset, all("ERROR", acts.reset), "acts"), el("span", { class: "gap" }),
+    button(T.diagram.fit, () => diagram.fit()), button(T.diagram.arrange, () => diagram.arrange()),
+    el("button", { text: "+", "aria-label": T.diagram.zoom_in, onclick: () => diagram.sheet.zoom(1.25) }),
+    el("button", { text: "−", "aria-label": T.diagram.zoom_out, onclick: () => diagram.sheet.zoom(0.8) }));
+  return { node: el("div", { class: "diagram" }, tools, el("div", { class: "stage-box" }, diagram.svg, diagram.tip), diagram.bar),
+    shown: (is_shown) => diagram.shown(is_shown) };
+}

@@ -1,0 +1,102 @@
+// The bar that is always in sight: what runs, time, and the emergency stop.
+import { at_most_every, el, is_typing } from "./dom.js";
+import { T } from "./texts.js";
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, "max"];
+
+function make_theme_button() {
+  const choices = ["auto", "light", "dark"];
+  const signs = { auto: "◐", light: "☀", dark: "☾" };
+  let chosen = localStorage.getItem("nezumi.theme") ?? "auto";
+  const button = el("button", { class: "quiet theme" });
+  const show = () => {
+    document.documentElement.dataset.theme = chosen;
+    button.textContent = signs[chosen];
+    button.title = `${T.theme.label}: ${T.theme[chosen]}`;
+    button.setAttribute("aria-label", button.title);
+    dispatchEvent(new Event("theme"));
+  };
+  button.onclick = () => {
+    chosen = choices[(choices.indexOf(chosen) + 1) % choices.length];
+    localStorage.setItem("nezumi.theme", chosen);
+    show();
+  };
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", show);
+  show();
+  return button;
+}
+
+function make_time({ model, acts }) {
+  const clock = el("output", { class: "clock", "aria-label": T.time.label });
+  const late = el("span", { class: "late" });
+  const run = el("button", { class: "run acts" });
+  const step = el("button", { class: "acts not-real", text: T.time.step, title: T.time.step_hint,
+    onclick: () => acts.time("step", 1) });
+  const speed = el("select", { class: "acts not-real", "aria-label": T.time.speed, title: T.time.speed,
+    onchange: () => acts.time("speed", speed.value === "max" ? "max" : Number(speed.value)) },
+  ...SPEEDS.map((each) => el("option", { value: String(each), text: each === "max" ? T.time.max : `${each}×` })));
+  const restart = el("button", { class: "acts not-real wide", text: T.time.restart,
+    onclick: () => confirm(T.time.restart_sure) && acts.time("restart") });
+  run.onclick = () => acts.time(model.frame.running ? "pause" : "resume");
+
+  const show = at_most_every(100, () => {
+    const { time, running, late: ms, speed: now } = model.frame;
+    clock.textContent = T.time.seconds(time.toFixed(time < 1000 ? 2 : 1));
+    late.textContent = !running ? T.time.paused : ms >= 1 ? T.time.late(ms.toFixed(ms < 10 ? 1 : 0)) : T.time.on_time;
+    late.classList.toggle("bad", running && ms >= 5);
+    run.textContent = running ? T.time.pause : T.time.resume;
+    run.setAttribute("aria-pressed", !running);
+    const chosen = SPEEDS.includes(now) ? String(now) : "max";
+    if (document.activeElement !== speed && speed.value !== chosen) speed.value = chosen;
+  });
+  model.on("frame", show);
+  show();
+  return el("div", { class: "time", role: "group", "aria-label": T.time.label }, clock, late, run, step, speed, restart);
+}
+
+function make_stop({ model, acts, notices }) {
+  const stop = el("button", { class: "stop acts", title: T.stop.hint, "aria-keyshortcuts": "Space", onclick: acts.stop },
+    el("span", { class: "sign", "aria-hidden": "true", text: "■" }), el("span", { text: T.stop.label }));
+  const rearm = el("button", { class: "rearm acts", text: T.stop.rearm, title: T.stop.rearm_hint, onclick: () => acts.rearm(), hidden: true });
+  model.on("system", () => {
+    const stopped = Boolean(model.system.stopped);
+    if (rearm.hidden === !stopped) return;
+    rearm.hidden = !stopped;
+    document.body.classList.toggle("stopped", stopped);
+    if (stopped) notices.say(T.stop.held, "warn");
+  });
+  addEventListener("keydown", (event) => {
+    if (event.code !== "Space" || is_typing(event.target) || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (!event.repeat && !model.hello?.view_only) acts.stop();
+  }, true);
+  addEventListener("keyup", (event) => {  // a button with the focus is pressed by the space bar's release
+    if (event.code === "Space" && !is_typing(event.target)) event.preventDefault();
+  }, true);
+  return el("div", { class: "stopping" }, rearm, stop);
+}
+
+export function make_header(parts) {
+  const { model, link } = parts;
+  const name = el("h1", { text: "nezumi" });
+  const kind = el("span", { class: "kind" });
+  const dot = el("span", { class: "dot", role: "img", title: T.link.connecting, "aria-label": T.link.connecting });
+  const say = (text, is_open) => {
+    dot.title = text;
+    dot.setAttribute("aria-label", text);
+    dot.classList.toggle("open", is_open);
+  };
+  link.on("open", () => say(T.link.open, true));
+  link.on("lost", () => say(T.link.connecting, false));
+  model.on("system", () => {
+    name.textContent = model.system.name;
+    name.title = model.system.file;
+  });
+  model.on("hello", () => {
+    const words = [model.hello.real ? T.real : T.simulated, model.hello.view_only && T.view_only];
+    kind.textContent = words.filter(Boolean).join(" · ");
+  });
+  return el("header", {}, el("div", { class: "title" }, dot, name, kind), make_time(parts),
+    make_theme_button(), make_stop(parts));
+}

@@ -1,0 +1,96 @@
+// The connection to the engine: text and binary frames, answers to what was asked, and coming back after a loss.
+import { Emitter } from "./emitter.js";
+
+const FIRST_WAIT = 500;  // ms
+const LONGEST_WAIT = 8000;
+const ANSWER_WITHIN = 5000;
+
+/// Emits: open, lost (why, wait in ms), said (an object of the engine), frame (kind, bytes).
+export class Link extends Emitter {
+  #token;
+  #socket = null;
+  #wait = FIRST_WAIT;
+  #next = 1;
+  #asked = new Map();
+
+  constructor(token) {
+    super();
+    this.#token = token;
+    addEventListener("online", () => this.#socket || this.connect());
+  }
+
+  get is_open() {
+    return this.#socket?.readyState === WebSocket.OPEN;
+  }
+
+  connect() {
+    clearTimeout(this.again);
+    if (this.#socket) return;
+    const scheme = location.protocol === "https:" ? "wss:" : "ws:";
+    const socket = new WebSocket(`${scheme}//${location.host}/ws`, ["nezumi", `token.${this.#token}`]);
+    socket.binaryType = "arraybuffer";
+    this.#socket = socket;
+    let was_open = false;
+    socket.onopen = () => {
+      was_open = true;
+      this.#wait = FIRST_WAIT;
+      this.emit("open");
+    };
+    socket.onmessage = ({ data }) => this.#take(data);
+    socket.onclose = () => this.#closed(was_open);
+  }
+
+  /// False when there is nobody to hear it.
+  send(what) {
+    if (!this.is_open) return false;
+    this.#socket.send(JSON.stringify(what));
+    return true;
+  }
+
+  /// Resolves to { ok, text }.
+  ask(what) {
+    const id = this.#next++;
+    return new Promise((resolve) => {
+      if (!this.send({ ...what, id })) return resolve({ ok: false, text: "" });
+      const late = setTimeout(() => this.#answer({ id, ok: false, text: "" }), ANSWER_WITHIN);
+      this.#asked.set(id, { resolve, late });
+    });
+  }
+
+  #answer(answer) {
+    const asked = this.#asked.get(answer.id);
+    if (!asked) return;
+    clearTimeout(asked.late);
+    this.#asked.delete(answer.id);
+    asked.resolve(answer);
+  }
+
+  #take(data) {
+    if (typeof data === "string") {
+      const said = JSON.parse(data);
+      if (said.is === "answer") this.#answer(said);
+      else this.emit("said", said);
+    } else {
+      const kind = new DataView(data).getUint32(0, true);
+      this.emit("frame", kind, new Uint8Array(data, 4));
+    }
+  }
+
+  async #closed(was_open) {
+    this.#socket = null;
+    for (const id of [...this.#asked.keys()]) this.#answer({ id, ok: false, text: "" });
+    const wait = this.#wait;
+    this.#wait = Math.min(LONGEST_WAIT, wait * 2);
+    this.again = setTimeout(() => this.connect(), wait);
+    this.emit("lost", was_open ? "closed" : await this.#why_refused(), wait);
+  }
+
+  /// Who gives the page's files but refuses the connection does not know this token.
+  async #why_refused() {
+    try {
+      return (await fetch("/index.html", { method: "GET", cache: "no-store" })).ok ? "refused" : "away";
+    } catch {
+      return "away";
+    }
+  }
+}

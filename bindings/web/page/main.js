@@ -1,0 +1,74 @@
+// Builds the page and joins its parts.
+import { el } from "./dom.js";
+import { Link } from "./link.js";
+import { Model } from "./model.js";
+import { T } from "./texts.js";
+import { Acts } from "./acts.js";
+import { Notices } from "./notices.js";
+import { make_header } from "./header.js";
+import { make_layout } from "./layout.js";
+import { make_drive } from "./drive.js";
+import { make_parameters } from "./parameters.js";
+import { make_diagram } from "./diagram.js";
+import { make_cameras } from "./cameras.js";
+import { make_console } from "./console.js";
+import { make_log } from "./log.js";
+
+/// A view that needs a library which may be missing: then it says which.
+async function load(file, make, library) {
+  try {
+    return (await import(file))[make];
+  } catch (wrong) {
+    console.warn(wrong);
+    return () => ({ node: el("div", {}, el("p", { class: "empty", text: T.missing(library) })) });
+  }
+}
+
+/// The token comes in the address's fragment, which no server sees, and stays with this tab.
+function take_token() {
+  const given = location.hash.slice(1);
+  if (given) {
+    sessionStorage.setItem("nezumi.token", given);
+    history.replaceState(null, "", location.pathname + location.search);
+  }
+  return sessionStorage.getItem("nezumi.token") ?? "";
+}
+
+async function start() {
+  const make_world = await load("./world.js", "make_world", "libjs-three");
+  const make_plots = await load("./plots.js", "make_plots", "libjs-dygraphs");
+  const token = take_token();
+  const notices = new Notices();
+  const link = new Link(token);
+  const model = new Model(link);
+  const acts = new Acts(link, model, notices);
+  const parts = { link, model, acts, notices };
+
+  const views = {
+    world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), drive: make_drive(parts),
+    parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts),
+  };
+  document.body.append(make_header(parts), make_layout(views), notices.node);
+
+  model.on("hello", () => {
+    document.body.classList.toggle("view-only", model.hello.view_only);
+    document.body.classList.toggle("real", model.hello.real);
+  });
+  model.on("system", () => {
+    document.title = `${model.system.name} · nezumi`;
+  });
+  model.on("bye", ({ text }) => notices.say(T.link.bye(text), "warn"));
+  link.on("open", () => notices.clear_lasting("link", T.link.back));
+  link.on("lost", (why, wait) => {
+    document.body.classList.add("offline");
+    const text = why === "refused" ? T.link.refused : T.link.away(Math.round(wait / 100) / 10);
+    notices.lasting("link", text, "error");
+  });
+  link.on("open", () => document.body.classList.remove("offline"));
+
+  addEventListener("hashchange", () => location.hash.length > 1 && location.reload());
+  if (token) link.connect();
+  else notices.lasting("link", T.link.no_token, "error");
+}
+
+start();

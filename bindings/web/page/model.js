@@ -1,0 +1,181 @@
+// What the page knows of the running system: its layout, poses, and the values of the ports that somebody looks at.
+import { Cdr, to_message } from "./cdr.js";
+import { Emitter } from "./emitter.js";
+
+const KEPT_EMPTY = 2000;  // ms
+
+/// Emits: hello, system, frame, port (name), picture, restarted, chosen (a robot, in the world), and what else the engine says, by its name.
+export class Model extends Emitter {
+  hello = null;
+  system = null;
+  frame = { time: 0, tick: 0, running: false, speed: 1, late: 0 };
+  robots = [];   // poses by index
+  things = [];
+  markers = [];
+  rays = [];    // of each robot, by index
+  values = new Map();  // of watched ports: { value, tm, at, count }
+  #link;
+  #cdr = null;
+  #watchers = new Map();  // who: { ports, pictures, truth, rays }
+  #sent = "";
+  #slots = [];  // of watched ports: { name, since }
+  #will_send = false;
+
+  constructor(link) {
+    super();
+    this.#link = link;
+    link.on("said", (said) => this.#take(said));
+    link.on("frame", (kind, bytes) => (kind === 1 ? this.#take_frame(bytes) : this.#take_picture(bytes)));
+    link.on("open", () => this.#watch_again());
+  }
+
+  get may_act() {
+    return this.hello !== null && !this.hello.view_only && this.#link.is_open;
+  }
+
+  get you() {
+    return this.hello?.you ?? "";
+  }
+
+  /// What `who` wants to see from now on; nothing when left out.
+  watch(who, wanted) {
+    if (wanted) this.#watchers.set(who, wanted);
+    else this.#watchers.delete(who);
+    if (this.#will_send) return;
+    this.#will_send = true;
+    queueMicrotask(() => {
+      this.#will_send = false;
+      this.#send_watch();
+    });
+  }
+
+  component(name) {
+    return this.system?.components.find((each) => each.name === name);
+  }
+
+  /// "name.port" to the port's description, with its component.
+  port(full) {
+    const dot = full.indexOf(".");
+    const component = this.component(full.slice(0, dot));
+    const port = component?.ports.find((each) => each.name === full.slice(dot + 1));
+    return port && { ...port, component };
+  }
+
+  /// Every port: [["mouse.ir_sensor_out", port], ...].
+  all_ports() {
+    return (this.system?.components ?? []).flatMap((component) =>
+      component.ports.map((port) => [`${component.name}.${port.name}`, port]));
+  }
+
+  #watch_again() {
+    this.#slots = [];
+    this.#sent = "";
+    this.values.clear();
+    this.#send_watch();
+  }
+
+  #send_watch() {
+    const wanted = [...this.#watchers.values()];
+    const all = (key) => [...new Set(wanted.flatMap((each) => each[key] ?? []))];
+    const ports = all("ports");
+    this.#fill_slots(ports);
+    const next = {
+      do: "watch",
+      ports: this.#slots.map(({ name }) => name),
+      pictures: all("pictures").sort(),
+      truth: wanted.some((each) => each.truth),
+      rays: wanted.some((each) => each.rays),
+    };
+    const text = JSON.stringify(next);
+    if (text === this.#sent || !this.#link.send(next)) return;
+    this.#sent = text;
+    if (!next.rays) this.rays = [];
+    for (const port of this.values.keys()) if (!ports.includes(port)) this.values.delete(port);
+  }
+
+  /// A port keeps its place while it is watched, and its place stays empty for a while: a frame under way may still
+  /// mean it.
+  #fill_slots(ports) {
+    const now = performance.now();
+    for (const slot of this.#slots) {
+      if (slot.name && !ports.includes(slot.name)) Object.assign(slot, { name: "", since: now });
+    }
+    const has = new Set(this.#slots.map(({ name }) => name));
+    for (const name of ports.filter((each) => !has.has(each))) {
+      const free = this.#slots.find((slot) => !slot.name && now - slot.since > KEPT_EMPTY);
+      if (free) free.name = name;
+      else this.#slots.push({ name, since: now });
+    }
+  }
+
+  #take(said) {
+    if (said.is === "hello") {
+      this.hello = said;
+      this.#cdr = new Cdr(said.types);
+      this.emit("hello");
+    } else if (said.is === "system") {
+      const before = this.system;
+      this.system = said;
+      for (const { parameters } of said.components) for (const each of parameters) each.type = each.type.replace("array of ", "");
+      if (before && (before.start !== said.start || before.file !== said.file)) this.#forget();
+      this.emit("system", before);
+    } else {
+      this.emit(said.is, said);
+    }
+  }
+
+  #forget() {
+    this.robots = [];
+    this.things = [];
+    this.markers = [];
+    this.rays = [];
+    this.values.clear();
+    this.emit("restarted");
+  }
+
+  #take_frame(bytes) {
+    const { robots, things, markers, rays, ports, ...frame } = this.#cdr.read(this.hello.frame, bytes);
+    if (frame.time < this.frame.time - 1e-9) this.#forget();
+    this.frame = frame;
+    for (const each of robots) this.robots[each.index] = each;
+    for (const each of things) this.things[each.index] = each;
+    for (const each of markers) this.markers[each.index] = each;
+    this.#take_rays(rays);
+    for (const each of ports) this.#take_port(each);
+    this.emit("frame");
+  }
+
+  /// Those of a robot come all together and replace what it had.
+  #take_rays(rays) {
+    const begun = new Set();
+    for (const ray of rays) {
+      if (!begun.has(ray.robot)) this.rays[ray.robot] = [];
+      begun.add(ray.robot);
+      this.rays[ray.robot].push(ray);
+    }
+  }
+
+  #take_port({ index, count, payload }) {
+    const name = this.#slots[index]?.name;
+    const port = name && this.port(name);
+    if (!port) return;
+    try {
+      const message = to_message(this.#cdr.read(port.type, payload));
+      const before = this.values.get(name);
+      this.values.set(name, { ...message, at: performance.now(), count: (before?.count ?? 0) + count });
+      this.emit("port", name);
+    } catch (wrong) {
+      console.warn(name, wrong.message);  // of the watch list before
+    }
+  }
+
+  #take_picture(bytes) {
+    const types = { ...this.hello.types, Picture: PICTURE };
+    this.emit("picture", new Cdr(types).read("Picture", bytes));
+  }
+}
+
+const PICTURE = [
+  { name: "port", type: "string" }, { name: "tm", type: "double" }, { name: "width", type: "uint32" },
+  { name: "height", type: "uint32" }, { name: "jpeg", type: "sequence<octet>" },
+];

@@ -1,0 +1,41 @@
+// Short messages over the page: some pass, some last until they are no longer true.
+import { el } from "./dom.js";
+import { T } from "./texts.js";
+
+const SHOWN_FOR = 7000;  // ms
+const MOST = 4;
+
+export class Notices {
+  node = el("div", { class: "notices", role: "status", "aria-live": "polite" });
+  #lasting = new Map();
+
+  say(text, kind = "info") {
+    const node = this.#show(text, kind);
+    node.append(el("button", { class: "quiet", "aria-label": T.close, text: "×", onclick: () => node.remove() }));
+    setTimeout(() => node.remove(), SHOWN_FOR);
+    const passing = this.node.querySelectorAll(".notice:not(.lasting)");
+    if (passing.length > MOST) passing[0].remove();
+  }
+
+  lasting(key, text, kind) {
+    this.#lasting.get(key)?.remove();
+    const node = this.#show(text, kind);
+    node.classList.add("lasting");
+    this.#lasting.set(key, node);
+  }
+
+  /// Says `text` where something lasted until now.
+  clear_lasting(key, text) {
+    const node = this.#lasting.get(key);
+    if (!node) return;
+    node.remove();
+    this.#lasting.delete(key);
+    this.say(text);
+  }
+
+  #show(text, kind) {
+    const node = el("div", { class: `notice ${kind}` }, el("span", { text }));
+    this.node.append(node);
+    return node;
+  }
+}

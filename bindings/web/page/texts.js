@@ -1,0 +1,95 @@
+// Every text of the page, in one table: another language is another table.
+
+const EN = {
+  views: { world: "World", diagram: "System", plots: "Plots", drive: "Drive", parameters: "Parameters",
+    cameras: "Cameras", console: "Console", log: "Log" },
+  parts: { stage: "What happens", side: "Steering", dock: "Words", all: "Views" },
+  real: "real robots",
+  simulated: "simulated",
+  view_only: "view only",
+  theme: { label: "Colours", auto: "Automatic", light: "Light", dark: "Dark" },
+
+  link: {
+    connecting: "Connecting…",
+    open: "Connected",
+    away: (s) => `Connection lost. What you drove has stopped. Trying again in ${s} s.`,
+    refused: "The engine does not know this page's token: it was started anew. Open the address that it printed.",
+    no_token: "Open the address that `nezumi run` printed, with all that follows the #.",
+    back: "Connected again.",
+    bye: (text) => `The engine has ended: ${text}`,
+    lost: (count) => `${count} log lines were left out.`,
+    no_answer: "No answer came.",
+  },
+
+  stop: { label: "Stop", hint: "Stop all robots at once (space bar)", rearm: "Re-arm",
+    rearm_hint: "Let the robots move again", held: "Stopped. Commands are ignored until you re-arm." },
+
+  time: { label: "Time", pause: "Pause", resume: "Run", step: "Step", step_hint: "One tick", restart: "Restart",
+    restart_sure: "Restart the system? Every component begins anew; what was added is gone.",
+    speed: "Speed", max: "max", late: (ms) => `${ms} ms late`, on_time: "on time", paused: "paused",
+    running: "running", seconds: (s) => `${s} s`, not_real: "Real time passes by itself." },
+
+  world: {
+    label: "The world, seen from above. Drag to turn, two fingers or the right button to move, the wheel to zoom.",
+    orbit: "Orbit", top: "Top", follow: "Follow", rays: "Rays", trails: "Trails", names: "Names", whole: "Whole",
+    whole_hint: "Show the whole arena", none: "nobody",
+    about: "Drag a robot or marker to put it elsewhere. Selected: arrow keys move it, [ and ] turn it.",
+    select: "Select", no_gl: "This browser shows no 3D pictures (WebGL is off). Everything else works.",
+    no_truth: "Where real robots are is not known: they are drawn where their odometry says.",
+    pose: (x, y, deg) => `x ${x}  y ${y}  ${deg}°`,
+    touching: "touching",
+  },
+
+  drive: {
+    port: "Drives", label: "Joystick: drag the stick, or use the arrow keys. Letting go stops.",
+    x: "x", y: "y", r: "r", theta: "θ", px: "px", deg: "°",
+    scale: "Full stick", gamepad: "Gamepad", no_gamepad: "Press a button of a gamepad to use it.",
+    gamepad_in_use: (id) => `In use: ${id}`,
+    nobody: "Nobody drives.", you: "You drive.", other: (who) => `${who} drives.`,
+    take: "Take over", taken: (who) => `${who} has taken over.`, given: (port) => `You let go of ${port}.`,
+    keys: "Arrow keys or W A S D while the pad has the focus; Shift for half.",
+    nothing: "This system has no port that can be driven.", v: "v", w: "ω",
+    connected: (from) => `While you drive, nothing from ${from} gets through.`,
+  },
+
+  parameters: {
+    none: "No component has parameters.", search: "Search parameters",
+    changed: "changed by hand", back: "Put back", back_all: "Put all back", set: "Set", no_set: "none",
+    bounds: (min, max) => `${min} … ${max}`, at_least: (min) => `at least ${min}`, at_most: (max) => `at most ${max}`,
+    not_a_number: "a number is needed", not_whole: "a whole number is needed",
+    above: (max) => `above its maximum ${max}`, below: (min) => `below its minimum ${min}`,
+    add: "Add", remove: "Remove", up: "Up", down: "Down", element: (i) => `element ${i}`, default_is: (v) => `default ${v}`,
+  },
+
+  diagram: {
+    label: "Components and their connections",
+    activate: "Activate", deactivate: "Deactivate", reset: "Reset", remove: "Remove", disconnect: "Disconnect",
+    all: "All", fit: "Fit", arrange: "Arrange", zoom_in: "Closer", zoom_out: "Farther",
+    about: "Drag from a port to one of the same type. By keyboard: Enter on a port, then on another.",
+    connecting: (port, type) => `${port} (${type}): choose a port that lights up, or press Esc.`,
+    remove_sure: (name) => `Remove ${name} and its connections?`,
+    connection: (from, to) => `Connection from ${from} to ${to}`,
+    port: (name, way, type) => `${way === "in" ? "In-port" : "Out-port"} ${name}, ${type}`,
+    nothing_yet: "nothing came yet", age: (s) => `${s} s ago`, rate: (n) => `${n} messages`,
+    in: "in", out: "out",
+  },
+  states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created" },
+
+  plots: { add: "Add a field", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Go on", csv: "CSV",
+    svg: "SVG", clear: "Clear", remove: (name) => `Remove ${name}`, empty: "Choose a port and one of its numbers.",
+    zoom_out: "Last minute", time: "time [s]", no_fields: "nothing came yet", zoom: "Drag across the plot to zoom; double-click shows all." },
+
+  cameras: { none: "This system has no camera.", waiting: "No picture came yet." },
+
+  console: { label: "Console", input: "A line of Lua; Tab completes, ↑ and ↓ recall", run: "Run", interrupt: "Interrupt",
+    clear: "Clear", hello: "The system's names are in scope: try ls() or help()." },
+
+  log: { label: "Log", search: "Search", level: "Level", debug: "debug", info: "info", warn: "warn", error: "error",
+    clear: "Clear", follow: "Newest", empty: "Nothing yet.", count: (n) => `${n} lines` },
+
+  failed: (what, text) => (text ? text : `${what} failed.`),
+  missing: (library) => `Debian's package ${library} is not installed where the engine runs: this view needs it.`,
+  close: "Close",
+};
+
+export const T = EN;

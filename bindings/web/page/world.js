@@ -1,0 +1,303 @@
+// The view of the world: its picture, its tools, names and values over it.
+import * as THREE from "/lib/three/three.module.js";
+import { at_most_every, el } from "./dom.js";
+import { T } from "./texts.js";
+import { Eye } from "./world_camera.js";
+import { put_hands_on } from "./world_hand.js";
+import { Scene } from "./world_scene.js";
+
+const MOST_NAMES = 40;
+
+/// The theme's colours, from the style sheet.
+function theme_colors() {
+  const style = getComputedStyle(document.documentElement);
+  const color = (name) => style.getPropertyValue(`--${name}`).trim();
+  return {
+    background: color("sky"), floor: color("floor"), painted: color("floor-painted"), grid: color("grid"), border: color("wall"), accent: color("accent"),
+    error: color("state-error"), hull: color("hull"), arrow: color("hull-arrow"), wheel: "#23272e", sensor: "#c0392b",
+    ray: color("ray"), ray_near: color("ray-near"),
+    trails: [0, 1, 2, 3, 4, 5].map((i) => color(`line-${i}`)),
+  };
+}
+
+function make_renderer(canvas) {
+  try {
+    const renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    return renderer;
+  } catch {
+    return null;
+  }
+}
+
+/// What is written over the picture; elements are kept and moved.
+class Labels {
+  node = el("div", { class: "labels", "aria-hidden": "true" });
+  #used = 0;
+
+  begin() {
+    this.#used = 0;
+  }
+
+  put(kind, text, pixel) {
+    if (!pixel) return;
+    const node = this.node.children[this.#used++] ?? this.node.appendChild(el("span"));
+    if (node.textContent !== text) node.textContent = text;
+    node.className = kind;
+    node.hidden = false;
+    node.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
+  }
+
+  end() {
+    for (let i = this.#used; i < this.node.children.length; ++i) this.node.children[i].hidden = true;
+  }
+}
+
+class World {
+  canvas = el("canvas", { tabindex: 0, role: "application", "aria-label": T.world.label });
+  labels = new Labels();
+  eye = new Eye();
+  scene = new Scene();
+  shows = { rays: true, trails: true, names: true, ...JSON.parse(localStorage.getItem("nezumi.world") ?? "{}") };
+  chosen = null;  // { kind, index }
+  carried = null;  // { kind, index, pose }
+  follows = false;
+  #parts;
+  #renderer = make_renderer(this.canvas);
+  #is_asked = false;
+  #is_shown = false;
+  #layout = "";
+  #is_old = false;  // what was built, since the system was told anew
+
+  constructor(parts) {
+    this.#parts = parts;
+    const { model } = parts;
+    this.stage = el("div", { class: "stage-box" }, this.canvas, this.labels.node);
+    if (!this.#renderer) this.stage.append(el("p", { class: "empty", text: T.world.no_gl }));
+    model.on("system", () => {
+      this.#is_old = true;
+    });
+    model.on("frame", () => {
+      if (this.#is_old) this.#rebuild();
+      this.scene.trails.follow(model.robots);
+      this.draw();
+    });
+    model.on("restarted", () => this.scene.trails.forget());
+    addEventListener("theme", () => this.#rebuild(true));
+    this.scene.on_loaded = () => this.draw();
+    new ResizeObserver(() => this.draw()).observe(this.stage);
+    put_hands_on(this.canvas, {
+      eye: this.eye, scene: this.scene, model,
+      may_move: () => model.may_act && !model.hello.real,
+      chosen: () => this.chosen,
+      choose: (kind, index) => this.choose(kind, index),
+      carry: (kind, index, pose) => {
+        this.carried = kind && { kind, index, pose };
+        this.draw();
+      },
+      drop: () => this.#drop(),
+      nudge: (step, turn) => this.#nudge(step, turn),
+      changed: () => this.draw(),
+    });
+  }
+
+  shown(is_shown) {
+    this.#is_shown = is_shown;
+    this.watch();
+    if (is_shown) this.draw();
+  }
+
+  watch() {
+    this.#parts.model.watch("world", this.#is_shown && { truth: true, rays: this.shows.rays });
+  }
+
+  set(what, value) {
+    this.shows[what] = value;
+    localStorage.setItem("nezumi.world", JSON.stringify(this.shows));
+    this.watch();
+    this.draw();
+  }
+
+  choose(kind, index) {
+    this.chosen = kind ? { kind, index } : null;
+    if (!kind) this.follows = false;
+    if (kind === "robot") this.#parts.model.emit("chosen", this.#parts.model.system.robots[index].name);
+    this.on_chosen?.();
+    this.draw();
+  }
+
+  whole() {
+    this.follows = false;
+    this.eye.show(this.scene.bounds);
+    this.on_chosen?.();
+    this.draw();
+  }
+
+  pose_of({ kind, index }) {
+    const { model } = this.#parts;
+    return kind === "robot" ? model.robots[index] : this.scene.marker_pose(model.markers, index);
+  }
+
+  async #put(what, pose) {
+    const { acts, model } = this.#parts;
+    if (what.kind === "robot") return acts.teleport(model.system.robots[what.index].name, pose);
+    return acts.move_marker(model.system.markers[what.index].name, pose);
+  }
+
+  /// Stays where it was dropped until the engine has answered.
+  async #drop() {
+    const { carried } = this;
+    if (!carried?.pose) return;
+    await this.#put(carried, { ...this.pose_of(carried), ...carried.pose });
+    if (this.carried === carried) setTimeout(() => {
+      if (this.carried === carried) this.carried = null;
+      this.draw();
+    }, 60);
+  }
+
+  #nudge([dx, dy], turn) {
+    const pose = this.pose_of(this.chosen);
+    if (pose) this.#put(this.chosen, { ...pose, x: pose.x + dx, y: pose.y + dy, yaw: pose.yaw + turn });
+  }
+
+  #rebuild(anyway = false) {
+    const { system } = this.#parts.model;
+    this.#is_old = false;
+    if (!system) return;
+    const { arena, robots, markers } = system;
+    const layout = JSON.stringify({ arena, robots, markers });
+    if (layout === this.#layout && !anyway) return;
+    const is_first = this.#layout === "";
+    this.#layout = layout;
+    this.scene.paint(theme_colors());
+    this.scene.build(system, this.#parts.model);
+    if (is_first) {
+      this.#resize();
+      this.whole();
+    }
+    this.on_layout?.();
+    this.draw();
+  }
+
+  #resize() {
+    const { clientWidth: width, clientHeight: height } = this.stage;
+    if (!width || !height || (this.width === width && this.height === height)) return;
+    [this.width, this.height] = [width, height];
+    this.#renderer?.setSize(width, height, false);
+    this.eye.resize(width, height);
+    if (this.eye.shows_all) this.eye.show(this.scene.bounds);
+  }
+
+  draw() {
+    if (this.#is_asked || !this.#is_shown) return;
+    this.#is_asked = true;
+    requestAnimationFrame(() => {
+      this.#is_asked = false;
+      this.#draw();
+    });
+  }
+
+  #draw() {
+    const { model } = this.#parts;
+    if (this.#layout === "" || !this.#is_shown) return;
+    this.#resize();
+    const followed = this.follows && this.chosen && this.pose_of(this.chosen);
+    if (followed) this.eye.target.set(followed.x, followed.y, 0);
+    this.eye.update();
+    const chosen = this.chosen?.kind === "robot" ? this.chosen.index : null;
+    this.scene.update(model, { chosen, shows_rays: this.shows.rays, carried: this.carried });
+    this.scene.trails.lines.visible = this.shows.trails;
+    if (this.shows.trails) this.scene.trails.draw();
+    this.#renderer?.render(this.scene.three, this.eye.camera);
+    this.canvas.dataset.calls = this.#renderer?.info.render.calls ?? 0;
+    this.#label(model);
+  }
+
+  #label(model) {
+    const { labels, eye, chosen } = this;
+    const robots = model.system.robots;
+    labels.begin();
+    robots.forEach(({ name }, i) => {
+      const pose = model.robots[i];
+      const is_chosen = chosen?.kind === "robot" && chosen.index === i;
+      if (!pose || !(is_chosen || (this.shows.names && robots.length <= MOST_NAMES))) return;
+      labels.put(`name${is_chosen ? " chosen" : ""}${pose.collided ? " bad" : ""}`, pose.collided ? `${name} ⚠` : name,
+        eye.pixel(pose.x, pose.y, 0.12));
+      if (!this.shows.rays || !(is_chosen || robots.length === 1)) return;
+      for (const { from, to, hit } of model.rays[i] ?? []) {
+        if (!hit || (model.rays[i].length > 16)) continue;
+        labels.put("ray", `${(Math.hypot(to.x - from.x, to.y - from.y, to.z - from.z) * 100).toFixed(1)} cm`, eye.pixel(...beyond(from, to)));
+      }
+    });
+    labels.end();
+  }
+}
+
+/// A little behind the end of a ray, so that the values of neighbours stand apart.
+function beyond(from, to) {
+  const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
+  const more = 0.02 + 0.25 * length;
+  return [to.x + ((to.x - from.x) / length) * more, to.y + ((to.y - from.y) / length) * more, to.z];
+}
+
+const toggle = (text, is_on, set) => {
+  const button = el("button", { class: "toggle", "aria-pressed": is_on, text });
+  button.onclick = () => {
+    const next = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", next);
+    set(next);
+  };
+  return button;
+};
+
+function make_tools(world, { model }) {
+  const top = toggle(T.world.top, false, (is_on) => {
+    world.eye.is_top = is_on;
+    if (!world.follows) world.whole();
+  });
+  const follow = toggle(T.world.follow, false, (is_on) => {
+    world.follows = is_on;
+    if (is_on && world.chosen?.kind !== "robot") world.choose("robot", 0);
+    world.draw();
+  });
+  const select = el("select", { "aria-label": T.world.select, onchange: () => {
+    const [kind, index] = select.value.split(" ");
+    world.choose(kind || null, Number(index));
+  } });
+  const readout = el("output", { class: "readout" });
+  world.on_chosen = () => {
+    select.value = world.chosen ? `${world.chosen.kind} ${world.chosen.index}` : "";
+    follow.setAttribute("aria-pressed", world.follows);
+    show();
+  };
+  world.on_layout = () => {
+    const { robots, markers } = model.system;
+    const options = (kind, all) => all.map(({ name }, i) => el("option", { value: `${kind} ${i}`, text: name }));
+    select.replaceChildren(el("option", { value: "", text: T.world.none }), ...options("robot", robots), ...options("marker", markers));
+    world.on_chosen();
+  };
+  const show = at_most_every(100, () => {
+    const pose = world.chosen && world.pose_of(world.chosen);
+    readout.textContent = pose
+      ? T.world.pose(pose.x.toFixed(3), pose.y.toFixed(3), ((pose.yaw * 180) / Math.PI).toFixed(1)) + (pose.collided ? `  ${T.world.touching}` : "")
+      : "";
+  });
+  model.on("frame", show);
+  return [
+    el("div", { class: "tools", role: "toolbar", "aria-label": T.views.world }, select, follow, top,
+      el("button", { text: T.world.whole, title: T.world.whole_hint, onclick: () => world.whole() }),
+      ...["rays", "trails", "names"].map((each) => toggle(T.world[each], world.shows[each], (is_on) => world.set(each, is_on)))),
+    readout,
+  ];
+}
+
+export function make_world(parts) {
+  const world = new World(parts);
+  const about = el("p", { class: "hint", text: T.world.about });
+  parts.model.on("hello", () => {
+    about.textContent = parts.model.hello.real ? T.world.no_truth : T.world.about;
+  });
+  const [tools, readout] = make_tools(world, parts);
+  world.stage.append(readout);
+  return { node: el("div", { class: "world" }, tools, world.stage, about), shown: (is_shown) => world.shown(is_shown) };
+}

@@ -1,0 +1,251 @@
+// The world in three dimensions: what stands in the arena, the robots, what they see, where they were.
+import * as THREE from "/lib/three/three.module.js";
+import { marker_atlas, matrix_of, merge, painted_lines, robot_geometry, solids_of } from "./world_shapes.js";
+import { Trails } from "./world_trails.js";
+
+const MOST_RAYS = 8192;
+const shaded = () => new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors });
+const hidden = new THREE.Matrix4().makeScale(0, 0, 0);
+
+/// A round shadow, or a ring: one picture, laid under robots.
+function disc_texture(paint) {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 128;
+  paint(canvas.getContext("2d"));
+  return new THREE.CanvasTexture(canvas);
+}
+const shadow_texture = () => disc_texture((pen) => {
+  const shade = pen.createRadialGradient(64, 64, 16, 64, 64, 64);
+  shade.addColorStop(0, "rgba(0,0,0,0.42)");
+  shade.addColorStop(1, "rgba(0,0,0,0)");
+  pen.fillStyle = shade;
+  pen.fillRect(0, 0, 128, 128);
+});
+const ring_texture = () => disc_texture((pen) => {
+  pen.lineWidth = 9;
+  pen.strokeStyle = "#fff";
+  pen.beginPath();
+  pen.arc(64, 64, 56, 0, 2 * Math.PI);
+  pen.stroke();
+});
+
+export class Scene {
+  three = new THREE.Scene();
+  bounds = { x0: -1, x1: 1, y0: -1, y1: 1 };
+  trails = new Trails();
+  #colors = {};
+  #made = [];  // of this system
+  #groups = [];  // robots of one model: { mesh, members }
+  #solids = [];  // of one shape and colour: { mesh, members }
+  #discs = {};
+
+  constructor() {
+    this.sky = new THREE.HemisphereLight(0xffffff, 0x8a93a5, 0.85);
+    const sun = new THREE.DirectionalLight(0xffffff, 0.55);
+    sun.position.set(1.5, -2.5, 4);
+    this.rays = new THREE.LineSegments(new THREE.BufferGeometry(),
+      new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors, transparent: true, opacity: 0.85 }));
+    for (const name of ["position", "color"])
+      this.rays.geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(MOST_RAYS * 6), 3));
+    this.rays.frustumCulled = false;
+    this.three.add(this.sky, sun, this.rays, this.trails.lines);
+  }
+
+  paint(colors) {
+    this.#colors = colors;
+    this.three.background = new THREE.Color(colors.background);
+  }
+
+  #add(object) {
+    object.frustumCulled = false;
+    this.#made.push(object);
+    this.three.add(object);
+    return object;
+  }
+
+  /// Makes everything anew, as it is laid out and where it is now.
+  build({ arena = {}, robots = [], markers = [] }, now) {
+    for (const object of this.#made.splice(0)) {
+      this.three.remove(object);
+      object.geometry.dispose();
+    }
+    const colors = this.#colors;
+    const solids = solids_of(arena);
+    this.#find_bounds(arena, solids, now);
+    this.#build_floor(arena);
+    this.#build_solids(solids);
+    this.#build_robots(robots);
+    this.#build_markers(markers);
+    this.trails.reset(robots.length, colors.trails);
+  }
+
+  #find_bounds(arena, solids, { things, robots }) {
+    if (arena.size) {
+      const [w, h] = arena.size;
+      this.bounds = { x0: -w / 2, x1: w / 2, y0: -h / 2, y1: h / 2 };
+      return;
+    }
+    const box = { x0: -0.5, x1: 0.5, y0: -0.5, y1: 0.5 };
+    const include = ({ x, y }, reach) => {
+      box.x0 = Math.min(box.x0, x - reach);
+      box.x1 = Math.max(box.x1, x + reach);
+      box.y0 = Math.min(box.y0, y - reach);
+      box.y1 = Math.max(box.y1, y + reach);
+    };
+    solids.forEach(({ scale }, i) => things[i] && include(things[i].pose.position, Math.hypot(scale[0], scale[1]) / 2));
+    robots.forEach((pose) => pose && include(pose, 0.3));
+    this.bounds = box;
+  }
+
+  #build_floor(arena) {
+    const { x0, x1, y0, y1 } = this.bounds;
+    const margin = arena.size ? 0 : 1;
+    const [w, h] = [x1 - x0 + 2 * margin, y1 - y0 + 2 * margin];
+    const place = (mesh, z) => this.#add(mesh).position.set((x0 + x1) / 2, (y0 + y1) / 2, z);
+    place(new THREE.Mesh(new THREE.PlaneBufferGeometry(w, h), new THREE.MeshBasicMaterial({ color: arena.lines?.length ? this.#colors.painted : this.#colors.floor })), -0.002);
+    if (arena.floor?.url) {
+      const [fw, fh] = arena.floor.size ?? arena.size;
+      const material = new THREE.MeshBasicMaterial({ transparent: true });
+      const picture = this.#add(new THREE.Mesh(new THREE.PlaneBufferGeometry(fw, fh), material));
+      picture.visible = false;
+      material.map = new THREE.TextureLoader().load(arena.floor.url, () => {
+        picture.visible = true;
+        this.on_loaded?.();
+      });
+      material.map.anisotropy = 8;
+    }
+    const step = Math.max(w, h) > 12 ? 1 : 0.1;
+    const points = [];
+    const line = (...numbers) => points.push(...numbers);
+    for (let x = Math.ceil((x0 - margin) / step); x * step <= x1 + margin + 1e-9; ++x) line(x * step, y0 - margin, 0, x * step, y1 + margin, 0);
+    for (let y = Math.ceil((y0 - margin) / step); y * step <= y1 + margin + 1e-9; ++y) line(x0 - margin, y * step, 0, x1 + margin, y * step, 0);
+    const grid = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
+    this.#add(new THREE.LineSegments(grid, new THREE.LineBasicMaterial({ color: this.#colors.grid })))
+      .visible = !arena.floor?.url && !arena.lines?.length;
+    if (arena.lines?.length) this.#add(new THREE.Mesh(painted_lines(arena.lines), new THREE.MeshBasicMaterial({ vertexColors: THREE.VertexColors })));
+  }
+
+  #build_solids(solids) {
+    const kinds = new Map();
+    solids.forEach((solid, index) => {
+      const key = `${solid.geometry.uuid} ${solid.color}`;
+      if (!kinds.has(key)) kinds.set(key, []);
+      kinds.get(key).push({ ...solid, index });
+    });
+    this.#solids = [...kinds.values()].map((members) => {
+      const material = new THREE.MeshLambertMaterial({ color: members[0].color });
+      return { members, mesh: this.#add(new THREE.InstancedMesh(members[0].geometry.clone(), material, members.length)) };
+    });
+  }
+
+  #build_robots(robots) {
+    const kinds = new Map();
+    robots.forEach((robot, index) => {
+      const { name, ...looks } = robot;
+      const key = JSON.stringify(looks);
+      if (!kinds.has(key)) kinds.set(key, []);
+      kinds.get(key).push({ robot, index });
+    });
+    this.#groups = [...kinds.values()].map((members) => ({ members,
+      mesh: this.#add(new THREE.InstancedMesh(robot_geometry(members[0].robot, this.#colors), shaded(), members.length)) }));
+    const disc = (texture, color, z) => {
+      const material = new THREE.MeshBasicMaterial({ map: texture, color, transparent: true, depthWrite: false });
+      const mesh = this.#add(new THREE.InstancedMesh(new THREE.PlaneBufferGeometry(1, 1).translate(0, 0, z), material, Math.max(1, robots.length)));
+      mesh.renderOrder = 1;
+      return mesh;
+    };
+    this.#discs = {
+      shadow: disc(shadow_texture(), 0xffffff, 0.001),
+      chosen: disc(ring_texture(), this.#colors.accent, 0.0015),
+      touching: disc(ring_texture(), this.#colors.error, 0.002),
+    };
+    this.sizes = robots.map(({ hull }) => Math.hypot(hull.size[0], hull.size[1]));
+  }
+
+  #build_markers(markers) {
+    this.marker_specs = markers;
+    this.marker_mesh = null;
+    if (markers.length === 0) return;
+    const { texture, places } = marker_atlas(markers);
+    const uv = places.flatMap(([u0, v0, u1, v1]) => [u0, v0, u1, v0, u1, v1, u0, v1]);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(markers.length * 12), 3));
+    geometry.setAttribute("uv", new THREE.Float32BufferAttribute(uv, 2));
+    geometry.setIndex(markers.flatMap((_, i) => [0, 1, 2, 0, 2, 3].map((k) => 4 * i + k)));
+    texture.magFilter = THREE.NearestFilter;
+    this.marker_mesh = this.#add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ map: texture, side: THREE.DoubleSide })));
+  }
+
+  /// Moves everything to where it is now. `chosen`: a robot's index.
+  update({ robots, things, markers, rays }, { chosen, shows_rays, carried }) {
+    const at = (index) => (carried?.kind === "robot" && carried.index === index ? { ...robots[index], ...carried.pose } : robots[index]);
+    for (const { mesh, members } of this.#groups) {
+      members.forEach(({ index }, i) => mesh.setMatrixAt(i, at(index) ? matrix_of(at(index), undefined, scratch) : hidden));
+      mesh.instanceMatrix.needsUpdate = true;
+    }
+    const lay = (mesh, when, scale) => {
+      for (let i = 0; i < mesh.count; ++i) {
+        const pose = at(i);
+        mesh.setMatrixAt(i, pose && when(i, pose) ? matrix_of({ x: pose.x, y: pose.y, z: 0 }, Array(3).fill(this.sizes[i] * scale), scratch) : hidden);
+      }
+      mesh.instanceMatrix.needsUpdate = true;
+    };
+    lay(this.#discs.shadow, () => true, 1.45);
+    lay(this.#discs.chosen, (i) => i === chosen, 1.5);
+    lay(this.#discs.touching, (_, pose) => pose.collided, 1.25);
+    this.#discs.chosen.visible = chosen !== null;
+    this.#discs.touching.visible = robots.some((each) => each?.collided);
+    for (const { mesh, members } of this.#solids) {
+      members.forEach((each, i) => mesh.setMatrixAt(i, things[each.index] ? matrix_of(flat(things[each.index].pose), each.scale, scratch) : hidden));
+      mesh.instanceMatrix.needsUpdate = true;
+    }
+    this.#update_markers(markers, carried);
+    this.#update_rays(shows_rays ? rays.flat() : []);
+  }
+
+  /// Where a marker is: { x, y, z, yaw }.
+  marker_pose(markers, i, carried) {
+    const pose = flat(markers[i]?.pose) ?? { x: 0, y: 0, z: -1, yaw: 0 };
+    return carried?.kind === "marker" && carried.index === i ? { ...pose, ...carried.pose } : pose;
+  }
+
+  #update_markers(markers, carried) {
+    if (!this.marker_mesh) return;
+    const { position } = this.marker_mesh.geometry.attributes;
+    this.marker_specs.forEach(({ size }, i) => {
+      matrix_of(this.marker_pose(markers, i, carried), undefined, scratch);
+      const half = size * 0.625;  // with its white edge
+      [[1, -1], [-1, -1], [-1, 1], [1, 1]].forEach(([y, z], k) => {
+        corner.set(0, -y * half, z * half).applyMatrix4(scratch);
+        position.setXYZ(4 * i + k, corner.x, corner.y, corner.z);
+      });
+    });
+    position.needsUpdate = true;
+  }
+
+  #update_rays(rays) {
+    const { position, color } = this.rays.geometry.attributes;
+    const count = Math.min(rays.length, MOST_RAYS);
+    const [near, far] = [new THREE.Color(this.#colors.ray_near), new THREE.Color(this.#colors.ray)];
+    for (let i = 0; i < count; ++i) {
+      const { from, to, hit } = rays[i];
+      position.setXYZ(2 * i, from.x, from.y, from.z);
+      position.setXYZ(2 * i + 1, to.x, to.y, to.z);
+      const tint = hit ? near : far;
+      color.setXYZ(2 * i, tint.r, tint.g, tint.b);
+      color.setXYZ(2 * i + 1, tint.r, tint.g, tint.b);
+    }
+    this.rays.geometry.setDrawRange(0, 2 * count);
+    position.needsUpdate = color.needsUpdate = true;
+  }
+}
+
+const scratch = new THREE.Matrix4();
+const corner = new THREE.Vector3();
+
+/// A Pose3D of the engine as { x, y, z, yaw, pitch, roll }.
+function flat(pose) {
+  if (!pose) return undefined;
+  const { position, orientation } = pose;
+  return { ...position, yaw: orientation.y, pitch: orientation.p, roll: orientation.r };
+}
