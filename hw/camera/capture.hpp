@@ -45,5 +45,7 @@ using OpenCapture = std::function<tl::expected<std::unique_ptr<Capture>, std::st
 /// than all else of it together.
 tl::expected<std::unique_ptr<Capture>, std::string> open_by_opencv(const std::string& node,
                                                                    const CaptureSettings& settings);
+/// Loads that module. An error says why there are no cameras without it, with what to install.
+tl::expected<void, std::string> load_opencv();
 
 }  // namespace nezumi::hw

@@ -35,8 +35,11 @@ void examine_cameras(const MachineRoots& roots, Findings& findings) {
                                     "unplug it and plug it in again, and look at what dmesg says"});
         }
     }
-    if (!any)
+    if (!any) {
         findings.push_back({"camera", note, "none is there", "plug one in, where a system has a component Camera"});
+    } else if (const auto loaded = roots.load_cameras(); !loaded) {
+        findings.push_back({"camera", wrong, "nezumi can't use it", loaded.error()});
+    }
 }
 
 // ALSA's list has two lines for a card: " 0 [Headphones     ]: bcm2835_headpho - bcm2835 Headphones".

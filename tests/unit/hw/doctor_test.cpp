@@ -42,11 +42,13 @@ struct MouseMachine {
         roots.proc = folder.path("proc").string();
         roots.udev = {folder.path("udev").string()};
         roots.rules = "/usr/share/nezumi/60-nezumi.rules";
+        if (!cameras.empty()) roots.load_cameras = [this] { return tl::unexpected(cameras); };
         return hw::examine(roots);
     }
     void remove(const std::string& name) const { std::filesystem::remove_all(folder.path(name)); }
 
     Scratch folder;
+    std::string cameras;  // why nezumi can't use them
 };
 
 // "wrong driver: rtmouse is not loaded -> sudo modprobe rtmouse", a line each, of what is not well.
@@ -226,6 +228,19 @@ TEST_CASE("cameras and sound cards are listed", "[hw][doctor]") {
     machine.folder.write("dev/video0", "");
     CHECK(found(machine.examine(), "camera") == "video0: USB Camera");
     CHECK(found(machine.examine(), "sound") == "bcm2835 Headphones");
+}
+
+TEST_CASE("a camera that nezumi's part for cameras can't be loaded for is of no use", "[hw][doctor]") {
+    MouseMachine machine;
+    machine.cameras = "libopencv_videoio.so.406 is not there. Install it";
+    CHECK(not_well(machine.examine()).empty());
+    machine.folder.write("sys/class/video4linux/video0/name", "USB Camera\n");
+    machine.folder.write("dev/video0", "");
+    CHECK(found(machine.examine(), "camera") == "video0: USB Camera");
+    CHECK(not_well(machine.examine()) ==
+          "camera: nezumi can't use it -> libopencv_videoio.so.406 is not there. Install it\n");
+    machine.cameras = "";  // the program that runs this test can
+    CHECK(not_well(machine.examine()).empty());
 }
 
 TEST_CASE("a brick tells its motors, sensors and battery", "[hw][doctor]") {
