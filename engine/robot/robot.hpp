@@ -55,6 +55,11 @@ public:
 
     /// Brakes as hard as it can, then its motors have no power; until `rearm` it ignores what would move it.
     void emergency_stop();
+    /// A real robot's wheels stand from the next `actuate` on, without braking: what drives it has hung, and nobody
+    /// knows what is in front of it by now. It obeys the next command.
+    void halt() {
+        if (is_real()) guard_.halt();
+    }
     /// Obeys again what comes from now on. It must stand.
     void rearm();
     /// Neither its wheels turn nor are they meant to.

@@ -28,6 +28,8 @@ public:
     Verdict command(const Velocity2D& velocity, double now);
     /// From now on: stand still.
     void stop() { target_ = {}; }
+    /// Stands still now, without braking.
+    void halt() { target_ = current_ = {}; }
 
     /// The velocity to drive at `now` [s], when calls are `dt` [s] apart and the last one was `passed` [s] ago: that is
     /// what it has braked for since, while it never speeds up by more than a `dt` gives.

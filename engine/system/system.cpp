@@ -262,13 +262,18 @@ void System::run_phases(const Group& group, const ForEach& for_each) {
     });
     // No execution sees what another one writes, as outputs latch when all have ended: each may follow its own inputs
     // at once.
-    for_each(group.behaviors, [this](Component& behavior) {
+    std::atomic<bool> has_hung = false;
+    for_each(group.behaviors, [this, &has_hung](Component& behavior) {
         behavior.latch_inputs(now_);
+        const LifeState before = behavior.state();
         if (is_due(behavior) && !at_rest_) behavior.execute(now_);
         if (behavior.out_of_time()) out_of_time_ = true;
+        if (behavior.state() != before && behavior.last_error().kind == Error::Kind::out_of_time) has_hung = true;
     });
     for_each(group.behaviors, [this](Component& behavior) { behavior.latch_outputs(now_); });
-    for_each(group.devices, [this](Device& device) {
+    for_each(group.devices, [this, &has_hung](Device& device) {
+        auto* robot = has_hung ? dynamic_cast<Robot*>(&device) : nullptr;
+        if (robot != nullptr) robot->halt();
         device.latch_inputs(now_);
         device.actuate(now_);
     });

@@ -212,6 +212,45 @@ TEST_CASE("a stalled loop is a stop, from which the next command starts", "[engi
     CHECK(slow.hull.speeds == Wheels{});
 }
 
+TEST_CASE("a real robot stands at once when the script that drives it has hung, and brakes after any other error",
+          "[engine][robot][safety][hardware]") {
+    const auto speed_after = [](Error::Kind kind) {
+        RealRun run;
+        auto made = std::make_unique<TryComponent>("driver");
+        TryComponent& driver = *made;
+        driver.executed = [](TryComponent& self) -> Expected<void> {
+            self.speed.write({.vx = 0.1});
+            return {};
+        };
+        REQUIRE(run.system.add(std::move(made)));
+        REQUIRE(run.system.connect("driver.speed", "mouse.velocity_in"));
+        REQUIRE(driver.activate(run.system.now()));
+        const auto ticks = [&](int count) {
+            for (int i = 0; i < count; ++i) {
+                run.clock += 0.01;
+                run.system.tick();
+            }
+        };
+        ticks(20);
+        CHECK(run.hull.speeds.left == Approx(0.1));
+        driver.executed = [kind](TryComponent&) -> Expected<void> { return Unexpected(Error{"no more", {}, kind}); };
+        ticks(1);
+        CHECK(driver.state() == LifeState::error);
+        const double speed = run.hull.speeds.left;
+        // What drives it next finds it as ever.
+        run.drive(0.01);
+        CHECK(run.hull.speeds.left == Approx(speed == 0 ? 0.02 : 0.1));
+        return speed;
+    };
+    CHECK(speed_after(Error::Kind::ordinary) == Approx(0.08));
+    CHECK(speed_after(Error::Kind::out_of_time) == 0);
+
+    FakeRun simulated;
+    at_speed(simulated).robot->halt();
+    simulated.system.tick();
+    CHECK(speed_of(simulated) == Approx(0.1));
+}
+
 TEST_CASE("a robot speeds up by no more than a period gives, and brakes for all that has passed",
           "[engine][robot][safety][hardware]") {
     RealRun run;

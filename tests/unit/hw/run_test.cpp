@@ -13,15 +13,15 @@ using namespace nezumi::hw;
 
 namespace {
 
-// Drives ahead; at 2 s by the engine's clock it may do something else.
+// Drives ahead; the third button sends it into an endless loop, and at 2 s by the engine's clock it may fail.
 const std::string behavior = R"(
+local buttons = input("buttons", "TimedBooleanSeq")
 local out = output("out", "TimedVelocity2D", "velocity")
-param("at_2_s", "")
+param("fails_at_2_s", false)
 function on_execute()
   out:write { vx = 0.15 }
-  if now() < 2 then return end
-  if config.at_2_s == "loop" then while true do end end
-  if config.at_2_s == "fail" then error("no luck") end
+  if buttons:read()[3] then while true do end end
+  if config.fails_at_2_s and now() > 2 then error("no luck") end
 end
 )";
 
@@ -34,9 +34,10 @@ struct HardwareRun {
         fake.folder.write("behaviors/shutdown_mouse.lua", shipped_model(", shutdown = \"switch1\""));
         fake.folder.write("system.lua", "robot 'mouse' { model = '" + model +
                                             "' }\n"
-                                            "behavior 'driver' { script = 'ahead', config = { at_2_s = '" +
+                                            "behavior 'driver' { script = 'ahead', config = { " +
                                             config +
-                                            "' } }\n"
+                                            " } }\n"
+                                            "connect('mouse.switch3bit_out', 'driver.buttons')\n"
                                             "connect('driver.out', 'mouse.target_velocity_in')\n");
         std::vector<std::string> words{"run", "system.lua", "--hw", "--headless", "--dev-root", fake.dev()};
         words.insert(words.end(), more.begin(), more.end());
@@ -126,19 +127,21 @@ TEST_CASE("the wheels stand within 250 ms of a stall of program or guard, and tu
 }
 
 TEST_CASE("a motor's node that hangs does not keep the robot driving", "[hw][run][fakes][safety][wallclock]") {
-    HardwareRun run("fail");
+    HardwareRun run("fails_at_2_s = true");
     run.get_going();
     run.fake.fault("rtmotor_raw_r0", "hang");  // the first write after that is the braking
     REQUIRE(run.program->wait_for_error("no luck", 10));
     CHECK(run.time_to_stand([] {}) < 0.25);
 }
 
-TEST_CASE("an endless script is ended, and its robot brakes", "[hw][run][fakes][safety][wallclock]") {
-    HardwareRun run("loop");
+TEST_CASE("the wheels stand within 250 ms of a script's endless loop", "[hw][run][fakes][safety][wallclock]") {
+    HardwareRun run;
     run.get_going();
-    REQUIRE(run.program->wait_for_error("driver", 10));
-    const double time = run.time_to_stand([] {});
-    CHECK(time < 0.15 / 0.52 + 0.15);
+    const double time = run.time_to_stand([&] { run.fake.say("button 2 1"); });
+    constexpr double reading = 0.04;  // of the button, at most
+    CHECK(time < reading + 0.25);
+    CHECK(run.program->wait_for_error("ran for more than 0.1 s: is there an endless loop?", 5));
+    WARN("stopped " << time * 1e3 << " ms after the button that starts the loop was pressed");
 }
 
 TEST_CASE("a run that ends brakes and takes the motors' power", "[hw][run][fakes][wallclock]") {
