@@ -2,5 +2,6 @@
 set(architecture armel)
 set(triplet arm-linux-gnueabi)
 set(CMAKE_SYSTEM_PROCESSOR armv5te)
+set(CMAKE_CXX_STANDARD_LIBRARIES_INIT -latomic)  # it has no atomic instructions
 set(emulator qemu-arm-static -cpu arm926)
 include(${CMAKE_CURRENT_LIST_DIR}/debian.cmake)
