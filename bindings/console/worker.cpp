@@ -35,7 +35,8 @@ bool Bell::wait(Clock::time_point until, int also) const {
     auto left = std::max(until - Clock::now(), Clock::duration{0});
     if (!file_) left = std::min<Clock::duration>(left, without_file);
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
-    const timespec timeout{.tv_sec = seconds.count(), .tv_nsec = (left - seconds).count()};
+    const timespec timeout{.tv_sec = static_cast<std::time_t>(seconds.count()),
+                           .tv_nsec = static_cast<long>((left - seconds).count())};
     std::array<pollfd, 2> polled{
         {{.fd = file_.get(), .events = POLLIN, .revents = 0}, {.fd = also, .events = POLLIN, .revents = 0}}};
     return ppoll(polled.data(), polled.size(), &timeout, nullptr) > 0 || (!file_ && Clock::now() < until);

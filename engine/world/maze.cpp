@@ -68,7 +68,7 @@ std::vector<std::string> draw_maze(const MazePlan& plan) {
             continue;
         }
         // The first step is north where there is a north. The remainder favours none by more than 2^-61.
-        const std::size_t which = way.size() == 1 ? 0 : random() % fresh.size();
+        const std::size_t which = way.size() == 1 ? 0 : static_cast<std::size_t>(random() % fresh.size());
         const Step step = fresh[which];
         // A wall that is gone, between cells beside each other or above each other.
         if (step.column == 0) {

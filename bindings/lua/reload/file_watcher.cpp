@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -237,7 +238,8 @@ void FileWatcher::Watch::run() {
     while (!shared_.quit) {
         pollfd fds[2] = {{shared_.wake, POLLIN, 0}, {notices_->fd(), POLLIN, 0}};
         const auto wait = pending ? nanoseconds(kQuiet) : nanoseconds(look_every_);
-        const timespec timeout{wait.count() / 1'000'000'000, wait.count() % 1'000'000'000};
+        const timespec timeout{.tv_sec = static_cast<std::time_t>(wait.count() / 1'000'000'000),
+                               .tv_nsec = static_cast<long>(wait.count() % 1'000'000'000)};
         const int ready = ::ppoll(fds, notices_->fd() >= 0 ? 2 : 1, &timeout, nullptr);
         eventfd_t ignored = 0;
         ::eventfd_read(shared_.wake, &ignored);

@@ -80,7 +80,8 @@ int missing_element(lua_State* L) {
     lua_Debug activation;
     if (lua_isinteger(L, 2) != 0 && lua_getstack(L, 1, &activation) != 0 && lua_getinfo(L, "Sl", &activation) != 0 &&
         activation.currentline > 0) {
-        Script::MissingElement element{slot.declaration, lua_tointeger(L, 2), lua_rawlen(L, 1), {}};
+        Script::MissingElement element{
+            slot.declaration, lua_tointeger(L, 2), static_cast<std::size_t>(lua_rawlen(L, 1)), {}};
         element.place.set(activation);
         slot.script->note_missing(element);
     }
