@@ -11,8 +11,8 @@ using namespace std::string_literals;
 
 namespace {
 
-struct Rig {
-    Rig() {
+struct ValueRig {
+    ValueRig() {
         folder.write("behaviors/it.lua", "param('speed', 0.1)\nparam('name', 'a')\n");
         file = folder.write("system.lua",
                             "behavior 'it' { script = 'it', config = { speed = 0.2 },\n"
@@ -38,7 +38,7 @@ struct Rig {
 }  // namespace
 
 TEST_CASE("a value is what Lua would read, and any other word a text", "[lua][files]") {
-    const Rig rig;
+    const ValueRig rig;
     CHECK(rig.value("30") == ParameterValue{std::int64_t{30}});
     CHECK(rig.value("-0.5") == ParameterValue{-0.5});
     CHECK(rig.value("true") == ParameterValue{true});
@@ -50,7 +50,7 @@ TEST_CASE("a value is what Lua would read, and any other word a text", "[lua][fi
 }
 
 TEST_CASE("the last value counts, over the file's and over the set in use", "[lua][files]") {
-    const Rig rig;
+    const ValueRig rig;
     const auto entry = rig.with({.set = {"it.speed=0.3", "it.speed=0.4"}});
     REQUIRE(entry);
     CHECK(entry->config.at("speed") == ParameterValue{0.4});
@@ -60,7 +60,7 @@ TEST_CASE("the last value counts, over the file's and over the set in use", "[lu
 }
 
 TEST_CASE("a saved system's parameters and sets hold, and a value set by hand over them", "[lua][files]") {
-    const Rig rig;
+    const ValueRig rig;
     const std::string saved = rig.folder
                                   .write("saved.lua",
                                          "behavior 'it' { script = 'it', config = { speed = 0.6, name = 'b' } }\n"
