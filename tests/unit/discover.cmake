@@ -27,7 +27,7 @@ function(list_cases spec properties)
       "add_test([==[${PREFIX}${name}]==] [==[${TESTS}]==] [==[${found}]==] --warn NoTests)\n"
       "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES WORKING_DIRECTORY [==[${FOLDER}]==] TIMEOUT 120 "
       "SKIP_REGULAR_EXPRESSION [==[SKIPPED: ]==] "
-      "ENVIRONMENT [==[ASAN_OPTIONS=hard_rss_limit_mb=4096;LSAN_OPTIONS=suppressions=${FOLDER}/tests/unit/leaks.txt:print_suppressions=0]==] "
+      "ENVIRONMENT [==[ASAN_OPTIONS=hard_rss_limit_mb=4096;LSAN_OPTIONS=suppressions=${FOLDER}/tests/unit/leaks.txt:print_suppressions=0;TSAN_OPTIONS=suppressions=${FOLDER}/tests/unit/lock_orders.txt]==] "
       "${properties})\n")
   endforeach()
   set(script "${script}" PARENT_SCOPE)

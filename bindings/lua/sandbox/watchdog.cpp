@@ -24,7 +24,9 @@ extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);
 // It also has to see every jump, or it loses count of the calls; Debian's Lua jumps by a name that it does not know.
 extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value); }
 #define NEZUMI_SIGACTION __sigaction
-#define NEZUMI_IN_SIGNAL __attribute__((no_sanitize("thread")))
+// The sanitizer notes each call of a function: a handler that does so while its own code is interrupted waits for
+// itself.
+#define NEZUMI_IN_SIGNAL __attribute__((disable_sanitizer_instrumentation))
 // Nor may the handler call what it intercepts.
 #define NEZUMI_CLOCK_GETTIME(clock, time) syscall(SYS_clock_gettime, clock, time)
 #define NEZUMI_CAN_LEAVE false
@@ -108,7 +110,7 @@ void watch_hook(lua_State* lua, lua_Debug*) {
 NEZUMI_IN_SIGNAL void leave_lua(CallRecord* innermost) {
     CallRecord* outermost = innermost;
     while (outermost->outer != nullptr) outermost = outermost->outer;
-    if (!NEZUMI_CAN_LEAVE || !outermost->can_escape) return;
+    if (!outermost->can_escape) return;
     outermost->can_escape = false;
     for (CallRecord* call = innermost; call != nullptr; call = call->outer) {
         LuaState& state = LuaState::of(call->running);
@@ -144,7 +146,8 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
         if (call == expired) break;
     }
     errno = saved_errno;
-    if (expired != nullptr && grace_is_over(*innermost, now) && was_in_lua(context)) leave_lua(innermost);
+    if (NEZUMI_CAN_LEAVE && expired != nullptr && grace_is_over(*innermost, now) && was_in_lua(context))
+        leave_lua(innermost);
 }
 
 enum class Watch : unsigned char { not_yet, by_timer, by_polling };

@@ -182,6 +182,8 @@ TEST_CASE("a watch shows changes as they come", "[console][session]") {
           "[0.030] controller.out = { vx = 0.5, vy = 0, va = 0 }");
     CHECK(it.type("unwatch(controller.out) controller.config.speed_x = 0.25 step(2)").empty());
     CHECK(it.type("unwatch(controller.out)") == "! unwatch: controller.out is not watched");
+    it.type("watch(controller.out) step()");
+    CHECK(it.type("unwatch() controller.config.speed_x = 0.5 step(2)").empty());
     CHECK(it.type("watch(controller)") ==
           "! watch: expected a port, got the component controller: write controller.PORT");
 }
