@@ -85,7 +85,7 @@ void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
     }
     const auto size = static_cast<std::uint64_t>(status.st_size);
     from = std::min(from, size);
-    std::string tail(size - from, '\0');
+    std::string tail(static_cast<std::size_t>(size - from), '\0');
     const ssize_t got = pread(file, tail.data(), tail.size(), static_cast<off_t>(from));
     tail.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
 

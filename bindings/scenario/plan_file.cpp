@@ -79,7 +79,8 @@ bool read_run(ArchiveReader& reader, const TestPlan& plan, PlannedRun& run) {
     if (!reader(file) || !reader(scenario) || !reader(run.name) || !reader(run.drawn) || !reader(point.names) ||
         !reader(point.values))
         return false;
-    if (file >= plan.files.size() || scenario >= plan.files[file].scenarios.size()) return false;
+    if (file >= plan.files.size() || scenario >= plan.files[static_cast<std::size_t>(file)].scenarios.size())
+        return false;
     if (point.names.size() != point.values.size()) return false;
     run.file = static_cast<std::size_t>(file);
     run.scenario = static_cast<std::size_t>(scenario);

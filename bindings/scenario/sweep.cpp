@@ -120,7 +120,8 @@ SweepPoint point_at(const Sweep& sweep, std::uint64_t index) {
         const std::uint64_t at = index % count;
         index /= count;
         const auto* list = std::get_if<std::vector<SweepValue>>(&key.values);
-        point[i] = {key.name, list != nullptr ? (*list)[at] : value_at(std::get<SweepRange>(key.values), at)};
+        point[i] = {key.name, list != nullptr ? (*list)[static_cast<std::size_t>(at)]
+                                              : value_at(std::get<SweepRange>(key.values), at)};
     }
     return point;
 }
@@ -228,7 +229,7 @@ SweepPoint draw(const Sweep& sweep, std::uint64_t seed, std::size_t index) {
             point.emplace_back(key.name, draw(*range, random));
         } else {
             const auto& values = std::get<std::vector<SweepValue>>(key.values);
-            point.emplace_back(key.name, values[random.next_up_to(values.size() - 1)]);
+            point.emplace_back(key.name, values[static_cast<std::size_t>(random.next_up_to(values.size() - 1))]);
         }
     }
     return point;
