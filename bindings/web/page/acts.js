@@ -4,6 +4,9 @@ import { T } from "./texts.js";
 /// A parameter's value as an act writes it: an array is named by the kind of its elements.
 const as_parameter = (type, value) => (Array.isArray(value) ? { [type === "strings" ? "texts" : type]: value } : value);
 
+/// Micrometres and microradians are enough.
+const round = (value) => Math.round(value * 1e6) / 1e6;
+
 export class Acts {
   #link;
   #model;
@@ -26,7 +29,7 @@ export class Acts {
   time = (what, value) => this.#ask({ do: "time", what, ...(value === undefined ? {} : { value }) }, what);
 
   /// Waits for nothing, and is sent even where nobody knows yet what one may do.
-  stop = () => this.#link.send({ do: "stop" });
+  stop = () => this.#link.send({ do: "stop" }) || this.#notices.say(T.stop.not_sent, "error");
   rearm = () => this.#ask({ do: "rearm" }, T.stop.rearm);
 
   set_parameter = (component, { name, type }, value) =>
@@ -39,7 +42,7 @@ export class Acts {
   connect = (from, to) => this.act("Connect", { from, to });
   disconnect = (from, to) => this.act("Disconnect", { from, to });
   teleport = (robot, { x, y, yaw }) =>
-    this.act("Teleport", { robot, pose: { position: { x, y }, heading: yaw } });
+    this.act("Teleport", { robot, pose: { position: { x: round(x), y: round(y) }, heading: round(yaw) } });
   move_marker = (marker, { x, y, z, yaw }) =>
-    this.act("MoveMarker", { marker, pose: { position: { x, y, z }, orientation: { r: 0, p: 0, y: yaw } } });
+    this.act("MoveMarker", { marker, pose: { position: { x: round(x), y: round(y), z: round(z) }, orientation: { r: 0, p: 0, y: round(yaw) } } });
 }

@@ -104,7 +104,7 @@ export function make_console({ link, model, notices }) {
   const complete = () => {
     const text = input.value;
     const cursor = input.selectionStart;
-    ask({ do: "complete", text, cursor: bytes_of(text.slice(0, cursor)) }, ({ from, items = [] }) => {
+    ask({ do: "complete", text, cursor: bytes_of(text.slice(0, cursor)) }, ({ from = 0, items = [] }) => {
       if (input.value !== text || input.selectionStart !== cursor || items.length === 0) return;
       const begin = index_at(text, from);
       const use = (item) => {

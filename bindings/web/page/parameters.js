@@ -17,8 +17,9 @@ function make_row(component, parameter, acts) {
     widget.node, about && el("p", { class: "hint", text: about }));
   return { node, show: (now) => {
     widget.show(now.value);
-    node.classList.toggle("changed", Boolean(now.changed));
-    back.hidden = !now.changed;
+    const is_default = JSON.stringify(now.value) === JSON.stringify(now.default);
+    node.classList.toggle("changed", !is_default);
+    back.hidden = is_default;
     back.title = `${T.parameters.back}: ${T.parameters.default_is(JSON.stringify(now.default))}`;
     back.setAttribute("aria-label", `${label}: ${back.title}`);
   } };

@@ -22,7 +22,7 @@ const EN = {
   },
 
   stop: { label: "Stop", hint: "Stop all robots at once (space bar)", rearm: "Re-arm",
-    rearm_hint: "Let the robots move again", held: "Stopped. Commands are ignored until you re-arm." },
+    rearm_hint: "Let the robots move again", not_sent: "Not sent: there is no connection.", held: "Stopped. Commands are ignored until you re-arm." },
 
   time: { label: "Time", pause: "Pause", resume: "Run", step: "Step", step_hint: "One tick", restart: "Restart",
     restart_sure: "Restart the system? Every component begins anew; what was added is gone.",
@@ -54,7 +54,7 @@ const EN = {
 
   parameters: {
     none: "No component has parameters.", search: "Search parameters",
-    changed: "changed by hand", back: "Put back", back_all: "Put all back", set: "Set", no_set: "none",
+    changed: "not its default", back: "Put back", back_all: "Put all back", set: "Set", no_set: "none",
     bounds: (min, max) => `${min} … ${max}`, at_least: (min) => `at least ${min}`, at_most: (max) => `at most ${max}`,
     not_a_number: "a number is needed", not_whole: "a whole number is needed",
     above: (max) => `above its maximum ${max}`, below: (min) => `below its minimum ${min}`,

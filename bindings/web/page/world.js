@@ -7,6 +7,7 @@ import { put_hands_on } from "./world_hand.js";
 import { Scene } from "./world_scene.js";
 
 const MOST_NAMES = 40;
+const NUDGES_JOIN = 500;  // ms
 
 /// The theme's colours, from the style sheet.
 function theme_colors() {
@@ -66,6 +67,7 @@ class World {
   #renderer = make_renderer(this.canvas);
   #is_asked = false;
   #is_shown = false;
+  #nudged = {};  // by keys: { what, when, pose }
   #layout = "";
   #is_old = false;  // what was built, since the system was told anew
 
@@ -155,9 +157,13 @@ class World {
     }, 60);
   }
 
+  /// From where the last keys have put it, also while that is still on its way.
   #nudge([dx, dy], turn) {
-    const pose = this.pose_of(this.chosen);
-    if (pose) this.#put(this.chosen, { ...pose, x: pose.x + dx, y: pose.y + dy, yaw: pose.yaw + turn });
+    const { what, when, pose: wished } = this.#nudged;
+    const pose = what === this.chosen && performance.now() - when < NUDGES_JOIN ? wished : this.pose_of(this.chosen);
+    if (!pose) return;
+    this.#nudged = { what: this.chosen, when: performance.now(), pose: { ...pose, x: pose.x + dx, y: pose.y + dy, yaw: pose.yaw + turn } };
+    this.#put(this.chosen, this.#nudged.pose);
   }
 
   #rebuild(anyway = false) {
@@ -278,8 +284,9 @@ function make_tools(world, { model }) {
   };
   const show = at_most_every(100, () => {
     const pose = world.chosen && world.pose_of(world.chosen);
+    const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.0+)$/, "$1");
     readout.textContent = pose
-      ? T.world.pose(pose.x.toFixed(3), pose.y.toFixed(3), ((pose.yaw * 180) / Math.PI).toFixed(1)) + (pose.collided ? `  ${T.world.touching}` : "")
+      ? T.world.pose(fixed(pose.x, 3), fixed(pose.y, 3), fixed((pose.yaw * 180) / Math.PI, 1)) + (pose.collided ? `  ${T.world.touching}` : "")
       : "";
   });
   model.on("frame", show);
