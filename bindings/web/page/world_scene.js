@@ -16,7 +16,7 @@ function disc_texture(paint) {
 }
 const shadow_texture = () => disc_texture((pen) => {
   const shade = pen.createRadialGradient(64, 64, 16, 64, 64, 64);
-  shade.addColorStop(0, "rgba(0,0,0,0.42)");
+  shade.addColorStop(0, "rgba(0,0,0,0.32)");
   shade.addColorStop(1, "rgba(0,0,0,0)");
   pen.fillStyle = shade;
   pen.fillRect(0, 0, 128, 128);
@@ -85,16 +85,18 @@ export class Scene {
       this.bounds = { x0: -w / 2, x1: w / 2, y0: -h / 2, y1: h / 2 };
       return;
     }
-    const box = { x0: -0.5, x1: 0.5, y0: -0.5, y1: 0.5 };
-    const include = ({ x, y }, reach) => {
-      box.x0 = Math.min(box.x0, x - reach);
-      box.x1 = Math.max(box.x1, x + reach);
-      box.y0 = Math.min(box.y0, y - reach);
-      box.y1 = Math.max(box.y1, y + reach);
+    const box = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
+    const include = ({ x, y, yaw }, l, w) => {
+      const [cos, sin] = [Math.abs(Math.cos(yaw)), Math.abs(Math.sin(yaw))];
+      const [dx, dy] = [(l * cos + w * sin) / 2, (l * sin + w * cos) / 2];
+      box.x0 = Math.min(box.x0, x - dx);
+      box.x1 = Math.max(box.x1, x + dx);
+      box.y0 = Math.min(box.y0, y - dy);
+      box.y1 = Math.max(box.y1, y + dy);
     };
-    solids.forEach(({ scale }, i) => things[i] && include(things[i].pose.position, Math.hypot(scale[0], scale[1]) / 2));
-    robots.forEach((pose) => pose && include(pose, 0.3));
-    this.bounds = box;
+    solids.forEach(({ scale }, i) => things[i] && include(flat(things[i].pose), scale[0], scale[1]));
+    robots.forEach((pose) => pose && include(pose, 0.5, 0.5));
+    this.bounds = box.x0 < box.x1 ? box : { x0: -1, x1: 1, y0: -1, y1: 1 };
   }
 
   #build_floor(arena) {

@@ -1,0 +1,77 @@
+// Checks of the page's modules that need no engine: run within the page. Returns how many there were, or throws.
+const { Cdr, numbers_in, to_message } = await import("/cdr.js");
+const { curve, place, route } = await import("/diagram_layout.js");
+const { ticks, to_csv } = await import("/plot_files.js");
+const { what_is_wrong } = await import("/widgets.js");
+const { number_text, value_text } = await import("/value_text.js");
+
+let count = 0;
+function same(got, expected, what) {
+  count += 1;
+  if (JSON.stringify(got) !== JSON.stringify(expected)) throw new Error(`${what}: got ${JSON.stringify(got)}, expected ${JSON.stringify(expected)}`);
+}
+function refused(work, expected, what) {
+  count += 1;
+  try {
+    work();
+  } catch (wrong) {
+    if (wrong.message.includes(expected)) return;
+    throw new Error(`${what}: it says '${wrong.message}'`);
+  }
+  throw new Error(`${what}: it was taken`);
+}
+const bytes = (...numbers) => new Uint8Array(numbers);
+
+const types = {
+  Time: [{ name: "sec", type: "uint32" }, { name: "nsec", type: "uint32" }],
+  Point: [{ name: "x", type: "double" }],
+  TimedShortSeq: [{ name: "tm", type: "Time" }, { name: "data", type: "sequence<int16>" }],
+  Mixed: [{ name: "on", type: "bool" }, { name: "at", type: "Point" }, { name: "words", type: "sequence<string>" }, { name: "bits", type: "sequence<bool>" }],
+  Octets: [{ name: "data", type: "sequence<octet>" }],
+  Nested: [{ name: "all", type: "sequence<sequence<float>>" }],
+  Lost: [{ name: "data", type: "Nothing" }],
+};
+const cdr = new Cdr(types);
+
+const shorts = bytes(2, 0, 0, 0, 0, 0x65, 0xcd, 0x1d, 3, 0, 0, 0, 1, 0, 0xff, 0xff, 0, 1);
+same(to_message(cdr.read("TimedShortSeq", shorts)), { tm: 2.5, value: [1, -1, 256] }, "a stamp and shorts");
+same(cdr.read("Mixed", bytes(1, 9, 9, 9, 9, 9, 9, 9, 0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 1, 0, 0, 0, 3, 0, 0, 0, 0xc3, 0xa9, 0, 9, 2, 0, 0, 0, 1, 0)),
+  { on: true, at: { x: 1 }, words: ["é"], bits: [true, false] }, "alignment counts from the first byte");
+same([...cdr.read("Octets", bytes(2, 0, 0, 0, 7, 8)).data], [7, 8], "octets");
+same(cdr.read("Nested", bytes(1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f)).all, [[1]], "sequences of sequences");
+const offset = new Uint8Array([9, 9, 9, 9, ...shorts]).subarray(4);
+same(cdr.read("TimedShortSeq", offset).data, [1, -1, 256], "a part of a longer message");
+refused(() => cdr.read("TimedShortSeq", shorts.subarray(0, 15)), "ends at byte 15", "a message cut short");
+refused(() => cdr.read("Octets", bytes(255, 255, 255, 255, 1)), "ends at byte 5", "a length that lies");
+refused(() => cdr.read("Lost", bytes(0)), "no type is called 'Nothing'", "an unknown type");
+same(numbers_in({ position: { x: 1, y: 2 }, on: true, name: "a", list: [3] }), [["position.x", 1], ["position.y", 2], ["on", 1], ["list[0]", 3]], "numbers by their path");
+same(to_message({ tm: { sec: 1, nsec: 0 }, width: 2, height: 3 }).value, { width: 2, height: 3 }, "a message of several fields");
+
+const parameter = { type: "number", min: -1.5, max: 1.5 };
+same(what_is_wrong(parameter, "1.5"), "", "bounds are inclusive");
+same(what_is_wrong(parameter, "1.51") !== "", true, "above the maximum");
+same(what_is_wrong(parameter, "") !== "", true, "nothing is no number");
+same(what_is_wrong({ type: "integer", min: null, max: null }, "2.5") !== "", true, "a fraction is not whole");
+same(what_is_wrong({ type: "integer", min: null, max: null }, "-3"), "", "no bounds");
+
+same(to_csv(["a", 'b,"c"'], [[0.1, 1, null], [0.2, 2, 3]]), 'time_s,a,"b,""c"""\n0.1,1,\n0.2,2,3\n', "CSV");
+same(ticks(0, 1, 5), [0, 0.2, 0.4, 0.6, 0.8, 1], "round numbers");
+same(number_text(0.12345), "0.123", "a small number");
+same(value_text({ vx: 0.1, va: 0 }), "{ vx = 0.100, va = 0 }", "a structure");
+
+const port = (name, way) => ({ name, way, type: "T" });
+const components = [
+  { name: "mouse", type: "m", kind: "robot", ports: [port("in", "in"), port("out", "out")] },
+  { name: "controller", type: "c", kind: "behavior", ports: [port("in", "in"), port("out", "out")] },
+  { name: "alone", type: "a", kind: "behavior", ports: [port("out", "out")] },
+];
+const connections = [{ from: "mouse.out", to: "controller.in" }, { from: "controller.out", to: "mouse.in" }];
+const boxes = place(components, connections);
+same(boxes.get("mouse").x + boxes.get("mouse").w < boxes.get("controller").x, true, "what feeds stands left, also in a circle");
+const all = [...boxes.values()];
+const overlap = all.some((a, i) => all.some((b, k) => i < k && a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h));
+same(overlap, false, "boxes lie apart");
+same(route(boxes, [...connections, { from: "mouse.gone", to: "controller.in" }]).length, 2, "what has no ports has no line");
+same(place(components, connections, { alone: [500, 600] }).get("alone").x, 500, "a place that a person chose is kept");
+same(curve([0, 0], [100, 0]), "M0 0C50 0 50 0 100 0", "a line");
+return count;

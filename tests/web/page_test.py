@@ -1,0 +1,273 @@
+"""The browser's page of a running system, in a real browser. Usage: page_test.py NEZUMI [TEST...]"""
+
+import csv
+import io
+import math
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rig
+
+WALL = "behaviors/systems/stop_at_wall.lua"
+APART = """
+robot    "mouse"      { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }
+behavior "controller" { script = "robot_controller", config = { speed_x = 0.1 } }
+"""
+
+
+class Smoke(rig.PageCase):
+    """What must work before anything else."""
+
+    def test_a_person_sees_the_robot_drive_stops_it_by_the_space_bar_and_lets_it_go_on(self):
+        self.open(WALL)
+        page = self.page
+        self.assertEqual(page.text("h1"), "stop_at_wall")
+        page.choose(".world select", "robot 0")
+        before = page.pose()[0]
+        rig.wait_until(lambda: page.pose()[0] > before + 0.02, "the robot drives")
+        page.find("body").send_keys(" ")
+        page.until("document.body.classList.contains('stopped')", "the page says that it is stopped")
+        self.stands()
+        stopped_at = page.pose()[0]
+        page.press("Re-arm")
+        rig.wait_until(lambda: page.pose()[0] > stopped_at + 0.02, "the robot drives on")
+        self.assertEqual(page.errors(), [])
+
+    def test_messages_of_the_engine_are_read_as_they_were_written(self):
+        self.open(WALL)
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "modules_test.js")) as file:
+            checks = file.read()
+        result = self.page.driver.execute_async_script(
+            "const done = arguments[arguments.length - 1];"
+            "(async () => {" + checks + "})().then((count) => done({ count }), (wrong) => done({ wrong: String(wrong.stack) }))")
+        self.assertNotIn("wrong", result)
+        self.assertGreaterEqual(result["count"], 20)
+
+
+class Wiring(rig.PageCase):
+    """The diagram of the system."""
+
+    def port(self, name):
+        return self.page.find('.port[data-port="%s"] .reach' % name)
+
+    def wires(self):
+        return self.page.js("return [...document.querySelectorAll('.wire-group')].map((each) => each.dataset.from + ' ' + each.dataset.to)")
+
+    def test_ports_are_connected_by_dragging_and_disconnected(self):
+        self.open(text=APART)
+        page = self.page
+        page.view("diagram")
+        self.assertEqual(self.wires(), [])
+        keys = page.keys().move_to_element(self.port("controller.out")).click_and_hold()
+        keys.move_by_offset(-40, 10).perform()
+        self.assertEqual(page.js("return [...document.querySelectorAll('.port.fits')].map((each) => each.dataset.port)"),
+                         ["mouse.target_velocity_in"])
+        page.keys().move_to_element(self.port("mouse.target_velocity_in")).release().perform()
+        rig.wait_until(lambda: self.wires() == ["controller.out mouse.target_velocity_in"], "the connection is drawn")
+        page.view("world")
+        page.choose(".world select", "robot 0")
+        rig.wait_until(lambda: page.pose()[0] > 0.03, "the robot drives")
+        page.view("diagram")
+        page.js("document.querySelector('.wire-group').dispatchEvent(new MouseEvent('click', { bubbles: true }))")
+        page.press("Disconnect")
+        rig.wait_until(lambda: self.wires() == [], "the connection is gone")
+
+    def test_ports_are_connected_by_keys(self):
+        self.open(text=APART)
+        self.page.view("diagram")
+        for port in ("mouse.ir_sensor_out", "controller.in"):
+            self.page.js("document.querySelector(`[data-port='${arguments[0]}']`).focus()", port)
+            self.page.keys().send_keys("\ue007").perform()
+        rig.wait_until(lambda: self.wires() == ["mouse.ir_sensor_out controller.in"], "the connection is drawn")
+
+    def test_a_component_is_deactivated_and_activated(self):
+        self.open(WALL)
+        page = self.page
+        page.view("diagram")
+        state = "document.querySelector('.node[data-component=controller]').classList.contains('%s')"
+        page.find('.node[data-component="controller"] .title').click()
+        page.until(state % "active", "it is active")
+        page.js("[...document.querySelectorAll('.chosen button')].find((each) => each.textContent === 'Deactivate').click()")
+        page.until(state % "inactive", "it is inactive")
+        page.js("[...document.querySelectorAll('.chosen button')].find((each) => each.textContent === 'Activate').click()")
+        page.until(state % "active", "it is active again")
+
+    def test_hovering_shows_a_ports_value(self):
+        self.open(WALL)
+        self.page.view("diagram")
+        self.page.keys().move_to_element(self.port("controller.out")).perform()
+        self.page.until("/vx = 0\\.1/.test(document.querySelector('.diagram .tip').textContent)",
+                        lambda: "the value is shown, not " + self.page.text(".diagram .tip"))
+
+    def test_an_error_is_shown_where_it_happened(self):
+        clumsy = 'input("in", "TimedShortSeq")\nfunction on_execute()\n  error("oh no")\nend\n'
+        self.open(text='behavior "clumsy" { script = "clumsy" }', scripts={"clumsy": clumsy})
+        page = self.page
+        page.view("diagram")
+        page.until("document.querySelector('.node.error text.error')?.textContent.includes('clumsy.lua:3')", "the box says where")
+        page.find(".node .title").click()
+        self.assertIn("oh no", page.text(".chosen code.error"))
+        for each in ("Reset", "Activate"):
+            page.until("[...document.querySelectorAll('.chosen button')].find((each) => each.textContent === %r && !each.disabled)" % each,
+                       "it can be told: " + each).click()
+        page.view("log")
+        page.until("document.querySelector('.log .entry.error')?.textContent.includes('oh no')", "the log has it, too")
+
+
+class Words(rig.PageCase):
+    """Parameters, console, log, plots."""
+
+    def field(self):
+        return self.page.find("input.number[aria-label='controller.speed_x']")
+
+    def test_a_parameter_is_set_within_its_bounds_marked_and_put_back(self):
+        self.open(WALL)
+        page = self.page
+        page.view("parameters")
+        field = self.field()
+        field.clear()
+        field.send_keys("0.25\n")
+        page.until("document.querySelector('.parameter.changed .name')?.textContent === 'speed_x'", "it is marked")
+        self.assertEqual(self.said("controller.config.speed_x"), "0.25")
+        page.view("parameters")
+        field.clear()
+        field.send_keys("9\n")
+        self.assertEqual(field.get_attribute("aria-invalid"), "true")
+        self.assertEqual(self.said("controller.config.speed_x"), "0.25")
+        page.js("document.querySelector('.parameter .back').click()")
+        rig.wait_until(lambda: self.said("controller.config.speed_x") == "0.0", "it is put back")
+
+    def test_a_slider_moves_by_its_step(self):
+        self.open(WALL)
+        self.page.view("parameters")
+        self.page.find("input[type=range][aria-label='controller.speed_x']").send_keys("\ue014")
+        rig.wait_until(lambda: self.said("controller.config.speed_x") == "0.11", "it is one step more")
+
+    def said(self, line):
+        """What the console answers."""
+        page = self.page
+        page.view("console")
+        page.press("Clear")
+        page.find(".console textarea").send_keys(line + "\n")
+        return rig.wait_until(lambda: page.text(".console .output pre:not(.asked, .hint)"), "'%s' is answered" % line)
+
+    def test_the_console_completes_recalls_and_explains(self):
+        self.open(WALL)
+        page = self.page
+        self.assertEqual(self.said("1 + 1"), "2")
+        self.assertIn("unknown name 'nobody'", self.said("nobody"))
+        line = page.find(".console textarea")
+        line.send_keys("contr\t")
+        page.until("document.querySelector('.console textarea').value === 'controller'", "the name is completed")
+        line.send_keys("\ue003" * 10 + "\ue013")
+        page.until("document.querySelector('.console textarea').value === 'nobody'", "the last line is recalled")
+        line.send_keys("\ue003" * 6 + "for i = 1, 2 do\nprint(i)\nend\n")
+        page.until("document.querySelector('.console .output').textContent.includes('end')", "several lines are one input")
+
+    def test_the_log_is_searched_and_filtered(self):
+        careful = 'input("in", "TimedShortSeq")\nfunction on_activated()\n  log.warn("mind the wall")\nend\n'
+        self.open(text='behavior "careful" { script = "careful", active = false }', scripts={"careful": careful})
+        page = self.page
+        page.view("console")
+        page.find(".console textarea").send_keys("careful:activate()\n")
+        page.view("log")
+        page.until("document.querySelector('.log .lines').textContent.includes('mind the wall')", "the line is there")
+        page.choose(".log select", "warn")
+        self.assertEqual([each.text.split()[-1] for each in page.all(".log .entry:not([hidden])")], ["wall"])
+        page.find(".log input").send_keys("nothing like this")
+        self.assertEqual(page.all(".log .entry:not([hidden])"), [])
+
+    def test_fields_are_plotted_paused_and_saved(self):
+        self.open(WALL)
+        page = self.page
+        page.view("plots")
+        page.choose(".plots select", "controller.out")
+        page.until("document.querySelectorAll('.plots select')[1].options.length === 3", "the fields are offered")
+        for field in ("vx", "va"):
+            page.choose(".plots select:nth-of-type(2)", field)
+            page.press("Plot")
+        page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn")
+        time.sleep(1)
+        page.js("URL.createObjectURL = (blob) => (blob.text().then((text) => { window.saved = text; }), 'about:blank');"
+                "HTMLAnchorElement.prototype.click = () => {};")
+        page.press("CSV")
+        saved = page.until("window.saved", "it is saved")
+        rows = list(csv.reader(io.StringIO(saved)))
+        self.assertEqual(rows[0], ["time_s", "controller.out.vx", "controller.out.va"])
+        self.assertGreater(len(rows), 10)
+        self.assertIn("0.1", [row[1] for row in rows])
+        page.js("window.saved = ''")
+        page.press("SVG")
+        self.assertTrue(page.until("window.saved", "the drawing is saved").startswith("<svg"))
+        self.assertEqual(page.errors(), [])
+
+
+class Cameras(rig.PageCase):
+    """What cameras see."""
+
+    def test_pictures_of_a_camera_are_shown_while_they_are_looked_at(self):
+        self.open("behaviors/systems/follow_marker.lua")
+        page = self.page
+        page.view("cameras")
+        page.until("document.querySelector('.pictures img')?.naturalWidth === 640", "a picture is shown")
+        caption = page.text(".pictures figcaption")
+        self.assertRegex(caption, r"eye\.out640 × 480")
+        page.until("document.querySelector('.pictures figcaption').textContent !== %r" % caption, "another one follows")
+
+
+class Connection(rig.PageCase):
+    """Reloading, losing, coming back; looking only."""
+
+    def test_a_reloaded_page_is_still_let_in(self):
+        system = self.open(WALL)
+        self.assertNotIn("#", self.page.js("return location.href"))
+        self.page.driver.refresh()
+        self.page.ready()
+        self.assertEqual(self.page.text("h1"), "stop_at_wall")
+        self.assertNotIn(system.url.split("#")[1], self.page.js("return document.documentElement.outerHTML"))
+
+    def test_the_page_says_that_the_engine_is_gone_and_that_another_one_came(self):
+        system = self.open(WALL)
+        page = self.page
+        system.end()
+        page.until("document.body.classList.contains('offline')", "the page says that it is alone")
+        self.assertIn("Connection lost", page.text(".notices"))
+        again = self.system(WALL, options=["--port", str(system.port)])
+        self.assertEqual(again.port, system.port)
+        page.until("document.querySelector('.notices').textContent.includes('was started anew')", "the page says so")
+        page.open(again.url)
+        self.assertFalse(page.js("return document.body.classList.contains('offline')"))
+
+    def test_time_is_paused_stepped_and_begun_anew(self):
+        self.open(WALL)
+        page = self.page
+        seconds = lambda: float(page.text(".clock").split()[0])
+        page.press("Pause")
+        page.until("document.querySelector('.late').textContent === 'paused'", "time stands")
+        time.sleep(0.3)
+        before = seconds()
+        page.press("Step")
+        rig.wait_until(lambda: math.isclose(seconds(), before + 0.01, abs_tol=0.0051), lambda: "%g is one tick more than %g" % (seconds(), before))
+        page.press("Run")
+        rig.wait_until(lambda: seconds() > before + 0.2, "time passes")
+        page.js("window.confirm = () => true")
+        page.press("Restart")
+        rig.wait_until(lambda: seconds() < before + 0.2, "time begins anew")
+
+    def test_a_phone_shows_everything_within_its_width(self):
+        self.open(WALL)
+        page = self.page
+        self.addCleanup(page.resize, *self.size)
+        page.resize(390, 844)
+        for view in ("world", "diagram", "plots", "drive", "parameters", "cameras", "console", "log"):
+            page.view(view)
+            self.assertEqual(page.js("return document.documentElement.scrollWidth"), 390, view)
+            stop = page.js("const box = document.querySelector('.stop').getBoundingClientRect(); return [box.left, box.right]")
+            self.assertTrue(0 <= stop[0] < stop[1] <= 390, (view, stop))
+            self.assertTrue(page.js("return document.querySelector(`#view-${arguments[0]}`).offsetHeight > 250", view), view)
+
+
+if __name__ == "__main__":
+    sys.exit(rig.main(__name__))

@@ -1,0 +1,75 @@
+"""Takes the pictures of docs/browser.md from a real run. Usage: pictures.py NEZUMI [FOLDER]"""
+
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import rig
+
+WALL = "behaviors/systems/stop_at_wall.lua"
+
+
+def save(page, folder, name, selector=None):
+    time.sleep(0.4)
+    path = os.path.join(folder, "browser_%s.png" % name)
+    with open(path, "wb") as file:
+        file.write(page.find(selector).screenshot_as_png if selector else page.driver.get_screenshot_as_png())
+    print("%s: %d KB" % (path, os.path.getsize(path) // 1024))
+
+
+def take(nezumi, folder):
+    page = rig.Page((1280, 800))
+    wall = rig.System(nezumi, WALL)
+    stick = rig.System(nezumi, "behaviors/systems/joystick.lua")
+    try:
+        page.open(wall.url)
+        page.choose(".world select", "robot 0")
+        page.view("plots")
+        page.choose(".plots select", "controller.out")
+        page.until("document.querySelectorAll('.plots select')[1].options.length === 3", "the fields are offered")
+        page.press("Plot")
+        page.choose(".plots select", "mouse.current_velocity_out")
+        page.until("document.querySelectorAll('.plots select')[1].options.length === 3", "the fields are offered")
+        page.press("Plot")
+        page.view("world")
+        page.view("parameters")
+        rig.wait_until(lambda: page.pose()[0] > 0.4, "the mouse is before the wall")
+        page.view("console")
+        page.find(".console textarea").send_keys("mouse.ir_sensor_out\n")
+        page.until("document.querySelectorAll('.console pre').length > 2", "the console has answered")
+        page.js("document.activeElement.blur()")
+        save(page, folder, "world")
+        rig.wait_until(lambda: page.js("return document.querySelector('.clock').textContent.split(' ')[0] > 9"), "it stands")
+        page.view("plots")
+        page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn")
+        save(page, folder, "plots", ".stage")
+        page.view("parameters")
+        field = page.find("input.number[aria-label='controller.speed_r']")
+        field.clear()
+        field.send_keys("0.5\n")
+        page.until("document.querySelector('.parameter.changed')", "it is marked")
+        page.js("document.activeElement.blur()")
+        save(page, folder, "parameters", ".side .card")
+
+        page.open(stick.url)
+        page.view("diagram")
+        page.drawn()
+        page.keys().move_to_element(page.find(".port[data-port='mouse.ir_sensor_out'] .dot")).perform()
+        save(page, folder, "system", ".stage")
+
+        page.resize(390, 800, dark=True)
+        page.view("drive")
+        pad = page.find(".pad")
+        page.keys().move_to_element(pad).click_and_hold().move_by_offset(-18, -52).perform()
+        time.sleep(2)
+        save(page, folder, "drive")
+        page.keys().release().perform()
+    finally:
+        wall.end()
+        stick.end()
+        page.close()
+
+
+if __name__ == "__main__":
+    take(os.path.abspath(sys.argv[1]), sys.argv[2] if len(sys.argv) > 2 else os.path.join(rig.ROOT, "docs", "images"))
