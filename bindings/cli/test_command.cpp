@@ -199,8 +199,8 @@ int test(const TestOptions& command) {
         return refuse(ok.error());
     TestSessionOptions options;
     options.seed = command.seed;
-    options.repeat = command.repeat;
-    options.jobs = command.jobs;
+    options.repeat = static_cast<std::size_t>(command.repeat);
+    options.jobs = static_cast<std::size_t>(command.jobs);
     options.folder = command.folder;
     options.update_goldens = command.update_goldens;
     options.installed = installed_folders();
