@@ -240,6 +240,22 @@ class Connection(rig.PageCase):
         page.open(again.url)
         self.assertFalse(page.js("return document.body.classList.contains('offline')"))
 
+    def test_the_space_bar_stops_wherever_no_text_is_typed(self):
+        self.open(WALL)
+        page = self.page
+        stopped = "document.body.classList.contains('stopped')"
+        page.find(".console textarea").send_keys("controller ")
+        page.view("parameters")
+        page.find("input.number[aria-label='controller.stop_d']").send_keys(" ")
+        time.sleep(0.5)
+        self.assertFalse(page.js("return " + stopped))
+        self.assertEqual(page.js("return document.querySelector('.console textarea').value"), "controller ")
+        button = page.find(".world .toggle")
+        page.js("arguments[0].focus()", button)
+        button.send_keys(" ")
+        page.until(stopped, "the robots are stopped")
+        self.assertEqual(button.get_attribute("aria-pressed"), "false")
+
     def test_time_is_paused_stepped_and_begun_anew(self):
         self.open(WALL)
         page = self.page
