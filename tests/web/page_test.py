@@ -4,6 +4,7 @@ import csv
 import io
 import math
 import os
+import signal
 import sys
 import time
 
@@ -239,6 +240,16 @@ class Connection(rig.PageCase):
         page.until("document.querySelector('.notices').textContent.includes('was started anew')", "the page says so")
         page.open(again.url)
         self.assertFalse(page.js("return document.body.classList.contains('offline')"))
+
+    def test_an_engine_that_says_nothing_any_more_is_noticed_and_found_again(self):
+        system = self.open(WALL)
+        page = self.page
+        system.process.send_signal(signal.SIGSTOP)
+        page.until("document.body.classList.contains('offline')", "the page says that it is alone")
+        system.process.send_signal(signal.SIGCONT)
+        page.until("!document.body.classList.contains('offline')", "the page is connected again")
+        before = page.text(".clock")
+        page.until("document.querySelector('.clock').textContent !== %r" % before, "time is shown again")
 
     def test_the_space_bar_stops_wherever_no_text_is_typed(self):
         self.open(WALL)

@@ -4,6 +4,7 @@ import { Emitter } from "./emitter.js";
 const FIRST_WAIT = 500;  // ms
 const LONGEST_WAIT = 8000;
 const ANSWER_WITHIN = 5000;
+const LONGEST_SILENCE = 6000;  // the engine says something every second, also while it is paused
 
 /// Emits: open, lost (why, wait in ms), said (an object of the engine), frame (kind, bytes).
 export class Link extends Emitter {
@@ -12,11 +13,13 @@ export class Link extends Emitter {
   #wait = FIRST_WAIT;
   #next = 1;
   #asked = new Map();
+  #heard = 0;
 
   constructor(token) {
     super();
     this.#token = token;
     addEventListener("online", () => this.#socket || this.connect());
+    setInterval(() => this.#give_up_on_silence(), 1000);
   }
 
   get is_open() {
@@ -33,11 +36,12 @@ export class Link extends Emitter {
     let was_open = false;
     socket.onopen = () => {
       was_open = true;
+      this.#heard = performance.now();
       this.#wait = FIRST_WAIT;
       this.emit("open");
     };
     socket.onmessage = ({ data }) => this.#take(data);
-    socket.onclose = () => this.#closed(was_open);
+    socket.onclose = () => socket === this.#socket && this.#closed(was_open);
   }
 
   /// False when there is nobody to hear it.
@@ -65,7 +69,17 @@ export class Link extends Emitter {
     asked.resolve(answer);
   }
 
+  /// A laptop that was asleep, or a network that is gone, closes nothing.
+  #give_up_on_silence() {
+    if (!this.is_open || performance.now() - this.#heard < LONGEST_SILENCE) return;
+    const silent = this.#socket;
+    this.#closed(true);
+    silent.onmessage = null;
+    silent.close();
+  }
+
   #take(data) {
+    this.#heard = performance.now();
     if (typeof data === "string") {
       const said = JSON.parse(data);
       if (said.is === "answer") this.#answer(said);
