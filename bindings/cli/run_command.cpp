@@ -24,6 +24,7 @@
 #include "bindings/cli/run_journal.hpp"
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
+#include "bindings/cli/run_web.hpp"
 #include "bindings/cli/screen.hpp"
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
@@ -155,6 +156,7 @@ public:
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
         if (!of_given_length) take_results();
         if (auto told = journal_.finish(of_given_length, hash_); !told) return give_up(told.error());
+        web_.reset();
         if (console_) console_->close();
         return finish(how);
     }
@@ -169,6 +171,7 @@ private:
                       .out_of_time_is_fatal = options_.headless,
                       .log = [this](const LogLine& line) {
                           problems_.take(line);
+                          if (web_) web_->log(line);
                           if (!console_ || !console_->log(line)) screen_.log(line);
                       }};
         live.values = options_.values;
@@ -180,6 +183,7 @@ private:
     }
 
     void say(const std::string& line) {
+        if (web_) web_->say(line);
         if (!console_ || !console_->say(line)) screen_.say(line);
     }
 
@@ -190,7 +194,20 @@ private:
         // A run that nobody can attach to is better than none.
         if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
-        return prompt_ ? console_->open_prompt() : Expected<void>();
+        const std::string address = open_web();
+        if (prompt_) return console_->open_prompt(address);
+        if (!address.empty()) screen_.say(address);
+        return {};
+    }
+
+    // Returns what is to be said of the page. A run without one is better than none.
+    std::string open_web() {
+        if (!options_.web) return "";
+        auto web = RunWeb::open(*loop_, *console_, *options_.web);
+        if (!web) return "no page for browsers: " + web.error().message;
+        web_ = std::move(*web);
+        loop_->add(*web_);
+        return "in a browser: " + web_->url();
     }
 
     Expected<void> prepare_files() {
@@ -269,6 +286,7 @@ private:
     std::uint64_t hash_ = 0;
     std::optional<RunLoop> loop_;
     std::optional<RunConsole> console_;
+    std::unique_ptr<RunWeb> web_;  // before the console that it relays goes
     std::optional<RealTime> real_time_;
 };
 

@@ -45,12 +45,13 @@ void RunConsole::close() {
     if (client_.joinable()) client_.join();
 }
 
-Expected<void> RunConsole::open_prompt() {
+Expected<void> RunConsole::open_prompt(const std::string& news) {
     auto socket = server_->connect(ConsoleServer::Use::prompt);
     if (!socket) return Unexpected(socket.error());
-    client_ = std::thread([this, client = ConsoleClient(std::move(*socket))]() mutable {
-        const auto end = run_prompt(
-            client, {.greeting = name_ + " is running; help() tells more, Ctrl-D ends it", .history = history_path()});
+    std::string greeting = name_ + " is running; help() tells more, Ctrl-D ends it";
+    if (!news.empty()) greeting += "\n" + news;
+    client_ = std::thread([this, greeting, client = ConsoleClient(std::move(*socket))]() mutable {
+        const auto end = run_prompt(client, {.greeting = greeting, .history = history_path()});
         if (!end) put_text(stderr, fmt::format("nezumi: {}\n", describe(end.error())));
         left_ = true;
         client.close();  // wakes the loop
@@ -96,7 +97,9 @@ void RunConsole::show_status() {
     const std::string how = paused ? "paused" : fmt::format("{:.2f}x", (loop_.advanced() - simulated_) / wall);
     const Lateness lateness = loop_.lateness();
     const std::string late = lateness.ticks() > 0 ? "  late by " + to_text(lateness) : "";
-    server_->show_status(fmt::format("{}  {:.1f} s  {}{}", name_, seconds, how, late), !paused);
+    const std::string status = fmt::format("{}  {:.1f} s  {}{}", name_, seconds, how, late);
+    server_->show_status(status, !paused);
+    if (show_) show_(status, !paused);
     shown_ = now;
     simulated_ = loop_.advanced();
     was_paused_ = paused;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -25,8 +26,8 @@ public:
 
     /// Lets others attach.
     Expected<void> listen() { return server_->listen(name_); }
-    /// Opens the prompt. The run ends when it is left.
-    Expected<void> open_prompt();
+    /// Opens the prompt, which begins with `news`, a line or none. The run ends when it is left.
+    Expected<void> open_prompt(const std::string& news);
     /// Takes commands from standard input: time stands still but for what they say. The run ends after the last.
     Expected<void> open_batch();
     /// Says goodbye to everybody, and waits until the terminal is as it was before.
@@ -38,6 +39,10 @@ public:
     bool say(const std::string& text);
     /// No command has failed.
     bool all_well() const { return all_well_; }
+
+    ConsoleServer& server() { return *server_; }
+    /// Is given the state in one line, about once a second.
+    void show_status_by(std::function<void(const std::string&, bool running)> show) { show_ = std::move(show); }
 
     bool serve(Pacer::Clock::time_point until) override;
     void add_files(std::vector<int>& files) const override { files.push_back(server_->file()); }
@@ -54,6 +59,7 @@ private:
     std::thread client_;              // of whoever started the run
     std::atomic<bool> left_ = false;  // it
     std::atomic<bool> all_well_ = true;
+    std::function<void(const std::string&, bool)> show_;
     Pacer::Clock::time_point shown_{};
     double simulated_ = 0;  // [s] at shown_
     bool was_paused_ = false;

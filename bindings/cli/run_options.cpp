@@ -83,6 +83,27 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
     return hardware;
 }
 
+// Where the page is served: not to machines.
+Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
+    for (const auto& [option, given] : {std::pair{"--port", words.port}, {"--listen", words.listen}}) {
+        if (given.empty()) continue;
+        if (headless) return failure(fmt::format("{}: a run for machines serves no page: leave it out", option));
+        if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
+    }
+    if (!words.listen.empty())
+        return failure(
+            "--listen: the page is served to this computer alone; from another one, make a tunnel there: ssh -L "
+            "8765:127.0.0.1:8765 ROBOT");
+    if (headless || words.no_web) return std::nullopt;
+    Web web;
+    if (!words.port.empty()) {
+        const auto port = number<int>(words.port);
+        if (!port || *port < 1 || *port > 65535) return wrong("--port", "a whole number from 1 to 65535", words.port);
+        web.port = *port;
+    }
+    return web;
+}
+
 }  // namespace
 
 std::vector<Option> run_options(RunWords& words) {
@@ -101,6 +122,9 @@ std::vector<Option> run_options(RunWords& words) {
          "console commands come from standard input; time moves only by their step and run, as fast as possible "
          "unless --speed is given. As --headless otherwise"},
         {"--speed", &words.speed, "times real time (default 1), or max: without waiting", "N|max"},
+        {"--port", &words.port, "serve the page for browsers on this port, or the next free one (default 8765)", "N"},
+        {"--no-web", &words.no_web, "serve no page for browsers"},
+        {"--listen", &words.listen, "serve the page to other computers as well", "ADDRESS"},
         {"--realtime", &words.real_time,
          "ask the kernel for ticks in time beside other programs: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
@@ -193,6 +217,9 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     auto hardware = read_hardware(words);
     if (!hardware) return Unexpected(hardware.error());
     options.hardware = std::move(*hardware);
+    auto web = read_web(words, options.headless);
+    if (!web) return Unexpected(web.error());
+    options.web = *web;
     return options;
 }
 

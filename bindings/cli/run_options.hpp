@@ -20,6 +20,7 @@ struct RunWords {
     std::string speed, duration, seed, threads, picture, record, ports, sounds, journal, replay;
     std::string dev_root, sys_root, device_log, played_log;
     std::string params;
+    std::string port, listen;
     std::vector<std::string> set;
     FlagText hw;
     bool headless = false;
@@ -27,10 +28,16 @@ struct RunWords {
     bool trace_hash = false;
     bool real_time = false;
     bool twin = false;
+    bool no_web = false;
 };
 
 /// They as a command has them. `words` must outlive the parsing.
 std::vector<Option> run_options(RunWords& words);
+
+/// Where the page for browsers is served.
+struct Web {
+    int port = 8765;  ///< or the next free one
+};
 
 struct RunOptions {
     std::string file;
@@ -49,6 +56,7 @@ struct RunOptions {
     std::string replay;                ///< "" for none; then headless
     std::string sounds;                ///< folder for what robots say; "" for none
     StartValues values;                ///< over the file's
+    std::optional<Web> web;            ///< none: no page is served
     std::optional<Hardware> hardware;  ///< none: everything is simulated
 };
 

@@ -1,0 +1,82 @@
+// Everything that is not exactly as it should be is refused.
+#include "bindings/web/access.hpp"
+
+#include <sys/random.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+
+namespace nezumi::web {
+namespace {
+
+constexpr int forbidden = 403;
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+    return text;
+}
+
+// The token of "nezumi, token.TOKEN", in any order; "" when it says anything else.
+std::string_view token_in(std::string_view protocols) {
+    constexpr std::string_view prefix = "token.";
+    const auto comma = protocols.find(',');
+    if (comma == std::string_view::npos) return {};
+    std::string_view first = trimmed(protocols.substr(0, comma));
+    std::string_view second = trimmed(protocols.substr(comma + 1));
+    if (first != "nezumi") std::swap(first, second);
+    if (first != "nezumi" || !second.starts_with(prefix)) return {};
+    return second.substr(prefix.size());
+}
+
+}  // namespace
+
+std::string make_token() {
+    std::array<std::uint8_t, 16> bytes{};
+    // Of so few bytes it gives all, once the system has any.
+    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) std::abort();
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string token;
+    for (const std::uint8_t byte : bytes) {
+        token += digits[byte >> 4U];
+        token += digits[byte & 15U];
+    }
+    return token;
+}
+
+bool is_same_secret(std::string_view left, std::string_view right) {
+    // The length of ours is no secret.
+    if (left.size() != right.size()) return false;
+    volatile unsigned difference = 0;
+    for (std::size_t i = 0; i < left.size(); ++i)
+        difference = difference |
+                     static_cast<unsigned>(static_cast<unsigned char>(left[i]) ^ static_cast<unsigned char>(right[i]));
+    return difference == 0;
+}
+
+bool Access::is_own_host(std::string_view host) const {
+    const auto bracket = host.find(']');
+    const auto colon = host.find(':', bracket == std::string_view::npos ? 0 : bracket);
+    const std::string_view name = host.substr(0, colon);
+    if (colon != std::string_view::npos) {
+        const std::string_view port = host.substr(colon + 1);
+        const bool digits = std::all_of(port.begin(), port.end(), [](char each) { return each >= '0' && each <= '9'; });
+        if (port.empty() || port.size() > 5 || !digits) return false;
+    }
+    if (name == "127.0.0.1" || name == "localhost" || name == "[::1]") return true;
+    return !address_.empty() && name == address_;
+}
+
+Entry Access::check(const HttpRequest& request) const {
+    if (request.path != "/ws" || !is_own_host(request.host)) return {.refused = forbidden};
+    if (request.origin != scheme_ + "://" + std::string(request.host)) return {.refused = forbidden};
+    const std::string_view token = token_in(request.protocols);
+    const bool acts = is_same_secret(token, token_);
+    const bool views = is_same_secret(token, view_token_);
+    if (!acts && !views) return {.refused = forbidden};
+    return {.refused = 0, .view_only = !acts};
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,256 @@
+// The lock is held only to move things in and out of queues; frames are made without it.
+#include "bindings/web/hub.hpp"
+
+#include <fmt/format.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "engine/ports/cdr.hpp"
+
+namespace nezumi::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int unavailable = 503;
+
+std::string refusal(std::int64_t id, std::string_view why) {
+    return Json{{"is", "answer"}, {"id", id}, {"ok", false}, {"text", why}}.dump(-1, ' ', false,
+                                                                                 Json::error_handler_t::replace);
+}
+
+void add_new(std::vector<std::string>& all, const std::vector<std::string>& more) {
+    for (const std::string& each : more) {
+        if (std::find(all.begin(), all.end(), each) == all.end()) all.push_back(each);
+    }
+}
+
+bool is_stop(const Message& message) {
+    const auto* act = std::get_if<ActMessage>(&message.body);
+    return act != nullptr && std::holds_alternative<Stop>(act->act);
+}
+
+}  // namespace
+
+Hub::Hub(Access access, StaticFiles files, Project project, std::string hello)
+    : access_(std::move(access)),
+      files_(std::move(files)),
+      project_(std::move(project)),
+      hello_(std::move(hello)),
+      news_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+
+std::vector<Hub::Incoming> Hub::take() {
+    const std::lock_guard lock(mutex_);
+    if (incoming_.empty()) return {};
+    std::uint64_t count = 0;
+    [[maybe_unused]] const ssize_t got = read(news_.get(), &count, sizeof count);
+    for (auto& [id, client] : clients_) client.waiting = 0;
+    return std::exchange(incoming_, {});
+}
+
+Watch Hub::wanted() const {
+    const std::lock_guard lock(mutex_);
+    return wanted_;
+}
+
+std::unique_ptr<State> Hub::take_back() {
+    const std::lock_guard lock(mutex_);
+    return std::move(state_);
+}
+
+void Hub::put(std::unique_ptr<State> state) {
+    const std::lock_guard lock(mutex_);
+    state_ = std::move(state);
+}
+
+void Hub::put_text(Client& client, std::string text, bool lossy) {
+    const bool full = client.backlog > (client.lost > 0 ? most_backlog / 2 : most_backlog);
+    if (full && lossy) {
+        ++client.lost;
+        return;
+    }
+    if (client.lost > 0 && !full)
+        client.texts.push_back(Json{{"is", "lost"}, {"count", std::exchange(client.lost, 0)}}.dump());
+    client.backlog += text.size();
+    client.is_behind = client.is_behind || client.backlog > longest_backlog;
+    if (!client.is_behind) client.texts.push_back(std::move(text));
+}
+
+void Hub::send(ClientId id, std::string text, bool lossy) {
+    const std::lock_guard lock(mutex_);
+    const auto client = clients_.find(id);
+    if (client != clients_.end()) put_text(client->second, std::move(text), lossy);
+}
+
+void Hub::send_all(const std::string& text, bool lossy) {
+    const std::lock_guard lock(mutex_);
+    for (auto& [id, client] : clients_) put_text(client, text, lossy);
+}
+
+void Hub::end(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    for (auto& [id, client] : clients_) put_text(client, text, false);
+    ends_ = true;
+}
+
+void Hub::show(Slot slot, std::string text) {
+    const std::lock_guard lock(mutex_);
+    slots_.insert_or_assign(slot, Shown{std::move(text), ++last_number_});
+}
+
+void Hub::show_picture(const std::string& port, std::string message) {
+    const std::lock_guard lock(mutex_);
+    pictures_.insert_or_assign(port, Shown{std::move(message), ++last_number_});
+}
+
+void Hub::watch_anew() {
+    wanted_ = {};
+    for (const auto& [id, client] : clients_) {
+        add_new(wanted_.ports, client.watch.ports);
+        add_new(wanted_.pictures, client.watch.pictures);
+        wanted_.truth = wanted_.truth || client.watch.truth;
+        wanted_.rays = wanted_.rays || client.watch.rays;
+    }
+    std::erase_if(pictures_, [&](const auto& each) {
+        return std::find(wanted_.pictures.begin(), wanted_.pictures.end(), each.first) == wanted_.pictures.end();
+    });
+}
+
+HttpReply Hub::reply_to(const HttpRequest& request) {
+    if (!access_.is_own_host(request.host)) return {.status = 403, .body = "this is served to no other name\n"};
+    return files_.get(request.path);
+}
+
+Entry Hub::lets_in(const HttpRequest& request) {
+    Entry entry = access_.check(request);
+    const std::lock_guard lock(mutex_);
+    if (entry.refused == 0 && (ends_ || clients_.size() >= most_clients)) entry.refused = unavailable;
+    return entry;
+}
+
+void Hub::opened(ClientId id, bool view_only) {
+    const std::lock_guard lock(mutex_);
+    Client& client = clients_[id];
+    client.view_only = view_only;
+    client.came = Clock::now();
+    ++clients_there_;
+    // Its own fields come first.
+    put_text(client, fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},{})", id, view_only, hello_),
+             false);
+    incoming_.push_back({.client = id, .what = Incoming::What::opened, .view_only = view_only});
+    watch_anew();
+    eventfd_write(news_.get(), 1);
+}
+
+bool Hub::is_too_fast(Client& client) {
+    const auto now = Clock::now();
+    const double passed = std::chrono::duration<double>(now - client.came).count();
+    client.came = now;
+    client.allowance = std::min(most_messages, client.allowance + passed * most_messages) - 1;
+    return client.allowance < 0;
+}
+
+bool Hub::received(ClientId id, std::string_view text) {
+    auto message = read_message(text, project_);  // may read files
+    const std::lock_guard lock(mutex_);
+    const auto found = clients_.find(id);
+    if (found == clients_.end()) return false;
+    Client& client = found->second;
+    if (is_too_fast(client)) return false;
+    if (!message) {
+        put_text(client, refusal(message.error().id, message.error().text), false);
+        return true;
+    }
+    if (auto* watch = std::get_if<Watch>(&message->body)) {
+        client.watch = std::move(*watch);
+        client.seen = {};
+        client.pictures.clear();
+        watch_anew();
+        return true;
+    }
+    if (client.view_only) {
+        put_text(client, refusal(message->id, "this link is for looking only"), false);
+        return true;
+    }
+    if (++client.waiting > most_waiting) return false;
+    const bool first = is_stop(*message);
+    incoming_.insert(first ? incoming_.begin() : incoming_.end(),
+                     {.client = id, .what = Incoming::What::message, .message = std::move(*message)});
+    eventfd_write(news_.get(), 1);
+    return true;
+}
+
+std::optional<Outgoing> Hub::next_text(Client& client) {
+    if (!client.texts.empty()) {
+        Outgoing out{.bytes = std::move(client.texts.front())};
+        client.texts.pop_front();
+        client.backlog -= std::min(client.backlog, out.bytes.size());
+        return out;
+    }
+    if (ends_) return Outgoing{.closes = true};
+    for (const auto& [slot, shown] : slots_) {
+        std::uint64_t& got = client.shown[slot];
+        if (got == shown.number) continue;
+        got = shown.number;
+        return Outgoing{.bytes = shown.text};
+    }
+    return std::nullopt;
+}
+
+std::optional<Outgoing> Hub::next_picture(Client& client) {
+    for (const std::string& port : client.watch.pictures) {
+        const auto picture = pictures_.find(port);
+        if (picture == pictures_.end()) continue;
+        std::uint64_t& got = client.pictures[port];
+        if (got == picture->second.number) continue;
+        got = picture->second.number;
+        return Outgoing{.binary = true, .bytes = picture->second.text};
+    }
+    return std::nullopt;
+}
+
+std::optional<Outgoing> Hub::next(ClientId id) {
+    Client* client = nullptr;
+    std::unique_ptr<State> state;
+    Watch watch;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = clients_.find(id);
+        if (found == clients_.end()) return std::nullopt;
+        client = &found->second;
+        if (client->is_behind) return Outgoing{.closes = true};
+        if (auto text = next_text(*client)) return text;
+        // A frame belongs to the system that was described before it.
+        if (!client->shown.contains(Slot::system)) return std::nullopt;
+        if (auto picture = next_picture(*client)) return picture;
+        state = std::move(state_);
+        watch = client->watch;
+    }
+    // Only this thread adds and removes clients, and only it uses what follows.
+    if (state != nullptr) changes_.take(std::move(*state));
+    if (!changes_.is_news(client->seen)) return std::nullopt;
+    const WebFrame frame = changes_.since(client->seen, watch);
+    Octets bytes;
+    write_cdr(bytes, {}, frame);
+    Outgoing out{.binary = true, .bytes = {static_cast<char>(BinaryKind::frame), 0, 0, 0}};
+    out.bytes.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return out;
+}
+
+void Hub::closed(ClientId id) {
+    const std::lock_guard lock(mutex_);
+    if (clients_.erase(id) == 0) return;
+    --clients_there_;
+    std::erase_if(incoming_, [&](const Incoming& each) {
+        return each.client == id && each.what == Incoming::What::message && !is_stop(each.message);
+    });
+    incoming_.push_back({.client = id, .what = Incoming::What::closed});
+    watch_anew();
+    eventfd_write(news_.get(), 1);
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,95 @@
+// Poses are few and always told; a port is looked at only when something has come.
+#include "bindings/web/look.hpp"
+
+#include <utility>
+
+#include "engine/ports/cdr.hpp"
+
+namespace nezumi::web {
+namespace {
+
+void add_robots(WebFrame& frame, const System& system, const Watch& wanted) {
+    const World* const world = system.world();
+    std::uint32_t index = 0;
+    for (const Robot* robot : system.robots()) {
+        const bool simulated = world != nullptr && robot->has_body() && !robot->is_real();
+        if (wanted.truth) {
+            WebRobot seen{.index = index};
+            if (simulated) {
+                const Truth truth = world->truth(robot->id());
+                seen = {.index = index,
+                        .x = truth.pose.position.x,
+                        .y = truth.pose.position.y,
+                        .z = truth.height,
+                        .yaw = truth.pose.heading,
+                        .tilt = truth.tilt,
+                        .is_truth = true,
+                        .collided = world->collided(robot->id())};
+            } else {
+                const Pose2D& pose = robot->odometry().pose();
+                seen.x = pose.position.x;
+                seen.y = pose.position.y;
+                seen.yaw = pose.heading;
+            }
+            frame.robots.push_back(seen);
+        }
+        if (wanted.rays && simulated) {
+            for (const Ray& ray : world->rays(robot->id()))
+                frame.rays.push_back({.robot = index, .from = ray.from, .to = ray.to, .hit = ray.hit});
+        }
+        ++index;
+    }
+}
+
+void add_things(WebFrame& frame, const World& world) {
+    std::uint32_t index = 0;
+    for (const ThingPose& thing : world.things()) frame.things.push_back({.index = index++, .pose = thing.pose});
+    index = 0;
+    for (const MarkerPose& marker : world.markers()) frame.markers.push_back({.index = index++, .pose = marker.pose});
+}
+
+}  // namespace
+
+std::unique_ptr<State> Look::at(std::unique_ptr<State> state, const Watch& wanted, double late) {
+    const System& system = live_.system();
+    if (starts_ != live_.starts() || layout_ != system.layout() || number_ == 0) {
+        starts_ = live_.starts();
+        layout_ = system.layout();
+        ++number_;
+        counts_.clear();
+        state.reset();
+    }
+    // Who watches more has to be told what others know.
+    if (!(watched_ == wanted)) {
+        watched_ = wanted;
+        counts_.clear();
+    }
+    if (state == nullptr) state = std::make_unique<State>();
+    state->layout = number_;
+    WebFrame frame{.time = system.now().seconds,
+                   .tick = system.now().tick,
+                   .running = !clock_.is_paused(),
+                   .speed = clock_.speed(),
+                   .late = late * 1000};
+    add_robots(frame, system, wanted);
+    if (system.world() != nullptr) add_things(frame, *system.world());
+    state->now = std::move(frame);
+    add_ports(*state, wanted);
+    return state;
+}
+
+void Look::add_ports(State& state, const Watch& wanted) {
+    for (const std::string& name : wanted.ports) {
+        const auto port = live_.system().port(name);
+        if (!port || (*port)->type() == type_index<CameraImage>()) continue;
+        const auto [seen, is_new] = counts_.try_emplace(name, 0);
+        const std::uint64_t count = (*port)->count();
+        if (!is_new && seen->second == count) continue;
+        seen->second = count;
+        State::Port& told = state.ports[name];
+        told.count = count;
+        write_cdr_message(told.payload, (*port)->value(), (*port)->tm());
+    }
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,217 @@
+// Whatever comes, it is a message or a line that says why not.
+#include "bindings/web/messages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bindings/console/protocol.hpp"
+#include "bindings/journal/act_json.hpp"
+
+namespace nezumi::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Nothing that is meant nests deeper.
+constexpr int deepest = 32;
+constexpr std::size_t longest_shown = 160;
+
+constexpr std::array<std::string_view, 6> time_names{"pause", "resume", "step", "speed", "restart", "quit"};
+
+// The parser itself is not recursive, but what reads and writes its values is.
+bool is_too_deep(std::string_view text) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (quoted) {
+            if (text[i] == '\\')
+                ++i;
+            else if (text[i] == '"')
+                quoted = false;
+            continue;
+        }
+        if (text[i] == '"') quoted = true;
+        if ((text[i] == '[' || text[i] == '{') && ++depth > deepest) return true;
+        if (text[i] == ']' || text[i] == '}') --depth;
+    }
+    return false;
+}
+
+std::string cut(std::string text) {
+    if (text.size() <= longest_shown) return text;
+    text.resize(longest_shown);
+    return text + "...";
+}
+
+std::string dump(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
+
+// The fields of a message; notes what is wrong with the first that is.
+class Fields {
+public:
+    explicit Fields(const Json& json) : json_(json) {}
+
+    const Json* find(const char* name) const {
+        const auto found = json_.find(name);
+        return found != json_.end() ? &*found : nullptr;
+    }
+    std::string text(const char* name) {
+        const Json* value = find(name);
+        if (value != nullptr && value->is_string()) return value->get<std::string>();
+        wrong(name, "a text");
+        return "";
+    }
+    bool flag(const char* name) {
+        const Json* value = find(name);
+        if (value == nullptr) return false;
+        if (value->is_boolean()) return value->get<bool>();
+        wrong(name, "true or false");
+        return false;
+    }
+    std::vector<std::string> texts(const char* name) {
+        const Json* value = find(name);
+        std::vector<std::string> texts;
+        if (value == nullptr) return texts;
+        const bool good = value->is_array() && value->size() <= most_watched &&
+                          std::all_of(value->begin(), value->end(), [](const Json& each) { return each.is_string(); });
+        if (!good) {
+            wrong(name, fmt::format("a list of at most {} texts", most_watched));
+            return texts;
+        }
+        for (const Json& each : *value) texts.push_back(each.get<std::string>());
+        return texts;
+    }
+    void wrong(std::string_view name, std::string_view expected) {
+        if (problem_.empty()) problem_ = fmt::format("'{}' must be {}", name, expected);
+    }
+    void refuse(std::string why) {
+        if (problem_.empty()) problem_ = std::move(why);
+    }
+    const std::string& problem() const { return problem_; }
+
+private:
+    const Json& json_;
+    std::string problem_;
+};
+
+Watch read_watch(Fields& fields) {
+    return {.ports = fields.texts("ports"),
+            .truth = fields.flag("truth"),
+            .rays = fields.flag("rays"),
+            .pictures = fields.texts("pictures")};
+}
+
+ActMessage read_act(Fields& fields, const Project& project) {
+    const std::string name = fields.text("act");
+    const Json* given = fields.find("fields");
+    const Json none = Json::object();
+    if (given == nullptr) given = &none;
+    if (!fields.problem().empty()) return {};
+    auto act = act_from_json(name, *given, project);
+    if (!act) {
+        fields.refuse(act.error().message);
+        return {};
+    }
+    return {.act = std::move(*act), .shown = cut(name + " " + dump(*given))};
+}
+
+TimeMessage read_time(Fields& fields) {
+    const std::string what = fields.text("what");
+    const auto* const found = std::find(time_names.begin(), time_names.end(), what);
+    if (found == time_names.end()) {
+        fields.wrong("what", fmt::format("one of {}", fmt::join(time_names, ", ")));
+        return {};
+    }
+    TimeMessage time{.what = static_cast<TimeMessage::What>(found - time_names.begin())};
+    const Json* value = fields.find("value");
+    if (value == nullptr || value->is_null()) return time;
+    if (value->is_number()) {
+        time.value = value->get<double>();
+    } else if (*value == "max") {
+        time.value = std::numeric_limits<double>::infinity();
+    } else {
+        fields.wrong("value", "a number, or \"max\"");
+    }
+    return time;
+}
+
+DriveMessage read_drive(Fields& fields, const Project& project) {
+    DriveMessage drive{.port = fields.text("port"), .value = {}, .take = fields.flag("take")};
+    const Json* value = fields.find("value");
+    if (value == nullptr || value->is_null() || !fields.problem().empty()) return drive;
+    const auto held =
+        act_from_json("Hold", Json{{"port", drive.port}, {"value", *value}, {"take", drive.take}}, project);
+    if (!held) {
+        fields.refuse(held.error().message);
+        return drive;
+    }
+    drive.value = std::get<Hold>(*held).value;
+    return drive;
+}
+
+ConsoleMessage read_console(Fields& fields) {
+    const Json* given = fields.find("request");
+    if (given == nullptr || !given->is_object()) {
+        fields.wrong("request", "an object");
+        return {};
+    }
+    const auto request = read_request(dump(*given));
+    if (!request) {
+        fields.refuse(request.error().message);
+        return {};
+    }
+    if (request->kind == Request::Kind::hello) {
+        fields.refuse("the console is greeted already");
+        return {};
+    }
+    const bool evaluates = request->kind == Request::Kind::eval;
+    return {.line = to_line(*request), .shown = evaluates ? cut(request->text) : ""};
+}
+
+}  // namespace
+
+tl::expected<Message, Refusal> read_message(std::string_view text, const Project& project) {
+    Message message;
+    const auto refuse = [&](std::string why) {
+        return tl::unexpected(Refusal{.id = message.id, .text = std::move(why)});
+    };
+    if (is_too_deep(text)) return refuse("the message nests too deep");
+    const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
+    if (!json.is_object()) return refuse("expected one JSON object");
+    if (const auto id = json.find("id"); id != json.end()) {
+        // What a double of the page holds exactly.
+        constexpr std::int64_t most = std::int64_t{1} << 53;
+        if (!id->is_number_integer() || (id->is_number_unsigned() && id->get<std::uint64_t>() > most) ||
+            id->get<std::int64_t>() < -most)
+            return refuse("'id' must be a whole number");
+        message.id = id->get<std::int64_t>();
+    }
+    Fields fields(json);
+    const std::string what = fields.text("do");
+    if (what == "watch") {
+        message.body = read_watch(fields);
+    } else if (what == "act") {
+        message.body = read_act(fields, project);
+    } else if (what == "stop") {
+        message.body = ActMessage{.act = Stop{}, .shown = "Stop"};
+    } else if (what == "rearm") {
+        message.body = ActMessage{.act = Rearm{}, .shown = "Rearm"};
+    } else if (what == "time") {
+        message.body = read_time(fields);
+    } else if (what == "drive") {
+        message.body = read_drive(fields, project);
+    } else if (what == "console") {
+        message.body = read_console(fields);
+    } else {
+        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console");
+    }
+    if (!fields.problem().empty()) return refuse(fields.problem());
+    return message;
+}
+
+}  // namespace nezumi::web

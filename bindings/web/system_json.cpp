@@ -1,0 +1,219 @@
+// Written whole each time: what is told seldom need not be told in parts.
+#include "bindings/web/system_json.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+#include "bindings/lua/script/script_component.hpp"
+
+namespace nezumi::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(const Point2D& at) { return Json::array({at.x, at.y}); }
+Json point(const Point3D& at) { return Json::array({at.x, at.y, at.z}); }
+
+Json value_to_json(const ParameterValue& value) {
+    return std::visit([](const auto& each) { return Json(each); }, value);
+}
+
+std::string_view kind_of(const Component& component) {
+    if (dynamic_cast<const Robot*>(&component) != nullptr) return "robot";
+    return dynamic_cast<const ScriptComponent*>(&component) != nullptr ? "behavior" : "component";
+}
+
+Json parameter_to_json(const Parameters::Parameter& parameter) {
+    const ParameterSpec& spec = parameter.spec;
+    Json json{{"name", spec.name},
+              {"type", type_text(spec.initial)},
+              {"value", value_to_json(parameter.value)},
+              {"default", value_to_json(spec.initial)},
+              {"min", spec.min ? Json(*spec.min) : Json()},
+              {"max", spec.max ? Json(*spec.max) : Json()},
+              {"step", spec.step},
+              {"unit", spec.unit},
+              {"doc", spec.doc},
+              {"widget", spec.widget},
+              {"options", Json::array()},
+              {"changed", parameter.set}};
+    for (const ParameterValue& choice : spec.choices) json["options"].push_back(value_to_json(choice));
+    return json;
+}
+
+Json ports_to_json(const Component& component) {
+    Json ports = Json::array();
+    const auto add = [&](const Port& port, std::string_view way) {
+        ports.push_back({{"name", port.name()}, {"way", way}, {"type", port.type_name()}, {"doc", port.doc()}});
+    };
+    for (const InPortBase* port : component.in_ports()) add(*port, "in");
+    for (const OutPortBase* port : component.out_ports()) add(*port, "out");
+    return ports;
+}
+
+Json component_to_json(const Component& component) {
+    Json json{{"name", component.name()},       {"kind", kind_of(component)},
+              {"type", component.type()},       {"state", to_text(component.state())},
+              {"version", component.version()}, {"rate", component.rate}};
+    if (component.state() == LifeState::error) json["error"] = describe(component.last_error());
+    if (const auto* scripted = dynamic_cast<const ScriptComponent*>(&component)) {
+        json["script"] = scripted->script().file().shown;
+        json["about"] = scripted->script().doc();
+        Json commands = Json::array();
+        for (const CommandDeclaration& command : scripted->commands())
+            commands.push_back({{"name", command.name}, {"doc", command.doc}});
+        json["commands"] = std::move(commands);
+    }
+    json["ports"] = ports_to_json(component);
+    Json parameters = Json::array();
+    for (const auto& parameter : component.parameters().all()) parameters.push_back(parameter_to_json(parameter));
+    json["parameters"] = std::move(parameters);
+    Json sets = Json::array();
+    for (const auto& [name, values] : component.sets) sets.push_back(name);
+    json["sets"] = std::move(sets);
+    json["set"] = component.set_in_use();
+    return json;
+}
+
+std::string_view kind_of(SensorSpec::Kind kind) {
+    switch (kind) {
+        case SensorSpec::Kind::range: return "range";
+        case SensorSpec::Kind::button: return "button";
+        case SensorSpec::Kind::touch: return "touch";
+        case SensorSpec::Kind::gyro: return "gyro";
+        case SensorSpec::Kind::color: return "color";
+        case SensorSpec::Kind::reflect: return "reflect";
+        case SensorSpec::Kind::ambient: return "ambient";
+        case SensorSpec::Kind::scan: return "scan";
+        case SensorSpec::Kind::imu: return "imu";
+    }
+    return "";
+}
+
+Json robot_to_json(const Robot& robot) {
+    const RobotSpec& spec = robot.spec();
+    Json sensors = Json::array();
+    for (const SensorSpec& sensor : spec.sensors) {
+        sensors.push_back({{"name", sensor.name},
+                           {"kind", kind_of(sensor.kind)},
+                           {"at", point(sensor.at)},
+                           {"yaw", sensor.yaw},
+                           {"range", sensor.range},
+                           {"cone", sensor.cone},
+                           {"rays", sensor.rays}});
+    }
+    const Limits& limits = robot.guard().limits();
+    return {{"name", robot.name()},
+            {"model", spec.model},
+            {"real", robot.has_body() && robot.is_real()},
+            {"twin", robot.is_twin()},
+            {"hull",
+             {{"shape", spec.body.shape == BodySpec::Shape::box ? "box" : "cylinder"},
+              {"size", point(spec.body.size)},
+              {"at", point(spec.body.at)}}},
+            {"wheels", {{"radius", spec.drive.radius}, {"track", spec.drive.track}}},
+            {"limits", {{"speed", limits.speed}, {"yaw_rate", limits.yaw_rate}}},
+            {"sensors", std::move(sensors)}};
+}
+
+Json arena_to_json(const ArenaSpec& arena, const World* world) {
+    Json json{{"size", arena.size ? point(*arena.size) : Json()}, {"border", Json()}, {"floor", Json()}};
+    if (arena.border) json["border"] = {{"thickness", arena.border->thickness}, {"height", arena.border->height}};
+    Json lines = Json::array();
+    for (const LineSpec& line : arena.lines) {
+        Json points = Json::array();
+        for (const Point2D& at : line.points) points.push_back(point(at));
+        lines.push_back({{"points", std::move(points)}, {"width", line.width}, {"color", line.color}});
+    }
+    json["lines"] = std::move(lines);
+    Json things = Json::array();
+    if (world != nullptr) {
+        for (const ThingPose& thing : world->things())
+            things.push_back({{"shape", thing.shape == ThingPose::Shape::box ? "box" : "cylinder"},
+                              {"size", point(thing.size)},
+                              {"color", thing.color}});
+    }
+    json["things"] = std::move(things);
+    return json;
+}
+
+// Calls `visit("name.port", port)` for each port of the system.
+template <class Visit>
+void for_each_port(const System& system, const Visit& visit) {
+    for (const Component* component : system.components()) {
+        for (const InPortBase* port : component->in_ports()) visit(*component, *port);
+        for (const OutPortBase* port : component->out_ports()) visit(*component, *port);
+    }
+}
+
+Json drivers_to_json(const System& system) {
+    Json drivers = Json::object();
+    for_each_port(system, [&](const Component& component, const Port& port) {
+        if (port.override() == Override::none) return;
+        const std::string path = component.name() + "." + port.name();
+        const Actor* holder = system.holder(path);
+        if (holder != nullptr) drivers[path] = to_text(*holder);
+    });
+    return drivers;
+}
+
+}  // namespace
+
+Json system_to_json(const LiveSystem& live) {
+    const System& system = live.system();
+    Json json{{"is", "system"},
+              {"file", live.project().shown(live.file())},
+              {"name", live.file().stem().string()},
+              {"rate", system.settings().rate},
+              {"start", live.starts()},
+              {"real", system.settings().real_time},
+              {"stopped", system.is_stopped()},
+              {"components", Json::array()},
+              {"connections", Json::array()}};
+    for (const Component* component : system.components()) json["components"].push_back(component_to_json(*component));
+    for (const ConnectionSpec& connection : system.connections())
+        json["connections"].push_back({{"from", connection.from}, {"to", connection.to}});
+    json["arena"] = arena_to_json(live.spec().arena, system.world());
+    json["robots"] = Json::array();
+    for (const Robot* robot : system.robots()) json["robots"].push_back(robot_to_json(*robot));
+    json["markers"] = Json::array();
+    if (system.world() != nullptr) {
+        for (const MarkerPose& marker : system.world()->markers())
+            json["markers"].push_back({{"name", marker.name}, {"id", marker.id}, {"size", marker.size}});
+    }
+    json["drivers"] = drivers_to_json(system);
+    return json;
+}
+
+std::uint64_t system_fingerprint(const LiveSystem& live) {
+    const System& system = live.system();
+    std::uint64_t print = 0xcbf29ce484222325U;
+    const auto mix = [&](std::uint64_t value) { print = (print ^ value) * 0x100000001b3U; };
+    mix(static_cast<std::uint64_t>(live.starts()));
+    mix(system.layout());
+    mix(system.is_stopped() ? 1 : 0);
+    mix(system.world() != nullptr ? system.world()->markers().size() : 0);
+    for (const Component* component : system.components()) {
+        mix(static_cast<std::uint64_t>(component->state()));
+        mix(static_cast<std::uint64_t>(component->version()));
+        mix(component->parameters().version());
+        mix(std::hash<std::string>{}(component->set_in_use()));
+        for (const InPortBase* port : component->in_ports()) {
+            for (const OutPortBase* source : port->sources()) mix(reinterpret_cast<std::uintptr_t>(source));
+        }
+    }
+    for_each_port(system, [&](const Component& component, const Port& port) {
+        mix(static_cast<std::uint64_t>(port.override()));
+        if (port.override() == Override::none) return;
+        const Actor* holder = system.holder(component.name() + "." + port.name());
+        if (holder != nullptr) mix(std::hash<std::string>{}(to_text(*holder)));
+    });
+    return print;
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,254 @@
+// Everything happens in its turn between two ticks, in the time that is left there.
+#include "bindings/web/web_server.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bindings/web/system_json.hpp"
+#include "bindings/web/types_json.hpp"
+
+namespace nezumi::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Steps at once.
+constexpr double most_ticks = 1e12;
+
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+// All of it but what is each browser's own, and without the bracket that begins it.
+std::string hello(const LiveSystem& live, const WebOptions& options) {
+    const Json json{{"version", options.version},
+                    {"real", live.system().settings().real_time},
+                    {"frame", "WebFrame"},
+                    {"types", types_to_json()}};
+    return dump(json).substr(1);
+}
+
+}  // namespace
+
+WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options)
+    : live_(live),
+      clock_(clock),
+      hub_(Access(), StaticFiles(options.page), live.project(), hello(live, options)),
+      look_(live, clock),
+      drives_(live,
+              [this](ClientId client, const std::string& port, const std::string& why) {
+                  hub_.send(client, dump({{"is", "drive"}, {"port", port}, {"ok", false}, {"text", why}}));
+              }),
+      relay_(consoles, [this](ClientId client, std::string_view line) {
+          hub_.send(client, fmt::format(R"({{"is":"console","event":{}}})", line), true);
+      }) {}
+
+Expected<std::unique_ptr<WebServer>> WebServer::open(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles,
+                                                     const WebOptions& options) {
+    std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
+    auto sockets = open_sockets(options.sockets, server->hub_);
+    if (!sockets) return Unexpected(sockets.error());
+    server->sockets_ = std::move(*sockets);
+    server->pictures_ = std::make_unique<Pictures>(
+        [&hub = server->hub_, &wakes = *server->sockets_](const std::string& port, std::string message) {
+            hub.show_picture(port, std::move(message));
+            wakes.wake();
+        },
+        [&hub = server->hub_, &wakes = *server->sockets_](const std::string& why) {
+            hub.send_all(dump({{"is", "log"}, {"level", "error"}, {"component", ""}, {"text", why}, {"at", 0}}), true);
+            wakes.wake();
+        });
+    return server;
+}
+
+WebServer::~WebServer() {
+    pictures_.reset();
+    hub_.end(dump({{"is", "bye"}, {"text", "the run has ended"}}));
+    if (sockets_) sockets_->wake();
+}
+
+std::string WebServer::url() const {
+    return fmt::format("http://127.0.0.1:{}/#{}", sockets_->port(), hub_.access().token());
+}
+
+std::string WebServer::view_url() const {
+    return fmt::format("http://127.0.0.1:{}/#{}", sockets_->port(), hub_.access().view_token());
+}
+
+void WebServer::add_files(std::vector<int>& files) const {
+    files.push_back(hub_.file());
+    relay_.add_files(files);
+}
+
+bool WebServer::serve(Clock::time_point until, double late) {
+    for (Hub::Incoming& incoming : hub_.take()) {
+        // A stop overtakes all that waits.
+        const auto* act = std::get_if<ActMessage>(&incoming.message.body);
+        const bool first = act != nullptr && std::holds_alternative<Stop>(act->act);
+        const auto place = static_cast<std::ptrdiff_t>(first ? dealt_ : waiting_.size());
+        waiting_.insert(waiting_.begin() + place, std::move(incoming));
+    }
+    while (dealt_ < waiting_.size()) {
+        deal_with(waiting_[dealt_++]);
+        if (Clock::now() >= until) break;
+    }
+    if (dealt_ == waiting_.size()) {
+        waiting_.clear();
+        dealt_ = 0;
+    }
+    const auto now = Clock::now();
+    drives_.serve(now);
+    relay_.serve();
+    if (hub_.has_clients()) {
+        describe_system(now);
+        show(late, now);
+    }
+    return dealt_ < waiting_.size();
+}
+
+void WebServer::deal_with(const Hub::Incoming& incoming) {
+    const ClientId id = incoming.client;
+    if (incoming.what == Hub::Incoming::What::opened) {
+        Browser& browser = browsers_[id];
+        browser = {{Actor::Kind::browser, std::to_string(id)}, incoming.view_only};
+        live_.system().log(LogLevel::info,
+                           to_text(browser.who) + (incoming.view_only ? ": has come, to look" : ": has come"));
+        return;
+    }
+    const auto found = browsers_.find(id);
+    if (found == browsers_.end()) return;
+    if (incoming.what == Hub::Incoming::What::closed) {
+        live_.let_go(found->second.who);
+        drives_.forget(id);
+        relay_.close(id);
+        live_.system().log(LogLevel::info, to_text(found->second.who) + ": has gone");
+        browsers_.erase(found);
+        return;
+    }
+    const Message& message = incoming.message;
+    const auto done = perform(id, found->second, message);
+    if (const auto* drive = std::get_if<DriveMessage>(&message.body)) {
+        if (!done)
+            hub_.send(id,
+                      dump({{"is", "drive"}, {"port", drive->port}, {"ok", false}, {"text", done.error().message}}));
+        return;
+    }
+    if (done && std::holds_alternative<ConsoleMessage>(message.body)) return;
+    hub_.send(id, dump({{"is", "answer"},
+                        {"id", message.id},
+                        {"ok", done.has_value()},
+                        {"text", done ? "" : nezumi::describe(done.error())}}));
+}
+
+Expected<void> WebServer::perform(ClientId client, const Browser& browser, const Message& message) {
+    // Before it is done: what it comes to may be logged as well.
+    const auto note = [&](const std::string& what) {
+        live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
+    };
+    if (const auto* act = std::get_if<ActMessage>(&message.body)) {
+        note(act->shown);
+        const auto result = live_.act(act->act, browser.who);
+        if (!result) return Unexpected(result.error());
+        return {};
+    }
+    if (const auto* drive = std::get_if<DriveMessage>(&message.body))
+        return drives_.take(client, *drive, browser.who, Clock::now());
+    if (const auto* time = std::get_if<TimeMessage>(&message.body)) return set_time(*time, browser);
+    if (const auto* console = std::get_if<ConsoleMessage>(&message.body)) {
+        if (!console->shown.empty()) note(console->shown);
+        return relay_.send(client, console->line, browser.who);
+    }
+    return {};
+}
+
+Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& browser) {
+    using What = TimeMessage::What;
+    if (clock_.is_hardware() && (time.what == What::step || time.what == What::speed || time.what == What::restart))
+        return failure("real robots know only real time: this works in simulation");
+    const double value = time.value.value_or(1);
+    const auto note = [&](const std::string& what) {
+        live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
+    };
+    switch (time.what) {
+        case What::pause:
+            note("pauses");
+            clock_.pause();
+            return {};
+        case What::resume:
+            note("resumes");
+            clock_.resume();
+            return {};
+        case What::step:
+            if (!(value >= 1 && value <= most_ticks) || value != std::floor(value))
+                return failure(fmt::format("expected a number of ticks, 1 or more, got {}", value));
+            note(fmt::format("steps {} ticks", value));
+            clock_.advance(static_cast<std::int64_t>(value));
+            return {};
+        case What::speed:
+            if (!(value > 0)) return failure(fmt::format("expected a number above 0, got {}; pause stops time", value));
+            note(fmt::format("sets the speed to {}", value));
+            clock_.set_speed(value);
+            return {};
+        case What::restart: {
+            note("starts anew");
+            const auto restarted = live_.act(Restart{}, browser.who);
+            if (!restarted) return Unexpected(restarted.error());
+            return {};
+        }
+        case What::quit:
+            note("ends the run");
+            clock_.quit();
+            return {};
+    }
+    return {};
+}
+
+void WebServer::describe_system(Clock::time_point now) {
+    // Frames must not tell of what browsers do not know.
+    const bool other = layout_ != live_.system().layout() || starts_ != live_.starts();
+    if (!other && now - described_ < std::chrono::duration<double>(1 / descriptions)) return;
+    described_ = now;
+    const std::uint64_t fingerprint = system_fingerprint(live_);
+    if (!other && fingerprint == fingerprint_) return;
+    fingerprint_ = fingerprint;
+    layout_ = live_.system().layout();
+    starts_ = live_.starts();
+    hub_.show(Hub::Slot::system, dump(system_to_json(live_)));
+    sockets_->wake();
+}
+
+void WebServer::show(double late, Clock::time_point now) {
+    if (now - shown_ < std::chrono::duration<double>(1 / states)) return;
+    shown_ = now;
+    const Watch wanted = hub_.wanted();
+    hub_.put(look_.at(hub_.take_back(), wanted, late));
+    pictures_->look(live_.system(), wanted.pictures, now);
+    sockets_->wake();
+}
+
+void WebServer::log(const LogLine& line) {
+    if (!hub_.has_clients()) return;
+    hub_.send_all(dump({{"is", "log"},
+                        {"level", to_text(line.level)},
+                        {"component", line.component},
+                        {"text", line.text},
+                        {"at", line.seconds}}),
+                  true);
+}
+
+void WebServer::say(const std::string& text) {
+    if (!hub_.has_clients()) return;
+    hub_.send_all(dump({{"is", "log"},
+                        {"level", "info"},
+                        {"component", ""},
+                        {"text", text},
+                        {"at", live_.system().now().seconds}}),
+                  true);
+}
+
+void WebServer::show_status(const std::string& text, bool running) {
+    hub_.show(Hub::Slot::status, dump({{"is", "status"}, {"text", text}, {"running", running}}));
+}
+
+}  // namespace nezumi::web

@@ -1,0 +1,94 @@
+// The browsers of a running system: they are shown it, and what they do is done between two ticks.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/console/clock_control.hpp"
+#include "bindings/console/server.hpp"
+#include "bindings/lua/live/live_system.hpp"
+#include "bindings/web/console_relay.hpp"
+#include "bindings/web/drives.hpp"
+#include "bindings/web/hub.hpp"
+#include "bindings/web/look.hpp"
+#include "bindings/web/pictures.hpp"
+#include "bindings/web/sockets.hpp"
+
+namespace nezumi::web {
+
+struct WebOptions {
+    SocketOptions sockets{};
+    std::filesystem::path page{};  ///< folder of the page's files
+    std::string version{};         ///< of nezumi
+};
+
+/// All of it is to be called from the thread that ticks.
+class WebServer {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    /// A browser is shown at most so many states a second, and descriptions of the system.
+    static constexpr double states = 60;
+    static constexpr double descriptions = 10;
+
+    /// Begins to serve. All that it is given must outlive it. The error says in one line why it can't.
+    static Expected<std::unique_ptr<WebServer>> open(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles,
+                                                     const WebOptions& options);
+    /// Says goodbye to the browsers. What they held stays as it is.
+    ~WebServer();
+    WebServer(const WebServer&) = delete;
+    WebServer& operator=(const WebServer&) = delete;
+
+    /// What a browser is to be led to by somebody who may act, and by somebody who may only look.
+    std::string url() const;
+    std::string view_url() const;
+
+    /// Does what browsers want until about `until`, and shows them what is new; `late` is how late the latest tick was
+    /// [s]. Returns whether more waits.
+    bool serve(Clock::time_point until, double late);
+    /// Readable when something has come that `serve` should deal with.
+    void add_files(std::vector<int>& files) const;
+
+    /// Tells the browsers.
+    void log(const LogLine& line);
+    void say(const std::string& text);
+    void show_status(const std::string& text, bool running);
+
+private:
+    struct Browser {
+        Actor who;
+        bool view_only = false;
+    };
+
+    WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options);
+
+    void deal_with(const Hub::Incoming& incoming);
+    Expected<void> perform(ClientId client, const Browser& browser, const Message& message);
+    Expected<void> set_time(const TimeMessage& time, const Browser& browser);
+    void show(double late, Clock::time_point now);
+    void describe_system(Clock::time_point now);
+
+    LiveSystem& live_;
+    ClockControl& clock_;
+    Hub hub_;
+    Look look_;
+    Drives drives_;
+    ConsoleRelay relay_;
+    std::map<ClientId, Browser> browsers_;
+    std::vector<Hub::Incoming> waiting_;
+    std::size_t dealt_ = 0;  // of waiting_
+    Clock::time_point shown_{};
+    Clock::time_point described_{};
+    std::uint64_t fingerprint_ = 0;
+    std::uint64_t layout_ = 0;
+    int starts_ = 0;
+    std::unique_ptr<Sockets> sockets_;
+    std::unique_ptr<Pictures> pictures_;  // first to go, as it wakes the sockets
+};
+
+}  // namespace nezumi::web

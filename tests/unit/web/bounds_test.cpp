@@ -1,0 +1,106 @@
+// Browsers that say too much, listen too little or talk nonsense harm nobody but themselves.
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "tests/unit/web/web_rig.hpp"
+
+using namespace nezumi;
+
+TEST_CASE("nonsense is answered with what is wrong with it", "[web][bounds]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const auto told = [&](const std::string& message) {
+        REQUIRE(browser.send_frame(message));
+        return browser.next_text("\"ok\":false");
+    };
+    CHECK(told("").find("expected one JSON object") != std::string::npos);
+    CHECK(told("{").find("expected one JSON object") != std::string::npos);
+    CHECK(told("[1]").find("expected one JSON object") != std::string::npos);
+    CHECK(told("{}").find("'do' must be") != std::string::npos);
+    CHECK(told(R"({"do":"dance"})").find("'do' must be one of watch, act, stop") != std::string::npos);
+    CHECK(told(R"({"do":"act","id":"x"})").find("'id' must be a whole number") != std::string::npos);
+    CHECK(told(R"({"do":"act","id":1,"act":"Explode"})").find("there is no act 'Explode'") != std::string::npos);
+    CHECK(told(R"({"do":"act","id":1,"act":"Activate","fields":{"x":1}})").find("'component' is missing") !=
+          std::string::npos);
+    CHECK(told(R"({"do":"time","id":1,"what":"fly"})").find("'what' must be one of pause, resume") !=
+          std::string::npos);
+    CHECK(told(std::string(100'000, '[')).find("nests too deep") != std::string::npos);
+    REQUIRE(browser.send_frame("\xff\xfe", 2));
+    CHECK(browser.next_text("expected one JSON object") != "");
+    CHECK(WebRig::answer(browser, {{"do", "rearm"}, {"id", 2}})["ok"] == false);
+    CHECK(rig.component("controller").state() == LifeState::active);
+}
+
+TEST_CASE("a message that is too long ends its connection and no other", "[web][bounds]") {
+    WebRig rig;
+    RawBrowser good = rig.open(), bad = rig.open();
+    const std::string piece(std::size_t{1} << 18, 'x');
+    bool more = bad.send_frame(piece, 1, false);
+    for (int i = 0; i < 8 && more; ++i) more = bad.send_frame(piece, 0, false);
+    CHECK(bad.is_closed());
+    CHECK(WebRig::answer(good, {{"do", "stop"}, {"id", 1}})["ok"] == true);
+}
+
+TEST_CASE("a browser that says too much too fast is closed", "[web][bounds]") {
+    WebRig rig;
+    RawBrowser good = rig.open(), bad = rig.open();
+    bool more = true;
+    for (int i = 0; i < 3000 && more; ++i) more = bad.send_frame(R"({"do":"watch"})");
+    CHECK(bad.is_closed());
+    CHECK(WebRig::answer(good, {{"do", "stop"}, {"id", 1}})["ok"] == true);
+}
+
+TEST_CASE("so many browsers are let in and no more", "[web][bounds]") {
+    WebRig rig;
+    std::vector<RawBrowser> browsers;
+    for (std::size_t i = 0; i < web::most_clients; ++i) browsers.push_back(rig.open());
+    RawBrowser one_more = rig.connect();
+    const std::string head =
+        one_more.ask(WebRig::upgrade(rig.host(), "http://" + rig.host(), "nezumi, token." + rig.token));
+    CHECK(head.rfind("HTTP/1.1 503", 0) == 0);
+    CHECK(WebRig::answer(browsers.back(), {{"do", "stop"}, {"id", 1}})["ok"] == true);
+}
+
+TEST_CASE("a browser that does not listen costs neither the engine nor another browser anything", "[web][bounds]") {
+    WebRig rig;
+    rig.paused = false;
+    RawBrowser deaf = rig.open(rig.token, 4096);
+    REQUIRE(deaf.send_frame(R"({"do":"watch","ports":["controller.out"],"truth":true,"rays":true})"));
+    RawBrowser good = rig.open();
+    REQUIRE(good.send_frame(R"({"do":"watch","truth":true})"));
+    // More than all queues and buffers hold.
+    for (int i = 0; i < 40'000; ++i)
+        rig.live->system().log(LogLevel::info, "a line of the log that nobody reads " + std::string(100, 'x'));
+    for (int i = 0; i < 200; ++i) {
+        rig.server->log({.level = LogLevel::info, .text = std::string(40'000, 'x')});
+        rig.serve();
+    }
+    CHECK(WebRig::answer(good, {{"do", "stop"}, {"id", 1}})["ok"] == true);
+}
+
+TEST_CASE("a request that never ends keeps nobody out", "[web][bounds]") {
+    WebRig rig;
+    std::vector<RawBrowser> slow;
+    for (int i = 0; i < 20; ++i) {
+        slow.push_back(rig.connect());
+        REQUIRE(slow.back().put("GET / HTTP/1.1\r\nHost: 127"));
+    }
+    RawBrowser browser = rig.open();
+    CHECK_FALSE(browser.next_text("hello").empty());
+    RawBrowser long_one = rig.connect();
+    const std::string head =
+        long_one.ask("GET / HTTP/1.1\r\nHost: " + rig.host() + "\r\nX: " + std::string(100'000, 'x') + "\r\n");
+    CHECK(head.rfind("HTTP/1.1 200", 0) != 0);
+    CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 1}})["ok"] == true);
+}
+
+TEST_CASE("when the run ends browsers are told, at once", "[web][bounds]") {
+    WebRig rig;
+    RawBrowser browser(rig.port, [] {});
+    REQUIRE(browser.ask(WebRig::upgrade(rig.host(), "http://" + rig.host(), "nezumi, token." + rig.token)) != "");
+    const auto begin = std::chrono::steady_clock::now();
+    rig.server.reset();
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+    CHECK_FALSE(browser.next_text("\"is\":\"bye\"").empty());
+    CHECK(browser.is_closed());
+}

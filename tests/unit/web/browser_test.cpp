@@ -1,0 +1,246 @@
+// What a browser is shown of a running system, and what it does to it.
+#include <catch2/catch.hpp>
+
+#include "engine/ports/cdr.hpp"
+#include "tests/unit/web/web_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::web;
+
+namespace {
+
+using Json = WebRig::Json;
+
+const Json velocity{{"TimedVelocity2D", {{"vx", 0.1}, {"vy", 0}, {"va", 0}}}};
+
+// The next frame, past all texts.
+WebFrame next_frame(RawBrowser& browser) {
+    for (;;) {
+        const auto got = browser.next();
+        REQUIRE(got);
+        if (got->opcode != 2) continue;
+        REQUIRE(got->bytes.size() > 4);
+        REQUIRE(got->bytes.substr(0, 4) == std::string("\1\0\0\0", 4));
+        const Octets bytes(got->bytes.begin() + 4, got->bytes.end());
+        WebFrame frame;
+        const auto read = read_cdr(bytes, {}, frame);
+        REQUIRE(read);
+        return frame;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a browser is told the system, its types and where everything is", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const auto hello = Json::parse(browser.next_text("hello"));
+    CHECK(hello["types"]["TimedVelocity2D"][0]["type"] == "Time");
+    CHECK(hello["types"]["TimedVelocity2D"][1]["type"] == "Velocity2D");
+    CHECK(hello["types"]["Velocity2D"][2]["name"] == "va");
+    CHECK(hello["types"]["Velocity2D"][2]["unit"] == "rad/s");
+    CHECK(hello["types"]["TimedShortSeq"][1]["type"] == "sequence<int16>");
+    CHECK(hello["types"]["RangeData"][1]["name"] == "ranges");
+    CHECK(hello["types"]["WebFrame"][5]["type"] == "sequence<WebRobot>");
+    CHECK(hello["types"]["WebPort"][2]["type"] == "sequence<uint8>");
+
+    const auto system = Json::parse(browser.next_text("\"is\":\"system\""));
+    CHECK(system["components"][1]["name"] == "controller");
+    CHECK(system["components"][1]["kind"] == "behavior");
+    CHECK(system["components"][1]["state"] == "ACTIVE");
+    CHECK(system["components"][1]["parameters"][0]["value"] == 0.25);
+    CHECK(system["components"][1]["parameters"][0]["min"] == -1.5);
+    CHECK(system["components"][1]["sets"] == Json{"fast", "slow"});
+    CHECK(system["connections"][0]["from"] == "mouse.ir_sensor_out");
+    CHECK(system["robots"][0]["name"] == "mouse");
+    CHECK(system["arena"]["things"].size() >= 1);
+    CHECK(system["drivers"].empty());
+
+    rig.paused = false;
+    REQUIRE(browser.send_frame(R"({"do":"watch","ports":["controller.out","nobody.out"],"truth":true,"rays":true})"));
+    WebFrame frame = next_frame(browser);
+    while (frame.robots.empty()) frame = next_frame(browser);
+    CHECK(frame.robots[0].is_truth);
+    CHECK_FALSE(frame.rays.empty());
+    while (frame.ports.empty()) frame = next_frame(browser);
+    CHECK(frame.ports[0].index == 0);
+    CHECK(frame.ports[0].count >= 1);
+    Velocity2D sent;
+    double tm = 0;
+    REQUIRE(read_cdr_message(frame.ports[0].payload, sent, tm));
+    CHECK(sent.vx == 0.25);
+    CHECK(frame.running);
+}
+
+TEST_CASE("an act of a browser is its own, is logged, and is answered", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const Json set{{"do", "act"},
+                   {"id", 7},
+                   {"act", "SetParameter"},
+                   {"fields", {{"component", "controller"}, {"parameter", "speed_x"}, {"value", 0.5}}}};
+    CHECK(WebRig::answer(browser, set)["ok"] == true);
+    rig.tick();
+    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.5);
+    CHECK(rig.said("browser 1: SetParameter {\"component\":\"controller\",\"parameter\":\"speed_x\",\"value\":0.5}"));
+    Json wrong = set;
+    wrong["fields"]["value"] = 5.0;
+    const auto refused = WebRig::answer(browser, wrong);
+    CHECK(refused["ok"] == false);
+    CHECK(refused["text"] == "parameter 'speed_x' (number): 5.0 is above its maximum 1.5");
+
+    const Json hold{{"do", "act"},
+                    {"id", 8},
+                    {"act", "Hold"},
+                    {"fields", {{"port", "mouse.target_velocity_in"}, {"value", velocity}, {"take", false}}}};
+    CHECK(WebRig::answer(browser, hold)["ok"] == true);
+    RawBrowser other = rig.open();
+    const auto not_mine = WebRig::answer(other, hold);
+    CHECK(not_mine["ok"] == false);
+    CHECK(not_mine["text"].get<std::string>().find("browser 1") != std::string::npos);
+}
+
+TEST_CASE("what a browser held ends with its connection, a velocity by zero", "[web]") {
+    WebRig rig;
+    {
+        RawBrowser browser = rig.open();
+        const Json hold{{"do", "act"},
+                        {"id", 8},
+                        {"act", "Hold"},
+                        {"fields", {{"port", "mouse.target_velocity_in"}, {"value", velocity}, {"take", false}}}};
+        CHECK(WebRig::answer(browser, hold)["ok"] == true);
+        CHECK(rig.live->system().port("mouse.target_velocity_in").value()->override() == Override::held);
+    }
+    for (int rounds = 0; rounds < 5000 && !rig.said("browser 1: has gone"); ++rounds) {
+        rig.serve();
+        usleep(1000);
+    }
+    CHECK(rig.said("browser 1: has gone"));
+    const auto port = rig.live->system().port("mouse.target_velocity_in");
+    CHECK(std::get<Velocity2D>(port.value()->override_value()) == Velocity2D{});
+    rig.tick(2);
+    CHECK(port.value()->override() == Override::none);
+}
+
+TEST_CASE("a drive ends by itself when its browser says no more", "[web][wallclock]") {
+    WebRig rig;
+    rig.paused = false;
+    RawBrowser browser = rig.open();
+    const Json drive{{"do", "drive"}, {"port", "mouse.target_velocity_in"}, {"value", velocity}};
+    REQUIRE(browser.send_frame(drive.dump()));
+    CHECK_FALSE(browser.next_text(R"("drivers":{"mouse.target_velocity_in":"browser 1"})").empty());
+    RawBrowser other = rig.open();
+    REQUIRE(other.send_frame(drive.dump()));
+    const auto refused = Json::parse(other.next_text("\"is\":\"drive\""));
+    CHECK(refused["ok"] == false);
+    CHECK(refused["text"].get<std::string>().find("browser 1") != std::string::npos);
+    CHECK_FALSE(browser.next_text(R"("drivers":{})").empty());
+    CHECK(rig.live->system().port("mouse.target_velocity_in").value()->override() == Override::none);
+}
+
+TEST_CASE("who takes a drive over tells both, and lets go by null", "[web]") {
+    WebRig rig;
+    rig.paused = false;
+    RawBrowser browser = rig.open(), other = rig.open();
+    Json drive{{"do", "drive"}, {"port", "mouse.target_velocity_in"}, {"value", velocity}};
+    REQUIRE(browser.send_frame(drive.dump()));
+    CHECK_FALSE(browser.next_text("\"drivers\":{\"mouse.target_velocity_in\":\"browser 1\"}").empty());
+    drive["take"] = true;
+    REQUIRE(other.send_frame(drive.dump()));
+    const auto lost = Json::parse(browser.next_text("\"is\":\"drive\""));
+    CHECK(lost["ok"] == false);
+    CHECK(lost["text"] == "somebody else drives it, or it is gone");
+    CHECK(rig.said("held by browser 2 from now on, no longer by browser 1"));
+    drive["value"] = nullptr;
+    REQUIRE(other.send_frame(drive.dump()));
+    CHECK_FALSE(other.next_text("\"drivers\":{}").empty());
+}
+
+TEST_CASE("a stop is taken before everything that waits", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    REQUIRE_FALSE(browser.next_text("hello").empty());
+    for (int i = 0; i < 20; ++i)
+        REQUIRE(browser.send_frame(R"({"do":"act","id":1,"act":"Deactivate","fields":{"component":"controller"}})"));
+    REQUIRE(browser.send_frame(R"({"do":"stop"})"));
+    usleep(300'000);  // all of them have come
+    rig.serve();
+    CHECK(rig.live->system().is_stopped());
+    std::size_t stop = 0, first_act = 0;
+    for (std::size_t i = 0; i < rig.log.size(); ++i) {
+        if (rig.log[i].text == "browser 1: Stop") stop = i;
+        if (first_act == 0 && rig.log[i].text.rfind("browser 1: Deactivate", 0) == 0) first_act = i;
+    }
+    CHECK(stop > 0);
+    CHECK(stop < first_act);
+    CHECK(WebRig::answer(browser, {{"do", "rearm"}, {"id", 3}})["ok"] == true);
+    CHECK_FALSE(rig.live->system().is_stopped());
+}
+
+TEST_CASE("time is a browser's as it is the console's", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const auto time = [&](const Json& what, const Json& value = nullptr) {
+        return WebRig::answer(browser, {{"do", "time"}, {"id", 9}, {"what", what}, {"value", value}});
+    };
+    const std::int64_t tick = rig.live->system().now().tick;
+    CHECK(time("step", 3)["ok"] == true);
+    for (int rounds = 0; rounds < 10; ++rounds) rig.serve();
+    CHECK(rig.live->system().now().tick == tick + 3);
+    CHECK(time("step", 0.5)["text"] == "expected a number of ticks, 1 or more, got 0.5");
+    CHECK(time("speed", 4)["ok"] == true);
+    CHECK(rig.factor_ == 4);
+    CHECK(time("speed", -1)["text"] == "expected a number above 0, got -1; pause stops time");
+    CHECK(time("restart")["ok"] == true);
+    CHECK(rig.live->starts() == 2);
+    rig.hardware = true;
+    for (const char* what : {"step", "speed", "restart"})
+        CHECK(time(what)["text"] == "real robots know only real time: this works in simulation");
+    CHECK(time("pause")["ok"] == true);
+    CHECK(time("quit")["ok"] == true);
+    CHECK(rig.quitting);
+}
+
+TEST_CASE("a browser has a console of its own", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    REQUIRE(browser.send_frame(
+        R"({"do":"console","request":{"do":"eval","id":5,"text":"controller.config.speed_x = 0.5 return 1 + 1"}})"));
+    const auto output = Json::parse(browser.next_text("\"output\""));
+    CHECK(output["is"] == "console");
+    CHECK(output["event"]["text"] == "2");
+    CHECK_FALSE(browser.next_text("\"answer\"").empty());
+    CHECK(rig.said("browser 1: controller.config.speed_x = 0.5 return 1 + 1"));
+    REQUIRE(browser.send_frame(
+        R"({"do":"console","request":{"do":"eval","id":6,"text":"hold('mouse.target_velocity_in', { vx = 0.1 })"
+}
+})"));
+    CHECK_FALSE(browser.next_text(R"("drivers":{"mouse.target_velocity_in":"browser 1"})").empty());
+}
+
+TEST_CASE("a camera's picture comes as JPEG while it is watched", "[web]") {
+    WebRig rig(R"(behavior "eye" { script = "eye" })", {{"eye", R"(
+local out = output("out", "CameraImage", "a picture")
+function on_execute()
+  out:write { width = 64, height = 48, bpp = 24, format = "rgb8", pixels = ("\200\100\0"):rep(64 * 48) }
+end
+)"}});
+    rig.paused = false;
+    RawBrowser browser = rig.open();
+    REQUIRE(browser.send_frame(R"({"do":"watch","pictures":["eye.out"]})"));
+    for (;;) {
+        const auto got = browser.next();
+        REQUIRE(got);
+        if (got->opcode != 2 || got->bytes[0] != 2) continue;
+        const Octets bytes(got->bytes.begin() + 4, got->bytes.end());
+        WebPicture picture;
+        REQUIRE(read_cdr(bytes, {}, picture));
+        CHECK(picture.port == "eye.out");
+        CHECK(picture.width == 64);
+        CHECK(picture.height == 48);
+        REQUIRE(picture.jpeg.size() > 100);
+        CHECK(picture.jpeg[0] == 0xff);
+        CHECK(picture.jpeg[1] == 0xd8);
+        break;
+    }
+}
