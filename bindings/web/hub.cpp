@@ -23,10 +23,9 @@ std::string refusal(std::int64_t id, std::string_view why) {
                                                                                  Json::error_handler_t::replace);
 }
 
-void add_new(std::vector<std::string>& all, const std::vector<std::string>& more) {
-    for (const std::string& each : more) {
-        if (std::find(all.begin(), all.end(), each) == all.end()) all.push_back(each);
-    }
+void remove_doubles(std::vector<std::string>& names) {
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
 }
 
 bool is_stop(const Message& message) {
@@ -107,16 +106,21 @@ void Hub::show_picture(const std::string& port, std::string message) {
     pictures_.insert_or_assign(port, Shown{std::move(message), ++last_number_});
 }
 
+// Without the lock: what it reads only this thread changes.
 void Hub::watch_anew() {
-    wanted_ = {};
+    Watch all;
     for (const auto& [id, client] : clients_) {
-        add_new(wanted_.ports, client.watch.ports);
-        add_new(wanted_.pictures, client.watch.pictures);
-        wanted_.truth = wanted_.truth || client.watch.truth;
-        wanted_.rays = wanted_.rays || client.watch.rays;
+        all.ports.insert(all.ports.end(), client.watch.ports.begin(), client.watch.ports.end());
+        all.pictures.insert(all.pictures.end(), client.watch.pictures.begin(), client.watch.pictures.end());
+        all.truth = all.truth || client.watch.truth;
+        all.rays = all.rays || client.watch.rays;
     }
+    remove_doubles(all.ports);
+    remove_doubles(all.pictures);
+    const std::lock_guard lock(mutex_);
+    wanted_ = std::move(all);
     std::erase_if(pictures_, [&](const auto& each) {
-        return std::find(wanted_.pictures.begin(), wanted_.pictures.end(), each.first) == wanted_.pictures.end();
+        return !std::binary_search(wanted_.pictures.begin(), wanted_.pictures.end(), each.first);
     });
 }
 
@@ -142,7 +146,6 @@ void Hub::opened(ClientId id, bool view_only) {
     put_text(client, fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},{})", id, view_only, hello_),
              false);
     incoming_.push_back({.client = id, .what = Incoming::What::opened, .view_only = view_only});
-    watch_anew();
     eventfd_write(news_.get(), 1);
 }
 
@@ -156,7 +159,7 @@ bool Hub::is_too_fast(Client& client) {
 
 bool Hub::received(ClientId id, std::string_view text) {
     auto message = read_message(text, project_);  // may read files
-    const std::lock_guard lock(mutex_);
+    Lock lock(mutex_);
     const auto found = clients_.find(id);
     if (found == clients_.end()) return false;
     Client& client = found->second;
@@ -169,6 +172,7 @@ bool Hub::received(ClientId id, std::string_view text) {
         client.watch = std::move(*watch);
         client.seen = {};
         client.pictures.clear();
+        lock.unlock();
         watch_anew();
         return true;
     }
@@ -242,15 +246,16 @@ std::optional<Outgoing> Hub::next(ClientId id) {
 }
 
 void Hub::closed(ClientId id) {
-    const std::lock_guard lock(mutex_);
+    Lock lock(mutex_);
     if (clients_.erase(id) == 0) return;
     --clients_there_;
     std::erase_if(incoming_, [&](const Incoming& each) {
         return each.client == id && each.what == Incoming::What::message && !is_stop(each.message);
     });
     incoming_.push_back({.client = id, .what = Incoming::What::closed});
-    watch_anew();
     eventfd_write(news_.get(), 1);
+    lock.unlock();
+    watch_anew();
 }
 
 }  // namespace nezumi::web

@@ -107,6 +107,7 @@ private:
     void put_text(Client& client, std::string text, bool lossy);
     std::optional<Outgoing> next_text(Client& client);
     std::optional<Outgoing> next_picture(Client& client);
+
     void watch_anew();
 
     static bool is_too_fast(Client& client);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <system_error>
 #include <utility>
 
 #include "bindings/web/jpeg.hpp"
@@ -40,7 +41,11 @@ void Pictures::look(const System& system, const std::vector<std::string>& ports,
             sigset_t before;
             sigfillset(&all);
             pthread_sigmask(SIG_SETMASK, &all, &before);
-            thread_ = std::thread([this] { work(); });
+            try {
+                thread_ = std::thread([this] { work(); });
+            } catch (const std::system_error&) {
+                waiting_.clear();  // the next picture tries again
+            }
             pthread_sigmask(SIG_SETMASK, &before, nullptr);
         }
         news_.notify_one();

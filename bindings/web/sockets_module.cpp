@@ -11,6 +11,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -142,9 +143,14 @@ std::string WebSockets::open(const SocketOptions& options) {
     sigset_t before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    thread_ = std::thread([this] { serve(); });
+    std::string failed;
+    try {
+        thread_ = std::thread([this] { serve(); });
+    } catch (const std::system_error& none) {
+        failed = std::string("there is no thread for browsers: ") + none.what();
+    }
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    return "";
+    return failed;
 }
 
 bool WebSockets::listen(const SocketOptions& options, int port) {

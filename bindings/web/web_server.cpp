@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 
 // Steps at once.
 constexpr double most_ticks = 1e12;
+constexpr std::string_view only_real_time = "real robots know only real time: this works in simulation";
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -64,6 +65,11 @@ Expected<std::unique_ptr<WebServer>> WebServer::open(LiveSystem& live, ClockCont
 
 WebServer::~WebServer() {
     pictures_.reset();
+    if (reader_) {
+        reader_->close([] {});
+        // What reads files that do not answer goes on without it.
+        if (!reader_->join(Clock::now() + std::chrono::seconds(1))) static_cast<void>(reader_.release());
+    }
     hub_.end(dump({{"is", "bye"}, {"text", "the run has ended"}}));
     if (sockets_) sockets_->wake();
 }
@@ -97,6 +103,7 @@ bool WebServer::serve(Clock::time_point until, double late) {
         waiting_.clear();
         dealt_ = 0;
     }
+    if (reader_) reader_->serve(until);
     const auto now = Clock::now();
     drives_.serve(now);
     relay_.serve();
@@ -134,14 +141,18 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
                       dump({{"is", "drive"}, {"port", drive->port}, {"ok", false}, {"text", done.error().message}}));
         return;
     }
-    if (done && std::holds_alternative<ConsoleMessage>(message.body)) return;
-    hub_.send(id, dump({{"is", "answer"},
-                        {"id", message.id},
-                        {"ok", done.has_value()},
-                        {"text", done ? "" : nezumi::describe(done.error())}}));
+    if (!done) return answer(id, message.id, Unexpected(done.error()));
+    if (*done == Reply::now) answer(id, message.id, {});
 }
 
-Expected<void> WebServer::perform(ClientId client, const Browser& browser, const Message& message) {
+void WebServer::answer(ClientId client, std::int64_t id, const Expected<void>& done) {
+    hub_.send(client, dump({{"is", "answer"},
+                            {"id", id},
+                            {"ok", done.has_value()},
+                            {"text", done ? "" : nezumi::describe(done.error())}}));
+}
+
+Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& browser, const Message& message) {
     // Before it is done: what it comes to may be logged as well.
     const auto note = [&](const std::string& what) {
         live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
@@ -150,22 +161,52 @@ Expected<void> WebServer::perform(ClientId client, const Browser& browser, const
         note(act->shown);
         const auto result = live_.act(act->act, browser.who);
         if (!result) return Unexpected(result.error());
-        return {};
+        return Reply::now;
     }
+    const auto replied = [](const Expected<void>& done, Reply reply) -> Expected<Reply> {
+        if (!done) return Unexpected(done.error());
+        return reply;
+    };
     if (const auto* drive = std::get_if<DriveMessage>(&message.body))
-        return drives_.take(client, *drive, browser.who, Clock::now());
-    if (const auto* time = std::get_if<TimeMessage>(&message.body)) return set_time(*time, browser);
+        return replied(drives_.take(client, *drive, browser.who, Clock::now()), Reply::later);
     if (const auto* console = std::get_if<ConsoleMessage>(&message.body)) {
         if (!console->shown.empty()) note(console->shown);
-        return relay_.send(client, console->line, browser.who);
+        return replied(relay_.send(client, console->line, browser.who), Reply::later);
     }
-    return {};
+    if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
+        if (time->what == TimeMessage::What::restart) return restart(client, message.id, browser);
+        return replied(set_time(*time, browser), Reply::now);
+    }
+    return Reply::later;
+}
+
+Expected<WebServer::Reply> WebServer::restart(ClientId client, std::int64_t id, const Browser& browser) {
+    if (clock_.is_hardware()) return failure(std::string(only_real_time));
+    if (reader_ == nullptr) reader_ = std::make_unique<Worker>(bell_);
+    if (!reader_->is_idle()) return failure("somebody is about to restart it already");
+    // Files that do not answer keep no tick: another thread reads them first.
+    reader_->start([this, &reader = *reader_, client, id, who = browser.who, attempt = live_.try_restart(),
+                    look = live_.lost_by_restart()] {
+        const std::vector<std::string> lost = look();
+        Expected<void> ready = attempt();
+        if (ready && !lost.empty())
+            ready = failure(fmt::format("{} would be gone: save the system first", fmt::join(lost, ", ")));
+        reader.perform([&] {
+            if (ready) {
+                live_.system().log(LogLevel::info, to_text(who) + ": starts anew");
+                if (const auto restarted = live_.act(Restart{}, who); !restarted) ready = Unexpected(restarted.error());
+            }
+            answer(client, id, ready);
+            return true;
+        });
+    });
+    return Reply::later;
 }
 
 Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& browser) {
     using What = TimeMessage::What;
-    if (clock_.is_hardware() && (time.what == What::step || time.what == What::speed || time.what == What::restart))
-        return failure("real robots know only real time: this works in simulation");
+    if (clock_.is_hardware() && (time.what == What::step || time.what == What::speed))
+        return failure(std::string(only_real_time));
     const double value = time.value.value_or(1);
     const auto note = [&](const std::string& what) {
         live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
@@ -190,12 +231,7 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
             note(fmt::format("sets the speed to {}", value));
             clock_.set_speed(value);
             return {};
-        case What::restart: {
-            note("starts anew");
-            const auto restarted = live_.act(Restart{}, browser.who);
-            if (!restarted) return Unexpected(restarted.error());
-            return {};
-        }
+        case What::restart: return {};  // is not done here
         case What::quit:
             note("ends the run");
             clock_.quit();

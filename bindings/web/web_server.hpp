@@ -11,6 +11,7 @@
 
 #include "bindings/console/clock_control.hpp"
 #include "bindings/console/server.hpp"
+#include "bindings/console/worker.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
@@ -68,8 +69,11 @@ private:
     WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options);
 
     void deal_with(const Hub::Incoming& incoming);
-    Expected<void> perform(ClientId client, const Browser& browser, const Message& message);
+    enum class Reply { now, later };
+    void answer(ClientId client, std::int64_t id, const Expected<void>& done);
+    Expected<Reply> perform(ClientId client, const Browser& browser, const Message& message);
     Expected<void> set_time(const TimeMessage& time, const Browser& browser);
+    Expected<Reply> restart(ClientId client, std::int64_t id, const Browser& browser);
     void show(double late, Clock::time_point now);
     void describe_system(Clock::time_point now);
 
@@ -82,6 +86,8 @@ private:
     std::map<ClientId, Browser> browsers_;
     std::vector<Hub::Incoming> waiting_;
     std::size_t dealt_ = 0;  // of waiting_
+    Bell bell_;
+    std::unique_ptr<Worker> reader_;  // of files, which may make it wait; none before the first restart
     Clock::time_point shown_{};
     Clock::time_point described_{};
     std::uint64_t fingerprint_ = 0;

@@ -32,7 +32,7 @@ struct Home {
         home = scratch.path("home").string();
         std::filesystem::create_directory(home);
     }
-    PtyProgram run(unsigned short columns = 80) const { return {{"run", system}, home, columns}; }
+    PtyProgram run(unsigned short columns = 80) const { return {{"run", system, "--no-web"}, home, columns}; }
     Scratch scratch;
     std::string system, home;
 };

@@ -211,20 +211,19 @@ TEST_CASE("a browser has a console of its own", "[web]") {
     CHECK(output["event"]["text"] == "2");
     CHECK_FALSE(browser.next_text("\"answer\"").empty());
     CHECK(rig.said("browser 1: controller.config.speed_x = 0.5 return 1 + 1"));
-    REQUIRE(browser.send_frame(
-        R"({"do":"console","request":{"do":"eval","id":6,"text":"hold('mouse.target_velocity_in', { vx = 0.1 })"
-}
-})"));
+    const Json hold{{"do", "eval"}, {"id", 6}, {"text", "hold('mouse.target_velocity_in', { vx = 0.1 })"}};
+    REQUIRE(browser.send_frame(Json{{"do", "console"}, {"request", hold}}.dump()));
     CHECK_FALSE(browser.next_text(R"("drivers":{"mouse.target_velocity_in":"browser 1"})").empty());
 }
 
 TEST_CASE("a camera's picture comes as JPEG while it is watched", "[web]") {
-    WebRig rig(R"(behavior "eye" { script = "eye" })", {{"eye", R"(
+    const std::string camera = R"lua(
 local out = output("out", "CameraImage", "a picture")
 function on_execute()
   out:write { width = 64, height = 48, bpp = 24, format = "rgb8", pixels = ("\200\100\0"):rep(64 * 48) }
 end
-)"}});
+)lua";
+    WebRig rig(R"(behavior "eye" { script = "eye" })", {{"eye", camera}});
     rig.paused = false;
     RawBrowser browser = rig.open();
     REQUIRE(browser.send_frame(R"({"do":"watch","pictures":["eye.out"]})"));

@@ -1,0 +1,144 @@
+// Where `nezumi run` serves its page, and where it does not.
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/unit/cli/pty_program.hpp"
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+struct System {
+    Scratch scratch;
+    std::string file = (scratch.write("behaviors/it.lua", "param('x', 1)\n"),
+                        scratch.write("s.lua", "behavior 'it' { script = 'it' }\n"))
+                           .string();
+
+    Outcome run(std::vector<std::string> options) const {
+        options.insert(options.begin(), {"run", file});
+        return run_nezumi(std::move(options));
+    }
+};
+
+// A port that somebody else listens on.
+class TakenPort {
+public:
+    explicit TakenPort(std::uint16_t port) : file_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+        address_.sin_family = AF_INET;
+        address_.sin_port = htons(port);
+        address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        taken_ =
+            bind(file_, reinterpret_cast<const sockaddr*>(&address_), sizeof address_) == 0 && listen(file_, 1) == 0;
+        socklen_t size = sizeof address_;
+        getsockname(file_, reinterpret_cast<sockaddr*>(&address_), &size);
+    }
+    ~TakenPort() { close(file_); }
+    TakenPort(const TakenPort&) = delete;
+    TakenPort& operator=(const TakenPort&) = delete;
+    bool is_taken() const { return taken_; }
+    int number() const { return ntohs(address_.sin_port); }
+
+private:
+    int file_;
+    sockaddr_in address_{};
+    bool taken_ = false;
+};
+
+// The port of the address that was printed, 0 for none.
+int port_in(const std::string& error) {
+    const std::string begin = "in a browser: http://127.0.0.1:";
+    const auto at = error.find(begin);
+    return at == std::string::npos ? 0 : std::atoi(error.c_str() + at + begin.size());
+}
+
+// What the page's server answers.
+std::string get(int port, const std::string& path) {
+    const int file = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    std::string said;
+    if (connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
+        const std::string request = "GET " + path + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+        static_cast<void>(send(file, request.data(), request.size(), MSG_NOSIGNAL));
+        char piece[4096];
+        for (ssize_t got = 0; (got = recv(file, piece, sizeof piece, 0)) > 0;)
+            said.append(piece, static_cast<std::size_t>(got));
+    }
+    close(file);
+    return said;
+}
+
+}  // namespace
+
+TEST_CASE("a run prints where its page is, and serves it while it runs", "[cli][web]") {
+    const System system;
+    Program run({"run", system.file});
+    REQUIRE(run.wait_for_error("\n"));
+    const int port = port_in(run.error);
+    REQUIRE(port > 0);
+    CHECK(run.error.find('#') + 33 == run.error.find('\n'));
+    const std::string page = get(port, "/");
+    CHECK(page.rfind("HTTP/1.1 200", 0) == 0);
+    CHECK(page.find("<html") != std::string::npos);
+    CHECK(get(port, "/../README.md").find("nezumi") == std::string::npos);
+    run.send(SIGINT);
+    CHECK(run.wait() == 0);
+    CHECK(get(port, "/").empty());
+}
+
+TEST_CASE("where the port is taken it is the next free one, and without any the run goes on", "[cli][web]") {
+    const System system;
+    const TakenPort taken(0);
+    REQUIRE(taken.is_taken());
+    const int next = port_in(system.run({"--duration", "0.05", "--port", std::to_string(taken.number())}).error);
+    CHECK(next > taken.number());
+    CHECK(next < taken.number() + 20);
+
+    const TakenPort last(65535);
+    const Outcome without = system.run({"--duration", "0.05", "--port", "65535"});
+    CHECK(without.status == 0);
+    CHECK(without.error.find("no page for browsers: nothing can listen on 127.0.0.1:65535: Address already in use\n") ==
+          0);
+    CHECK(without.error.find("0.05 s simulated") != std::string::npos);
+}
+
+TEST_CASE("runs for machines, and those that are told so, serve no page", "[cli][web]") {
+    const System system;
+    CHECK(system.run({"--duration", "0.05", "--no-web"}).error.find("http") == std::string::npos);
+    CHECK(system.run({"--duration", "0.05", "--headless"}).error.find("http") == std::string::npos);
+    const auto refused = [&](const std::vector<std::string>& options) {
+        const Outcome outcome = system.run(options);
+        CHECK(outcome.status == 2);
+        return outcome.error;
+    };
+    CHECK(refused({"--port", "0"}) == "nezumi: --port: expected a whole number from 1 to 65535, got '0'\n");
+    CHECK(refused({"--port", "65536"}) == "nezumi: --port: expected a whole number from 1 to 65535, got '65536'\n");
+    CHECK(refused({"--port", "8765", "--headless"}) ==
+          "nezumi: --port: a run for machines serves no page: leave it out\n");
+    CHECK(refused({"--port", "8765", "--no-web"}) ==
+          "nezumi: --port: --no-web serves no page: leave out one of them\n");
+    CHECK(refused({"--listen", "0.0.0.0"}) ==
+          "nezumi: --listen: the page is served to this computer alone; from another one, make a tunnel there: ssh -L "
+          "8765:127.0.0.1:8765 ROBOT\n");
+}
+
+TEST_CASE("the prompt begins with the page's address", "[cli][web][prompt]") {
+    const System system;
+    system.scratch.write("home/.keep", "");
+    PtyProgram it({"run", system.file}, system.scratch.path("home").string(), 120);
+    REQUIRE(it.wait_for_prompt("nezumi>"));
+    REQUIRE(it.screen.rows().size() >= 2);
+    CHECK(it.screen.rows()[0] == "s is running; help() tells more, Ctrl-D ends it");
+    CHECK(port_in(it.screen.rows()[1]) > 0);
+}
