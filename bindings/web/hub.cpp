@@ -28,12 +28,24 @@ void remove_doubles(std::vector<std::string>& names) {
     names.erase(std::unique(names.begin(), names.end()), names.end());
 }
 
+}  // namespace
+
 bool is_stop(const Message& message) {
     const auto* act = std::get_if<ActMessage>(&message.body);
     return act != nullptr && std::holds_alternative<Stop>(act->act);
 }
 
-}  // namespace
+void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::Incoming incoming) {
+    auto place = waiting.end();
+    if (incoming.what == Hub::Incoming::What::message && is_stop(incoming.message)) {
+        place = waiting.begin() + static_cast<std::ptrdiff_t>(from);
+        const auto comes = std::find_if(place, waiting.end(), [&](const Hub::Incoming& each) {
+            return each.client == incoming.client && each.what == Hub::Incoming::What::opened;
+        });
+        if (comes != waiting.end()) place = comes + 1;
+    }
+    waiting.insert(place, std::move(incoming));
+}
 
 Hub::Hub(Access access, StaticFiles files, Project project, std::string hello)
     : access_(std::move(access)),
@@ -181,9 +193,7 @@ bool Hub::received(ClientId id, std::string_view text) {
         return true;
     }
     if (++client.waiting > most_waiting) return false;
-    const bool first = is_stop(*message);
-    incoming_.insert(first ? incoming_.begin() : incoming_.end(),
-                     {.client = id, .what = Incoming::What::message, .message = std::move(*message)});
+    put_in_order(incoming_, 0, {.client = id, .what = Incoming::What::message, .message = std::move(*message)});
     eventfd_write(news_.get(), 1);
     return true;
 }

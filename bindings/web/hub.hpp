@@ -132,4 +132,10 @@ private:
     Changes changes_;  // of the sockets' thread
 };
 
+/// Whether it stops all robots.
+bool is_stop(const Message& message);
+/// Puts what came behind all that waits, from place `from` on; but a stop before all of it, only behind the coming of
+/// its browser.
+void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::Incoming incoming);
+
 }  // namespace nezumi::web

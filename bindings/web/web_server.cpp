@@ -88,13 +88,7 @@ void WebServer::add_files(std::vector<int>& files) const {
 }
 
 bool WebServer::serve(Clock::time_point until, double late) {
-    for (Hub::Incoming& incoming : hub_.take()) {
-        // A stop overtakes all that waits.
-        const auto* act = std::get_if<ActMessage>(&incoming.message.body);
-        const bool first = act != nullptr && std::holds_alternative<Stop>(act->act);
-        const auto place = static_cast<std::ptrdiff_t>(first ? dealt_ : waiting_.size());
-        waiting_.insert(waiting_.begin() + place, std::move(incoming));
-    }
+    for (Hub::Incoming& incoming : hub_.take()) put_in_order(waiting_, dealt_, std::move(incoming));
     while (dealt_ < waiting_.size()) {
         deal_with(waiting_[dealt_++]);
         if (Clock::now() >= until) break;

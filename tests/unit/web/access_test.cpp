@@ -14,7 +14,7 @@ std::string status_of(WebRig& rig, const std::string& host, const std::string& o
                       const std::string& path = "/ws") {
     RawBrowser browser = rig.connect();
     const std::string head = browser.ask(WebRig::upgrade(host, origin, protocols, path));
-    return head.substr(0, head.find("\r\n")).substr(0, 12);
+    return head.size() > 12 ? head.substr(9, 3) : head;  // behind "HTTP/1.1 "
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ TEST_CASE("without the token nobody becomes a WebSocket", "[web][access]") {
     WebRig rig;
     const std::string origin = "http://" + rig.host();
     const auto status = [&](const std::string& protocols) { return status_of(rig, rig.host(), origin, protocols); };
-    const std::string refused = "HTTP/1.1 403";
+    const std::string refused = "403";
     CHECK(status("") == refused);
     CHECK(status("nezumi") == refused);
     CHECK(status("nezumi, token.") == refused);
@@ -52,12 +52,12 @@ TEST_CASE("without the token nobody becomes a WebSocket", "[web][access]") {
     std::string upper = rig.token;
     for (char& each : upper) each = static_cast<char>(std::toupper(each));
     if (upper != rig.token) CHECK(status("nezumi, token." + upper) == refused);
-    CHECK(status("nezumi, token." + rig.token) == "HTTP/1.1 101");
+    CHECK(status("nezumi, token." + rig.token) == "101");
 }
 
 TEST_CASE("a page of another origin, or of none, is refused with the right token", "[web][access]") {
     WebRig rig;
-    const std::string protocols = "nezumi, token." + rig.token, refused = "HTTP/1.1 403";
+    const std::string protocols = "nezumi, token." + rig.token, refused = "403";
     const auto status = [&](const std::string& origin) { return status_of(rig, rig.host(), origin, protocols); };
     CHECK(status("") == refused);
     CHECK(status("null") == refused);
@@ -70,24 +70,24 @@ TEST_CASE("a page of another origin, or of none, is refused with the right token
 
 TEST_CASE("whoever was led here by another name is refused, also files", "[web][access]") {
     WebRig rig;
-    const std::string protocols = "nezumi, token." + rig.token, refused = "HTTP/1.1 403";
+    const std::string protocols = "nezumi, token." + rig.token, refused = "403";
     for (const std::string host : {"example.com", "127.0.0.1.example.com", "example.com:8765", "127.0.0.2", "[::2]:1",
                                    "127.0.0.1:x", "127.0.0.1:", "127.0.0.1:123456"}) {
         INFO(host);
         CHECK(status_of(rig, host, "http://" + host, protocols) == refused);
         RawBrowser browser = rig.connect();
-        CHECK(browser.ask("GET / HTTP/1.1\r\nHost: " + host + "\r\n").rfind(refused, 0) == 0);
+        CHECK(browser.ask("GET / HTTP/1.1\r\nHost: " + host + "\r\n").substr(9, 3) == refused);
     }
-    CHECK(status_of(rig, "", "http://" + rig.host(), protocols) != "HTTP/1.1 101");
+    CHECK(status_of(rig, "", "http://" + rig.host(), protocols) != "101");
     // A tunnel has a port of its own.
-    CHECK(status_of(rig, "localhost:9000", "http://localhost:9000", protocols) == "HTTP/1.1 101");
+    CHECK(status_of(rig, "localhost:9000", "http://localhost:9000", protocols) == "101");
 }
 
 TEST_CASE("only /ws is a WebSocket", "[web][access]") {
     WebRig rig;
     const std::string origin = "http://" + rig.host(), protocols = "nezumi, token." + rig.token;
     for (const std::string path : {"/", "/ws/", "/WS", "/other", "/ws/../x"})
-        CHECK(status_of(rig, rig.host(), origin, protocols, path) == "HTTP/1.1 403");
+        CHECK(status_of(rig, rig.host(), origin, protocols, path) == "403");
 }
 
 TEST_CASE("tokens are long, random and hexadecimal, and compared whole", "[web][access]") {
@@ -124,5 +124,7 @@ TEST_CASE("whoever may only look is shown everything and does nothing", "[web][a
     CHECK_FALSE(rig.live->system().is_stopped());
     CHECK_FALSE(rig.quitting);
     REQUIRE(browser.send_frame(R"({"do":"watch","truth":true})"));
-    CHECK_FALSE(browser.next_text("\"is\":\"system\"").empty());
+    for (auto got = browser.next(); got && got->opcode != 2; got = browser.next()) {
+        REQUIRE(got->opcode == 1);
+    }
 }

