@@ -1,4 +1,6 @@
 // `coroutine`: coroutines that the watchdog follows, and that run in slices.
+#include <cstdint>
+
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/library.hpp"
 #include "bindings/lua/sandbox/slices.hpp"
@@ -18,9 +20,28 @@ lua_State* check_coroutine(lua_State* lua, int index) {
 bool is_poisoned(lua_State* coroutine) { return *static_cast<void**>(lua_getextraspace(coroutine)) == nullptr; }
 void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(coroutine)) = nullptr; }
 
+// One that has paused goes on in the next slice of its own: a bit of its pointer, which nothing reads meanwhile, keeps
+// others away. On top of the stack of each is the coroutine in it that has paused, if the pause did not begin there.
+constexpr std::uintptr_t paused_bit = 1;
+static_assert(alignof(LuaState) > paused_bit);
+
+std::uintptr_t& mark_of(lua_State* coroutine) { return *static_cast<std::uintptr_t*>(lua_getextraspace(coroutine)); }
+bool has_paused(lua_State* coroutine) { return (mark_of(coroutine) & paused_bit) != 0; }
+void set_paused(lua_State* coroutine) { mark_of(coroutine) |= paused_bit; }
+void unset_paused(lua_State* coroutine) { mark_of(coroutine) &= ~paused_bit; }
+
+// Frees one and all in it that have paused, as they won't go on.
+void unset_all_paused(lua_State* coroutine) {
+    while (coroutine != nullptr && has_paused(coroutine)) {
+        unset_paused(coroutine);
+        coroutine = lua_gettop(coroutine) > 0 ? lua_tothread(coroutine, -1) : nullptr;
+    }
+}
+
 // lua_resume, watched. Raises the error of an expired budget.
 int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& results) {
     CallRecord& call = *current_call;
+    unset_paused(coroutine);
     keep_watching(coroutine);
     const bool could_pause = call.can_pause;
     call.can_pause = could_pause && (lua_isyieldable(lua) != 0 || coroutine == call.slice);
@@ -28,6 +49,7 @@ int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& res
     const int status = lua_resume(coroutine, lua, arguments, &results);
     call.running = lua;
     call.can_pause = could_pause;
+    if (status == LUA_YIELD && call.pausing) set_paused(coroutine);
     if (call.expired == 0) return status;
     if (status == LUA_OK || status == LUA_YIELD) {
         lua_pop(coroutine, results);
@@ -41,8 +63,8 @@ int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& res
 constexpr int failed = -1;
 
 // Runs `coroutine`, with `arguments` values on top of its stack, until it yields, returns or fails. Returns how many
-// results lie on top of the caller's stack, or `failed` with the error there. Where a slice ends in it, the caller
-// pauses as well, and `go_on` takes up from there.
+// results lie on top of the caller's stack, or `failed` with the error there. Where a slice ends in it, the caller, on
+// top of whose stack it is, pauses as well, and `go_on` takes up from there.
 int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on) {
     int results = 0;
     const int status = resume_watched(lua, coroutine, arguments, results);
@@ -63,6 +85,10 @@ int run(lua_State* lua, lua_State* coroutine, int arguments, lua_KFunction go_on
 // Moves the arguments of the caller over; returns false, with an error on the caller's stack, where that can't be.
 bool give_arguments(lua_State* lua, lua_State* coroutine, int count) {
     check_c_stack(lua);
+    if (has_paused(coroutine)) {
+        lua_pushliteral(lua, "a coroutine that waits in a task can't be resumed by others");
+        return false;
+    }
     if (lua_checkstack(coroutine, count) == 0) {
         lua_pushliteral(lua, "too many arguments to resume");
         return false;
@@ -116,7 +142,8 @@ int go_on_wrapped(lua_State* lua, int, lua_KContext) {
 int call_wrapped(lua_State* lua) {
     lua_State* coroutine = lua_tothread(lua, lua_upvalueindex(1));
     const int arguments = lua_gettop(lua);
-    if (!give_arguments(lua, coroutine, arguments)) return lua_error(lua);
+    if (!give_arguments(lua, coroutine, arguments)) return luaL_error(lua, "%s", lua_tostring(lua, -1));
+    lua_pushvalue(lua, lua_upvalueindex(1));
     return finish_wrapped(lua, coroutine, run(lua, coroutine, arguments, go_on_wrapped));
 }
 
@@ -162,6 +189,7 @@ int close(lua_State* lua) {
     if (status != Status::suspended && status != Status::dead) {
         return luaL_error(lua, "cannot close a %s coroutine", status_names[static_cast<int>(status)]);
     }
+    if (has_paused(coroutine)) return luaL_error(lua, "a coroutine that waits in a task can't be closed by others");
     if (is_poisoned(coroutine)) {
         lua_pushboolean(lua, 0);
         lua_pushliteral(lua, "the coroutine ran for too long");
@@ -238,6 +266,7 @@ bool close_slices(lua_State* lua, lua_State* coroutine) {
     if (library::is_poisoned(coroutine)) return true;
     const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with an error that is known
     luaL_checkstack(lua, 1, nullptr);
+    library::unset_all_paused(coroutine);
     if (library::reset(lua, coroutine) || has_failed) return true;
     lua_xmove(coroutine, lua, 1);
     return false;

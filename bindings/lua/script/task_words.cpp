@@ -97,11 +97,11 @@ void begin_wait(lua_State* L, Script& script, double seconds, bool for_condition
     task.since = script.seconds();
 }
 
-// A coroutine that waits in a task may be resumed by that task only, when its time has come.
+// A coroutine that has waited goes on in its task. One whose task has ended is free, and no more.
 Expected<void> check_turn(lua_State* L, const Script& script) {
     const Task* task = script.tasks().current();
     if (task != nullptr && task->waiter == L) return {};
-    return failure("a coroutine that waits in a task can't be resumed by others");
+    return failure("the task in which this coroutine waited has ended");
 }
 
 int go_on_wait(lua_State* L, int, lua_KContext) {

@@ -312,20 +312,68 @@ TEST_CASE("a task that never waits uses up the execution's budget", "[lua][tasks
     CHECK(rig.status() == "INACTIVE");
 }
 
-TEST_CASE("a coroutine that waits in a task is resumed by nobody else", "[lua][tasks]") {
+TEST_CASE("a coroutine that waits in a task is resumed and closed by nobody else, and lives on", "[lua][tasks]") {
+    const auto [attempt, text] = GENERATE(table<Text, Text>({
+        {"coroutine.resume(inner)", "false a coroutine that waits in a task can't be resumed by others"},
+        {"coroutine.resume(outer)", "false a coroutine that waits in a task can't be resumed by others"},
+        {"coroutine.resume(whole)", "false a coroutine that waits in a task can't be resumed by others"},
+        {"pcall(function() wrapped() end)",
+         "false robot_controller.lua:20: a coroutine that waits in a task can't be resumed by others"},
+        {"pcall(coroutine.close, inner)", "false a coroutine that waits in a task can't be closed by others"},
+        {"pcall(coroutine.close, whole)", "false a coroutine that waits in a task can't be closed by others"},
+    }));
+    CAPTURE(attempt);
     TaskRig rig(R"(
-local co
+local inner, outer, whole, wrapped
 task("t", function()
-  co = coroutine.create(function() wait(0.02) end)
-  local _, text = coroutine.resume(co)
-  note(tostring(text))
+  whole = coroutine.running()
+  inner = coroutine.create(function() wait(0.03) coroutine.yield("a") return "b" end)
+  wrapped = coroutine.wrap(function() return coroutine.resume(inner) end)
+  outer = coroutine.create(function() return wrapped() end)
+  local _, _, text = coroutine.resume(outer)
+  local _, other = coroutine.resume(inner)
+  note(text .. other)
 end)
-function on_execute() note(tostring(select(2, coroutine.resume(co)))) end
+command("attempt", function()
+  local done, text = )" + attempt +
+                R"(
+  note(tostring(done) .. " " .. tostring(text))
+end)
 )");
-    rig.tick();
-    CHECK(rig.noted() == "robot_controller.lua:11: a coroutine that waits in a task can't be resumed by others@0.00 ");
+    rig.tick(2);
+    rig.call("attempt", "");
     rig.tick(3);
-    CHECK(rig.noted().find("cannot resume dead coroutine@0.02") != Text::npos);
+    CHECK(rig.noted() == text + "@0.02 ab@0.03 ");
+    CHECK(rig.status() == "ACTIVE");
+}
+
+TEST_CASE("a coroutine whose task has ended is free: it can be closed, and goes on no more", "[lua][tasks]") {
+    const auto [attempt, text] = GENERATE(table<Text, Text>({
+        {"coroutine.close(inner)", "closed@0.02 true nil@0.02 "},
+        {"coroutine.resume(inner)", "false robot_controller.lua:13: the task in which this coroutine waited has "
+                                    "ended@0.02 "},
+    }));
+    CAPTURE(attempt);
+    TaskRig rig(R"(
+local inner
+task("t", function()
+  inner = coroutine.create(function()
+    local guard <close> = setmetatable({}, { __close = function() note("closed") end })
+    wait(1)
+  end)
+  coroutine.wrap(function() coroutine.resume(inner) end)()
+end)
+command("attempt", function()
+  local done, text = )" + attempt +
+                R"(
+  note(tostring(done) .. " " .. tostring(text))
+end)
+)");
+    rig.tick(2);
+    CHECK(rig.call("give_up", "t") == "true");
+    rig.call("attempt", "");
+    rig.tick();
+    CHECK(rig.noted() == text);
 }
 
 TEST_CASE("a task is seen from outside", "[lua][tasks]") {
