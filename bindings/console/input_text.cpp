@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bindings/lua/sandbox/lexer.hpp"
+#include "engine/base/names.hpp"
 
 namespace nezumi {
 namespace {
@@ -48,6 +49,13 @@ std::string with_keyword_names(std::string_view text) {
 
 namespace {
 
+// What a text in quotes holds, if that is a name.
+std::optional<std::string_view> quoted_name(const Token& token) {
+    if (token.kind != Token::Kind::literal || token.open || token.text.size() < 2) return std::nullopt;
+    const std::string_view name = token.text.substr(1, token.text.size() - 2);
+    return is_identifier(name) || is_keyword(name) ? std::optional(name) : std::nullopt;
+}
+
 // The chain of names that the tokens from `at` on are, if a comma or bracket ends it; `at` is behind it then.
 std::optional<std::vector<std::string>> read_chain(const std::vector<Token>& tokens, std::size_t& at) {
     std::vector<std::string> chain;
@@ -70,6 +78,9 @@ std::optional<std::vector<std::string>> read_chain(const std::vector<Token>& tok
         } else if (is(0, "[") && is(2, "]") && is_index(tokens[next + 1])) {
             chain.push_back("[" + std::string(tokens[next + 1].text) + "]");
             next += 3;
+        } else if (is(0, "[") && is(2, "]") && quoted_name(tokens[next + 1])) {
+            chain.push_back("." + std::string(*quoted_name(tokens[next + 1])));
+            next += 3;
         } else {
             return std::nullopt;
         }
@@ -80,7 +91,8 @@ std::optional<std::vector<std::string>> read_chain(const std::vector<Token>& tok
 
 // What is no port, but can be followed as one.
 bool is_followed_member(std::string_view member) {
-    return member == ".config" || member == ".probes" || member == ".state" || member == ".tasks" || member == ".truth";
+    return member == ".collided" || member == ".config" || member == ".probes" || member == ".state" ||
+           member == ".tasks" || member == ".truth";
 }
 
 }  // namespace
@@ -97,17 +109,17 @@ std::string with_plotted_names(std::string_view text) {
             continue;
         for (std::size_t next = at + 2; next < tokens.size(); ++next) {
             const Token& first = tokens[next];
-            auto chain = read_chain(tokens, next);
+            const auto chain = read_chain(tokens, next);
             if (!chain) break;
-            const bool is_part = chain->size() > 2 || (chain->size() == 2 && is_followed_member((*chain)[1]));
-            if (is_part && (*chain)[1] == ".ports") chain->erase(chain->begin() + 1);
-            if (chain->size() > 2 && (*chain)[2] == ".value") chain->erase(chain->begin() + 2);
+            const bool is_part = chain->size() > 2 || (chain->size() == 2 &&
+                                                       ((*chain)[1].front() == '[' || is_followed_member((*chain)[1])));
             if (is_part) {
                 const auto from = static_cast<std::size_t>(first.text.data() - text.data());
                 const Token& last = tokens[next - 1];
                 const auto to = static_cast<std::size_t>(last.text.data() - text.data()) + last.text.size();
                 changed.append(text.substr(copied, from - copied));
-                changed.append(fmt::format("\"{}\"", fmt::join(*chain, "")));
+                changed.append(
+                    fmt::format("{{ {}, \"{}\" }}", chain->front(), fmt::join(chain->begin() + 1, chain->end(), "")));
                 const std::string_view replaced = text.substr(from, to - from);
                 changed.append(static_cast<std::size_t>(std::count(replaced.begin(), replaced.end(), '\n')), '\n');
                 copied = to;

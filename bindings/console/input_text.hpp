@@ -13,9 +13,9 @@ namespace nezumi {
 /// follows a dot, so that nothing else changes; strings and comments stay. Lines keep their numbers.
 std::string with_keyword_names(std::string_view text);
 
-/// Makes `plot(controller.out.vx, 5)` Lua: where an argument of `plot` is names with a dot or an index between them,
-/// three or more, it becomes a text, since the value that it has says not where it is from. `.value` after a port and
-/// `.ports` before it are left out. Nothing else changes.
+/// Makes `plot(controller.out.vx, 5)` Lua: where an argument of `plot` is names with a dot or an index between them, it
+/// becomes `{ controller, ".out.vx" }` unless it is a port, since the value that it has says not where it is from.
+/// Nothing else changes.
 std::string with_plotted_names(std::string_view text);
 
 /// An input as a chunk: an expression returns its values. The error is that of the input as statements; its place has

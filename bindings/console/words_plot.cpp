@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "bindings/console/words.hpp"
 #include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/live/object_core.hpp"
 
 namespace nezumi {
 namespace {
@@ -43,6 +45,46 @@ Expected<void> read_options(const FileValue& value, Plot& plot) {
     return {};
 }
 
+// "controller.out.vx" of "controller.ports.out.value.vx", and "controller.probes.error" of
+// "controller.probes.error.value": as a channel is called what the object model says.
+std::string channel_name(std::string_view path) {
+    std::vector<std::string_view> steps;  // "controller", ".out", "[2]"
+    while (!path.empty()) {
+        const std::size_t end = std::min(path.find_first_of(".[", 1), path.size());
+        steps.push_back(path.substr(0, end));
+        path.remove_prefix(end);
+    }
+    const auto is = [&](std::size_t place, std::initializer_list<std::string_view> names) {
+        return place < steps.size() && std::find(names.begin(), names.end(), steps[place]) != names.end();
+    };
+    if (is(1, {".ports"})) steps.erase(steps.begin() + 1);
+    const std::size_t place = is(1, {".probes"}) ? 3 : 2;
+    if (is(place, {".value"}) && !is(1, {".config", ".state", ".tasks", ".truth"}))
+        steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(place));
+    return fmt::format("{}", fmt::join(steps, ""));
+}
+
+// What an argument `m.truth.pose` has become, { m, ".truth.pose" }.
+bool is_path(lua_State* L, int index) {
+    if (lua_type(L, index) != LUA_TTABLE || lua_checkstack(L, 2) == 0) return false;
+    const bool is_one = lua_rawgeti(L, index, 2) == LUA_TSTRING && lua_rawlen(L, index) == 2;
+    lua_pop(L, 1);
+    return is_one;
+}
+
+Expected<std::string> read_path(const Objects& objects, lua_State* L, int index) {
+    lua_rawgeti(L, index, 1);
+    lua_rawgeti(L, index, 2);
+    const std::string path(text_at(L, -1));
+    const auto component = objects.to_component(L, -2);
+    const auto port = objects.to_port(L, -2);
+    const std::string_view kind = luaL_typename(L, -2);
+    lua_pop(L, 2);
+    if (component) return component->component->name() + path;
+    if (port) return port->path() + path;
+    return failure(fmt::format("expected a component or a port before {}, got {}", shown(path), kind));
+}
+
 // Names first, then how many seconds, then options.
 Expected<Plot> read(const Session::Parts& parts, const Arguments& arguments) {
     Plot plot{.seconds = usual_seconds};
@@ -50,8 +92,9 @@ Expected<Plot> read(const Session::Parts& parts, const Arguments& arguments) {
     for (int i = 1; i <= arguments.count(); ++i) {
         const int index = arguments.index(i);
         const int type = lua_type(arguments.lua, index);
+        const bool names_a_path = is_path(arguments.lua, index);
         const auto value = read_file_value(arguments.lua, index);
-        if (type == LUA_TTABLE && !std::exchange(has_options, true)) {
+        if (type == LUA_TTABLE && !names_a_path && !std::exchange(has_options, true)) {
             if (!value) return Unexpected(value.error());
             if (auto ok = read_options(*value, plot); !ok) return Unexpected(ok.error());
         } else if (type == LUA_TNUMBER && !has_options && !std::exchange(has_seconds, true)) {
@@ -62,7 +105,11 @@ Expected<Plot> read(const Session::Parts& parts, const Arguments& arguments) {
             return failure(
                 "expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
         } else if (type == LUA_TSTRING) {
-            plot.names.push_back(*value->text());
+            plot.names.push_back(channel_name(*value->text()));
+        } else if (names_a_path) {
+            const auto path = read_path(*parts.objects, arguments.lua, index);
+            if (!path) return Unexpected(path.error());
+            plot.names.push_back(channel_name(*path));
         } else {
             const auto port = parts.objects->to_port(arguments.lua, index);
             if (!port) return Unexpected(port.error());

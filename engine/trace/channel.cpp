@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Describe<Truth> {
 namespace {
 
 constexpr std::uint64_t no_version = ~std::uint64_t{0};
+constexpr double dust = 1e-9;  // [m], [rad], [m/s], [rad/s]
 
 // Where the first name of a path ends.
 std::size_t end_of_name(std::string_view path) { return std::min(path.find_first_of(".["), path.size()); }
@@ -57,6 +59,7 @@ std::string no_such_part(std::string_view part, const std::string& whole) {
         return no_such_part<typename T::value_type>(part.substr(close + 1),
                                                     whole + std::string(part.substr(0, close + 1)));
     } else {
+        if (part.front() == '.') part.remove_prefix(1);
         return fmt::format("{} is a single value: it has no '{}'", whole, shown(part));
     }
 }
@@ -80,6 +83,15 @@ std::span<const Message<T>> messages_of(const Port& port) {
 bool is_within(std::string_view path, std::string_view part) {
     return part.empty() || (path.starts_with(part) &&
                             (path.size() == part.size() || path[part.size()] == '.' || path[part.size()] == '['));
+}
+
+Truth seen_truth(const World& world, RobotId robot) {
+    Truth truth = world.truth(robot);
+    for (double* value : {&truth.pose.position.x, &truth.pose.position.y, &truth.pose.heading, &truth.velocity.vx,
+                          &truth.velocity.vy, &truth.velocity.va, &truth.height, &truth.tilt}) {
+        if (std::abs(*value) < dust) *value = 0;
+    }
+    return truth;
 }
 
 Channel::Channel(std::string_view owner, std::string_view member, std::string_view part)
@@ -118,6 +130,10 @@ Expected<void> Channel::check(const System& system, const Component& owner) cons
             std::string why = no_such_part<Truth>(part, whole);
             return why.empty() ? Expected<void>() : failure(std::move(why));
         }
+        case Kind::collided: {
+            std::string why = no_such_part<bool>(part, whole);
+            return why.empty() ? Expected<void>() : failure(std::move(why));
+        }
         case Kind::config: {
             const std::string_view parameter = std::string_view(part_).substr(0, end_of_name(part_));
             std::vector<std::string_view> names;
@@ -129,13 +145,14 @@ Expected<void> Channel::check(const System& system, const Component& owner) cons
         case Kind::member: return {};
         case Kind::none: break;
     }
-    if (member_ == "truth" && dynamic_cast<const Robot*>(&owner) == nullptr)
-        return failure(fmt::format("{} has no truth: it is no robot", owner_));
-    if (member_ == "truth") return failure(fmt::format("{} has no truth: it is not simulated", owner_));
+    if (member_ == "truth" || member_ == "collided") {
+        const bool is_robot = dynamic_cast<const Robot*>(&owner) != nullptr;
+        return failure(fmt::format("{} has no {}: it is {}", owner_, member_, is_robot ? "not simulated" : "no robot"));
+    }
     std::vector<std::string_view> names;
     for (const auto& port : owner.in_ports()) names.push_back(port->name());
     for (const auto& port : owner.out_ports()) names.push_back(port->name());
-    for (const std::string_view other : {"config", "probes", "state", "tasks", "truth"}) {
+    for (const std::string_view other : {"collided", "config", "probes", "state", "tasks", "truth"}) {
         Channel tried(owner_, other, "");
         tried.resolve(system);
         if (tried.kind_ != Kind::none) names.push_back(other);
@@ -161,10 +178,10 @@ void Channel::resolve(const System& system) {
         kind_ = port_->direction() == Direction::out ? Kind::out_port : Kind::in_port;
         has_value_ = port_->count() > 0;
         if (kind_ == Kind::in_port) static_cast<const InPortBase*>(port_)->follow();
-    } else if (member_ == "truth") {
+    } else if (member_ == "truth" || member_ == "collided") {
         const auto* robot = dynamic_cast<const Robot*>(component_);
         if (robot != nullptr && robot->has_body() && !robot->is_real() && system.world() != nullptr)
-            kind_ = Kind::truth;
+            kind_ = member_ == "truth" ? Kind::truth : Kind::collided;
     } else if (member_ == "config") {
         kind_ = Kind::config;
     } else if (component_->visit_member(member_, [](const LeafPath&, const Leaf&) {})) {
@@ -185,7 +202,11 @@ void Channel::latch(const System& system, std::int64_t tick) {
             break;
         }
         case Kind::truth:
-            truth_ = system.world()->truth(static_cast<const Robot*>(component_)->id());
+            truth_ = seen_truth(*system.world(), static_cast<const Robot*>(component_)->id());
+            fresh_ = 1;
+            break;
+        case Kind::collided:
+            collided_ = system.world()->collided(static_cast<const Robot*>(component_)->id());
             fresh_ = 1;
             break;
         case Kind::config:
@@ -212,6 +233,7 @@ void Channel::visit(std::size_t message, const LeafVisitor& given) const {
             return with_payload_type(port_->type(),
                                      [&]<class T>() { visit_leaves(messages_of<T>(*port_)[message].data, visit); });
         case Kind::truth: return visit_leaves(truth_, visit);
+        case Kind::collided: return visit_leaves(collided_, visit);
         case Kind::config: return visit_parameters(component_->parameters(), visit);
         case Kind::member: component_->visit_member(member_, visit); return;
     }

@@ -13,14 +13,18 @@ namespace nezumi {
 
 class Series;
 
-/// One thing that is followed, or a part of it. It is known by name: it outlives its port, a reload and a restart.
-///
-/// What each kind has in a tick: an out-port all that it published, an in-port all that arrived (of connections, of
-/// `inject` and of `hold`), `truth` the robot as its sensors saw it, `config` the parameters in the tick in which one
-/// changed, any other member of a component (a script's `state`) what it is after the execution.
 /// Whether a leaf's path is `part` or within it: "pose.heading" in "pose", all in "".
 bool is_within(std::string_view path, std::string_view part);
 
+/// The truth about a robot for those who look at it: what the solver's rounding leaves of a zero, as 2.4e-17 m, is
+/// zero.
+Truth seen_truth(const World& world, RobotId robot);
+
+/// One thing that is followed, or a part of it. It is known by name: it outlives its port, a reload and a restart.
+///
+/// What each kind has in a tick: an out-port all that it published, an in-port all that arrived (of connections, of
+/// `inject` and of `hold`), `truth` and `collided` the robot as its sensors saw it, `config` the parameters in the tick
+/// in which one changed, any other member of a component (a script's `state`) what it is after the execution.
 class Channel {
 public:
     /// The channel "mouse.truth.pose" of this system. An error says what is not there, and names the nearest.
@@ -59,7 +63,7 @@ public:
     bool has_pictures() const;
 
 private:
-    enum class Kind { none, out_port, in_port, truth, config, member };
+    enum class Kind { none, out_port, in_port, truth, collided, config, member };
 
     Channel(std::string_view owner, std::string_view member, std::string_view part);
     Expected<void> check(const System& system, const Component& owner) const;
@@ -73,6 +77,7 @@ private:
     const Component* component_ = nullptr;
     const Port* port_ = nullptr;
     Truth truth_;
+    bool collided_ = false;
     std::uint64_t config_version_ = 0;
     std::uint64_t turn_ = 0;
     std::size_t fresh_ = 0;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
@@ -11,6 +10,7 @@
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "engine/system/perform.hpp"
+#include "engine/trace/channel.hpp"
 
 namespace nezumi {
 namespace {
@@ -131,19 +131,6 @@ int config_tostring(lua_State* L) {
 
 constexpr std::string_view truth_names[] = {"height", "pose", "tilt", "velocity"};
 
-// What the solver's rounding leaves of a zero, as 2.4e-17 m, says nothing of a robot: who looks gets the zero.
-constexpr double dust = 1e-9;  // [m], [rad], [m/s], [rad/s]
-
-double without_dust(double value) { return std::abs(value) < dust ? 0.0 : value; }
-
-Truth truth_of(const SeenRobot& robot) {
-    Truth truth = robot.world->truth(robot.id);
-    for (double* value : {&truth.pose.position.x, &truth.pose.position.y, &truth.pose.heading, &truth.velocity.vx,
-                          &truth.velocity.vy, &truth.velocity.va, &truth.height, &truth.tilt})
-        *value = without_dust(*value);
-    return truth;
-}
-
 int truth_index(lua_State* L) {
     return answer(L, objects_of(L), [&]() -> Expected<Answer> {
         const auto at = find_component(*to_object(L, 1));
@@ -152,7 +139,7 @@ int truth_index(lua_State* L) {
         if (!robot) return Unexpected(robot.error());
         const auto name = key_of(L, "truth");
         if (!name) return Unexpected(name.error());
-        const Truth truth = truth_of(*robot);
+        const Truth truth = seen_truth(*robot->world, robot->id);
         const std::string& robot_name = at->component->name();
         if (*name == "pose") {
             return Answer{
@@ -173,7 +160,7 @@ int truth_tostring(lua_State* L) {
     return text_answer(L, [](const ComponentAt& at) -> std::string {
         const auto robot = seen_robot(at.live->system(), *at.component);
         if (!robot) return robot.error().message;
-        const Truth truth = truth_of(*robot);
+        const Truth truth = seen_truth(*robot->world, robot->id);
         return fmt::format("pose = {}\nvelocity = {}\nheight = {:.6g}\ntilt = {:.6g}", payload_text(truth.pose),
                            payload_text(truth.velocity), truth.height, truth.tilt);
     });

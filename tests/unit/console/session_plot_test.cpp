@@ -136,14 +136,15 @@ TEST_CASE("what plot can't draw is told", "[console][plot]") {
 
 TEST_CASE("what plot is given is meant by its name, not by its value", "[console][plot][input]") {
     const auto text = [](const std::string& given) { return with_plotted_names(given); };
-    CHECK(text("plot(controller.out.vx, 5)") == "plot(\"controller.out.vx\", 5)");
-    CHECK(text("plot(a.out.value.vx, mouse.truth.pose.heading)") == "plot(\"a.out.vx\", \"mouse.truth.pose.heading\")");
+    CHECK(text("plot(controller.out.vx, 5)") == "plot({ controller, \".out.vx\" }, 5)");
+    CHECK(text("plot(a.out.value.vx, m.truth.pose.heading)") ==
+          "plot({ a, \".out.value.vx\" }, { m, \".truth.pose.heading\" })");
     CHECK(text("plot(mouse.ir_sensor_out[2], a.in.x, { every = 1 })") ==
-          "plot(\"mouse.ir_sensor_out[2]\", \"a.in.x\", { every = 1 })");
-    CHECK(text("plot(a.out.value, 5)") == "plot(\"a.out\", 5)");
-    CHECK(text("plot(a.probes, a.truth)") == "plot(\"a.probes\", \"a.truth\")");
-    CHECK(text("plot(a.ports.out, 5)") == "plot(\"a.out\", 5)");
-    CHECK(text("for i = 1, 2 do plot(a . \n b.c) end") == "for i = 1, 2 do plot(\"a.b.c\"\n) end");
+          "plot({ mouse, \".ir_sensor_out[2]\" }, { a, \".in.x\" }, { every = 1 })");
+    CHECK(text("plot(a.out['vx'], a[\"in\"], p[1])") == "plot({ a, \".out.vx\" }, a[\"in\"], { p, \"[1]\" })");
+    CHECK(text("plot(a.probes, a.truth, a.collided)") ==
+          "plot({ a, \".probes\" }, { a, \".truth\" }, { a, \".collided\" })");
+    CHECK(text("for i = 1, 2 do plot(a . \n b.c) end") == "for i = 1, 2 do plot({ a, \".b.c\" }\n) end");
     for (const std::string same :
          {"plot(a.out, 5)", "plot 'a.out.vx'", "x.plot(a.b.c)", "x:plot(a.b.c)", "'plot(a.b.c)' -- plot(a.b.c)",
           "plot(f(a.b.c))", "plot(a.b.c + 1)", "plot(a.b[i])", "plot(", "plot(a.b.c", "plot(a.b.", "plot"}) {
@@ -154,7 +155,39 @@ TEST_CASE("what plot is given is meant by its name, not by its value", "[console
 TEST_CASE("a field is plotted as it is written elsewhere", "[console][plot]") {
     PlotRig it;
     it.type("plot(controller.out) step(10) controller.config.speed_x = 0.5 step(10)");
-    CHECK_THAT(it.type("plot(controller.out.vx, 5)"), StartsWith("controller.out.vx\nvx\n 0.5 │"));
-    CHECK(it.type("plot(controller.out.vz, 5)") == "! plot: controller.out has no 'vz' (did you mean 'vx'?)");
     CHECK_THAT(it.type("plot(controller.config.speed_x, 0.05)"), Contains("speed_x"));
+    it.type("c = controller p = controller.out");
+    for (const std::string name :
+         {"controller.out.vx", "controller.out.value.vx", "controller.ports.out.value.vx", "controller.out[\"vx\"]",
+          "'controller.out.value.vx'", "c.out.vx", "c.ports.out['value'].vx", "p.value.vx"}) {
+        INFO(name);
+        CHECK_THAT(it.type("plot(" + name + ", 5)"), StartsWith("controller.out.vx\nvx\n 0.5 │"));
+    }
+    CHECK(it.type("for _, each in ipairs { p } do plot(each.value.vz, 5) end") ==
+          "! plot: controller.out has no 'vz' (did you mean 'vx'?)");
+    CHECK(it.type("t = {} plot(t.a.b)") == "! plot: expected a component or a port before .a.b, got table");
+}
+
+TEST_CASE("a probe is plotted with its .value or without, and a misspelt one names the nearest", "[console][plot]") {
+    PlotRig it;
+    it.turn(1);
+    it.type("t = talker plot(talker.probes)");
+    for (const std::string name :
+         {"talker.probes.count", "talker.probes.count.value", "'talker.probes.count.value'", "t.probes['count'].value"})
+        CHECK(it.type("plot(" + name + ")") == "talker.probes.count\ncount = 1 all the time");
+    CHECK(it.type("plot(t.probes.cuont.value)") == "! plot: talker.probes has no 'cuont' (did you mean 'count'?)");
+}
+
+TEST_CASE("whether a robot touches anything is plotted", "[console][plot]") {
+    PlotRig it;
+    it.turn(1);
+    CHECK(it.type("plot(mouse.collided)") == "mouse.collided\nvalue = 0 all the time");
+    CHECK(it.type("plot('mouse.collided.by')") == "! plot: mouse.collided is a single value: it has no 'by'");
+    CHECK(it.type("plot(talker.collided)") == "! plot: talker has no collided: it is no robot");
+}
+
+TEST_CASE("the truth is plotted without what rounding leaves of a zero", "[console][plot]") {
+    PlotRig it;
+    it.turn(5);
+    CHECK(it.type("plot(mouse.truth.velocity.va)") == "mouse.truth.velocity.va\nvelocity.va = 0 all the time");
 }

@@ -122,7 +122,7 @@ TEST_CASE("what can't be followed is said, with the nearest name", "[engine][tra
     CHECK(it.why_not("it.truth") == "it has no truth: it is no robot");
     CHECK(it.why_not("it.state") == "it has no port 'state'");
     CHECK(it.why_not("it.speed.vz") == "it.speed has no 'vz' (did you mean 'vx'?)");
-    CHECK(it.why_not("it.speed.vx.low") == "it.speed.vx is a single value: it has no '.low'");
+    CHECK(it.why_not("it.speed.vx.low") == "it.speed.vx is a single value: it has no 'low'");
     CHECK(it.why_not("it.out[1]") == "it.out is a single value: it has no '[1]'");
     CHECK(it.why_not("it.config.speed") == "it: unknown parameter 'speed' (did you mean 'speed_x'?)");
     CHECK(it.why_not("it.speed.vx") == "it is there");
