@@ -1,7 +1,9 @@
 // What could stand before the cursor, from the system that runs.
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "bindings/console/cursor_text.hpp"
 #include "bindings/console/session_parts.hpp"
@@ -10,6 +12,7 @@
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
+#include "bindings/lua/stubs/record_annotations.hpp"
 #include "engine/base/names.hpp"
 
 namespace nezumi {
@@ -104,7 +107,9 @@ Names table_keys(lua_State* L, int table) {
 // come to is on top of the stack, where that is a table.
 class Walk {
 public:
-    explicit Walk(Session::Parts& parts) : parts_(parts), lua_(parts.state->lua()), top_(lua_gettop(lua_)) {}
+    // What is plotted are a port's fields: `plot(controller.out.vx)`.
+    explicit Walk(Session::Parts& parts, bool plotted = false)
+        : parts_(parts), lua_(parts.state->lua()), top_(lua_gettop(lua_)), plotted_(plotted) {}
     ~Walk() { lua_settop(lua_, top_); }
     Walk(const Walk&) = delete;
     Walk& operator=(const Walk&) = delete;
@@ -122,7 +127,7 @@ public:
     }
 
 private:
-    static Names names_in(const System& system, const Place& place, bool called) {
+    Names names_in(const System& system, const Place& place, bool called) const {
         using Kind = Place::Kind;
         if (place.kind == Kind::system) return called ? Names{} : names_of(system);
         const Component* component = system.find(place.component);
@@ -134,6 +139,7 @@ private:
                               : without(Objects::members(*component), Objects::methods(*component));
             case Kind::port:
                 if (port == nullptr) return {};
+                if (plotted_) return value_fields(port->type(), {});
                 return called ? Objects::port_methods() : without(Objects::port_members(), Objects::port_methods());
             case Kind::value: return called || port == nullptr ? Names{} : value_fields(port->type(), place.fields);
             case Kind::ports: return called ? Names{} : port_names(*component);
@@ -202,7 +208,9 @@ private:
                 if (is_one_of(name, {"state", "tasks", "probes"})) return {Kind::data, place.component, name};
                 return {Kind::port, place.component, name};
             case Kind::ports: return {Kind::port, place.component, name};
-            case Kind::port: return name == "value" ? Place{Kind::value, place.component, place.port} : Place{};
+            case Kind::port:
+                if (name == "value") return {Kind::value, place.component, place.port};
+                return plotted_ ? Place{Kind::value, place.component, place.port, {name}} : Place{};
             case Kind::truth:
             case Kind::data:
             case Kind::value: {
@@ -218,6 +226,7 @@ private:
     Session::Parts& parts_;
     lua_State* lua_;
     int top_;
+    bool plotted_;
 };
 
 Names port_paths(const System& system, bool in, bool out, const Port* like = nullptr) {
@@ -236,10 +245,20 @@ Names port_paths(const System& system, bool in, bool out, const Port* like = nul
     return paths;
 }
 
-// The fields that a table has as the value of a port: `port:write { v`, `inject("name.port", { v`.
+// The fields that a table has as the value of a port, `port:write { v`, `inject("name.port", { v`, or in a word of
+// system files, `behavior "name" { s`.
 Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
     const TextAtCursor& call = field.call;
     Names chain;
+    const bool is_entry = is_one_of(call.word, {"behavior", "component", "robot"}) && call.argument == 2;
+    if (call.callee.separator == 0 && field.path.empty() && (is_entry || call.word == "marker")) {
+        Names fields;
+        for (const RecordShape& record : file_records()) {
+            if (record.name != call.word) continue;
+            for (const FieldRow& row : record.rows) fields.push_back(row.name);
+        }
+        return fields;
+    }
     if (call.callee.separator == ':' && call.argument == 1 && is_one_of(call.word, {"write", "inject", "hold"})) {
         chain = call.callee.chain;
     } else if (call.callee.separator == 0 && call.argument == 2 && is_one_of(call.word, {"inject", "hold"})) {
@@ -269,10 +288,18 @@ Names set_names(Session::Parts& parts, const Names& chain) {
     });
 }
 
-// What can be in a quoted text that is no set's name.
+// The files that `behavior "name" { script = "` can name.
+Names script_names(Session::Parts& parts) {
+    const auto at = parts.at_system([&] {
+        return std::make_optional(std::pair{parts.live.project(), parts.live.spec().file});
+    });
+    return at ? at->first.names(FileKind::script, at->second) : Names{};
+}
+
+// What can be in a quoted text that is no set's name and no file's.
 Names texts(const System& system, const TextAtCursor& text) {
     const std::string& word = text.word;
-    if (text.callee.separator != 0) return {};
+    if (text.callee.separator != 0 || !text.field.empty()) return {};
     if (word == "connect" || word == "disconnect") {
         if (text.argument == 1) return port_paths(system, word == "disconnect", true);
         const auto first = system.port(text.first);
@@ -282,7 +309,7 @@ Names texts(const System& system, const TextAtCursor& text) {
     for (const char* each : {"inject", "hold", "release", "watch", "unwatch", "plot"}) {
         if (word == each) return port_paths(system, true, true);
     }
-    for (const char* each : {"ls", "rollback", "drive"}) {
+    for (const char* each : {"ls", "rollback", "drive", "activate", "deactivate"}) {
         if (word == each) return names_of(system);
     }
     if (word == "teleport") {
@@ -290,6 +317,13 @@ Names texts(const System& system, const TextAtCursor& text) {
         for (const Robot* robot : system.robots()) things.push_back(robot->name());
         return things;
     }
+    if (word == "remove") {
+        Names things = marker_names(system);
+        for (std::string& name : names_of(system)) things.push_back(std::move(name));
+        return things;
+    }
+    if (word == "log_level") return log_level_names();
+    if (word == "restart") return {"anyway"};
     if (word == "speed") return {"max"};
     if (word != "help") return {};
     Names names = names_of(system);
@@ -308,6 +342,9 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
     if (quoted.open && quoted.word == "use" && quoted.callee.separator == ':') {
         completion.from = quoted.from;
         completion.candidates = set_names(parts, quoted.callee.chain);
+    } else if (quoted.open && quoted.word == "behavior" && quoted.field == "script") {
+        completion.from = quoted.from;
+        completion.candidates = script_names(parts);
     } else if (quoted.open) {
         completion.from = quoted.from;
         completion.candidates = parts.at_system([&] { return texts(parts.live.system(), quoted); });
@@ -323,7 +360,8 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
             if (name.from < text.size())
                 completion.candidates.insert(completion.candidates.end(), lua_keywords().begin(), lua_keywords().end());
         } else if (!name.broken) {
-            Walk walk(parts);
+            const TextAtCursor call = call_at_cursor(text.substr(0, name.begin));
+            Walk walk(parts, call.word == "plot" && call.callee.separator == 0);
             completion.candidates = walk.names(walk.follow(name.chain), name.separator);
         }
     }

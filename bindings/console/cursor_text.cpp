@@ -43,10 +43,10 @@ bool take_name(Tokens& tokens, std::string& name) {
     return !name.empty();
 }
 
-// The chain of names whose part begins at `from`, behind these tokens.
-NameAtCursor name_before(Tokens tokens, std::size_t from) {
+// The chain of names whose part begins at `from`, behind these tokens of `text`.
+NameAtCursor name_before(Tokens tokens, std::size_t from, std::string_view text) {
     NameAtCursor result;
-    result.from = from;
+    result.from = result.begin = from;
     if (tokens.empty() || !(tokens.back().is(".") || tokens.back().is(":"))) return result;
     result.separator = tokens.back().text.front();
     tokens = tokens.first(tokens.size() - 1);
@@ -57,6 +57,7 @@ NameAtCursor name_before(Tokens tokens, std::size_t from) {
             result.broken = true;
             break;
         }
+        result.begin = static_cast<std::size_t>(tokens.data()[tokens.size()].text.data() - text.data());
         result.chain.push_back(std::move(name));
         if (subscript) continue;  // what it is a member of
         if (tokens.empty() || !tokens.back().is(".")) break;
@@ -76,7 +77,7 @@ std::vector<std::string> chain_of(Tokens tokens) {
         chain = chain_of(tokens);
         if (chain.empty()) return {};
     } else if (!tokens.empty()) {
-        NameAtCursor before = name_before(tokens, 0);
+        NameAtCursor before = name_before(tokens, 0, tokens.front().text);
         if (before.separator != '.' || before.broken) return {};
         chain = std::move(before.chain);
     }
@@ -111,7 +112,11 @@ Before read(std::string_view text) {
 // Finds the call whose argument comes after these tokens.
 void find_callee(TextAtCursor& result, Tokens before, std::string_view text) {
     std::size_t callee = before.size();
-    if (!before.empty() && !is_word(before.back())) {
+    if (before.size() > 1 && before.back().kind == Kind::literal && is_word(before[before.size() - 2])) {
+        result.first = inside(before.back());  // `robot "mouse" { ... }`
+        result.argument = 2;
+        --callee;
+    } else if (!before.empty() && !is_word(before.back())) {
         int depth = 0;
         std::size_t bracket = before.size();
         for (; bracket > 0; --bracket) {
@@ -131,7 +136,8 @@ void find_callee(TextAtCursor& result, Tokens before, std::string_view text) {
     }
     if (callee == 0 || !is_word(before[callee - 1])) return;
     const Token& word = before[callee - 1];
-    result.callee = name_before(before.first(callee - 1), static_cast<std::size_t>(word.text.data() - text.data()));
+    result.callee =
+        name_before(before.first(callee - 1), static_cast<std::size_t>(word.text.data() - text.data()), text);
     result.word = word.text;
 }
 
@@ -158,7 +164,7 @@ NameAtCursor name_at_cursor(std::string_view text) {
         from -= tokens.back().text.size();
         tokens = tokens.first(tokens.size() - 1);
     }
-    return name_before(tokens, from);
+    return name_before(tokens, from, text);
 }
 
 TextAtCursor text_at_cursor(std::string_view text) {
@@ -168,7 +174,21 @@ TextAtCursor text_at_cursor(std::string_view text) {
     if (before.tokens.empty() || !before.tokens.back().open) return result;
     result.open = true;
     result.from = text.size() - inside(before.tokens.back()).size();
-    find_callee(result, Tokens(before.tokens).first(before.tokens.size() - 1), text);
+    Tokens tokens = Tokens(before.tokens).first(before.tokens.size() - 1);
+    if (!tokens.empty() && tokens.back().is("=")) {
+        tokens = tokens.first(tokens.size() - 1);
+        const auto bracket = open_bracket(tokens);
+        if (!bracket || !tokens[*bracket].is("{") || !take_name(tokens, result.field)) return result;
+        tokens = Tokens(before.tokens).first(*bracket);
+    }
+    find_callee(result, tokens, text);
+    return result;
+}
+
+TextAtCursor call_at_cursor(std::string_view text) {
+    TextAtCursor result;
+    const Before before = read(text);
+    find_callee(result, before.tokens, text);
     return result;
 }
 

@@ -13,6 +13,7 @@ struct NameAtCursor {
     std::vector<std::string> chain;  ///< names before the part; `x["in"]` counts as a name
     char separator = 0;              ///< '.' or ':' before the part; 0: the part begins the chain
     std::size_t from = 0;            ///< [bytes] where the part begins
+    std::size_t begin = 0;           ///< [bytes] where the chain begins
     bool broken = false;             ///< what stands before the part is more than names: nothing is known of it
 };
 
@@ -22,7 +23,8 @@ struct TextAtCursor {
     std::size_t from = 0;                  ///< [bytes] where the text begins, behind its quote
     NameAtCursor callee;                   ///< what is called with it; its part is `word`
     std::string word;                      ///< "" for none
-    int argument = 1;                      ///< which one it is, from 1
+    std::string field;                     ///< of a table, where the text is the field's value: `{ script = "co`
+    int argument = 1;                      ///< which one it is, from 1; 2 behind `robot "mouse"`
     std::string first;                     ///< the first argument, where that is a quoted text too
     std::vector<std::string> first_chain;  ///< the same, where it is a chain of names
     bool comment = false;                  ///< the cursor is in a comment
@@ -40,5 +42,7 @@ struct FieldAtCursor {
 TextAtCursor text_at_cursor(std::string_view text);
 NameAtCursor name_at_cursor(std::string_view text);
 FieldAtCursor field_at_cursor(std::string_view text);
+/// The call whose argument begins at the cursor.
+TextAtCursor call_at_cursor(std::string_view text);
 
 }  // namespace nezumi

@@ -1,5 +1,6 @@
 // One C function serves all words; what it finds wrong becomes a Lua error once nothing is left to destroy.
 #include "bindings/console/words.hpp"
+#include "bindings/lua/live/object_core.hpp"
 
 #include <fmt/format.h>
 
@@ -68,6 +69,14 @@ int call_with_table(lua_State* L) {
     lua_pushvalue(L, lua_upvalueindex(3));
     lua_insert(L, 1);
     return call_word(L);
+}
+
+// The word of a function of these, by its second upvalue.
+const Word& word_of(lua_State* L, int index) {
+    lua_getupvalue(L, index, 2);
+    const auto number = static_cast<std::size_t>(lua_tointeger(L, -1));
+    lua_pop(L, 1);
+    return console_words()[number];
 }
 
 }  // namespace
@@ -143,10 +152,15 @@ void add_words(lua_State* L, Session::Parts& parts) {
 }
 
 const Word* word_at(lua_State* L, int index) {
-    if (lua_tocfunction(L, index) != call_word || lua_getupvalue(L, index, 2) == nullptr) return nullptr;
-    const auto number = static_cast<std::size_t>(lua_tointeger(L, -1));
+    return lua_tocfunction(L, index) == call_word && lua_checkstack(L, 1) != 0 ? &word_of(L, index) : nullptr;
+}
+
+std::string waiting_word_at(lua_State* L, int index) {
+    if (lua_tocfunction(L, index) != call_with_table || lua_checkstack(L, 1) == 0) return "";
+    lua_getupvalue(L, index, 3);
+    const std::string name = shown(text_at(L, -1));
     lua_pop(L, 1);
-    return &console_words()[number];
+    return fmt::format("{} \"{}\"", word_of(L, index).name, name);
 }
 
 }  // namespace nezumi

@@ -39,6 +39,12 @@ void add_words(lua_State* L, Session::Parts& parts);
 /// The word whose function is at `index`; null for any other value.
 const Word* word_at(lua_State* L, int index);
 
+/// What `log_level` takes, from the most to the least.
+std::vector<std::string> log_level_names();
+
+/// What `robot "mouse"` has returned, which waits for its table: `robot "mouse"`; "" for any other value.
+std::string waiting_word_at(lua_State* L, int index);
+
 /// The end of a word that was one act and shows nothing.
 template <class Result>
 Expected<WordEnd> done(const Expected<Result>& acted) {

@@ -53,6 +53,12 @@ constexpr std::array levels{LogLevel::debug, LogLevel::info, LogLevel::warn, Log
 
 }  // namespace
 
+std::vector<std::string> log_level_names() {
+    std::vector<std::string> names;
+    for (const LogLevel level : levels) names.emplace_back(to_text(level));
+    return names;
+}
+
 Expected<WordEnd> word_activate(Session::Parts& parts, const Arguments& arguments) {
     const auto names = wanted(parts, arguments, LifeState::inactive);
     if (!names) return Unexpected(names.error());

@@ -91,11 +91,7 @@ Project Project::of(const fs::path& file, std::vector<fs::path> installed, const
     return project;
 }
 
-Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in) const {
-    if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
-    if (name.find('\0') != std::string_view::npos)
-        return failure(fmt::format("the name of a {} has a zero byte in it", word(kind)));
-    const fs::path naming = (working_ / named_in).lexically_normal();
+std::vector<fs::path> Project::folders(FileKind kind, const fs::path& naming) const {
     std::vector<fs::path> folders{naming.parent_path()};
     const auto add_behaviors_of = [&](const fs::path& root) {
         if (kind == FileKind::system) folders.push_back(root / "behaviors/systems");
@@ -107,6 +103,22 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
         if (kind == FileKind::model || kind == FileKind::data) folders.push_back(installed / "engine/robots");
         add_behaviors_of(installed);
     }
+    return folders;
+}
+
+std::vector<std::string> Project::names(FileKind kind, const fs::path& named_in) const {
+    const fs::path naming = (working_ / named_in).lexically_normal();
+    std::set<std::string> names;
+    for (const fs::path& folder : folders(kind, naming)) collect_names(folder, kind, names);
+    return {names.begin(), names.end()};
+}
+
+Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in) const {
+    if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
+    if (name.find('\0') != std::string_view::npos)
+        return failure(fmt::format("the name of a {} has a zero byte in it", word(kind)));
+    const fs::path naming = (working_ / named_in).lexically_normal();
+    const std::vector<fs::path> folders = this->folders(kind, naming);
     const fs::path file = file_name(kind, name);
     std::vector<std::string> places;
     std::string other;

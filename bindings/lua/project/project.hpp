@@ -41,6 +41,9 @@ public:
     Expected<std::filesystem::path> find(FileKind kind, std::string_view name,
                                          const std::filesystem::path& named_in) const;
 
+    /// The names of all such files that `find` would find, sorted.
+    std::vector<std::string> names(FileKind kind, const std::filesystem::path& named_in) const;
+
     /// The whole of a file; its place in errors is the path as `shown` shows it.
     Expected<std::string> read(const std::filesystem::path& path) const;
     /// The text of a script, which messages call by `shown`.
@@ -50,6 +53,9 @@ public:
     std::string shown(const std::filesystem::path& path) const;
 
 private:
+    // Where such a file is looked for, in this order; `naming` is the whole path of the file that names it.
+    std::vector<std::filesystem::path> folders(FileKind kind, const std::filesystem::path& naming) const;
+
     const ProjectFiles* files_ = &disk();
     std::filesystem::path working_;
     std::filesystem::path root_;

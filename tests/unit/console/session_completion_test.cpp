@@ -104,6 +104,40 @@ TEST_CASE("fields are completed in the table that a port is given", "[console][c
     CHECK(offer(it, "controller.in:write { contr", 22) == "controller");
 }
 
+TEST_CASE("fields are completed in the table of what is added to the system", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "behavior 'x' { s", 15) == "script set sets");
+    CHECK(offer(it, "behavior('x', { s", 16) == "script set sets");
+    CHECK(offer(it, "behavior 'x' { script = 'counter', a", 35) == "active");
+    CHECK(offer(it, "component \"x\" { o", 16) == "on");
+    CHECK(offer(it, "robot 'x' { mo", 12) == "model");
+    CHECK(offer(it, "marker { fa", 9) == "facing");
+    CHECK(offer(it, "behavior 'x' { script = mou", 24) == "mouse");
+    CHECK(offer(it, "x = { fa", 6) == "false");
+}
+
+TEST_CASE("fields are completed in what is plotted", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "plot(controller.out.", 20) == "va vx vy");
+    CHECK(offer(it, "plot(mouse.truth, controller.out.v", 33) == "va vx vy");
+    CHECK(offer(it, "plot(mouse.current_pose_out.position.", 37) == "x y");
+    CHECK(offer(it, "plot(controller.out.value.v", 26) == "va vx vy");
+    CHECK(offer(it, "plot(controller.o", 16) == "out");
+    CHECK(offer(it, "watch(controller.out.va", 21) == "value");
+}
+
+TEST_CASE("names of things are completed within the quotes of a word", "[console][completion]") {
+    SessionRig it;
+    it.type("marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
+    CHECK(offer(it, "remove \"", 8) == "controller mouse target");
+    CHECK(offer(it, "teleport('", 10) == "mouse target");
+    CHECK(offer(it, "log_level \"", 11) == "debug error info warn");
+    CHECK(offer(it, "deactivate 'c", 12) == "controller");
+    CHECK(offer(it, "behavior 'x' { script = \"cou", 25) == "counter");
+    CHECK(offer(it, "behavior 'x' { active = \"cou", 25).empty());
+    CHECK(offer(it, "remove { name = \"", 17).empty());
+}
+
 TEST_CASE("ports are completed within the quotes of a word", "[console][completion]") {
     SessionRig it;
     CHECK(offer(it, "connect(\"contr", 9) == "controller.out");
