@@ -135,6 +135,12 @@ bool Session::Parts::run(const std::string& input) {
     const int base = lua_gettop(L);
     if (auto loaded = load_chunk(L, *chunk); !loaded) return refuse(loaded.error());
     if (auto called = protected_call(L, 0, LUA_MULTRET, input_budget); !called) return refuse(called.error());
+    for (int i = base + 1; i <= lua_gettop(L); ++i) {
+        const std::string begun = waiting_word_at(L, i);
+        if (begun.empty()) continue;
+        lua_settop(L, base);
+        return refuse({fmt::format("expected a table after the name: {} {{ ... }}", begun), {}});
+    }
     show_results(*this, L, base);
     lua_settop(L, base);
     return true;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/console/file_to_write.hpp"
 #include "bindings/console/words.hpp"
 
 namespace nezumi {
@@ -90,8 +91,16 @@ Expected<void> check_lost(Session::Parts& parts, const Arguments& arguments) {
     if (!look) return failure("interrupted");
     const std::vector<std::string> names = look();
     if (names.empty()) return {};
-    return failure(
-        fmt::format("{} would be gone: save \"FILE.lua\" first, or say restart \"anyway\"", fmt::join(names, ", ")));
+    const auto at = parts.at_system([&] {
+        return std::make_optional(std::pair{parts.live.project(), parts.live.spec().file});
+    });
+    if (!at) return failure("interrupted");
+    const auto& [project, file] = *at;
+    // Only what is in the system's own file is there again.
+    const bool can_write = file_to_write(writable_folder(project, file), file, {.endings = {".lua"}}).has_value();
+    const std::string how = can_write ? fmt::format("save \"{}\" keeps them in the system's file", file)
+                                      : "save \"FILE.lua\" and run that file to keep them";
+    return failure(fmt::format("{} would be gone: {}, restart \"anyway\" lets them go", fmt::join(names, ", "), how));
 }
 
 Expected<WordEnd> word_restart(Session::Parts& parts, const Arguments& arguments) {

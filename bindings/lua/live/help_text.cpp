@@ -13,6 +13,7 @@
 #include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
 #include "engine/robot/robot.hpp"
+#include "engine/trace/channel.hpp"
 
 namespace nezumi {
 namespace {
@@ -115,6 +116,25 @@ Expected<std::string> named_help(const Component& component, std::string_view na
     return Unexpected(unknown(component, "", name, Objects::members(component)));
 }
 
+// Whether `X.member` has what is asked for below it: in the truth and in a port.
+Expected<void> check_below(const System& system, const Component& component, std::string_view member,
+                           std::string_view below) {
+    if (below.empty() || (member != "truth" && component.find_port(member) == nullptr)) return {};
+    std::string followed = fmt::format("{}.{}", component.name(), member);
+    if (member != "truth") {
+        const std::string_view word = below.substr(0, below.find_first_of(".["));
+        const auto words = Objects::port_members();
+        const std::vector<std::string_view> names(words.begin(), words.end());
+        if (std::find(names.begin(), names.end(), word) == names.end())
+            return failure(fmt::format("{} has no '{}'{}", followed, shown(word), did_you_mean(word, names)));
+        if (word != "value") return {};
+        below.remove_prefix(std::min(word.size() + 1, below.size()));
+    }
+    if (!below.empty()) followed += fmt::format(".{}", below);
+    const auto channel = Channel::find(system, followed);
+    return channel ? Expected<void>() : Unexpected(channel.error());
+}
+
 }  // namespace
 
 Expected<std::string> help_text(const System& system, std::string_view path) {
@@ -131,6 +151,7 @@ Expected<std::string> help_text(const System& system, std::string_view path) {
         if (const Port* port = (*component)->find_port(name)) return port_help(**component, *port);
         return Unexpected(unknown(**component, "port ", name, Objects::members(**component)));
     }
+    if (auto ok = check_below(system, **component, member, below); !ok) return Unexpected(ok.error());
     return named_help(**component, member);
 }
 

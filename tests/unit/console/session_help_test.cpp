@@ -36,6 +36,13 @@ TEST_CASE("help explains components, ports, parameters and members", "[console][
     CHECK_THAT(it.type("help(mouse.truth)"), StartsWith("mouse.truth  what the simulation knows of it"));
     CHECK_THAT(it.type("help 'controller.truth'"), StartsWith("! help: controller has no 'truth'"));
     CHECK(it.type("help 'controller.statsu'") == "! help: controller has no 'statsu' (did you mean 'status'?)");
+    CHECK(it.type("help 'mouse.truth.pos'") == "! help: mouse.truth has no 'pos' (did you mean 'pose'?)");
+    CHECK(it.type("help 'mouse.truth.pose.positoin'") ==
+          "! help: mouse.truth.pose has no 'positoin' (did you mean 'position'?)");
+    CHECK(it.type("help 'mouse.truth.pose.position.x'") == it.type("help(mouse.truth)"));
+    CHECK(it.type("help 'controller.out.vlue'") == "! help: controller.out has no 'vlue' (did you mean 'value'?)");
+    CHECK(it.type("help 'controller.out.value.vz'") == "! help: controller.out has no 'vz' (did you mean 'vx'?)");
+    CHECK(it.type("help 'controller.out.value.vx'") == it.type("help(controller.out)"));
     CHECK(it.type("help 'controller.config.sped_x'") ==
           "! help: controller has no parameter 'sped_x' (did you mean 'speed_x'?)");
     CHECK(it.type("help 'contrller'") == "! help: there is no word 'contrller' (did you mean 'controller'?)");
