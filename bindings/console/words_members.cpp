@@ -11,6 +11,7 @@
 #include "bindings/console/words.hpp"
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/system_words.hpp"
+#include "bindings/lua/live/robot_acts.hpp"
 
 namespace nezumi {
 namespace {
@@ -33,6 +34,11 @@ Error as_typed(Error error, const Present& present) {
     return error;
 }
 
+bool is_taken(const System& system, const std::string& name) {
+    const std::vector<std::string> markers = marker_names(system);
+    return system.find(name) != nullptr || std::find(markers.begin(), markers.end(), name) != markers.end();
+}
+
 Expected<WordEnd> add_entry(Session::Parts& parts, const Arguments& arguments, const std::string& word) {
     const auto name = read_file_value(arguments.lua, arguments.index(1));
     if (!name) return Unexpected(name.error());
@@ -42,12 +48,12 @@ Expected<WordEnd> add_entry(Session::Parts& parts, const Arguments& arguments, c
     const auto fields = read_file_value(arguments.lua, arguments.index(2));
     if (!fields) return Unexpected(fields.error());
     auto present = parts.at_system([&] {
-        return std::make_optional(std::pair{Present{parts.live.project(), parts.live.spec()},
-                                            parts.live.system().find(*name->text()) != nullptr});
+        return std::make_optional(
+            std::pair{Present{parts.live.project(), parts.live.spec()}, is_taken(parts.live.system(), *name->text())});
     });
     if (!present) return failure("interrupted");
-    auto& [at, is_taken] = *present;
-    if (is_taken) {
+    auto& [at, has_owner] = *present;
+    if (has_owner) {
         return failure(
             fmt::format("the name '{0}' is taken: remove \"{0}\" frees it, or choose another", shown(*name->text())));
     }

@@ -186,6 +186,8 @@ Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& 
 
 Expected<ActResult> perform(System& system, const AddMarker& act, const Actor& /*who*/) {
     if (system.world() == nullptr) return failure("there is no simulated world");
+    if (system.find(act.marker.name) != nullptr)
+        return failure(fmt::format("marker '{}': a component has this name: choose another", act.marker.name));
     return result_of(system.world()->add_marker(act.marker));
 }
 

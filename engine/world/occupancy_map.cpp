@@ -173,6 +173,9 @@ Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::
         } else if (key == "negate") {
             if (value != "0" && value != "1" && value != "false" && value != "true") return refuse("0 or 1");
             facts.negate = value == "1" || value == "true";
+        } else if (key == "mode") {
+            // The others tell more of a pixel than whether something stands there.
+            if (value != "trinary") return refuse("trinary, the only mode that is read");
         } else if (key == "occupied_thresh") {
             if (!real || *real < 0 || *real > 1) return refuse("a number from 0 to 1");
             facts.threshold = *real;

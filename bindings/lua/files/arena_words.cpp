@@ -1,6 +1,7 @@
 // Boxes, walls, cylinders, markers, mazes, the floor and its lines in a system file.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -270,6 +271,29 @@ Expected<void> SystemWords::arena(const WordCall& call, const FileValue& value) 
     if (has_border) {
         spec_.arena.border = given.border;
         border_place_ = call.place;
+    }
+    return {};
+}
+
+// The middle of an outer wall may lie on the edge.
+Expected<void> SystemWords::check_mazes() const {
+    if (!spec_.arena.size) return {};
+    const Point2D& size = *spec_.arena.size;
+    for (const Thing& thing : things_) {
+        const auto* walls = std::get_if<std::vector<BoxSpec>>(&thing.made);
+        if (thing.call.word != "maze" || walls == nullptr) continue;
+        Point2D least{walls->front().at.x, walls->front().at.y}, most = least;
+        for (const BoxSpec& wall : *walls) {
+            least = {std::min(least.x, wall.at.x - wall.size.x / 2), std::min(least.y, wall.at.y - wall.size.y / 2)};
+            most = {std::max(most.x, wall.at.x + wall.size.x / 2), std::max(most.y, wall.at.y + wall.size.y / 2)};
+        }
+        if (std::max(-least.x, most.x) <= size.x / 2 + maze_wall &&
+            std::max(-least.y, most.y) <= size.y / 2 + maze_wall)
+            continue;
+        return failure(fmt::format("maze: it reaches from {{ {:.3g}, {:.3g} }} to {{ {:.3g}, {:.3g} }}, out of the "
+                                   "arena of {:g} x {:g} m: move it by 'at', or make the arena larger",
+                                   least.x, least.y, most.x, most.y, size.x, size.y),
+                       thing.call.place);
     }
     return {};
 }

@@ -245,6 +245,15 @@ Expected<void> SystemWords::finish(bool is_part) const {
     if (is_part) return {};
     if (auto ok = check_rates(); !ok) return ok;
     if (auto ok = check_lines(); !ok) return ok;
+    if (auto ok = check_mazes(); !ok) return ok;
+    for (const MarkerSpec& marker : spec_.arena.markers) {
+        const auto taken = names_.find(marker.name);
+        if (taken == names_.end()) continue;
+        const Entry& other = spec_.entries[taken->second];
+        return failure(fmt::format("marker '{}': the name is taken by the {} of {}:{}", marker.name, kind_of(other),
+                                   place_of(other).file, place_of(other).line),
+                       marker.place);
+    }
     std::vector<std::string_view> robots;
     for (const Entry& entry : spec_.entries) {
         if (std::holds_alternative<RobotEntry>(entry)) robots.push_back(name_of(entry));

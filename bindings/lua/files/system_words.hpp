@@ -98,6 +98,7 @@ private:
     Expected<void> place_things(const WordCall& call, const std::vector<FileValue>& elements);
     Expected<void> check_rates() const;
     Expected<void> check_lines() const;
+    Expected<void> check_mazes() const;
 
     const Project& project_;
     SystemSpec spec_;

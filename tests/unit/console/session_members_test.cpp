@@ -112,15 +112,35 @@ TEST_CASE("a plot of what has gone is another's when the name comes again", "[co
     CHECK_THAT(it.type("plot(controller.out, 0.045)"), Contains("vx = 1 all the time"));
 }
 
+TEST_CASE("a name before its table says what to write when none comes", "[console][session][act]") {
+    SessionRig it;
+    for (const std::string word : {"behavior", "component", "robot"}) {
+        CHECK(it.type(word + " 'third'") == "! expected a table after the name: " + word + " \"third\" { ... }");
+        CHECK_FALSE(it.all_well);
+    }
+    CHECK(it.type("add = behavior 'third' add { script = 'counter' }").empty());
+    CHECK(it.type("third.status") == "\"ACTIVE\"");
+}
+
+TEST_CASE("a marker and a component have different names", "[console][session][act]") {
+    SessionRig it;
+    CHECK(it.type("marker { name = 'mouse', id = 7, at = { 1, 0, 0.1 } }") ==
+          "! marker: marker 'mouse': a component has this name: choose another");
+    it.type("marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
+    CHECK(it.type("behavior 'target' { script = 'counter' }") ==
+          "! behavior: the name 'target' is taken: remove \"target\" frees it, or choose another");
+}
+
 TEST_CASE("restart says what would be gone, unless it is in the file", "[console][session][act]") {
     SessionRig it;
     it.type("behavior 'second' { script = 'counter' } marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
-    CHECK(it.type("restart()") ==
-          "! restart: second, target would be gone: save \"FILE.lua\" first, or say restart \"anyway\"");
+    const std::string file = it.live->spec().file;
+    CHECK(it.type("restart()") == "! restart: second, target would be gone: save \"" + file +
+                                      "\" keeps them in the system's file, restart \"anyway\" lets them go");
     CHECK(it.type("second.status") == "\"ACTIVE\"");
     CHECK(it.type("restart 'now'") == "! restart: expected nothing, or \"anyway\", got 'now'");
     SECTION("they are saved to it") {
-        CHECK_THAT(it.type("save '" + it.file.string() + "'"), StartsWith("saved "));
+        CHECK_THAT(it.type("save \"" + file + "\""), StartsWith("saved "));
         CHECK(it.type("restart()") == "started anew, time is 0");
         CHECK(it.type("second.status") == "\"ACTIVE\"");
         CHECK(it.live->system().world()->markers().size() == 1);

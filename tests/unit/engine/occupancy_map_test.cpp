@@ -123,6 +123,8 @@ TEST_CASE("a bad YAML file of a map is told with its line and what belongs there
     CHECK(facts_error("origin: [1]\n") == "map.yaml:1: 'origin': expected [x, y, yaw], got '[1]'");
     CHECK(facts_error("origin: [1, 2, 3, 4]\n") == "map.yaml:1: 'origin': expected [x, y, yaw], got '[1, 2, 3, 4]'");
     CHECK(facts_error("negate: maybe\n") == "map.yaml:1: 'negate': expected 0 or 1, got 'maybe'");
+    CHECK(facts_error("mode: scale\n") ==
+          "map.yaml:1: 'mode': expected trinary, the only mode that is read, got 'scale'");
     CHECK(facts_error("occupied_thresh: 65\n") ==
           "map.yaml:1: 'occupied_thresh': expected a number from 0 to 1, got '65'");
 }

@@ -118,6 +118,17 @@ TEST_CASE("a missing field is told with what belongs there", "[lua][system_file]
           "s.lua:1: marker: field 'id' is missing: expected a whole number from 0 to 586: the tag's number");
 }
 
+TEST_CASE("a maze lies within the arena", "[lua][system_file]") {
+    CHECK(error("arena { size = { 1, 1 }, maze { generate = { columns = 4, rows = 2 } } }") ==
+          "s.lua:1: maze: it reaches from { -0.096, -0.096 } to { 0.636, 0.276 }, out of the arena of 1 x 1 m: move it "
+          "by 'at', or make the arena larger");
+    CHECK(
+        error(
+            "arena { size = { 0.72, 0.36 }, maze { generate = { columns = 4, rows = 2 }, at = { -0.27, -0.09 } } }") ==
+        "no error");
+    CHECK(error("arena { maze { generate = { columns = 4, rows = 2 } } }") == "no error");
+}
+
 TEST_CASE("things of an arena have a size", "[lua][system_file]") {
     CHECK(error("arena { box { at = { 0, 0, 0 }, size = { 1, 0, 1 } } }") ==
           "s.lua:1:45: box: field 'size[2]' expected a positive number, got 0");
@@ -182,6 +193,8 @@ TEST_CASE("every thing is in the arena exactly once", "[lua][system_file]") {
           "s.lua:1: arena: element 1 is no box, wall, cylinder, marker, maze, floor, line, csv or map, but a table");
     CHECK(error("arena { size = { 1, 1 } }\narena { size = { 1, 1 } }") ==
           "s.lua:2:9: arena: field 'size' is set already, at behaviors/systems/s.lua:1");
+    CHECK(error("arena { marker { name = 'c', id = 1, at = { 0, 0, 0 } } }\nbehavior 'c' { script = 'robot_controller' "
+                "}") == "s.lua:1: marker 'c': the name is taken by the behavior of behaviors/systems/s.lua:2");
     CHECK(error("arena { marker { id = 1, at = { 0, 0, 0 } },\n marker { id = 1, at = { 1, 0, 0 } } }") ==
           "s.lua:2: marker: the name 'marker_1' is taken by the marker of behaviors/systems/s.lua:1");
 }
