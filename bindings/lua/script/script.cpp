@@ -281,9 +281,9 @@ Expected<PlainLook> Script::look_at_state(const PlainLimit& limit) {
 
 std::string Script::hint(const Error& error) const {
     const auto says = [&](std::string_view text) { return error.message.find(text) != std::string::npos; };
-    // Lua knows no name of an element: what is nil is "field '?'", or nothing at all in a comparison.
+    // Lua knows no name of an element: what is nil is "field '?'", or nothing at all in a comparison or a loop.
     const bool of_an_element = says("nil value (field '?')") || says("nil value (field 'integer index')") ||
-                               (says("attempt to compare ") && says("nil"));
+                               (says("attempt to compare ") && says("nil")) || (says("bad 'for' ") && says("got nil)"));
     if (of_an_element && missing_.port != nullptr && missing_.place.line == error.place.line &&
         missing_.place.file == error.place.file) {
         return fmt::format(": element {} of {} of {}", missing_.index, missing_.count, port_title(*missing_.port));

@@ -55,6 +55,7 @@ constexpr std::array instead{
     Instead{"os", "the time is now(); there are no files and no processes"},
     Instead{"io", "`log` writes lines, and `nezumi run --record` what ports carry"},
     Instead{"debug", "`print` and the console show values"},
+    Instead{"sleep", "`wait(seconds)` waits, in a task: task(\"name\", function() ... end)"},
     Instead{"self", "a behaviour is its file: parameters are in `config`, what is kept in `state` and locals"},
     Instead{"load", no_loading},
     Instead{"loadfile", no_loading},

@@ -45,7 +45,8 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
     }
     if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
     if (contains(script_words(), name) || contains(component_words(), name)) {
-        return failure(fmt::format("{} '{}': the name is one of a component's own words", kind, name));
+        return failure(fmt::format("{0} '{1}': the name is one of a component's own words: choose another, as 'my_{1}'",
+                                   kind, name));
     }
     if (contains(sandbox_names(), name))
         return failure(fmt::format("{} '{}': the name is taken by Lua's library", kind, name));

@@ -24,6 +24,9 @@ TEST_CASE("an element that is not there is told with its number, and of how many
                Catch::EndsWith("nil value (field '?'): element 0 of 4 of input 'd'"));
     CHECK_THAT(fails("if d:read()[9] > 3 then end"),
                Catch::EndsWith("attempt to compare number with nil: element 9 of 4 of input 'd'"));
+    CHECK_THAT(fails("for i = 1, d:read()[9] do end"),
+               Catch::EndsWith("bad 'for' limit (number expected, got nil): element 9 of 4 of input 'd'"));
+    CHECK_THAT(fails("for i = d:read()[9], 1 do end"), Catch::EndsWith(": element 9 of 4 of input 'd'"));
     CHECK_THAT(fails("return d:read()[5].x"), Catch::EndsWith(": element 5 of 4 of input 'd'"));
     // What has nothing to do with it says nothing of it.
     CHECK_THAT(fails("local seen = d:read()[9]\n  return ({})[1] * 2"), Catch::EndsWith("(field 'integer index')"));

@@ -69,7 +69,8 @@ TEST_CASE("what is no value of a probe is an error that says what is", "[lua][pr
               "probe 'a b': the name is no identifier: use letters, digits and _, no digit first, at most 100 of them");
     CHECK(probe_failure("probe(1, 1)") == at + "probe expected a name, got number");
     CHECK(refusal("probe('p', 1) param('x', 1)") == at + "probe 'p': nothing can be probed while the file loads");
-    CHECK(refusal("param('probe', 1)") == at + "parameter 'probe': the name is one of a component's own words");
+    CHECK(refusal("param('probe', 1)") ==
+          at + "parameter 'probe': the name is one of a component's own words: choose another, as 'my_probe'");
 }
 
 TEST_CASE("a component has at most 64 probes", "[lua][probes]") {

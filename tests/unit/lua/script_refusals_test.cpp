@@ -39,6 +39,10 @@ TEST_CASE("an unknown callback names the nearest", "[lua][refusals]") {
 }
 
 TEST_CASE("a library that behaviours don't have is refused with what there is instead", "[lua][refusals]") {
+    CHECK(
+        refusal("sleep(1)") ==
+        "robot_controller.lua:1:1: unknown global 'sleep': `wait(seconds)` waits, in a task: task(\"name\", function() "
+        "... end)");
     CHECK(refusal("local t = os.clock()") ==
           "robot_controller.lua:1:11: unknown global 'os': the time is now(); there are no files and no processes");
     CHECK(refusal("io.write('x')") ==
@@ -138,11 +142,14 @@ TEST_CASE("a name is an identifier and no word of its own", "[lua][refusals]") {
     for (const std::string name : {"config", "state", "status", "ports", "activate", "use", "now", "input", "require",
                                    "tasks", "probes", "task", "wait"}) {
         CHECK(refusal("output('" + name + "', 'TimedLong')") ==
-              at1 + "output '" + name + "': the name is one of a component's own words");
+              at1 + "output '" + name + "': the name is one of a component's own words: choose another, as 'my_" +
+                  name + "'");
         CHECK(refusal("param('" + name + "', 1)") ==
-              at1 + "parameter '" + name + "': the name is one of a component's own words");
+              at1 + "parameter '" + name + "': the name is one of a component's own words: choose another, as 'my_" +
+                  name + "'");
         CHECK(refusal("command('" + name + "', print)") ==
-              at1 + "command '" + name + "': the name is one of a component's own words");
+              at1 + "command '" + name + "': the name is one of a component's own words: choose another, as 'my_" +
+                  name + "'");
     }
     CHECK(refusal("param('math', 1)") == at1 + "parameter 'math': the name is taken by Lua's library");
     CHECK(refusal("input('" + std::string(200, 'a') + "', 'TimedLong')") ==

@@ -1,42 +1,9 @@
 // Tasks: what a script does one after the other, across executions.
-#include "tests/unit/lua/reload_rig.hpp"
-#include "tests/unit/lua/rig.hpp"
+#include "tests/unit/lua/task_rig.hpp"
 
 using namespace nezumi;
 
 namespace {
-
-// `note(text)` writes down when, `out` shows all of it.
-const Text notes = R"(
-local out = output("out", "TimedString")
-local near = input("near", "TimedLong")
-state.text = state.text or ""
-local function note(text) state.text = state.text .. ("%s@%.2f "):format(text, now()) out:write(state.text) end
-command("begin", function(name) start(name) end)
-command("give_up", function(name) return cancel(name) end)
-)";
-
-struct TaskRig : ScriptRig {
-    explicit TaskRig(const Text& text) : ScriptRig(notes + text) { activate(); }
-    Text noted() { return out<Text>("out").read(); }
-    // What a call of a command says: "" when it is well.
-    Text call(const Text& command, const Text& name) {
-        PlainData arguments;
-        arguments.values.emplace_back(name);
-        auto results = component->call_command(command, arguments, now);
-        if (!results) return describe(results.error());
-        return results->values.empty() ? "" : std::get<bool>(results->values.front()) ? "true" : "false";
-    }
-    // A field of a task as seen from outside; "nil" when it is not there.
-    Text seen(const Text& task, const Text& field) {
-        Text text = "nil";
-        component->visit_member("tasks", [&](const LeafPath& path, const Leaf& leaf) {
-            if (path.text() != task + "." + field) return;
-            text = std::visit([](const auto& value) { return fmt::format("{}", value); }, leaf);
-        });
-        return text;
-    }
-};
 
 // What an execution whose only task has this body says when it fails.
 Text task_failure(const Text& body) {
@@ -198,7 +165,8 @@ TEST_CASE("what is wrong with a task is told where it is declared", "[lua][tasks
         {"task(1, function() end)", "task expected a task's name, got number"},
         {"task('2t', function() end)",
          "task '2t': the name is no identifier: use letters, digits and _, no digit first"},
-        {"task('wait', function() end)", "task 'wait': the name is one of a component's own words"},
+        {"task('wait', function() end)",
+         "task 'wait': the name is one of a component's own words: choose another, as 'my_wait'"},
         {"task('t', function() end) task('t', function() end)", "task 't' is declared twice (first in line 1)"},
         {"task('t', function(x) end)", "task 't': its parameter 'x' is never given: leave it out"},
         {"task('t', function() end, { repeat_it = true })",
@@ -310,70 +278,6 @@ TEST_CASE("a task that never waits uses up the execution's budget", "[lua][tasks
     CHECK(rig.seen("t", "status") == "failed");
     REQUIRE(rig.component->reset(rig.now));
     CHECK(rig.status() == "INACTIVE");
-}
-
-TEST_CASE("a coroutine that waits in a task is resumed and closed by nobody else, and lives on", "[lua][tasks]") {
-    const auto [attempt, text] = GENERATE(table<Text, Text>({
-        {"coroutine.resume(inner)", "false a coroutine that waits in a task can't be resumed by others"},
-        {"coroutine.resume(outer)", "false a coroutine that waits in a task can't be resumed by others"},
-        {"coroutine.resume(whole)", "false a coroutine that waits in a task can't be resumed by others"},
-        {"pcall(function() wrapped() end)",
-         "false robot_controller.lua:20: a coroutine that waits in a task can't be resumed by others"},
-        {"pcall(coroutine.close, inner)", "false a coroutine that waits in a task can't be closed by others"},
-        {"pcall(coroutine.close, whole)", "false a coroutine that waits in a task can't be closed by others"},
-    }));
-    CAPTURE(attempt);
-    TaskRig rig(R"(
-local inner, outer, whole, wrapped
-task("t", function()
-  whole = coroutine.running()
-  inner = coroutine.create(function() wait(0.03) coroutine.yield("a") return "b" end)
-  wrapped = coroutine.wrap(function() return coroutine.resume(inner) end)
-  outer = coroutine.create(function() return wrapped() end)
-  local _, _, text = coroutine.resume(outer)
-  local _, other = coroutine.resume(inner)
-  note(text .. other)
-end)
-command("attempt", function()
-  local done, text = )" + attempt +
-                R"(
-  note(tostring(done) .. " " .. tostring(text))
-end)
-)");
-    rig.tick(2);
-    rig.call("attempt", "");
-    rig.tick(3);
-    CHECK(rig.noted() == text + "@0.02 ab@0.03 ");
-    CHECK(rig.status() == "ACTIVE");
-}
-
-TEST_CASE("a coroutine whose task has ended is free: it can be closed, and goes on no more", "[lua][tasks]") {
-    const auto [attempt, text] = GENERATE(table<Text, Text>({
-        {"coroutine.close(inner)", "closed@0.02 true nil@0.02 "},
-        {"coroutine.resume(inner)", "false robot_controller.lua:13: the task in which this coroutine waited has "
-                                    "ended@0.02 "},
-    }));
-    CAPTURE(attempt);
-    TaskRig rig(R"(
-local inner
-task("t", function()
-  inner = coroutine.create(function()
-    local guard <close> = setmetatable({}, { __close = function() note("closed") end })
-    wait(1)
-  end)
-  coroutine.wrap(function() coroutine.resume(inner) end)()
-end)
-command("attempt", function()
-  local done, text = )" + attempt +
-                R"(
-  note(tostring(done) .. " " .. tostring(text))
-end)
-)");
-    rig.tick(2);
-    CHECK(rig.call("give_up", "t") == "true");
-    rig.call("attempt", "");
-    rig.tick();
-    CHECK(rig.noted() == text);
 }
 
 TEST_CASE("a task is seen from outside", "[lua][tasks]") {
