@@ -57,6 +57,7 @@ Expected<bool> is_free(std::string_view kind, const AnEntry& entry, const std::v
 // Whether it became a real one.
 Expected<bool> choose(RobotEntry& robot, const SystemSpec& spec, const std::vector<std::string>& names) {
     auto free = is_free("robot", robot, names);
+    if (free && !*free && robot.backend != simulated) robot.backend.clear();  // it names a driver, and is not asked for
     if (!free || !*free || !robot.backend.empty()) return free;
     const auto model = spec.models.find(robot.described_by());
     robot.backend = model == spec.models.end() ? "" : model->second.hardware.driver;

@@ -32,6 +32,14 @@ std::vector<std::string_view> keys_of(const Map& map) {
     return keys;
 }
 
+// A robot that names its model's driver is simulated in a run that has no drivers.
+RobotEntry as_run(RobotEntry entry, const SystemSpec& spec, const Makers& makers) {
+    const auto model = spec.models.find(entry.described_by());
+    const bool is_its_driver = model != spec.models.end() && model->second.hardware.driver == entry.backend;
+    if (is_its_driver && makers.bodies.empty()) entry.backend.clear();
+    return entry;
+}
+
 using Body = Expected<std::unique_ptr<RobotBody>>;
 
 Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, const Makers& makers) {
@@ -49,6 +57,8 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, c
     if (maker != makers.bodies.end()) return maker->second(entry, model->second);
     std::vector<std::string_view> names{simulated};
     for (const std::string_view name : keys_of(makers.bodies)) names.push_back(name);
+    const std::string& driver = model->second.hardware.driver;
+    if (!driver.empty() && makers.bodies.empty()) names.emplace_back(driver);
     return refuse(no_such("backend", backend, names));
 }
 
@@ -150,8 +160,10 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
 }  // namespace
 
 Expected<Component*> add_entry(System& system, const Entry& entry, const SystemSpec& spec, const Makers& makers) {
-    if (const auto* robot = std::get_if<RobotEntry>(&entry))
-        return add_robot(system, *robot, spec, add_body(system, *robot, spec, makers));
+    if (const auto* given = std::get_if<RobotEntry>(&entry)) {
+        const RobotEntry robot = as_run(*given, spec, makers);
+        return add_robot(system, robot, spec, add_body(system, robot, spec, makers));
+    }
     if (const auto* behavior = std::get_if<BehaviorEntry>(&entry)) return add_behavior(system, *behavior, makers);
     return add_native(system, std::get<ComponentEntry>(entry), makers);
 }
@@ -185,12 +197,12 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
     std::vector<Body> bodies;
     for (const Entry& entry : spec.entries) {
         if (const auto* robot = std::get_if<RobotEntry>(&entry))
-            bodies.push_back(add_body(*system, *robot, spec, makers));
+            bodies.push_back(add_body(*system, as_run(*robot, spec, makers), spec, makers));
     }
     auto body = bodies.begin();
     for (const Entry& entry : spec.entries) {
         const auto* robot = std::get_if<RobotEntry>(&entry);
-        auto added = robot != nullptr ? add_robot(*system, *robot, spec, std::move(*body++))
+        auto added = robot != nullptr ? add_robot(*system, as_run(*robot, spec, makers), spec, std::move(*body++))
                                       : add_entry(*system, entry, spec, makers);
         if (!added) return Unexpected(added.error());
     }

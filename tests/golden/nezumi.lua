@@ -579,7 +579,7 @@ function output(name, type, doc, options) end
 ---@field model string a robot's file, for example "raspimouse"
 ---@field pose? { x?: number, y?: number, heading?: number } where it starts
 ---@field limits? LimitsFields in the place of the model's
----@field backend? string "sim", or the name of a driver
+---@field backend? string "sim": simulated with --hw as well; or the driver that --hw uses
 ---@field calibrated? boolean in simulation too it is as `NAME.calibration.lua` beside this file says
 ---@field active? boolean whether it is activated at the start
 ---@field doc? string what it is
@@ -608,7 +608,7 @@ function output(name, type, doc, options) end
 ---@field on? string the robot that carries it
 ---@field at? number[] [m] on that robot, from the middle of the wheels' axis on the floor
 ---@field yaw? number [rad] on that robot, counter-clockwise
----@field backend? string "sim", or the name of a driver
+---@field backend? string "sim": simulated with --hw as well
 ---@field active? boolean whether it is activated at the start
 
 ---@class (exact) PhysicsFields

@@ -43,6 +43,11 @@ bool is_table_of_names(const FieldPath& path) {
     return path.size() == 1 && (path[0] == "sensors" || path[0] == "actuators" || path[0] == "ports");
 }
 
+// Whether a sensor, actuator or port could be a new one: those say what they are.
+bool is_whole(std::string_view group, const FileValue& value) {
+    return value.table() == nullptr || value.table()->find(group == "ports" ? "type" : "kind") != nullptr;
+}
+
 void erase(FileTable& table, std::string_view name) {
     std::erase_if(table.fields, [&](const FileField& field) { return field.name == name; });
 }
@@ -68,6 +73,10 @@ FileValue merge(FieldCheck* check, const FileValue& base, const FileValue& chang
         const FileValue* before = from->find(change.name);
         if (check != nullptr && is_false(change.value) && before == nullptr && is_table_of_names(path))
             check->wrong(inner, fmt::format("takes away what is not there{}", nearest(change.name, *from)));
+        if (check != nullptr && before == nullptr && is_table_of_names(path) && !is_whole(path[0], change.value)) {
+            // A slip in a name, unless none is near: then the reader says what a new one needs.
+            if (const std::string near = nearest(change.name, *from); !near.empty()) check->unknown(inner, near);
+        }
         // Who gives both is told by the reader that they don't go together.
         for (const auto& [one, other] : alternatives) {
             if (is_given(one) == is_given(other)) continue;

@@ -68,6 +68,12 @@ TEST_CASE("each robot gets the driver of its model by --hw, and simulated ones a
     CHECK(robot(one, 0).backend.empty());
     CHECK(robot(one, 1).backend == "raspimouse");
 
+    SystemSpec named = two_mice();
+    robot(named, 0).backend = robot(named, 1).backend = "raspimouse";
+    REQUIRE(choose_drivers(named, {"second"}, devices()));
+    CHECK(robot(named, 0).backend.empty());
+    CHECK(robot(named, 1).backend == "raspimouse");
+
     SystemSpec kept = two_mice();
     robot(kept, 0).backend = "sim";
     robot(kept, 1).backend = "other";

@@ -191,6 +191,11 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
               p.robot("other").backend = "mouse_driver";
               p.has_hardware = false;
           }) == "s.lua:2: /dev/rtmotor_raw_l0 is not there: is the driver loaded?");
+    CHECK(refused([](Plan& p) {
+              p.makers.bodies.clear();
+              p.spec.models.at("mouse").hardware.driver = "mouse_driver";
+              p.robot("other").backend = "mouse_drvier";
+          }) == "s.lua:2: robot 'other': there is no backend 'mouse_drvier' (did you mean 'mouse_driver'?)");
     CHECK(refused([](Plan& p) { p.component("eye", "Camera", "v4l2"); }) ==
           "s.lua:2: component 'eye': there is no backend 'v4l2'; there is sim");
     CHECK(refused([](Plan& p) { p.robot("other", 200); }) == "s.lua:2: robot 'other' overlaps box 1: move one of them");
@@ -230,6 +235,15 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
               p.spec.rate = 60;
               p.spec.rate_place = {"s.lua", 9};
           }).starts_with("s.lua:9: rate: a tick of 60 Hz"));
+}
+
+TEST_CASE("a robot that names its driver is simulated where the run has no drivers", "[engine][system]") {
+    Plan plan;
+    plan.makers.bodies.clear();
+    plan.robot("mouse").backend = "mouse_driver";
+    CHECK(plan.refusal() == "s.lua:1: robot 'mouse': there is no backend 'mouse_driver'; there is sim");
+    plan.spec.models.at("mouse").hardware.driver = "mouse_driver";
+    CHECK_FALSE(plan.build()->find_robot("mouse")->is_real());
 }
 
 TEST_CASE("one robot of a system may be real and the others simulated", "[engine][build][hardware]") {

@@ -108,6 +108,13 @@ TEST_CASE("false takes a thing away, unless a port needs it", "[lua][robot_file]
     CHECK(robots.error("sensors = { left = false }") == "robot_model: port 'both': there is no sensor 'left'");
     CHECK(robots.error("sensors = { lefft = false }") ==
           "robot_model: field 'sensors.lefft' takes away what is not there (did you mean 'left'?)");
+    CHECK(robots.error("sensors = { lefft = { noise = 8 } }") ==
+          "robot_model: unknown field 'sensors.lefft' (did you mean 'left'?)");
+    CHECK(robots.error("ports = { bot = { from = 'left' } }") ==
+          "robot_model: unknown field 'ports.bot' (did you mean 'both'?)");
+    CHECK_THAT(robots.error("sensors = { extra = { noise = 8 } }"),
+               Catch::Contains("field 'sensors.extra.kind' is missing: expected one of range"));
+    CHECK(robots.robot("sensors = { lefft = { kind = 'button' } }").sensors.size() == 3);
     CHECK(robots.error("mass = false") ==
           "robot_model: field 'mass' is missing: expected a positive number in kg: of the whole robot");
 }
@@ -196,8 +203,7 @@ TEST_CASE("what a robot of a system changes is checked at its place", "[lua][sys
     CHECK(robots.system_error("sensors = { right = { nose = 8 } }") ==
           "2: robot 'm': unknown field 'sensors.right.nose' (did you mean 'noise'?)");
     CHECK(robots.system_error("sensors = { rigt = { noise = 8 } }") ==
-          "2: robot 'm': field 'sensors.rigt.kind' is missing: expected one of range, button, touch, gyro, color, "
-          "reflect, ambient, scan, imu: what it measures");
+          "2: robot 'm': unknown field 'sensors.rigt' (did you mean 'right'?)");
     CHECK(robots.system_error("base = 'plain'").find("unknown field 'base'") != std::string::npos);
     CHECK(
         robots.system_error("sensors = { left = { response = function(d) return d end } }") ==
