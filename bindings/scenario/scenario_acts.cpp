@@ -34,18 +34,6 @@ std::string golden_name(const std::filesystem::path& file, const SweepPoint& poi
     return file.parent_path() / (run_file_name(file.filename(), text_of(point), true) + file.extension().string());
 }
 
-int copy_without_seconds(lua_State* lua) {
-    lua_newtable(lua);
-    for (lua_pushnil(lua); lua_next(lua, 1) != 0; lua_pop(lua, 1)) {
-        lua_pushvalue(lua, -2);
-        lua_pushvalue(lua, -2);
-        lua_rawset(lua, 2);
-    }
-    lua_pushnil(lua);
-    lua_setfield(lua, 2, "seconds");
-    return 1;
-}
-
 }  // namespace
 
 int ScenarioRun::Methods::load(ScenarioRun& run, lua_State* lua) {
@@ -99,15 +87,15 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     std::string file;
     std::string text;
     std::size_t given = 0;
-    std::string wrong;
+    bool wrong = false;
     for (lua_pushnil(lua); lua_next(lua, 3) != 0; lua_pop(lua, 1)) {
         const std::string_view key = lua_type(lua, -2) == LUA_TSTRING ? detail::key_text(lua) : "";
         const bool known = (key == "file" || key == "text") && lua_type(lua, -1) == LUA_TSTRING;
         if (known) (key == "file" ? file : text) = text_or_empty(lua, -1);
-        if (!known) wrong = key;
+        wrong = wrong || !known;
         ++given;
     }
-    if (given != 1 || !wrong.empty()) return raise(run, expected);
+    if (given != 1 || wrong) return raise(run, expected);
     Reload reload{.component = at->component->name(), .shown = script->script().file().shown, .text = text};
     Expected<ActResult> report = failure("");
     bool readable = true;
@@ -171,12 +159,7 @@ int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
         if (!value) return raise(run, value.error().message);
         duration = *value;
     }
-    // The speeds are read by what reads them everywhere, from a copy without the seconds.
-    lua_pushcfunction(lua, copy_without_seconds);
-    lua_pushvalue(lua, 3);
-    if (auto copied = protected_call(lua, 1, 1, condition_budget); !copied) return raise(run, copied.error().message);
-    const int copy = lua_gettop(lua);
-    const auto push = read_push(lua, copy);
+    const auto push = read_push(lua, 3, Describe<Push>::in_scenarios);
     if (!push) return raise(run, push.error().message);
     const std::string name = at->component->name();
     if (auto ok = at->live->act(Disturb{name, push->vx, push->vy, push->va}, scenario_actor); !ok)
@@ -225,6 +208,9 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
             run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));
         return 0;
     }
+    // A name without a dot is a component's.
+    if (lua_type(lua, 2) == LUA_TSTRING && text_or_empty(lua, 2).find('.') == std::string_view::npos)
+        return raise(run, run.objects_->to_component(lua, 2).error().message);
     const auto at = run.objects_->to_port(lua, 2);
     if (!at) return raise(run, at.error().message);
     run.faults_.restore(key_of(at->live, at->path()));

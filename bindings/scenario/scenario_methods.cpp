@@ -147,9 +147,10 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
 int ScenarioRun::Methods::call(lua_State* lua) {
     auto& run = *static_cast<ScenarioRun*>(lua_touserdata(lua, lua_upvalueindex(1)));
     const auto& method = *static_cast<const Method*>(lua_touserdata(lua, lua_upvalueindex(2)));
-    if (!is_object(lua, 1)) return luaL_error(lua, "write s:%s(...) with a colon", method.name);
     luaL_checkstack(lua, 20, nullptr);
-    const int answered = run.stopped_ ? end_run : carry_out(run, lua, method);
+    const int answered = run.stopped_        ? end_run
+                         : is_object(lua, 1) ? carry_out(run, lua, method)
+                                             : raise(run, fmt::format("write s:{}(...) with a colon", method.name));
     if (answered == end_run || run.stopped_) end_call(lua);
     if (answered != raise_text) return answered;
     note_slip(run, lua);

@@ -28,16 +28,19 @@ ScenarioRun::ScenarioRun(ScenarioFile& file, std::size_t scenario, RunSettings s
 
 ScenarioRun::~ScenarioRun() = default;
 
-void ScenarioRun::print(std::string line) {
+void ScenarioRun::print(std::string_view line) {
     if (printed_bytes_ > most_printed) return;
     printed_bytes_ += line.size() + 1;
     if (printed_bytes_ > most_printed) line = "... (more is left out)";
-    result_.printed.push_back(std::move(line));
+    std::string_view rest = line;  // a table may have several
+    for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1))
+        result_.printed.emplace_back(rest.substr(0, end));
+    result_.printed.emplace_back(rest);
 }
 
 Expected<void> ScenarioRun::open() {
     LuaState& state = file_.state();
-    state.set_print([this](std::string_view line) { print(std::string(line)); });
+    state.set_print([this](std::string_view line) { print(line); });
     state.seed_random(seed_of(settings_.seed, scenario_.name));
     word_host_.source = [this](const std::string& shown) { return file_.source(shown); };
     word_host_.fail = [this](Error error) {

@@ -111,7 +111,7 @@ private:
     Expected<void> open();
     void take_outcome(const CallResult& called);
     void finish();
-    void print(std::string line);
+    void print(std::string_view line);
 
     // The worlds that words describe.
     Described& described();

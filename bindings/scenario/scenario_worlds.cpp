@@ -121,7 +121,7 @@ Expected<void> ScenarioRun::build(Described& described) {
         options.budget = headless_budget;
     }
     options.watch = false;
-    options.print = [this](std::string_view line) { print(std::string(line)); };
+    options.print = [this](std::string_view line) { print(line); };
     options.build.log = [this](const LogLine& line) {
         if (line.level == LogLevel::debug) return;
         const std::string who = line.component.empty() ? "" : line.component + ": ";
@@ -200,8 +200,8 @@ Expected<void> ScenarioRun::load(const std::string& name, const Expected<FileVal
     if (!path) return failure("load: " + path.error().message, place);
     // A system of another project is read as that project's; what the scenario adds is its own.
     const Project theirs = Project::of(*path, file_.project().installed());
-    auto spec = read_system_file(
-        *path, theirs, {.seed = settings_.seed, .print = [this](std::string_view line) { print(std::string(line)); }});
+    auto spec = read_system_file(*path, theirs,
+                                 {.seed = settings_.seed, .print = [this](std::string_view line) { print(line); }});
     if (!spec) return Unexpected(spec.error());
     if (auto ok = change_robots(*spec, *options, theirs, place); !ok) return ok;
     merge(*spec, before);

@@ -64,9 +64,9 @@ Expected<Pose2D> read_pose(lua_State* L, int index) {
     return Pose2D{{place->x, place->y}, place->heading};
 }
 
-Expected<Push> read_push(lua_State* L, int index) {
+Expected<Push> read_push(lua_State* L, int index, unsigned kind) {
     if (lua_type(L, index) != LUA_TTABLE) return failure("expected a table { vx =, va = }");
-    return read_fields<Push>(L, index, "disturb", {.kind = Describe<Push>::at_once});
+    return read_fields<Push>(L, index, "disturb", {.kind = kind});
 }
 
 std::vector<std::string> marker_names(const System& system) {

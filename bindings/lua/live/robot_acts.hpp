@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/lua/live/act_fields.hpp"
 #include "bindings/lua/live/objects.hpp"
 #include "engine/base/error.hpp"
 #include "engine/ports/messages.hpp"
@@ -17,8 +18,9 @@ namespace nezumi {
 /// A pose as people write it, `{ x =, y =, heading = }` or `{ position = { x =, y = }, heading = }`; what is left out
 /// is 0. Raises no Lua error.
 Expected<Pose2D> read_pose(lua_State* L, int index);
-/// Speeds to force on a robot, `{ vx =, vy =, va = }`; what is left out stays free. Raises no Lua error.
-Expected<Push> read_push(lua_State* L, int index);
+/// Speeds to force on a robot, `{ vx =, vy =, va = }`, what is left out stays free, as one of `Describe<Push>::kinds`
+/// takes them. Raises no Lua error.
+Expected<Push> read_push(lua_State* L, int index, unsigned kind = Describe<Push>::at_once);
 
 /// The names of the arena's markers.
 std::vector<std::string> marker_names(const System& system);

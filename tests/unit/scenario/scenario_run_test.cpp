@@ -50,6 +50,11 @@ TEST_CASE("a robot that drives against a wall is no news to be warned of", "[lua
     CHECK(result.printed.empty());
 }
 
+TEST_CASE("each line of what a scenario prints is a line of its own", "[lua][scenario][run]") {
+    const RunResult result = ScenarioRig("scenario('it', function() print('a\\n\\nb') print('') end)").run();
+    CHECK(result.printed == std::vector<std::string>{"a", "", "b", ""});
+}
+
 TEST_CASE("worlds of different rates tick when they are due", "[lua][scenario][run]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"
@@ -110,7 +115,7 @@ TEST_CASE("errors of a scenario name its line", "[lua][scenario][run]") {
         outcome_of("s:run(1)") ==
         "could not run: it_test.lua:2: s.run: there is no world yet: s:load a system, or say s:robot, s:behavior ...");
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns.run(1)") ==
-          "failed: it_test.lua:3: write s:run(...) with a colon");
+          "could not run: it_test.lua:3: write s:run(...) with a colon");
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns:run(-1)") ==
           "could not run: it_test.lua:3: run: it expected seconds from 0 on, got -1");
     CHECK(outcome_of("s:check(1 == 2, 'no')") == "failed: it_test.lua:2: check failed: no");

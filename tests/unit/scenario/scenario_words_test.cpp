@@ -101,6 +101,25 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
     }
 }
 
+TEST_CASE("what is wrong in the words of faults and reloads is told with what can be there", "[scenario][slips]") {
+    const std::string begin = "could not run: it_test.lua:3: ";
+    CHECK(with_world("s:disturb('mouse', { vxx = 0.1 })") ==
+          begin + "disturb: unknown field 'vxx' (did you mean 'vx'?)");
+    CHECK(with_world("s:disturb('mouse', { turn = 0.1 })") ==
+          begin + "disturb: unknown field 'turn': expected vx, vy, va, seconds");
+    CHECK(with_world("s:disturb('mouse', { va = 1, seconds = 0.1 }) s:run(0.2)") == "passed");
+    CHECK(with_world("s:restore('mose')") == begin + "restore: there is no component 'mose' (did you mean 'mouse'?)");
+    for (const std::string wrong : {"{ text = '', 5 }", "{ 'x' }", "{ [true] = 'x' }", "{}"}) {
+        CHECK(with_world("s:reload('controller', " + wrong + ")") ==
+              begin + "reload: expected { file = \"NAME\" } or { text = \"...\" }");
+    }
+}
+
+TEST_CASE("a method that is called without its colon is a slip of the scenario", "[scenario][slips]") {
+    CHECK(with_world("s.measure('a', 1)") == "could not run: it_test.lua:3: write s:measure(...) with a colon");
+    CHECK(with_world("s.check(true)") == "could not run: it_test.lua:3: write s:check(...) with a colon");
+}
+
 TEST_CASE("a slip that the scenario catches, or that is none, decides nothing", "[scenario][slips]") {
     CHECK(with_world("s:check(not pcall(s.run, s, 'x'))") == "passed");
     CHECK(with_world("pcall(s.run, s, 'x') error('mine')") == "failed: it_test.lua:3: mine");
