@@ -188,9 +188,9 @@ FoundFiles lua_files(const std::vector<std::string>& paths) {
             for (const fs::path& file : below.files) add(file);
             for (Error& error : below.errors) all.errors.push_back(std::move(error));
         } else if (!fs::exists(path, none)) {
-            auto found = find_lua_file(path);
+            auto found = find_lua_files(path);
             if (found) {
-                add(*found);
+                std::for_each(found->begin(), found->end(), add);
             } else {
                 all.errors.push_back(found.error());
             }

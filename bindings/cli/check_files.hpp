@@ -21,7 +21,7 @@ std::vector<Error> check_file(const std::filesystem::path& file, const LiveOptio
 /// the names in it are looked up and, where its words don't say it, what kind it is.
 std::vector<Error> check_text(const std::string& text, const std::filesystem::path& file, const LiveOptions& options);
 
-/// The Lua files that a person names: files as they are or by `find_lua_file`, and of folders all that is in them and
+/// The Lua files that a person names: files as they are or by `find_lua_files`, and of folders all that is in them and
 /// below, sorted, without hidden ones. Every file once. The errors name paths that are not there or no Lua, and folders
 /// without Lua files or that can't be read.
 FoundFiles lua_files(const std::vector<std::string>& paths);

@@ -1,32 +1,24 @@
 // What is there is meant, whatever it is: that it is a folder, or no Lua, is for the reader to say.
 #include "bindings/cli/named_files.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <initializer_list>
 #include <optional>
-#include <string_view>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 #include "bindings/cli/environment.hpp"
+#include "bindings/lua/project/near_path.hpp"
 #include "bindings/lua/project/project.hpp"
+#include "bindings/scenario/test_plan.hpp"
 
 namespace nezumi::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// "(did you mean 'near.lua'?)" among the files of the folder where this one is not.
-std::string near_file(const fs::path& path) {
-    std::vector<std::string> names;
-    std::error_code problem;
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
-        names.push_back(entry->path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return did_you_mean(path.filename().string(), {names.begin(), names.end()});
-}
+bool has_near_name(const Error& error) { return error.message.find(" (did you mean ") != std::string::npos; }
 
 Expected<fs::path> find_file(const std::string& given, std::initializer_list<FileKind> kinds) {
     std::error_code none;
@@ -39,10 +31,10 @@ Expected<fs::path> find_file(const std::string& given, std::initializer_list<Fil
         auto found = project.find(kind, given, "here");
         if (found) return fs::path(project.shown(*found));
         // Of several kinds the one that knows a near name says more.
-        const bool is_near = found.error().message.find(" (did you mean ") != std::string::npos;
-        if (!first || (is_near && first->message.find(" (did you mean ") == std::string::npos)) first = found.error();
+        if (!first || (has_near_name(found.error()) && !has_near_name(*first))) first = found.error();
     }
-    if (is_path || !first) return failure("there is no such file" + near_file(given), {given});
+    if (first && has_near_name(*first) && !fs::path(given).has_parent_path()) return Unexpected(*first);
+    if (is_path || !first) return failure("there is no such file" + did_you_mean_path(given), {given});
     return Unexpected(*first);
 }
 
@@ -50,8 +42,24 @@ Expected<fs::path> find_file(const std::string& given, std::initializer_list<Fil
 
 Expected<fs::path> find_system_file(const std::string& given) { return find_file(given, {FileKind::system}); }
 
-Expected<fs::path> find_lua_file(const std::string& given) {
-    return find_file(given, {FileKind::script, FileKind::system, FileKind::model});
+Expected<std::vector<fs::path>> find_lua_files(const std::string& given) {
+    auto found = find_file(given, {FileKind::script, FileKind::system, FileKind::model, FileKind::module});
+    if (found) return std::vector<fs::path>{std::move(*found)};
+    auto scenarios = find_scenarios_called(given);
+    if (scenarios || (has_near_name(scenarios.error()) && !has_near_name(found.error()))) return scenarios;
+    return Unexpected(found.error());
+}
+
+std::string shipped_file_called(const std::string& name) {
+    std::error_code none;
+    for (const fs::path& installed : installed_folders()) {
+        for (const auto& [what, folder] :
+             {std::pair{"behaviour", "behaviors"}, {"system", "behaviors/systems"}, {"robot", "engine/robots"}}) {
+            const fs::path file = fs::path(folder) / (name + ".lua");
+            if (fs::exists(installed / file, none)) return fmt::format("the shipped {} {}", what, file.string());
+        }
+    }
+    return "";
 }
 
 }  // namespace nezumi::cli

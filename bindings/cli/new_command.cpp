@@ -26,10 +26,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int write(const std::vector<NewFile>& files, const std::string& next) {
+// `name` is what other files call the first one.
+int write(const std::vector<NewFile>& files, const std::string& next, const std::string& name = "") {
+    const std::string shipped = name.empty() ? "" : shipped_file_called(name);
     if (auto ok = write_new_files(files); !ok) return refuse(ok.error());
     for (const NewFile& file : files) fmt::print("wrote {}\n", file.path.string());
     fmt::print("now try: {}\n", next);
+    if (!shipped.empty()) {
+        fmt::print(stderr, "nezumi: in this project '{}' now means {}, no longer {}: rename it if that is not meant\n",
+                   name, files.front().path.string(), shipped);
+    }
     return kDone;
 }
 
@@ -59,7 +65,7 @@ int new_behavior(const NewBehavior& wanted) {
     const Here here;
     const std::string scenario = here.scenario(texts->name);
     return write({{here.behavior(texts->name), texts->behavior}, {scenario, texts->scenario}},
-                 "nezumi test " + scenario);
+                 "nezumi test " + scenario, texts->name);
 }
 
 // What would be wrong with it once it was written.
@@ -76,14 +82,14 @@ int new_system(NewSystem wanted) {
     if (!text) return refuse("new system: " + text.error().message);
     const std::string file = Here().system(*name);
     if (const auto problem = problem_of(*text, file)) return refuse(*problem);
-    return write({{file, *text}}, "nezumi run " + *name);
+    return write({{file, *text}}, "nezumi run " + *name, *name);
 }
 
 int new_robot(const std::string& given) {
     const auto name = new_file_name("robot", given);
     if (!name) return refuse("new robot: " + name.error().message);
     const std::string file = Here().behavior(*name);
-    return write({{file, robot_text(*name)}}, fmt::format("nezumi new system try_{0} --robot {0}={0}", *name));
+    return write({{file, robot_text(*name)}}, fmt::format("nezumi new system try_{0} --robot {0}={0}", *name), *name);
 }
 
 struct NewScenario {

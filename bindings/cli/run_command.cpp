@@ -102,6 +102,11 @@ public:
         auto file = find_system_file(options_.file);
         if (!file && options_.replay.empty()) return Unexpected(file.error());
         if (file) options_.file = file->string();
+        if (!options_.values.file.empty()) {
+            auto values = find_system_file(options_.values.file);
+            if (!values) return Unexpected(values.error());
+            options_.values.file = values->string();
+        }
         if (options_.hardware) {
             auto devices = RunDevices::open(*options_.hardware);
             if (!devices) return Unexpected(devices.error());

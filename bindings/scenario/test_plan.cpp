@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "bindings/lua/project/find_files.hpp"
+#include "bindings/lua/project/near_path.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 
 namespace nezumi {
@@ -56,35 +57,43 @@ std::vector<fs::path> scenario_folders(const fs::path& root) {
     return folders;
 }
 
-// The scenario files of a name, as a person shortens it.
-Expected<std::vector<fs::path>> files_called(const std::string& name, const std::vector<fs::path>& folders,
-                                             const Project& project) {
-    constexpr std::string_view ending = "_test";
-    const auto short_name = [&](const fs::path& file) {
-        const std::string stem = file.stem().string();
-        return stem.substr(0, stem.size() - ending.size());
-    };
+// Where scenarios are when nobody says where.
+fs::path scenario_root(const Project& project) { return project.root().empty() ? fs::current_path() : project.root(); }
+
+Project project_here() { return Project::of(fs::current_path() / "any"); }
+
+}  // namespace
+
+Expected<std::vector<fs::path>> find_scenarios_called(const std::string& name) {
+    // "tests/deep/explorer" as well.
+    std::error_code none;
+    const fs::path whole = name + (name.ends_with("_test") ? ".lua" : "_test.lua");
+    if (fs::is_regular_file(whole, none)) return std::vector<fs::path>{whole};
+    const Project project = project_here();
     std::vector<fs::path> files;
     std::vector<std::string> known;
-    for (const fs::path& folder : folders) {
+    for (const fs::path& folder : scenario_folders(scenario_root(project))) {
         for (const fs::path& file : find_files(folder, "_test.lua").files) {
-            known.push_back(short_name(file));
-            if (name == known.back() || name == file.stem().string() || name == file.filename().string())
+            const std::string stem = file.stem().string();
+            known.push_back(stem.substr(0, stem.rfind("_test")));
+            if (name == known.back() || name == stem || name == file.filename().string())
                 files.push_back(project.shown(file));
         }
     }
     if (!files.empty()) return files;
-    return failure("there is no such file or folder" + did_you_mean(name, {known.begin(), known.end()}), {name});
+    // Of a name another name is meant, of a path another path.
+    std::string near = did_you_mean(name, {known.begin(), known.end()});
+    if (fs::path(name).has_parent_path() || name.ends_with(".lua") || near.empty()) {
+        if (const std::string path = did_you_mean_path(name); !path.empty()) near = path;
+    }
+    return failure("there is no such file or folder" + near, {name});
 }
-
-}  // namespace
 
 Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>& paths) {
     std::vector<fs::path> files;
     std::error_code none;
     std::vector<fs::path> looked = paths;
-    const Project project = Project::of(fs::current_path() / "any");
-    const fs::path root = project.root().empty() ? fs::current_path() : project.root();
+    const fs::path root = scenario_root(project_here());
     if (looked.empty()) {
         looked = scenario_folders(root);
         if (looked.empty()) {
@@ -100,7 +109,7 @@ Expected<std::vector<fs::path>> find_scenario_files(const std::vector<fs::path>&
         } else if (fs::exists(path, none)) {
             files.push_back(path);
         } else {
-            auto named = files_called(path.string(), scenario_folders(root), project);
+            auto named = find_scenarios_called(path.string());
             if (!named) return named;
             files.insert(files.end(), named->begin(), named->end());
         }

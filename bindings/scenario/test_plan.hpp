@@ -14,9 +14,13 @@
 namespace nezumi {
 
 /// The scenario files that these paths mean: a file is itself, a folder every `*_test.lua` in it and below, in order of
-/// their names; "explorer" that leads nowhere is every `explorer_test.lua` (or `explorer.lua`) that there would be
-/// without paths. Without paths: those in `tests/` and `behaviors/` of the project of the working directory.
+/// their names; what leads nowhere is a name. Without paths: those in `tests/` and `behaviors/` of the project of the
+/// working directory.
 Expected<std::vector<std::filesystem::path>> find_scenario_files(const std::vector<std::filesystem::path>& paths);
+
+/// The scenario files of a name, as a person shortens it: "explorer", "explorer_test", "tests/deep/explorer". An error
+/// has the nearest name, or the nearest path.
+Expected<std::vector<std::filesystem::path>> find_scenarios_called(const std::string& name);
 
 struct PlannedRun {
     std::size_t file = 0;      ///< in the plan

@@ -50,7 +50,7 @@ TEST_CASE("nezumi check ends with 0, 1 or 2", "[cli][check]") {
     const Outcome missing = run_nezumi({"check", "behaviors/goood.lua"}, folder);
     CHECK(missing.status == 2);
     CHECK(missing.out.empty());
-    CHECK(missing.error == "behaviors/goood.lua: there is no such file (did you mean 'good.lua'?)\n");
+    CHECK(missing.error == "behaviors/goood.lua: there is no such file (did you mean 'behaviors/good.lua'?)\n");
     CHECK(run_nezumi({"check"}, folder).status == 2);
 }
 

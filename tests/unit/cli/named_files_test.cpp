@@ -45,10 +45,39 @@ TEST_CASE("a slip in a file's name gets the nearest one, whatever the command", 
                Catch::StartsWith("nezumi: there is no system file 'coridor' (did you mean 'corridor'?); looked "
                                  "for coridor.lua, behaviors/systems/coridor.lua, behaviors/coridor.lua, "));
     CHECK(it.nezumi({"run", "behaviors/systems/coridor.lua"}).error ==
-          "behaviors/systems/coridor.lua: there is no such file (did you mean 'corridor.lua'?)\n");
+          "behaviors/systems/coridor.lua: there is no such file (did you mean 'behaviors/systems/corridor.lua'?)\n");
     CHECK(it.nezumi({"test", "coridor"}).error ==
           "coridor: there is no such file or folder (did you mean 'corridor'?)\n");
     CHECK_THAT(it.nezumi({"check", "coridor"}).error, Catch::Contains("(did you mean 'corridor'?)"));
+    CHECK_THAT(it.nezumi({"run", "corridor", "--params", "coridor"}).error,
+               Catch::Contains("(did you mean 'corridor'?)"));
+}
+
+TEST_CASE("a slip in a path gets the nearest path, in its folders' names too, whatever the command", "[cli][names]") {
+    const SmallProject it;
+    const auto near = [&](const std::string& command, const std::string& path) {
+        const std::string error = it.nezumi({command, path}).error;
+        const auto begin = error.find("(did you mean '");
+        return begin == std::string::npos ? error : error.substr(begin + 15, error.find("'?)") - begin - 15);
+    };
+    for (const std::string command : {"test", "check"}) {
+        CHECK(near(command, "tests/coridor_test.lua") == "tests/corridor_test.lua");
+        CHECK(near(command, "test/deep/oter_test.lua") == "tests/deep/other_test.lua");
+        CHECK(near(command, "tests/deeep") == "tests/deep");
+        CHECK(near(command, "behavors") == "behaviors");
+    }
+    CHECK(near("run", "behavors/system/coridor.lua") == "behaviors/systems/corridor.lua");
+    CHECK(near("test", "nowhere/at/all") == "nowhere/at/all: there is no such file or folder\n");
+}
+
+TEST_CASE("nezumi check takes the names that nezumi test takes, and those of modules", "[cli][names]") {
+    const SmallProject it;
+    it.files.write("behaviors/lib/mine/tool.lua", "return {}\n");
+    for (const std::string name : {"other", "other_test", "tests/deep/other", "tests/deep/other_test", "mine.tool"}) {
+        CAPTURE(name);
+        CHECK(it.nezumi({"check", name}).out == "1 file: nothing wrong\n");
+        if (name != "mine.tool") CHECK(it.nezumi({"test", name, "--list"}).status == 0);
+    }
 }
 
 TEST_CASE("scenarios are tested by the name of their file", "[cli][names]") {

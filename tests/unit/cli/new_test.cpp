@@ -236,6 +236,28 @@ TEST_CASE("a new robot stands in a new system, and a new scenario for it passes"
                Catch::Contains("there is no system file 'try_tnk' (did you mean 'try_tank'?)"));
 }
 
+TEST_CASE("a new file that is found in place of a shipped one says so in a line", "[cli][new]") {
+    const Scratch files;
+    std::filesystem::create_directories(files.path("behaviors"));
+    const auto said = [&](const std::string& kind, const std::string& name) {
+        const Outcome outcome = run_nezumi({"new", kind, name}, files.path("").string());
+        CHECK(outcome.status == 0);
+        return outcome.error;
+    };
+    const auto instead = [](const std::string& name, const std::string& file, const std::string& shipped) {
+        return "nezumi: in this project '" + name + "' now means " + file + ", no longer the shipped " + shipped +
+               ": rename it if that is not meant\n";
+    };
+    CHECK(said("behavior", "WallFollower") ==
+          instead("wall_follower", "behaviors/wall_follower.lua", "behaviour behaviors/wall_follower.lua"));
+    CHECK(said("behavior", "two_mice") ==
+          instead("two_mice", "behaviors/two_mice.lua", "system behaviors/systems/two_mice.lua"));
+    CHECK(said("system", "ev3") == instead("ev3", "behaviors/systems/ev3.lua", "robot engine/robots/ev3.lua"));
+    CHECK(said("robot", "raspimouse") ==
+          instead("raspimouse", "behaviors/raspimouse.lua", "robot engine/robots/raspimouse.lua"));
+    CHECK(said("behavior", "mine").empty());
+}
+
 TEST_CASE("new files are written all or none, and nothing is overwritten", "[cli][new]") {
     const Scratch files;
     files.write("b.lua", "mine");
