@@ -51,12 +51,18 @@ Entry* find_entry(SystemSpec& spec, std::string_view name) {
     return found == spec.entries.end() ? nullptr : &*found;
 }
 
+// The nearest of those that have parameters, or all of them.
 std::string nearest_entry(const SystemSpec& spec, std::string_view name) {
     std::vector<std::string_view> names;
     for (const Entry& entry : spec.entries) {
         if (!std::holds_alternative<RobotEntry>(entry)) names.emplace_back(name_of(entry));
     }
-    return did_you_mean(name, names);
+    const std::string near = did_you_mean(name, names);
+    if (!near.empty() || names.empty()) return near;
+    constexpr std::size_t most = 10;
+    const bool all = names.size() <= most;
+    if (!all) names.resize(most);
+    return fmt::format(" (those with parameters are {}{})", fmt::join(names, ", "), all ? "" : ", ...");
 }
 
 Expected<void> set_one(const std::string& text, SystemSpec& spec, const Project& project) {

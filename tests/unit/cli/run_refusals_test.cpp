@@ -135,6 +135,8 @@ TEST_CASE("a value that --set or --params can't give is refused with the option 
           "--set it.speed: expected COMPONENT.PARAMETER=VALUE as in controller.speed_x=0.3");
     CHECK(refused(good, {"--set", "ti.speed=1"}) ==
           "--set ti.speed=1: system.lua has no component 'ti' (did you mean 'it'?)");
+    CHECK(refused(mouse + good, {"--set", "mous.speed=1"}) ==
+          "--set mous.speed=1: system.lua has no component 'mous' (those with parameters are it)");
     CHECK(refused(good, {"--set", "it.sped=1"}) ==
           "--set it.sped=1: it: config: unknown parameter 'sped' (did you mean 'speed'?)");
     CHECK(refused(good, {"--set", "it.speed=2"})
