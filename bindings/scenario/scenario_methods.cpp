@@ -3,6 +3,7 @@
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
+#include "bindings/scenario/word_scan.hpp"
 
 #include <fmt/format.h>
 
@@ -38,6 +39,9 @@ bool is_early(std::string_view name) {
     return std::find(std::begin(others), std::end(others), name) != std::end(others) ||
            std::find(words.begin(), words.end(), name) != words.end();
 }
+
+// The one word of a system that would have no effect here: the seed of a run is the session's.
+constexpr std::string_view not_of_scenarios = "seed";
 
 // Methods that let time pass, or wait for it.
 bool needs_time(std::string_view name) {
@@ -76,8 +80,10 @@ void ScenarioRun::Methods::push_object(lua_State* lua, ScenarioRun& run) {
 }
 
 std::vector<std::string_view> ScenarioRun::Methods::names() {
-    std::vector<std::string_view> all{"hold", "inject", "release", "seed", "world"};
-    for (const char* name : system_word_names()) all.emplace_back(name);
+    std::vector<std::string_view> all{"hold", "inject", "release", "world"};
+    for (const char* name : system_word_names()) {
+        if (name != not_of_scenarios) all.emplace_back(name);
+    }
     for (const Method& method : of_time()) all.emplace_back(method.name);
     for (const Method& method : of_acts()) all.emplace_back(method.name);
     std::sort(all.begin(), all.end());
@@ -111,7 +117,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (lua_type(lua, 2) != LUA_TSTRING) return raise(run, "s: expected the name of a method or component");
     const std::string name(string_at(lua, 2));
     lua_pushvalue(lua, 2);
-    const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL;
+    const bool is_method = lua_rawget(lua, lua_upvalueindex(2)) != LUA_TNIL && name != not_of_scenarios;
     if (is_method && is_early(name)) {
         run.described();
         return 1;
@@ -119,8 +125,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (auto settled = run.settle_or_note(); !settled) return raise(run, describe(settled.error()));
     if (!run.has_world()) {
         const auto known = names();
-        if (!is_method && name != "world")
-            return raise(run, fmt::format("s has no '{}'{}", shown(name), did_you_mean(name, known)));
+        if (!is_method && name != "world") return raise(run, unknown_word("s", name, known));
         return raise(run, fmt::format("s.{}: there is no world yet: s:load a system, or say s:robot, s:behavior ...",
                                       shown(name)));
     }
@@ -130,7 +135,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (name != "world" && world.system().find(name) == nullptr) {
         auto known = names();
         for (const auto& component : world.system().components()) known.emplace_back(component->name());
-        return raise(run, fmt::format("s has no '{}'{}", shown(name), did_you_mean(name, known)));
+        return raise(run, unknown_word("s", name, known));
     }
     const auto pushed = protect(lua, condition_budget, [&](lua_State* inside) {
         if (name == "world") {

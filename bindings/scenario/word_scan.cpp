@@ -70,8 +70,7 @@ private:
             if (!at_.is(":")) continue;
             next();
             if (at_.kind == Kind::name && !std::binary_search(words_.begin(), words_.end(), at_.text)) {
-                errors_.push_back({fmt::format("{} has no '{}'{}", object, at_.text, did_you_mean(at_.text, words_)),
-                                   {shown_, at_.line, at_.column}});
+                errors_.push_back({unknown_word(object, at_.text, words_), {shown_, at_.line, at_.column}});
             }
         }
     }
@@ -85,6 +84,12 @@ private:
 };
 
 }  // namespace
+
+std::string unknown_word(std::string_view object, std::string_view word, const std::vector<std::string_view>& words) {
+    const std::string text = fmt::format("{} has no '{}'", object, shown(word));
+    if (word == "seed") return text + ": the seed of a run is that of the session, which nezumi test --seed N sets";
+    return text + did_you_mean(word, words);
+}
 
 std::vector<Error> unknown_words(std::string_view text, const std::string& shown,
                                  const std::vector<std::string_view>& words) {

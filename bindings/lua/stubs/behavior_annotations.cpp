@@ -78,6 +78,28 @@ function wait(seconds) end
 ---@return boolean
 function wait_until(condition, options) end
 
+---Before the first execution after an activation.
+function on_activated() end
+
+---In every tick, or at the `rate` of the system file.
+function on_execute() end
+
+---When it is deactivated, removed, or the run ends.
+function on_deactivated() end
+
+---Once, when an error has stopped it. May not write velocities.
+function on_aborting() end
+
+---In every tick while it is in ERROR. May not write velocities.
+function on_error() end
+
+---When somebody resets it; afterwards it is INACTIVE.
+function on_reset() end
+
+---When a new version of the file takes over.
+---@param old_version integer
+function on_reload(old_version) end
+
 )lua";
 
 }  // namespace nezumi::detail

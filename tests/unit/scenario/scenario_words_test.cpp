@@ -145,6 +145,14 @@ TEST_CASE("words that a scenario does not have are found in its text", "[scenari
           "t.lua:1:56: s has no 'rum' (did you mean 'run'?)\n");
 }
 
+TEST_CASE("a seed in a scenario would have no effect, and is refused with what has", "[scenario][slips]") {
+    const std::string says =
+        "s has no 'seed': the seed of a run is that of the session, which nezumi test --seed N sets";
+    CHECK(slips("scenario('a', function(s) s:seed(3) end)") == "t.lua:1:29: " + says + "\n");
+    CHECK(outcome_of("local word = 'seed' s[word](s, 3)") == "could not run: it_test.lua:2: " + says);
+    CHECK(with_world("local word = 'seed' s[word](s, 3)") == "could not run: it_test.lua:3: " + says);
+}
+
 TEST_CASE("what only looks like a scenario's word is left alone", "[scenario][slips]") {
     CHECK(slips("-- s:rum()\nscenario('a', function(s) print('s:rum()') x.s:rum() y:s() s.rum() s.mouse:rum() end)")
               .empty());
