@@ -19,9 +19,9 @@ struct FlagText {
 };
 
 /// Where an option's value goes: given or not, a text, a text that may be empty, one text each time it is given, a
-/// number, a flag that may say more. What is there before is the default.
+/// number, a number or none, a flag that may say more. What is there before is the default.
 using OptionValue = std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*,
-                                 std::uint64_t*, double*, FlagText*>;
+                                 std::uint64_t*, std::optional<std::uint64_t>*, double*, FlagText*>;
 
 struct Option {
     /// "--seed" or "-o,--output"; without dashes it is known by its place: "FILE", or "[FILE]" when it may be left out.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -32,13 +33,14 @@
 namespace nezumi::cli {
 namespace {
 
+constexpr std::uint64_t usual_seed = 124;
+constexpr const char* usual_folder = "nezumi-test";
+
 struct TestOptions {
     std::vector<std::string> paths;
     std::string filter;
     bool list = false;
-    std::uint64_t seed = 124;
-    std::uint64_t repeat = 1;
-    std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency());
+    std::optional<std::uint64_t> seed, repeat, jobs;
     std::string junit;
     std::string measures;
     std::string plots;
@@ -48,7 +50,7 @@ struct TestOptions {
     bool resume = false;
     bool merge = false;
     bool update_goldens = false;
-    std::string folder = "nezumi-test";
+    std::string folder = usual_folder;
     bool hw = false;
     std::string rig, dev_root, sys_root;
 };
@@ -77,7 +79,7 @@ Expected<void> choose_robots(const TestOptions& command, TestSessionOptions& opt
         }
         return {};
     }
-    auto fits = refuse_given({{"--repeat", command.repeat > 1},
+    auto fits = refuse_given({{"--repeat", command.repeat.value_or(1) > 1},
                               {"--update-goldens", command.update_goldens},
                               {"--shard", !command.shard.empty()},
                               {"--resume", command.resume}},
@@ -144,6 +146,10 @@ Expected<void> check_options(const TestOptions& command) {
     if (ok) {
         ok = refuse_given({{"--filter", !command.filter.empty()},
                            {"--list", command.list},
+                           {"--seed", command.seed.has_value()},
+                           {"--repeat", command.repeat.has_value()},
+                           {"--jobs", command.jobs.has_value()},
+                           {"-o", command.folder != usual_folder},
                            {"--hw", command.hw},
                            {"--update-goldens", command.update_goldens}},
                           "--merge tells of runs that others have made");
@@ -156,12 +162,12 @@ Expected<void> check_options(const TestOptions& command) {
 // Runs what was planned.
 Expected<SessionEnd> run_plan(const TestOptions& command, const TestPlan& plan, TestSessionOptions& options,
                               Reporter& reporter) {
-    options.made_with = fingerprint(plan, command.seed, NEZUMI_VERSION, options.installed);
+    options.made_with = fingerprint(plan, options.seed, NEZUMI_VERSION, options.installed);
     if (!command.shard.empty()) {
         const KeptPlan kept{.plan = plan,
                             .made_with = options.made_with,
-                            .seed = command.seed,
-                            .repeat = command.repeat,
+                            .seed = options.seed,
+                            .repeat = options.repeat,
                             .shards = options.shard.count,
                             .words = options.words};
         if (auto ok = keep_plan(options.folder, options.shard, kept); !ok) return Unexpected(ok.error());
@@ -198,9 +204,9 @@ int test(const TestOptions& command) {
         !ok)
         return refuse(ok.error());
     TestSessionOptions options;
-    options.seed = command.seed;
-    options.repeat = static_cast<std::size_t>(command.repeat);
-    options.jobs = static_cast<std::size_t>(command.jobs);
+    options.seed = command.seed.value_or(usual_seed);
+    options.repeat = static_cast<std::size_t>(command.repeat.value_or(1));
+    options.jobs = static_cast<std::size_t>(command.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())));
     options.folder = command.folder;
     options.update_goldens = command.update_goldens;
     options.installed = installed_folders();
@@ -220,7 +226,7 @@ int test(const TestOptions& command) {
         session = [&paths, kept = std::move(*kept)](Reporter& reporter) { return merge_tests(kept, paths, reporter); };
     } else {
         auto plan = plan_tests(
-            {.paths = paths, .filter = command.filter, .seed = command.seed, .installed = options.installed});
+            {.paths = paths, .filter = command.filter, .seed = options.seed, .installed = options.installed});
         if (!plan) return refuse(plan.error());
         if (command.list) return list(*plan, options.shard);
         if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
@@ -263,11 +269,12 @@ Command test_command() {
             {{"[PATHS]", &options->paths, "scenario files, and folders that are searched for *_test.lua"},
              {"--filter", &options->filter, "only runs whose name contains this; a whole name means only that", "TEXT"},
              {"--list", &options->list, "show the names of the runs and where they are, and run nothing"},
-             {"--seed", &options->seed, "decides everything that is drawn at random", "N",
+             {"--seed", &options->seed, "decides everything that is drawn at random (default 124)", "N",
               whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1")},
-             {"--repeat", &options->repeat, "make each run so often; all must have the same trace hash", "N",
-              whole_number(1, 1'000'000, "1000000")},
-             {"--jobs", &options->jobs, "processes at a time; the results do not depend on it", "N",
+             {"--repeat", &options->repeat, "make each run so often (default 1); all must have the same trace hash",
+              "N", whole_number(1, 1'000'000, "1000000")},
+             {"--jobs", &options->jobs,
+              "processes at a time (default: as there are cores); the results do not depend on it", "N",
               whole_number(1, 1024, "1024")},
              {"--shard", &options->shard,
               "make only part K of N of the runs, and keep their results in -o DIR; --merge puts the parts together",

@@ -92,7 +92,7 @@ std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t see
         for (const std::string& name : parameters) {
             const auto has = [&](const auto& parameter) { return parameter.first == name; };
             const auto found = std::find_if(run.point.begin(), run.point.end(), has);
-            out += "," + (found == run.point.end() ? "" : cell(found->second.text));
+            out += "," + (found == run.point.end() ? "" : cell(plain_text(found->second)));
         }
         for (const std::string& name : measures) {
             const auto has = [&](const Measure& measure) { return measure.name == name; };

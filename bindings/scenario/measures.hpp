@@ -43,8 +43,9 @@ std::vector<MeasureSummary> summarize(const std::vector<MeasuredRun>& runs);
 /// "time to goal [s] of drives: 20 runs, min 3.2, median 4, mean 4.1, max 6".
 std::string text_of(const MeasureSummary& summary);
 
-/// CSV: a row for each run, the columns scenario, run, seed, passed, the parameters and the measures. What a run does
-/// not have is an empty cell. A parameter that is called like another column is called `p.NAME`.
+/// CSV (RFC 4180): a row for each run, the columns scenario, run, seed, passed, the parameters and the measures. A text
+/// is itself, without Lua's quotes. What a run does not have is an empty cell. A parameter that is called like another
+/// column is called `p.NAME`.
 std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t seed);
 
 /// Whether a measure may not be called so: it is another column.

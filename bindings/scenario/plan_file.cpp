@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 #include <type_traits>
 
@@ -146,7 +147,11 @@ Expected<void> keep_plan(const fs::path& folder, const Shard& shard, const KeptP
 Expected<KeptPlan> find_plan(const std::vector<fs::path>& folders) {
     std::string first;
     fs::path first_folder;
+    std::set<fs::path> known;
     for (const fs::path& folder : folders) {
+        std::error_code none;
+        if (!known.insert(fs::weakly_canonical(folder, none)).second)
+            return failure("is given twice: leave one of them out", {.file = folder.string()});
         const std::vector<fs::path> plans = plans_in(folder);
         if (plans.empty())
             return failure("has no results of nezumi test --shard: expected a folder that one wrote by -o",

@@ -31,7 +31,8 @@ std::optional<KeptPlan> plan_from_bytes(std::string_view bytes);
 /// Writes the plan beside the results of this part. A plan of other runs that is there is of another time, and goes.
 Expected<void> keep_plan(const std::filesystem::path& folder, const Shard& shard, const KeptPlan& plan);
 
-/// The plan that all these folders are parts of. An error names a folder that has none, or one of other runs.
+/// The plan that all these folders are parts of. An error names a folder that has none, one of other
+/// runs, or one that is given twice.
 Expected<KeptPlan> find_plan(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace nezumi

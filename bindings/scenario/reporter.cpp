@@ -40,7 +40,9 @@ public:
         std::string text = fmt::format("{} run{}: {} passed", all, all == 1 ? "" : "s", summary.passed);
         if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
         if (summary.could_not_run > 0) text += fmt::format(", {} could not run", summary.could_not_run);
-        text += fmt::format(" (seed {}, {:.2f} s simulated ", summary.seed, summary.seconds);
+        text += fmt::format(" (seed {}, ", summary.seed);
+        if (summary.kept > 0) text += fmt::format("{} kept and {} made: ", summary.kept, all - summary.kept);
+        text += fmt::format("{:.2f} s simulated ", summary.seconds);
         text += summary.merged > 0 ? fmt::format("elsewhere, merged from {} folder{})\n", summary.merged,
                                                  summary.merged == 1 ? "" : "s")
                                    : fmt::format("in {:.2f} s with {} job{})\n", summary.wall_seconds, summary.jobs,
@@ -110,6 +112,7 @@ public:
     void end(const SessionSummary& summary) override {
         write_(fmt::format("# seed {}, {} passed, {} failed, {} could not run\n", summary.seed, summary.passed,
                            summary.failed, summary.could_not_run));
+        if (summary.kept > 0) write_(fmt::format("# {} of them were kept\n", summary.kept));
         for (const MeasureSummary& measure : summary.measures) write_("# " + text_of(measure) + "\n");
     }
 

@@ -29,10 +29,11 @@ struct SessionSummary {
     std::size_t passed = 0;
     std::size_t failed = 0;
     std::size_t could_not_run = 0;
-    double seconds = 0;       ///< simulated, of all runs
+    double seconds = 0;       ///< simulated, of all runs but those kept
     double wall_seconds = 0;  ///< of the session
     std::uint64_t seed = 0;
     std::size_t jobs = 0;
+    std::size_t kept = 0;    ///< runs whose results are of earlier sessions: this one made the others
     std::size_t merged = 0;  ///< folders whose results these are; 0: the session made them
     std::vector<MeasureSummary> measures;
 };

@@ -99,15 +99,16 @@ double within(const SweepRange& range, double number) {
     return std::clamp(number, range.lo, range.hi);
 }
 
-// Value `index` of a range with a step.
+// Value `index` of a range that can be counted.
 SweepValue value_at(const SweepRange& range, std::uint64_t index) {
     return number_value(range, within(range, range.lo + range.step * static_cast<double>(index)));
 }
 
-// How many values a key has; infinite for a range without a step.
+// How many values a key has; infinite for a range without a step that has room between its ends.
 double count_of(const SweepKey& key) {
     if (const auto* list = std::get_if<std::vector<SweepValue>>(&key.values)) return static_cast<double>(list->size());
     const SweepRange& range = std::get<SweepRange>(key.values);
+    if (range.lo == range.hi) return 1;
     return range.step > 0 ? steps_of(range) + 1 : std::numeric_limits<double>::infinity();
 }
 
@@ -192,6 +193,25 @@ bool find_from(const Sweep& sweep, std::size_t at, std::string_view text, SweepP
 SweepValue to_sweep_value(PlainData data) {
     std::string text = text_of(data, data.values.front(), 0);
     return {std::move(data), std::move(text)};
+}
+
+std::string plain_text(const SweepValue& value) {
+    const std::string& text = value.text;
+    if (!text.starts_with('"')) return text;
+    std::string plain;
+    for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+        if (text[i] != '\\') {
+            plain += text[i];
+        } else if (text[++i] == '"' || text[i] == '\\') {
+            plain += text[i];
+        } else {
+            int code = 0;
+            std::from_chars(text.data() + i, text.data() + std::min(i + 3, text.size()), code);
+            plain += static_cast<char>(code);
+            i += 2;
+        }
+    }
+    return plain;
 }
 
 std::string text_of(const SweepPoint& point) {

@@ -26,6 +26,9 @@ struct SweepValue {
 /// Plain data that holds one value, with its text.
 SweepValue to_sweep_value(PlainData data);
 
+/// Its text as a table has it: a text of Lua without quotes and escapes.
+std::string plain_text(const SweepValue& value);
+
 /// `range(lo, hi)` or `range(lo, hi, step)`.
 struct SweepRange {
     double lo = 0;
@@ -65,9 +68,9 @@ std::vector<SweepPoint> combinations(const Sweep& sweep);
 /// Draws sample `index`; `seed` is that of the scenario. Each sample is independent of the others.
 SweepPoint draw(const Sweep& sweep, std::uint64_t seed, std::size_t index);
 
-/// The points of a random sweep. Where all its values can be counted (lists, ranges with a step), none comes twice: all
-/// of them, as `combinations` would order them, when they are no more than the samples; else a draw of so many. Where a
-/// range has no step, every sample by itself.
+/// The points of a random sweep. Where all its values can be counted (lists, ranges with a step or of one number), none
+/// comes twice: all of them, as `combinations` would order them, when they are no more than the samples; else a draw of
+/// so many. Where one can't, every sample by itself.
 std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed);
 
 /// The point that `text_of` has written like this; nothing when the sweep has none such. Values of ranges may be any

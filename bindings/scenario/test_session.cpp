@@ -45,7 +45,7 @@ RunResult agree(std::vector<RunResult> results, const Scenario& scenario) {
 class Session {
 public:
     Session(const TestPlan& plan, const TestSessionOptions& options, Reporter& reporter)
-        : plan_(plan), options_(options), reporter_(reporter), results_(plan.runs.size()) {
+        : plan_(plan), options_(options), reporter_(reporter), results_(plan.runs.size()), kept_(plan.runs.size()) {
         for (std::size_t run = 0; run < plan.runs.size(); ++run) {
             if (options.shard.has(run)) mine_.push_back(run);
         }
@@ -94,7 +94,7 @@ private:
         began_ = std::chrono::steady_clock::now();
         add_unread_files();
         reporter_.begin(unread_.size() + mine_.size());
-        for (const RunReport& report : unread_) tell(report);
+        for (const RunReport& report : unread_) tell(report, false);
     }
 
     void end() {
@@ -131,6 +131,7 @@ private:
             for (std::size_t i = 0; i < options_.repeat; ++i) {
                 auto kept = options_.resume ? keep_->find(key_of(run, i)) : std::nullopt;
                 if (kept) {
+                    ++kept_[run];
                     known_.emplace(Made(run, i), std::move(kept->result));
                 } else {
                     to_make_.emplace_back(run, i);
@@ -196,15 +197,16 @@ private:
         for (; told_ < mine_.size() && results_[mine_[told_]].size() == options_.repeat; ++told_) {
             const std::size_t index = mine_[told_];
             const PlannedRun& run = plan_.runs[index];
+            const bool is_kept = kept_[index] == options_.repeat;
             const auto simpler = simplified_.find(index);
             if (simpler != simplified_.end()) {
-                tell(simpler->second);
+                tell(simpler->second, is_kept);
                 continue;
             }
             RunResult result = agree(results_[index], scenario_of(run));
             if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
             if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
-            tell(report_of(plan_, run, std::move(result), options_));
+            tell(report_of(plan_, run, std::move(result), options_), is_kept);
         }
     }
 
@@ -234,13 +236,17 @@ private:
         }
     }
 
-    void tell(const RunReport& report) {
+    void tell(const RunReport& report, bool is_kept) {
         switch (report.result.outcome) {
             case RunOutcome::passed: ++end_.summary.passed; break;
             case RunOutcome::failed: ++end_.summary.failed; break;
             case RunOutcome::could_not_run: ++end_.summary.could_not_run; break;
         }
-        end_.summary.seconds += report.result.seconds;
+        if (is_kept) {
+            ++end_.summary.kept;
+        } else {
+            end_.summary.seconds += report.result.seconds;
+        }
         reporter_.add(report);
         end_.reports.push_back(report);
     }
@@ -348,6 +354,7 @@ private:
     std::vector<Made> to_make_;
     std::map<Made, RunResult> known_;              // those whose turn has not come
     std::vector<std::vector<RunResult>> results_;  // of each run, as often as it is made
+    std::vector<std::size_t> kept_;                // of each run, so often by an earlier session
     std::map<std::size_t, RunReport> simplified_;
     std::size_t taken_ = 0;  // so many of `mine_`
     std::size_t told_ = 0;   // and so many of these

@@ -202,7 +202,9 @@ TEST_CASE("nezumi test --resume makes nothing twice", "[cli][test][parts]") {
     std::vector<std::filesystem::file_time_type> before;
     for (const auto& file : std::filesystem::directory_iterator(results)) before.push_back(file.last_write_time());
     CHECK(before.size() == 2);
-    CHECK(tried.test({"it_test.lua", "--resume"}).status == 0);
+    const auto again = tried.test({"it_test.lua", "--resume"});
+    CHECK(again.status == 0);
+    CHECK(contains(again.out, "2 runs: 2 passed (seed 124, 2 kept and 0 made: "));
     std::vector<std::filesystem::file_time_type> after;
     for (const auto& file : std::filesystem::directory_iterator(results)) after.push_back(file.last_write_time());
     CHECK(after == before);
@@ -246,6 +248,12 @@ TEST_CASE("what can't be said of parts is refused", "[cli][test][parts]") {
           "nezumi: --merge tells of runs that others have made: leave out --shard\n");
     CHECK(tried.test({"--merge", "one", "--filter", "x"}).error ==
           "nezumi: --merge tells of runs that others have made: leave out --filter\n");
+    for (const std::string option : {"--seed", "--repeat", "--jobs"}) {
+        CHECK(tried.test({"--merge", "one", option, "124"}).error ==
+              "nezumi: --merge tells of runs that others have made: leave out " + option + "\n");
+    }
+    CHECK(tried.test({"--merge", "one", "-o", "two"}).error ==
+          "nezumi: --merge tells of runs that others have made: leave out -o\n");
     CHECK(tried.test({"it_test.lua", "--update-goldens", "--resume"}).error ==
           "nezumi: --update-goldens: every run has to be made: leave out --resume\n");
     CHECK(tried.test({"it_test.lua", "--hw", "--shard", "1/2"}).error ==

@@ -74,7 +74,7 @@ TEST_CASE("the table has a row for each run, and names no column twice", "[scena
     MeasuredRun second{.scenario = "b", .name = "b", .point = {{"seed", text("s")}}, .passed = false, .measures = {}};
     CHECK(measures_csv({first, second}, 7) ==
           "scenario,run,seed,passed,kind,p.time,p.seed,time\n"
-          "a,\"a [kind=\"\"x,y\"\", time=now]\",7,true,\"\"\"x,y\"\"\",now,,0.1\n"
+          "a,\"a [kind=\"\"x,y\"\", time=now]\",7,true,\"x,y\",now,,0.1\n"
           "b,b,7,false,,,s,\n");
     CHECK(measures_csv({}, 7) == "scenario,run,seed,passed\n");
 }

@@ -140,6 +140,9 @@ TEST_CASE("folders that are no parts of one session are refused", "[scenario][pa
     CHECK(other.error().message ==
           "is of other runs than " + rig.part(1).string() +
               ": merge parts that the same nezumi made of the same files, with the same options");
+    const auto twice = find_plan({rig.part(1), rig.part(1) / "." / ""});
+    REQUIRE_FALSE(twice);
+    CHECK(describe(twice.error()) == (rig.part(1) / "." / "").string() + ": is given twice: leave one of them out");
     const auto none = find_plan({rig.folder().path("behaviors")});
     REQUIRE_FALSE(none);
     CHECK(none.error().message == "has no results of nezumi test --shard: expected a folder that one wrote by -o");
@@ -172,6 +175,8 @@ TEST_CASE("a session that resumes makes only what is not kept, and tells of all"
     REQUIRE(end.reports.size() == 4);
     CHECK(end.reports[1].result.printed == std::vector<std::string>{"kept"});
     CHECK(end.reports[2].result.printed.empty());
+    CHECK(end.summary.kept == 1);
+    CHECK(rig.said.find("4 runs: 4 passed (seed 124, 1 kept and 3 made: 0.00 s simulated in ") != std::string::npos);
     all = 0;
     CHECK(rig.session().reports.size() == 4);
     CHECK(all == 0);  // nothing was left

@@ -125,6 +125,31 @@ TEST_CASE("values that can be counted are drawn without repetition", "[lua][scen
     CHECK(std::set<std::string>(drawn.begin(), drawn.end()).size() == 50);
 }
 
+TEST_CASE("a range of one number is one value, not as many as there are samples", "[lua][scenario][sweep]") {
+    Sweep sweep = one_range({.lo = 1, .hi = 1});
+    sweep.samples = 20;
+    REQUIRE(draws(sweep, 7).size() == 1);
+    CHECK(text_of(draws(sweep, 7).front()) == "[x=1.0]");
+    sweep.keys.push_back({"y", SweepRange{.lo = 1, .hi = 3, .step = 1, .whole = true}});
+    CHECK(draws(sweep, 7).size() == 3);
+    sweep.keys.push_back({"z", SweepRange{.lo = 0, .hi = 1}});
+    CHECK(draws(sweep, 7).size() == 20);
+}
+
+TEST_CASE("a value's text for a table has neither quotes nor escapes of Lua", "[lua][scenario][sweep]") {
+    const auto plain = [](const std::string& text) {
+        PlainData data;
+        data.values.emplace_back(text);
+        return plain_text(to_sweep_value(std::move(data)));
+    };
+    for (const std::string text :
+         {"fast", "a b", "x,y", "say \"hi\"", "back\\slash", "\\065", "two\nlines\x7f\x01", ""})
+        CHECK(plain(text) == text);
+    PlainData number;
+    number.values.emplace_back(0.5);
+    CHECK(plain_text(to_sweep_value(std::move(number))) == "0.5");
+}
+
 TEST_CASE("values of a range without a step are drawn each by itself", "[lua][scenario][sweep]") {
     const Sweep sweep = one_range({.lo = 0, .hi = 1});
     const std::vector<SweepPoint> all = draws(sweep, 7);
