@@ -200,9 +200,9 @@ std::string plain_text(const SweepValue& value) {
     if (!text.starts_with('"')) return text;
     std::string plain;
     for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-        if (text[i] != '\\') {
-            plain += text[i];
-        } else if (text[++i] == '"' || text[i] == '\\') {
+        const bool escaped = text[i] == '\\';
+        if (escaped) ++i;
+        if (!escaped || text[i] == '"' || text[i] == '\\') {
             plain += text[i];
         } else {
             int code = 0;

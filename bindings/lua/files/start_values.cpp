@@ -57,7 +57,7 @@ std::string nearest_entry(const SystemSpec& spec, std::string_view name) {
     for (const Entry& entry : spec.entries) {
         if (!std::holds_alternative<RobotEntry>(entry)) names.emplace_back(name_of(entry));
     }
-    const std::string near = did_you_mean(name, names);
+    std::string near = did_you_mean(name, names);
     if (!near.empty() || names.empty()) return near;
     constexpr std::size_t most = 10;
     const bool all = names.size() <= most;
