@@ -137,7 +137,7 @@ TEST_CASE("a wrong word on the command line is one plain line with the nearest n
     CHECK(refusal({.name = "a", .inputs = {"x:TimedShort"}, .outputs = {"x:TimedShort"}}) ==
           "--out 'x': the name is given twice");
     CHECK(refusal({.name = "a", .inputs = {"config:TimedShort"}}) ==
-          "input 'config': the name is one of a component's own words");
+          "input 'config': the name is one of a component's own words: choose another, as 'my_config'");
     CHECK(refusal({.name = "a", .parameters = {"speed"}}) ==
           "--param 'speed': expected name=default, for example --param speed=0.1");
     CHECK(refusal({.name = "a", .parameters = {"speed=0,1"}}) ==
