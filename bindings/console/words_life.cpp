@@ -55,6 +55,7 @@ constexpr std::array levels{LogLevel::debug, LogLevel::info, LogLevel::warn, Log
 
 std::vector<std::string> log_level_names() {
     std::vector<std::string> names;
+    names.reserve(levels.size());
     for (const LogLevel level : levels) names.emplace_back(to_text(level));
     return names;
 }
