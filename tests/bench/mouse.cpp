@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     std::printf("  bare ODE loop        %7.3f us a tick\n", bench::median(bare_us));
     std::printf("  whole engine and Lua %7.3f us a tick, %.0f times real time\n", bench::median(engine_us),
                 10'000 / bench::median(engine_us));
-    std::printf("  ratio                %7.3f (limit 1.15: %s)\n", ratio, bench::verdict(ratio, 1.15));
+    std::printf("  ratio                %7.3f (limit 0.60: %s)\n", ratio, bench::verdict(ratio, 0.60));
     std::printf("  all ports remembered %7.3f times the engine without\n", bench::median(trace_ratios));
     std::printf("  both drive at        %7.3f and %.3f m/s\n", speed, std::hypot(truth.velocity.vx, truth.velocity.vy));
 }
