@@ -8,9 +8,10 @@ function make_theme_button() {
   const choices = ["auto", "light", "dark"];
   const signs = { auto: "◐", light: "☀", dark: "☾" };
   let chosen = localStorage.getItem("nezumi.theme") ?? "auto";
+  const dark = matchMedia("(prefers-color-scheme: dark)");
   const button = el("button", { class: "quiet theme" });
   const show = () => {
-    document.documentElement.dataset.theme = chosen;
+    document.documentElement.dataset.theme = chosen === "auto" ? (dark.matches ? "dark" : "light") : chosen;
     button.textContent = signs[chosen];
     button.title = `${T.theme.label}: ${T.theme[chosen]}`;
     button.setAttribute("aria-label", button.title);
@@ -21,7 +22,7 @@ function make_theme_button() {
     localStorage.setItem("nezumi.theme", chosen);
     show();
   };
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", show);
+  dark.addEventListener("change", show);
   show();
   return button;
 }
