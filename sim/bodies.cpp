@@ -12,7 +12,8 @@ void BodyView::put(const Vec3& centre, const Rotation& rotation) const {
     dBodySetAngularVel(id, 0, 0, 0);
 }
 
-void BodyView::advance(const Vec3& velocity, const Vec3& spin, double step) const {
+void BodyView::advance(const Motion& motion, double step) const {
+    const auto& [velocity, spin] = motion;
     const Vec3 to = centre() + velocity * step;
     dBodySetPosition(id, to.x(), to.y(), to.z());
     const dReal* const q = dBodyGetQuaternion(id);

@@ -16,6 +16,12 @@
 
 namespace nezumi::sim {
 
+/// How a body moves: its centre [m/s], and about it [rad/s], in the world's directions.
+struct Motion {
+    Vec3 velocity;
+    Vec3 spin;
+};
+
 /// A body of ODE, read through the pointers that it keeps for life.
 struct BodyView {
     explicit BodyView(dBodyID body)
@@ -35,17 +41,11 @@ struct BodyView {
     bool is_sound() const { return centre().allFinite() && spin().allFinite() && velocity().squaredNorm() < 1e6; }
     /// Puts it there, at rest.
     void put(const Vec3& centre, const Rotation& rotation) const;
-    /// Moves it for `step` [s] with these velocities, as a step of ODE does at its end.
-    void advance(const Vec3& velocity, const Vec3& spin, double step) const;
+    /// Moves it for `step` [s], as a step of ODE does at its end.
+    void advance(const Motion& motion, double step) const;
 
     dBodyID id;
     const dReal *p, *r, *v, *w;
-};
-
-/// How a body moves: its centre [m/s], and about it [rad/s], in the world's directions.
-struct Motion {
-    Vec3 velocity;
-    Vec3 spin;
 };
 
 /// Puts the hull of a robot to where its body is.

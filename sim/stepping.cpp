@@ -95,7 +95,7 @@ void OdeWorld::advance() {
         dWorldStep(world_.get(), step_);
     }
     for (const SimRobot& robot : movers_.robots) {
-        if (!robot.gone && !robot.by_ode) robot.body.advance(robot.rolling.velocity, robot.rolling.spin, step_);
+        if (!robot.gone && !robot.by_ode) robot.body.advance(robot.rolling, step_);
     }
 }
 
