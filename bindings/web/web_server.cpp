@@ -113,8 +113,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
     if (incoming.what == Hub::Incoming::What::opened) {
         Browser& browser = browsers_[id];
         browser = {{Actor::Kind::browser, std::to_string(id)}, incoming.view_only};
-        live_.system().log(LogLevel::info,
-                           to_text(browser.who) + (incoming.view_only ? ": has come, to look" : ": has come"));
+        note(browser, incoming.view_only ? "has come, to look" : "has come");
         return;
     }
     const auto found = browsers_.find(id);
@@ -123,7 +122,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
         live_.let_go(found->second.who);
         drives_.forget(id);
         relay_.close(id);
-        live_.system().log(LogLevel::info, to_text(found->second.who) + ": has gone");
+        note(found->second, "has gone");
         browsers_.erase(found);
         return;
     }
@@ -146,13 +145,14 @@ void WebServer::answer(ClientId client, std::int64_t id, const Expected<void>& d
                             {"text", done ? "" : nezumi::describe(done.error())}}));
 }
 
+// Before it is done: what it comes to may be logged as well.
+void WebServer::note(const Browser& browser, const std::string& what) {
+    live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
+}
+
 Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& browser, const Message& message) {
-    // Before it is done: what it comes to may be logged as well.
-    const auto note = [&](const std::string& what) {
-        live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
-    };
     if (const auto* act = std::get_if<ActMessage>(&message.body)) {
-        note(act->shown);
+        note(browser, act->shown);
         const auto result = live_.act(act->act, browser.who);
         if (!result) return Unexpected(result.error());
         return Reply::now;
@@ -164,7 +164,7 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     if (const auto* drive = std::get_if<DriveMessage>(&message.body))
         return replied(drives_.take(client, *drive, browser.who, Clock::now()), Reply::later);
     if (const auto* console = std::get_if<ConsoleMessage>(&message.body)) {
-        if (!console->shown.empty()) note(console->shown);
+        if (!console->shown.empty()) note(browser, console->shown);
         return replied(relay_.send(client, console->line, browser.who), Reply::later);
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
@@ -202,9 +202,7 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
     if (clock_.is_hardware() && (time.what == What::step || time.what == What::speed))
         return failure(std::string(only_real_time));
     const double value = time.value.value_or(1);
-    const auto note = [&](const std::string& what) {
-        live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
-    };
+    const auto note = [&](const std::string& what) { this->note(browser, what); };
     switch (time.what) {
         case What::pause:
             note("pauses");

@@ -69,6 +69,7 @@ private:
     WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options);
 
     void deal_with(const Hub::Incoming& incoming);
+    void note(const Browser& browser, const std::string& what);
     enum class Reply { now, later };
     void answer(ClientId client, std::int64_t id, const Expected<void>& done);
     Expected<Reply> perform(ClientId client, const Browser& browser, const Message& message);

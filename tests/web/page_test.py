@@ -283,6 +283,22 @@ class Connection(rig.PageCase):
         page.press("Restart")
         rig.wait_until(lambda: seconds() < before + 0.2, "time begins anew")
 
+    def test_colours_are_light_or_dark_as_the_computer_has_them_until_somebody_chooses(self):
+        self.open(WALL)
+        page = self.page
+        self.addCleanup(page.resize, *self.size)
+        is_dark = "getComputedStyle(document.documentElement).colorScheme === 'dark'"
+        page.until("!(" + is_dark + ")", "light colours")
+        light = page.driver.execute_script("return getComputedStyle(document.body).backgroundColor")
+        page.resize(1280, 800, dark=True)
+        page.until(is_dark, "the computer's dark colours")
+        self.assertNotEqual(page.driver.execute_script("return getComputedStyle(document.body).backgroundColor"), light)
+        page.find("button.theme").click()  # from automatic to light
+        page.until("!(" + is_dark + ")", "light colours by choice")
+        page.resize(1280, 800)
+        page.find("button.theme").click()
+        page.until(is_dark, "dark colours by choice")
+
     def test_a_phone_shows_everything_within_its_width(self):
         self.open(WALL)
         page = self.page
