@@ -50,6 +50,20 @@ MarkerPose pose_of(const MarkerSpec& marker) {
 
 std::vector<MarkerPose> OdeWorld::markers() const { return markers_; }
 
+std::vector<std::string> OdeWorld::marker_cells(int id) const {
+    if (id < 0 || id >= tag_count) return {};
+    constexpr int margin = (tag_cells - tag_border_cells) / 2;
+    const Picture tag = paint_tag(id);
+    std::vector<std::string> rows(tag_border_cells);
+    for (int row = 0; row < tag_border_cells; ++row) {
+        for (int column = 0; column < tag_border_cells; ++column) {
+            const auto at = static_cast<std::size_t>((row + margin) * tag.width + column + margin);
+            rows[static_cast<std::size_t>(row)] += (tag.pixels[at] & 0xff) < 0x80 ? '0' : '1';
+        }
+    }
+    return rows;
+}
+
 Expected<void> OdeWorld::move_marker(std::string_view name, const Pose3D& pose) {
     if (!nezumi::is_finite(pose))
         return failure(fmt::format("marker '{}': its pose must be of finite numbers", shown(name)));

@@ -49,6 +49,7 @@ public:
     std::vector<ThingPose> things() const override;
     std::vector<Ray> rays(RobotId robot) const override;
     std::vector<MarkerPose> markers() const override;
+    std::vector<std::string> marker_cells(int id) const override;
     Expected<void> move_marker(std::string_view name, const Pose3D& pose) override;
     Expected<void> add_marker(const MarkerSpec& marker) override;
     Expected<void> remove_marker(std::string_view name) override;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/base/whole_file.hpp"
 #include "engine/ports/cdr.hpp"
 
 namespace nezumi::web {
@@ -102,6 +103,17 @@ void Hub::send_all(const std::string& text, bool lossy) {
     for (auto& [id, client] : clients_) put_text(client, text, lossy);
 }
 
+void Hub::log(std::string text) {
+    const std::lock_guard lock(mutex_);
+    for (auto& [id, client] : clients_) put_text(client, text, true);
+    kept_ += text.size();
+    log_.push_back(std::move(text));
+    while (log_.size() > most_kept || kept_ > longest_kept) {
+        kept_ -= log_.front().size();
+        log_.pop_front();
+    }
+}
+
 void Hub::end(const std::string& text) {
     const std::lock_guard lock(mutex_);
     for (auto& [id, client] : clients_) put_text(client, text, false);
@@ -111,6 +123,11 @@ void Hub::end(const std::string& text) {
 void Hub::show(Slot slot, std::string text) {
     const std::lock_guard lock(mutex_);
     slots_.insert_or_assign(slot, Shown{std::move(text), ++last_number_});
+}
+
+void Hub::show_floor(std::string file) {
+    const std::lock_guard lock(mutex_);
+    floor_ = std::move(file);
 }
 
 void Hub::show_picture(const std::string& port, std::string message) {
@@ -155,8 +172,11 @@ void Hub::opened(ClientId id, bool view_only) {
     client.came = Clock::now();
     ++clients_there_;
     // Its own fields come first.
-    put_text(client, fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},{})", id, view_only, hello_),
+    put_text(client,
+             fmt::format(R"({{"is":"hello","you":"browser {}","view_only":{},"view_token":"{}",{})", id, view_only,
+                         access_.view_token(), hello_),
              false);
+    for (const std::string& line : log_) put_text(client, line, true);
     incoming_.push_back({.client = id, .what = Incoming::What::opened, .view_only = view_only});
     eventfd_write(news_.get(), 1);
 }
@@ -186,6 +206,10 @@ bool Hub::received(ClientId id, std::string_view text) {
         client.pictures.clear();
         lock.unlock();
         watch_anew();
+        return true;
+    }
+    if (std::holds_alternative<FloorMessage>(message->body)) {
+        client.wants_floor = !floor_.empty();
         return true;
     }
     if (client.view_only) {
@@ -227,10 +251,22 @@ std::optional<Outgoing> Hub::next_picture(Client& client) {
     return std::nullopt;
 }
 
+Outgoing Hub::read_floor(const std::string& file) {
+    auto bytes = read_whole(file, file, largest_floor);
+    if (bytes) return {.binary = true, .bytes = std::string{static_cast<char>(BinaryKind::floor), 0, 0, 0} + *bytes};
+    const Json line{{"is", "log"},
+                    {"level", "warn"},
+                    {"component", ""},
+                    {"text", "the floor's picture can't be shown: " + nezumi::describe(bytes.error())},
+                    {"at", 0}};
+    return {.bytes = line.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
 std::optional<Outgoing> Hub::next(ClientId id) {
     Client* client = nullptr;
     std::unique_ptr<State> state;
     Watch watch;
+    std::string floor;
     {
         const std::lock_guard lock(mutex_);
         const auto found = clients_.find(id);
@@ -241,9 +277,14 @@ std::optional<Outgoing> Hub::next(ClientId id) {
         // A frame belongs to the system that was described before it.
         if (!client->shown.contains(Slot::system)) return std::nullopt;
         if (auto picture = next_picture(*client)) return picture;
-        state = std::move(state_);
-        watch = client->watch;
+        if (std::exchange(client->wants_floor, false)) {
+            floor = floor_;
+        } else {
+            state = std::move(state_);
+            watch = client->watch;
+        }
     }
+    if (!floor.empty()) return read_floor(floor);
     // Only this thread adds and removes clients, and only it uses what follows.
     if (state != nullptr) changes_.take(std::move(*state));
     if (!changes_.is_news(client->seen)) return std::nullopt;

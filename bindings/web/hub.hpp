@@ -29,8 +29,12 @@ public:
     static constexpr double most_messages = 400;
     /// [bytes] of texts that wait for a browser; beyond them log lines and output are left out and counted.
     static constexpr std::size_t most_backlog = std::size_t{1} << 20;
+    /// [bytes] of the file of a floor's picture.
+    static constexpr std::size_t largest_floor = std::size_t{1} << 24;
     /// [bytes] of answers and such that wait for a browser; beyond them its connection is closed.
     static constexpr std::size_t longest_backlog = 4 * most_backlog;
+    /// The latest lines of the log, which who comes is shown: so many, and so many bytes of them.
+    static constexpr std::size_t most_kept = 300, longest_kept = std::size_t{1} << 17;
 
     struct Incoming {
         enum class What { opened, message, closed };
@@ -63,11 +67,15 @@ public:
     void send(ClientId client, std::string text, bool lossy = false);
     /// To all of them.
     void send_all(const std::string& text, bool lossy = false);
+    /// A line of the log: to all, and to those who come while it is one of the latest.
+    void log(std::string text);
     /// Says goodbye: whoever has got that is closed, and nobody is let in any more.
     void end(const std::string& text);
     /// The same as `send_all`, and of each `slot` only the latest counts: also to those who come later.
     enum class Slot { system, status };
     void show(Slot slot, std::string text);
+    /// The file of the picture on the floor, "" for none: to who asks for it. It is read in the sockets' thread.
+    void show_floor(std::string file);
     /// A picture of `port`: to who watches it, and of each port only the latest counts.
     void show_picture(const std::string& port, std::string message);
 
@@ -93,6 +101,7 @@ private:
         std::map<Slot, std::uint64_t> shown{};
         std::map<std::string, std::uint64_t, std::less<>> pictures{};  // by port: the one that it got
         bool is_behind = false;                                        // too much waits: it is closed
+        bool wants_floor = false;
         // Of the sockets' thread alone:
         Changes::Seen seen{};
         double allowance = most_messages;
@@ -110,6 +119,7 @@ private:
 
     void watch_anew();
 
+    static Outgoing read_floor(const std::string& file);
     static bool is_too_fast(Client& client);
 
     const Access access_;
@@ -125,6 +135,9 @@ private:
     Watch wanted_;
     std::unique_ptr<State> state_;
     std::map<Slot, Shown> slots_;
+    std::string floor_;            // file
+    std::deque<std::string> log_;  // the latest lines
+    std::size_t kept_ = 0;         // [bytes] of them
     std::map<std::string, Shown, std::less<>> pictures_;  // by port
     std::uint64_t last_number_ = 0;
     bool ends_ = false;

@@ -207,8 +207,10 @@ tl::expected<Message, Refusal> read_message(std::string_view text, const Project
         message.body = read_drive(fields, project);
     } else if (what == "console") {
         message.body = read_console(fields);
+    } else if (what == "floor") {
+        message.body = FloorMessage{};
     } else {
-        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console");
+        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor");
     }
     if (!fields.problem().empty()) return refuse(fields.problem());
     return message;

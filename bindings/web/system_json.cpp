@@ -28,12 +28,27 @@ std::string_view kind_of(const Component& component) {
     return dynamic_cast<const ScriptComponent*>(&component) != nullptr ? "behavior" : "component";
 }
 
-Json parameter_to_json(const Parameters::Parameter& parameter) {
+// What a parameter is when nobody has set it by hand: as the set in use says, or the system file, or its declaration.
+ParameterValue given_value(const Component& component, const ParameterSpec& spec) {
+    const auto in_use = component.sets.find(component.set_in_use());
+    for (const ParameterValues* values :
+         {in_use != component.sets.end() ? &in_use->second : nullptr, &component.configured}) {
+        if (values == nullptr) continue;
+        const auto found = values->find(spec.name);
+        if (found == values->end()) continue;
+        if (auto value = check_value(spec, found->second)) return *value;
+    }
+    return spec.initial;
+}
+
+Json parameter_to_json(const Component& component, const Parameters::Parameter& parameter) {
     const ParameterSpec& spec = parameter.spec;
+    const ParameterValue given = given_value(component, spec);
     Json json{{"name", spec.name},
               {"type", type_text(spec.initial)},
               {"value", value_to_json(parameter.value)},
               {"default", value_to_json(spec.initial)},
+              {"given", value_to_json(given)},
               {"min", spec.min ? Json(*spec.min) : Json()},
               {"max", spec.max ? Json(*spec.max) : Json()},
               {"step", spec.step},
@@ -41,7 +56,7 @@ Json parameter_to_json(const Parameters::Parameter& parameter) {
               {"doc", spec.doc},
               {"widget", spec.widget},
               {"options", Json::array()},
-              {"changed", parameter.set}};
+              {"changed", parameter.value != given}};
     for (const ParameterValue& choice : spec.choices) json["options"].push_back(value_to_json(choice));
     return json;
 }
@@ -71,7 +86,8 @@ Json component_to_json(const Component& component) {
     }
     json["ports"] = ports_to_json(component);
     Json parameters = Json::array();
-    for (const auto& parameter : component.parameters().all()) parameters.push_back(parameter_to_json(parameter));
+    for (const auto& parameter : component.parameters().all())
+        parameters.push_back(parameter_to_json(component, parameter));
     json["parameters"] = std::move(parameters);
     Json sets = Json::array();
     for (const auto& [name, values] : component.sets) sets.push_back(name);
@@ -124,6 +140,8 @@ Json robot_to_json(const Robot& robot) {
 Json arena_to_json(const ArenaSpec& arena, const World* world) {
     Json json{{"size", arena.size ? point(*arena.size) : Json()}, {"border", Json()}, {"floor", Json()}};
     if (arena.border) json["border"] = {{"thickness", arena.border->thickness}, {"height", arena.border->height}};
+    if (arena.floor) json["floor"] = {{"file", std::filesystem::path(arena.floor->image).filename().string()},
+                         {"size", point(arena.floor->size)}};
     Json lines = Json::array();
     for (const LineSpec& line : arena.lines) {
         Json points = Json::array();
@@ -184,7 +202,10 @@ Json system_to_json(const LiveSystem& live) {
     json["markers"] = Json::array();
     if (system.world() != nullptr) {
         for (const MarkerPose& marker : system.world()->markers())
-            json["markers"].push_back({{"name", marker.name}, {"id", marker.id}, {"size", marker.size}});
+            json["markers"].push_back({{"name", marker.name},
+                                       {"id", marker.id},
+                                       {"size", marker.size},
+                                       {"modules", system.world()->marker_cells(marker.id)}});
     }
     json["drivers"] = drivers_to_json(system);
     return json;

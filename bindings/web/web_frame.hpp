@@ -63,7 +63,11 @@ struct WebPicture {
 };
 
 /// The first 4 bytes of a binary message, little endian.
-enum class BinaryKind : std::uint32_t { frame = 1, picture = 2 };
+enum class BinaryKind : std::uint32_t {
+    frame = 1,
+    picture = 2,
+    floor = 3,  ///< the file of the picture on the floor follows, as it is
+};
 
 }  // namespace nezumi::web
 

@@ -242,6 +242,8 @@ void WebServer::describe_system(Clock::time_point now) {
     fingerprint_ = fingerprint;
     layout_ = live_.system().layout();
     starts_ = live_.starts();
+    const auto& floor = live_.spec().arena.floor;
+    hub_.show_floor(floor && live_.system().world() != nullptr ? floor->image : "");
     hub_.show(Hub::Slot::system, dump(system_to_json(live_)));
     sockets_->wake();
 }
@@ -256,23 +258,19 @@ void WebServer::show(double late, Clock::time_point now) {
 }
 
 void WebServer::log(const LogLine& line) {
-    if (!hub_.has_clients()) return;
-    hub_.send_all(dump({{"is", "log"},
-                        {"level", to_text(line.level)},
-                        {"component", line.component},
-                        {"text", line.text},
-                        {"at", line.seconds}}),
-                  true);
+    hub_.log(dump({{"is", "log"},
+                   {"level", to_text(line.level)},
+                   {"component", line.component},
+                   {"text", line.text},
+                   {"at", line.seconds}}));
 }
 
 void WebServer::say(const std::string& text) {
-    if (!hub_.has_clients()) return;
-    hub_.send_all(dump({{"is", "log"},
-                        {"level", "info"},
-                        {"component", ""},
-                        {"text", text},
-                        {"at", live_.system().now().seconds}}),
-                  true);
+    hub_.log(dump({{"is", "log"},
+                   {"level", "info"},
+                   {"component", ""},
+                   {"text", text},
+                   {"at", live_.system().now().seconds}}));
 }
 
 void WebServer::show_status(const std::string& text, bool running) {

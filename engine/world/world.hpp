@@ -183,6 +183,9 @@ public:
     virtual std::vector<ThingPose> things() const = 0;
     /// The arena's markers where they are now, in the order of the arena.
     virtual std::vector<MarkerPose> markers() const { return {}; }
+    /// What a marker of this id looks like: the rows of cells within its black border's outer edges, from the top left,
+    /// '1' for white; empty when there is none.
+    virtual std::vector<std::string> marker_cells(int /*id*/) const { return {}; }
     /// Carries a marker elsewhere, wherever that is: a marker touches nothing. An error when there is none of this
     /// name, which names the nearest, or when the pose is not finite.
     virtual Expected<void> move_marker(std::string_view name, const Pose3D& pose);

@@ -138,7 +138,9 @@ class Words(rig.PageCase):
         self.assertEqual(field.get_attribute("aria-invalid"), "true")
         self.assertEqual(self.said("controller.config.speed_x"), "0.25")
         page.js("document.querySelector('.parameter .back').click()")
-        rig.wait_until(lambda: self.said("controller.config.speed_x") == "0.0", "it is put back")
+        rig.wait_until(lambda: self.said("controller.config.speed_x") == "0.1", "it is put back to what the file says")
+        page.view("parameters")
+        page.until("document.querySelector('.parameter.changed') === null", "nothing is marked any more")
 
     def test_a_slider_moves_by_its_step(self):
         self.open(WALL)

@@ -78,6 +78,21 @@ function make_stop({ model, acts, notices }) {
   return el("div", { class: "stopping" }, rearm, stop);
 }
 
+/// Copies the address at which somebody may look and no more.
+function make_share({ model, notices }) {
+  const button = el("button", { class: "quiet share acts", text: "⧉", title: T.share.hint, "aria-label": T.share.hint });
+  button.onclick = async () => {
+    const address = `${location.origin}/#${model.hello.view_token}`;
+    try {
+      await navigator.clipboard.writeText(address);
+      notices.say(T.share.copied);
+    } catch {
+      notices.say(T.share.here(address));  // a page that is not trusted with the clipboard
+    }
+  };
+  return button;
+}
+
 export function make_header(parts) {
   const { model, link } = parts;
   const name = el("h1", { text: "nezumi" });
@@ -99,5 +114,5 @@ export function make_header(parts) {
     kind.textContent = words.filter(Boolean).join(" · ");
   });
   return el("header", {}, el("div", { class: "title" }, dot, name, kind), make_time(parts),
-    make_theme_button(), make_stop(parts));
+    make_share(parts), make_theme_button(), make_stop(parts));
 }

@@ -4,7 +4,7 @@ import { Emitter } from "./emitter.js";
 
 const KEPT_EMPTY = 2000;  // ms
 
-/// Emits: hello, system, frame, port (name), picture, restarted, chosen (a robot, in the world), and what else the engine says, by its name.
+/// Emits: hello, system, frame, port (name), picture, floor, restarted, chosen (a robot, in the world), and what else the engine says, by its name.
 export class Model extends Emitter {
   hello = null;
   system = null;
@@ -13,6 +13,7 @@ export class Model extends Emitter {
   things = [];
   markers = [];
   rays = [];    // of each robot, by index
+  floor = null;  // the address of the picture on the floor, once it has come
   values = new Map();  // of watched ports: { value, tm, at, count }
   #link;
   #cdr = null;
@@ -20,12 +21,13 @@ export class Model extends Emitter {
   #sent = "";
   #slots = [];  // of watched ports: { name, since }
   #will_send = false;
+  #floor_asked = "";  // of which system
 
   constructor(link) {
     super();
     this.#link = link;
     link.on("said", (said) => this.#take(said));
-    link.on("frame", (kind, bytes) => (kind === 1 ? this.#take_frame(bytes) : this.#take_picture(bytes)));
+    link.on("frame", (kind, bytes) => [null, this.#take_frame, this.#take_picture, this.#take_floor][kind]?.call(this, bytes));
     link.on("open", () => this.#watch_again());
   }
 
@@ -71,7 +73,27 @@ export class Model extends Emitter {
     this.#slots = [];
     this.#sent = "";
     this.values.clear();
+    if (!this.floor) this.#floor_asked = "";
     this.#send_watch();
+  }
+
+  /// Once for each start: the picture is the file's, and comes over the connection like all that is not for strangers.
+  #ask_floor({ start, file, arena }) {
+    const which = arena.floor ? JSON.stringify([file, start, arena.floor]) : "";
+    if (which === this.#floor_asked) return;
+    this.#floor_asked = which;
+    this.#set_floor(null);
+    if (which) this.#link.send({ do: "floor" });
+  }
+
+  #set_floor(url) {
+    if (this.floor) URL.revokeObjectURL(this.floor);
+    this.floor = url;
+    this.emit("floor");
+  }
+
+  #take_floor(bytes) {
+    this.#set_floor(URL.createObjectURL(new Blob([bytes])));
   }
 
   #send_watch() {
@@ -118,6 +140,7 @@ export class Model extends Emitter {
       this.system = said;
       for (const { parameters } of said.components) for (const each of parameters) each.type = each.type.replace("array of ", "");
       if (before && (before.start !== said.start || before.file !== said.file)) this.#forget();
+      this.#ask_floor(said);
       this.emit("system", before);
     } else {
       this.emit(said.is, said);

@@ -4,12 +4,13 @@ import { T } from "./texts.js";
 import { bounds_text, make_widget } from "./widgets.js";
 
 /// What a row is made of; when it stays the same only values change.
-const shape_of = ({ value, changed, ...rest }) => rest;
+const shape_of = ({ value, changed, given, ...rest }) => rest;
 
 function make_row(component, parameter, acts) {
   const label = `${component}.${parameter.name}`;
   const widget = make_widget(parameter, label, (value) => acts.set_parameter(component, parameter, value));
-  const back = el("button", { class: "quiet back acts", text: "↺", onclick: () => acts.set_parameter(component, parameter, parameter.default) });
+  let { given } = parameter;
+  const back = el("button", { class: "quiet back acts", text: "↺", onclick: () => acts.set_parameter(component, parameter, given) });
   const about = [parameter.doc, bounds_text(parameter)].filter(Boolean).join(" · ");
   const node = el("div", { class: "parameter" },
     el("div", { class: "head" }, el("span", { class: "name", text: parameter.name }),
@@ -17,10 +18,10 @@ function make_row(component, parameter, acts) {
     widget.node, about && el("p", { class: "hint", text: about }));
   return { node, show: (now) => {
     widget.show(now.value);
-    const is_default = JSON.stringify(now.value) === JSON.stringify(now.default);
-    node.classList.toggle("changed", !is_default);
-    back.hidden = is_default;
-    back.title = `${T.parameters.back}: ${T.parameters.default_is(JSON.stringify(now.default))}`;
+    given = now.given;
+    node.classList.toggle("changed", now.changed);
+    back.hidden = !now.changed;
+    back.title = T.parameters.back_to(JSON.stringify(given));
     back.setAttribute("aria-label", `${label}: ${back.title}`);
   } };
 }

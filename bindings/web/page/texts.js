@@ -7,6 +7,8 @@ const EN = {
   real: "real robots",
   simulated: "simulated",
   view_only: "view only",
+  share: { hint: "Copy an address for looking only", copied: "Copied: whoever opens this address sees all and steers nothing.",
+    here: (address) => `For looking only: ${address}` },
   theme: { label: "Colours", auto: "Automatic", light: "Light", dark: "Dark" },
 
   link: {
@@ -54,11 +56,11 @@ const EN = {
 
   parameters: {
     none: "No component has parameters.", search: "Search parameters",
-    changed: "not its default", back: "Put back", back_all: "Put all back", set: "Set", no_set: "none",
+    changed: "changed by hand", back_to: (v) => `Put back to ${v}`, set: "Set", no_set: "none",
     bounds: (min, max) => `${min} … ${max}`, at_least: (min) => `at least ${min}`, at_most: (max) => `at most ${max}`,
     not_a_number: "a number is needed", not_whole: "a whole number is needed",
     above: (max) => `above its maximum ${max}`, below: (min) => `below its minimum ${min}`,
-    add: "Add", remove: "Remove", up: "Up", down: "Down", element: (i) => `element ${i}`, default_is: (v) => `default ${v}`,
+    add: "Add", remove: "Remove", up: "Up", down: "Down", element: (i) => `element ${i}`,
   },
 
   diagram: {

@@ -85,8 +85,12 @@ class World {
       this.draw();
     });
     model.on("restarted", () => this.scene.trails.forget());
+    model.on("floor", () => this.#rebuild(true));
     addEventListener("theme", () => this.#rebuild(true));
-    this.scene.on_loaded = () => this.draw();
+    this.scene.on_loaded = () => {
+      this.canvas.dataset.floor = "shown";
+      this.draw();
+    };
     new ResizeObserver(() => this.draw()).observe(this.stage);
     put_hands_on(this.canvas, {
       eye: this.eye, scene: this.scene, model,
@@ -169,7 +173,7 @@ class World {
   #rebuild(anyway = false) {
     const { system } = this.#parts.model;
     this.#is_old = false;
-    if (!system) return;
+    if (!system || (anyway && this.#layout === "")) return;
     const { arena, robots, markers } = system;
     const layout = JSON.stringify({ arena, robots, markers });
     if (layout === this.#layout && !anyway) return;

@@ -72,7 +72,7 @@ export class Scene {
     const colors = this.#colors;
     const solids = solids_of(arena);
     this.#find_bounds(arena, solids, now);
-    this.#build_floor(arena);
+    this.#build_floor(arena, now.floor);
     this.#build_solids(solids);
     this.#build_robots(robots);
     this.#build_markers(markers);
@@ -99,18 +99,18 @@ export class Scene {
     this.bounds = box.x0 < box.x1 ? box : { x0: -1, x1: 1, y0: -1, y1: 1 };
   }
 
-  #build_floor(arena) {
+  #build_floor(arena, image) {
     const { x0, x1, y0, y1 } = this.bounds;
     const margin = arena.size ? 0 : 1;
     const [w, h] = [x1 - x0 + 2 * margin, y1 - y0 + 2 * margin];
     const place = (mesh, z) => this.#add(mesh).position.set((x0 + x1) / 2, (y0 + y1) / 2, z);
     place(new THREE.Mesh(new THREE.PlaneBufferGeometry(w, h), new THREE.MeshBasicMaterial({ color: arena.lines?.length ? this.#colors.painted : this.#colors.floor })), -0.002);
-    if (arena.floor?.url) {
-      const [fw, fh] = arena.floor.size ?? arena.size;
+    if (arena.floor && image) {
+      const [fw, fh] = arena.floor.size;
       const material = new THREE.MeshBasicMaterial({ transparent: true });
       const picture = this.#add(new THREE.Mesh(new THREE.PlaneBufferGeometry(fw, fh), material));
       picture.visible = false;
-      material.map = new THREE.TextureLoader().load(arena.floor.url, () => {
+      material.map = new THREE.TextureLoader().load(image, () => {
         picture.visible = true;
         this.on_loaded?.();
       });
@@ -123,7 +123,7 @@ export class Scene {
     for (let y = Math.ceil((y0 - margin) / step); y * step <= y1 + margin + 1e-9; ++y) line(x0 - margin, y * step, 0, x1 + margin, y * step, 0);
     const grid = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
     this.#add(new THREE.LineSegments(grid, new THREE.LineBasicMaterial({ color: this.#colors.grid })))
-      .visible = !arena.floor?.url && !arena.lines?.length;
+      .visible = !(arena.floor && image) && !arena.lines?.length;
     if (arena.lines?.length) this.#add(new THREE.Mesh(painted_lines(arena.lines), new THREE.MeshBasicMaterial({ vertexColors: THREE.VertexColors })));
   }
 

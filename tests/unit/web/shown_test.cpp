@@ -1,0 +1,137 @@
+// What a browser is told besides numbers that change: the log before it came, the floor, markers, what is set by hand.
+#include <catch2/catch.hpp>
+
+#include "engine/base/whole_file.hpp"
+#include "tests/unit/web/web_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::web;
+
+namespace {
+
+using Json = WebRig::Json;
+
+Json next_system(RawBrowser& browser, std::string_view with = "") {
+    for (;;) {
+        const std::string text = browser.next_text("\"is\":\"system\"");
+        REQUIRE_FALSE(text.empty());
+        if (text.find(with) != std::string::npos) return Json::parse(text);
+    }
+}
+
+// The next message of this kind, without the four bytes that say it.
+std::string next_binary(RawBrowser& browser, char kind) {
+    for (;;) {
+        const auto got = browser.next();
+        REQUIRE(got);
+        if (got->opcode == 2 && got->bytes[0] == kind) return got->bytes.substr(4);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("who comes is shown the latest lines of the log, each once", "[web]") {
+    const WebRig rig;
+    Hub hub(Access(), StaticFiles(""), rig.live->project(), "}");
+    for (std::size_t i = 0; i < Hub::most_kept + 5; ++i) hub.log("line " + std::to_string(i));
+    hub.opened(1, false);
+    hub.log("the last");
+    CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
+    for (std::size_t i = 5; i < Hub::most_kept + 5; ++i) CHECK(hub.next(1)->bytes == "line " + std::to_string(i));
+    CHECK(hub.next(1)->bytes == "the last");
+    CHECK_FALSE(hub.next(1));
+}
+
+TEST_CASE("lines of the log that are long are kept in bounds", "[web]") {
+    const WebRig rig;
+    Hub hub(Access(), StaticFiles(""), rig.live->project(), "}");
+    for (int i = 0; i < 10; ++i) hub.log(std::string(Hub::longest_kept / 2, 'x'));
+    hub.opened(1, false);
+    CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
+    int lines = 0;
+    while (hub.next(1)) ++lines;
+    CHECK(lines == 2);
+}
+
+TEST_CASE("the picture on the floor comes as its file is, to who asks for it", "[web]") {
+    WebRig rig(R"(
+arena { size = { 2, 1 }, floor { image = ")" +
+               source_root() + "/behaviors/line.png" + R"(", size = { 2, 1 } } }
+robot "mouse" { model = "raspimouse" }
+)",
+               {});
+    RawBrowser browser = rig.open(rig.view_token);
+    const auto system = next_system(browser);
+    CHECK(system["arena"]["floor"]["file"] == "line.png");
+    CHECK(system["arena"]["floor"]["size"] == Json{2, 1});
+    REQUIRE(browser.send_frame(R"({"do":"floor"})"));
+    const std::string bytes = next_binary(browser, 3);
+    CHECK(bytes == *read_whole(source_root() + "/behaviors/line.png", "", Hub::largest_floor));
+}
+
+TEST_CASE("who asks for a floor's picture where there is none gets none", "[web]") {
+    const WebRig rig;
+    Hub hub(Access(), StaticFiles(""), rig.live->project(), "}");
+    hub.opened(1, false);
+    CHECK(hub.next(1));
+    hub.show(Hub::Slot::system, "the system");
+    CHECK(hub.next(1)->bytes == "the system");
+    CHECK(hub.received(1, R"({"do":"floor"})"));
+    CHECK_FALSE(hub.next(1));
+    hub.show_floor(rig.folder.path("gone.png").string());
+    CHECK(hub.received(1, R"({"do":"floor"})"));
+    CHECK(hub.next(1)->bytes.find("the floor's picture can't be shown") != std::string::npos);
+    CHECK_FALSE(hub.next(1));
+}
+
+TEST_CASE("a marker is told with the cells of its tag", "[web]") {
+    WebRig rig(R"(arena { marker { name = "seven", id = 7, at = { 0, 0, 0.1 } }, marker { name = "eight", id = 8, at = { 1, 0, 0.1 } } })", {});
+    RawBrowser browser = rig.open();
+    const auto markers = next_system(browser)["markers"];
+    REQUIRE(markers.size() == 2);
+    const auto rows = markers[0]["modules"].get<std::vector<std::string>>();
+    REQUIRE(rows.size() == 8);
+    CHECK(rows.front() == "00000000");
+    CHECK(rows.back() == "00000000");
+    for (const std::string& row : rows) {
+        CHECK(row.size() == 8);
+        CHECK(row.front() == '0');
+        CHECK(row.back() == '0');
+    }
+    CHECK(markers[0]["modules"] != markers[1]["modules"]);
+}
+
+TEST_CASE("a parameter counts as changed when somebody changed it, and says what it goes back to", "[web]") {
+    WebRig rig(R"(
+robot    "mouse"      { model = "raspimouse" }
+behavior "controller" { script = "counter", config = { speed_x = 1 }, sets = { fast = { stop_d = 40 } } }
+)");
+    RawBrowser browser = rig.open();
+    const auto parameter = [](const Json& system, std::size_t index) {
+        return system["components"][1]["parameters"][index];
+    };
+    const auto first = next_system(browser);
+    CHECK(parameter(first, 0)["value"] == 1.0);
+    CHECK(parameter(first, 0)["default"] == 0.25);
+    CHECK(parameter(first, 0)["given"] == 1.0);
+    CHECK(parameter(first, 0)["changed"] == false);
+
+    REQUIRE(rig.live->act(SetParameter{"controller", "speed_x", 0.25}, {}));
+    rig.tick();
+    const auto changed = next_system(browser, "\"changed\":true");
+    CHECK(parameter(changed, 0)["changed"] == true);
+    CHECK(parameter(changed, 1)["changed"] == false);
+
+    REQUIRE(rig.live->act(Use{"controller", "fast"}, {}));
+    rig.tick();
+    const auto of_set = next_system(browser, "\"set\":\"fast\"");
+    CHECK(parameter(of_set, 0)["changed"] == false);
+    CHECK(parameter(of_set, 1)["given"] == 40);
+    CHECK(parameter(of_set, 1)["changed"] == false);
+}
+
+TEST_CASE("who may act is told the token for those who may only look", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    CHECK(Json::parse(browser.next_text("hello"))["view_token"] == rig.view_token);
+}
