@@ -14,8 +14,7 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr double least_overlap = 1e-6;            // [m] to touch is not to overlap
-constexpr double least_overlap_of_things = 1e-3;  // [m] nor is to stand on each other a little carelessly
+constexpr double least_overlap = 1e-6;  // [m] to touch is not to overlap
 constexpr const char* border_color = "#5c6470";
 
 }  // namespace
@@ -110,7 +109,7 @@ Expected<void> OdeWorld::check_things() {
 }
 
 std::optional<OdeWorld::Overlap> OdeWorld::find_overlap(const Shape& shape, double reach, Scene::Index self,
-                                                        double least) {
+                                                        double least, bool looks_at_fixed) {
     const double x = shape.centre.x(), y = shape.centre.y();
     std::optional<Overlap> found;
     const auto look = [&](const Obstacle& obstacle, const Shape& other) {
@@ -123,6 +122,7 @@ std::optional<OdeWorld::Overlap> OdeWorld::find_overlap(const Shape& shape, doub
         if (obstacle.moves && !movers_.is_thing(obstacle.index)) found->other = "robot '" + found->other + "'";
     };
     scene_.for_each_mover_near(x, y, reach, self, [&](Scene::Index i, const Shape& other) { look({true, i}, other); });
+    if (!looks_at_fixed) return found;
     scene_.for_each_fixed_near(x, y, reach, [&](Scene::Index i, const Shape& other) {
         if (distance_from_above(other, x, y) <= reach) look({false, i}, other);
     });
@@ -187,18 +187,21 @@ Vec3 OdeWorld::rest_centre(const RobotModel& model, const Pose2D& pose, Scene::I
     return centre + Vec3{0, 0, height};
 }
 
+Expected<void> OdeWorld::check_inside(const std::string& what, const Point2D& at) const {
+    if (!inside_ || (std::abs(at.x) <= inside_->x / 2 && std::abs(at.y) <= inside_->y / 2)) return {};
+    return failure(
+        fmt::format("{} at x = {:g}, y = {:g} is outside the arena of {:g} x {:g} m: put it inside, or say border = "
+                    "false",
+                    what, at.x, at.y, inside_->x, inside_->y));
+}
+
 Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& name, const Pose2D& pose,
                                     Scene::Index self) {
     if (!std::isfinite(pose.position.x) || !std::isfinite(pose.position.y) || !std::isfinite(pose.heading)) {
         return failure(fmt::format("robot '{}': its pose must be of finite numbers, got x = {}, y = {}, heading = {}",
                                    name, pose.position.x, pose.position.y, pose.heading));
     }
-    if (inside_ && (std::abs(pose.position.x) > inside_->x / 2 || std::abs(pose.position.y) > inside_->y / 2)) {
-        return failure(
-            fmt::format("robot '{}' at x = {:g}, y = {:g} is outside the arena of {:g} x {:g} m: put it "
-                        "inside, or say border = false",
-                        name, pose.position.x, pose.position.y, inside_->x, inside_->y));
-    }
+    if (auto inside = check_inside(fmt::format("robot '{}'", name), pose.position); !inside) return inside;
     Shape hull = model.hull;
     hull.rotation = yaw_rotation(pose.heading);
     hull.centre = rest_centre(model, pose, self) + Vec3{0, 0, model.hull_drop};
@@ -241,25 +244,6 @@ void OdeWorld::disturb(RobotId id, const Push& push) {
     SimRobot& robot = this->robot(id);
     robot.constraint = {};  // ODE's order of joints is that of making them
     robot.constraint = VelocityConstraint(world_.get(), robot, push);
-}
-
-std::vector<ThingPose> OdeWorld::things() const {
-    std::vector<ThingPose> poses;
-    const auto add = [&](const Shape& shape, const Label& label) {
-        const Rotation& r = shape.rotation;
-        ThingPose pose;
-        pose.shape = shape.kind == Shape::Kind::box ? ThingPose::Shape::box : ThingPose::Shape::cylinder;
-        pose.size = to_point(shape.half * 2);
-        pose.pose.position = to_point(shape.centre);
-        pose.pose.orientation = {.r = std::atan2(r(2, 1), r(2, 2)),
-                                 .p = -std::asin(std::clamp(r(2, 0), -1.0, 1.0)),
-                                 .y = std::atan2(r(1, 0), r(0, 0))};
-        pose.color = label.color;
-        poses.push_back(std::move(pose));
-    };
-    for (std::size_t i = 0; i < fixed_labels_.size(); ++i) add(scene_.fixed()[i], fixed_labels_[i]);
-    for (std::size_t i = 0; i < movers_.things.size(); ++i) add(scene_.movers()[i], thing_labels_[i]);
-    return poses;
 }
 
 std::string OdeWorld::name_of(const Obstacle& obstacle) const {

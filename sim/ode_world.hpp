@@ -24,6 +24,9 @@
 
 namespace nezumi::sim {
 
+/// [m] Things that stand on each other a little carelessly do not overlap.
+inline constexpr double least_overlap_of_things = 1e-3;
+
 class OdeWorld final : public World {
 public:
     OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::function<void(const std::string&)> warn);
@@ -43,7 +46,9 @@ public:
     Truth truth(RobotId robot) const override;
     bool collided(RobotId id) const override { return robot(id).touched.has_value(); }
     std::string collided_with(RobotId id) const override { return collided(id) ? name_of(*robot(id).touched) : ""; }
+    Pose3D pose(RobotId robot) const override;
     Expected<void> teleport(RobotId robot, Pose2D pose) override;
+    Expected<void> move_thing(std::string_view name, const Pose2D& pose) override;
     void disturb(RobotId robot, const Push& push) override;
     void press(RobotId robot, std::size_t sensor, bool pressed) override;
     std::vector<ThingPose> things() const override;
@@ -100,7 +105,11 @@ private:
         double depth;       // [m]
     };
     /// The first that the shape lies in deeper than `least`, `self` apart.
-    std::optional<Overlap> find_overlap(const Shape& shape, double reach, Scene::Index self, double least);
+    std::optional<Overlap> find_overlap(const Shape& shape, double reach, Scene::Index self, double least,
+                                        bool looks_at_fixed = true);
+    Expected<void> check_inside(const std::string& what, const Point2D& at) const;
+    // Moving what stands in the arena (moving.cpp).
+    Expected<void> move_label(const Label& label, Shape& shape, const Pose2D& pose, Scene::Index self);
 
     // Stepping (stepping.cpp).
     void step_once();

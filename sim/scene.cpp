@@ -2,6 +2,7 @@
 #include "sim/scene.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace nezumi::sim {
 
@@ -35,6 +36,16 @@ Scene::Index Scene::add_fixed(const Shape& shape) {
         }
     }
     return index;
+}
+
+void Scene::move_fixed(Index index, const Shape& shape) {
+    std::vector<Shape> shapes = std::move(fixed_);
+    shapes[index] = shape;
+    fixed_.clear();
+    bounds_.clear();
+    large_fixed_.clear();
+    fixed_grid_.clear();
+    for (const Shape& each : shapes) add_fixed(each);
 }
 
 Scene::Index Scene::add_mover(const Shape& shape, double reach) {

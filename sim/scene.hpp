@@ -26,6 +26,9 @@ public:
     /// From now on no search finds it. Its number stays its own.
     void remove_mover(Index index);
 
+    /// Puts a fixed shape elsewhere.
+    void move_fixed(Index index, const Shape& shape);
+
     const std::vector<Shape>& fixed() const { return fixed_; }
     const std::vector<Shape>& movers() const { return movers_; }
 

@@ -50,7 +50,7 @@ std::vector<Ray> OdeWorld::rays(RobotId id) const {
         const double distance = cast_ray(scene_, from, direction, ray.range, robot.mover);
         const bool hit = distance < nothing;
         const Vec3 to = from + direction * (hit ? distance : ray.range);
-        rays.push_back({to_point(from), to_point(to), hit});
+        rays.push_back({to_point(from), to_point(to), hit, ray.sensor});
     }
     return rays;
 }

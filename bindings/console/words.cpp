@@ -109,7 +109,7 @@ const std::vector<Word>& console_words() {
         {"deactivate", "deactivate() or deactivate(component)", "deactivates all that are ACTIVE, or one", 1,
          word_deactivate, true},
         {"drive", "drive \"stick\"", "drives with the arrow keys, until Esc", 1, word_drive},
-        {"teleport", "teleport(\"target\", { x = 1 })", "carries a marker, or a robot, elsewhere", 2, word_teleport},
+        {"teleport", "teleport(\"target\", { x = 1 })", "carries a marker, a robot, or \"box 2\" elsewhere", 2, word_teleport},
         {"stop", "stop()", "emergency stop: robots brake and ignore commands until rearm()", 0, word_stop},
         {"rearm", "rearm()", "lets robots that stand obey again what comes from now on", 0, word_rearm},
         {"pause", "pause()", "stops time; run() lets it go on", 0, word_pause},

@@ -16,15 +16,17 @@ void add_robots(WebFrame& frame, const System& system, const Watch& wanted) {
         if (wanted.truth) {
             WebRobot seen{.index = index};
             if (simulated) {
-                const Truth truth = world->truth(robot->id());
+                const auto [position, orientation] = world->pose(robot->id());
                 seen = {.index = index,
-                        .x = truth.pose.position.x,
-                        .y = truth.pose.position.y,
-                        .z = truth.height,
-                        .yaw = truth.pose.heading,
-                        .tilt = truth.tilt,
+                        .x = position.x,
+                        .y = position.y,
+                        .z = position.z,
+                        .yaw = orientation.y,
+                        .pitch = orientation.p,
+                        .roll = orientation.r,
                         .is_truth = true,
-                        .collided = world->collided(robot->id())};
+                        .collided = world->collided(robot->id()),
+                        .touches = world->collided_with(robot->id())};
             } else {
                 const Pose2D& pose = robot->odometry().pose();
                 seen.x = pose.position.x;
@@ -34,8 +36,13 @@ void add_robots(WebFrame& frame, const System& system, const Watch& wanted) {
             frame.robots.push_back(seen);
         }
         if (wanted.rays && simulated) {
-            for (const Ray& ray : world->rays(robot->id()))
-                frame.rays.push_back({.robot = index, .from = ray.from, .to = ray.to, .hit = ray.hit});
+            for (const Ray& ray : world->rays(robot->id())) {
+                frame.rays.push_back({.robot = index,
+                                      .from = ray.from,
+                                      .to = ray.to,
+                                      .hit = ray.hit,
+                                      .distance = static_cast<std::uint32_t>(ray.distance)});
+            }
         }
         ++index;
     }

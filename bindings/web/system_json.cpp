@@ -1,6 +1,7 @@
 // Written whole each time: what is told seldom need not be told in parts.
 #include "bindings/web/system_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -111,6 +112,27 @@ std::string_view kind_of(SensorSpec::Kind kind) {
     return "";
 }
 
+// For each distance of the robot, in the order in which its rays name them, the port that carries its sensor's value:
+// {port, index}; null for what no port carries by itself.
+Json distances_to_json(const RobotSpec& spec) {
+    Json distances = Json::array();
+    for (const SensorSpec& sensor : spec.sensors) {
+        if (sensor.kind == SensorSpec::Kind::scan) {
+            for (int ray = 0; ray < sensor.rays; ++ray) distances.push_back(nullptr);
+        }
+        if (sensor.kind != SensorSpec::Kind::range) continue;
+        Json carrier;
+        for (const PortSpec& port : spec.ports) {
+            const auto item = std::find(port.items.begin(), port.items.end(), sensor.name);
+            if (port.is_input || port.quantity != PortSpec::Quantity::value || item == port.items.end()) continue;
+            carrier = {{"port", port.name}, {"index", item - port.items.begin()}};
+            break;
+        }
+        distances.push_back(std::move(carrier));
+    }
+    return distances;
+}
+
 Json robot_to_json(const Robot& robot) {
     const RobotSpec& spec = robot.spec();
     Json sensors = Json::array();
@@ -134,7 +156,8 @@ Json robot_to_json(const Robot& robot) {
               {"at", point(spec.body.at)}}},
             {"wheels", {{"radius", spec.drive.radius}, {"track", spec.drive.track}}},
             {"limits", {{"speed", limits.speed}, {"yaw_rate", limits.yaw_rate}}},
-            {"sensors", std::move(sensors)}};
+            {"sensors", std::move(sensors)},
+            {"distances", distances_to_json(spec)}};
 }
 
 Json arena_to_json(const ArenaSpec& arena, const World* world) {
@@ -152,7 +175,8 @@ Json arena_to_json(const ArenaSpec& arena, const World* world) {
     Json things = Json::array();
     if (world != nullptr) {
         for (const ThingPose& thing : world->things())
-            things.push_back({{"shape", thing.shape == ThingPose::Shape::box ? "box" : "cylinder"},
+            things.push_back({{"name", thing.name},
+                              {"shape", thing.shape == ThingPose::Shape::box ? "box" : "cylinder"},
                               {"size", point(thing.size)},
                               {"color", thing.color}});
     }

@@ -14,10 +14,10 @@ namespace nezumi::web {
 struct WebRobot {
     std::uint32_t index = 0;
     double x = 0, y = 0, z = 0;
-    double yaw = 0;
-    double tilt = 0;
+    double yaw = 0, pitch = 0, roll = 0;
     bool is_truth = false;
     bool collided = false;
+    std::string touches{};
     bool operator==(const WebRobot&) const = default;
 };
 struct WebThing {
@@ -35,6 +35,7 @@ struct WebRay {
     Point3D from{};
     Point3D to{};
     bool hit = false;
+    std::uint32_t distance = 0;
     bool operator==(const WebRay&) const = default;
 };
 struct WebPort {
@@ -83,9 +84,11 @@ struct Describe<web::WebRobot> {
         Field{"y", &T::y, "m", ""},
         Field{"z", &T::z, "m", "height over the floor"},
         Field{"yaw", &T::yaw, "rad", ""},
-        Field{"tilt", &T::tilt, "rad", "between its z axis and the vertical"},
+        Field{"pitch", &T::pitch, "rad", "before the yaw; positive: its front goes down"},
+        Field{"roll", &T::roll, "rad", "before the pitch"},
         Field{"is_truth", &T::is_truth, "", "the world's truth; else its odometry"},
         Field{"collided", &T::collided, "", "it touches something but the floor"},
+        Field{"touches", &T::touches, "", "what that is"},
     };
 };
 template <>
@@ -111,6 +114,7 @@ struct Describe<web::WebRay> {
         Field{"from", &T::from, "m", ""},
         Field{"to", &T::to, "m", "where it hits or ends"},
         Field{"hit", &T::hit, "", ""},
+        Field{"distance", &T::distance, "", "its place in the robot's distances"},
     };
 };
 template <>

@@ -77,6 +77,10 @@ struct MoveMarker {
     std::string marker;
     Pose3D pose;
 };
+struct MoveThing {
+    std::string thing;
+    Pose2D pose;
+};
 struct AddMarker {
     MarkerSpec marker;
 };
@@ -119,8 +123,8 @@ struct Stop {};
 struct Rearm {};
 
 using Act = std::variant<SetParameter, Write, Inject, Hold, Release, Drop, Freeze, Activate, Deactivate, Reset, Use,
-                         Connect, Disconnect, Teleport, MoveMarker, AddMarker, RemoveMarker, Disturb, Press, Command,
-                         Reload, Rollback, Add, Remove, Restart, Stop, Rearm>;
+                         Connect, Disconnect, Teleport, MoveMarker, MoveThing, AddMarker, RemoveMarker, Disturb, Press,
+                         Command, Reload, Rollback, Add, Remove, Restart, Stop, Rearm>;
 
 /// What an act has come to.
 struct ActResult {
@@ -246,6 +250,15 @@ struct Describe<MoveMarker> {
     static constexpr std::tuple fields{
         Field{"marker", &MoveMarker::marker, "", ""},
         Field{"pose", &MoveMarker::pose, "", "where it hangs from now on"},
+    };
+};
+
+template <>
+struct Describe<MoveThing> {
+    static constexpr std::string_view name = "MoveThing";
+    static constexpr std::tuple fields{
+        Field{"thing", &MoveThing::thing, "", "of the arena, as in \"box 2\""},
+        Field{"pose", &MoveThing::pose, "", "of its centre from now on, at rest; its height and tilt stay"},
     };
 };
 

@@ -184,6 +184,11 @@ Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& 
     return result_of(system.world()->move_marker(act.marker, act.pose));
 }
 
+Expected<ActResult> perform(System& system, const MoveThing& act, const Actor& /*who*/) {
+    if (system.world() == nullptr) return failure("there is no simulated world");
+    return result_of(system.world()->move_thing(act.thing, act.pose));
+}
+
 Expected<ActResult> perform(System& system, const AddMarker& act, const Actor& /*who*/) {
     if (system.world() == nullptr) return failure("there is no simulated world");
     if (system.find(act.marker.name) != nullptr)

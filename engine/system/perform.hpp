@@ -25,6 +25,7 @@ Expected<ActResult> perform(System& system, const Connect& act, const Actor& who
 Expected<ActResult> perform(System& system, const Disconnect& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Teleport& act, const Actor& who);
 Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& who);
+Expected<ActResult> perform(System& system, const MoveThing& act, const Actor& who);
 Expected<ActResult> perform(System& system, const AddMarker& act, const Actor& who);
 Expected<ActResult> perform(System& system, const RemoveMarker& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Disturb& act, const Actor& who);

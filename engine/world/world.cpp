@@ -7,6 +7,16 @@
 
 namespace nezumi {
 
+Pose3D World::pose(RobotId robot) const {
+    const Truth seen = truth(robot);
+    return {.position = {seen.pose.position.x, seen.pose.position.y, seen.height},
+            .orientation = {.y = seen.pose.heading}};
+}
+
+Expected<void> World::move_thing(std::string_view name, const Pose2D& /*pose*/) {
+    return failure(fmt::format("there is no thing '{}' that could be moved here", shown(name)));
+}
+
 Expected<void> World::move_marker(std::string_view name, const Pose3D& /*pose*/) {
     return failure(fmt::format("there is no marker '{}' that could be moved here", shown(name)));
 }

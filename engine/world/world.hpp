@@ -124,6 +124,7 @@ struct ThingPose {
     Point3D size{};  ///< [m] a box's edges, or diameter, diameter, height
     Pose3D pose;     ///< of its centre
     std::string color;
+    std::string name;  ///< "box 1", "cylinder 2", ... as the arena lists them; "wall" of its border
 };
 
 /// A marker where it is now. Its yaw is that of the outward normal, as `MarkerSpec::facing`; a pitch turns the normal
@@ -140,6 +141,7 @@ struct Ray {
     Point3D from{};  ///< [m] in the world
     Point3D to{};    ///< [m] where it hits or ends
     bool hit = false;
+    std::size_t distance = 0;  ///< the how manieth distance of the robot's range sensors and scans it measures
 };
 
 /// Velocities forced on a robot from outside; what is not set stays free.
@@ -166,6 +168,8 @@ public:
 
     /// The truth about a robot.
     virtual Truth truth(RobotId robot) const = 0;
+    /// The whole pose of a robot's body frame.
+    virtual Pose3D pose(RobotId robot) const;
     /// Whether the robot touched anything but the floor during the last `step` call.
     virtual bool collided(RobotId robot) const = 0;
     /// What the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty when nothing.
@@ -181,6 +185,11 @@ public:
 
     /// Walls, boxes and cylinders where they are now.
     virtual std::vector<ThingPose> things() const = 0;
+    /// Carries a box or cylinder elsewhere, at rest; a wall of the arena's border stays. Its height and tilt stay as
+    /// they are. An error when there is none of this name, which names the nearest, when the place is outside of an
+    /// arena with a border, and when it would lie in a robot or in a thing that can move; one that can move itself, in
+    /// anything.
+    virtual Expected<void> move_thing(std::string_view name, const Pose2D& pose);
     /// The arena's markers where they are now, in the order of the arena.
     virtual std::vector<MarkerPose> markers() const { return {}; }
     /// What a marker of this id looks like: the rows of cells within its black border's outer edges, from the top left,

@@ -30,5 +30,54 @@ class Shown(rig.PageCase):
         self.assertFalse(self.page.js("return document.body.classList.contains('stopped')"))
 
 
+STANDING = """
+arena { size = { 2, 2 }, box { at = { 0.5, 0, 0.05 }, size = { 0.2, 0.2, 0.1 } } }
+robot "mouse" { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }
+"""
+
+
+class Hands(rig.PageCase):
+    """What stands in the arena, by hand."""
+
+    def drag_box(self, by):
+        """From where the box stands, seen from above: the arena of 2 m fills the picture's height."""
+        self.page.press("Top")
+        self.page.drawn()
+        box = self.page.js("const b = document.querySelector('.world canvas').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+        start = self.page.js("return document.querySelector('canvas').dataset.chosen?.split(',').map(Number)")
+        at = (box[0] + start[0], box[1] + start[1])
+        keys = self.page.keys()
+        keys.w3c_actions.pointer_action.move_to_location(round(at[0]), round(at[1]))
+        keys.w3c_actions.pointer_action.pointer_down()
+        for part in (0.3, 0.7, 1):
+            keys.w3c_actions.pointer_action.move_to_location(round(at[0] + by[0] * part), round(at[1] + by[1] * part))
+        keys.w3c_actions.pointer_action.pointer_up()
+        keys.w3c_actions.perform()
+
+    def test_a_box_is_dragged_elsewhere(self):
+        self.open(text=STANDING)
+        self.page.choose(".world select", "thing 0")
+        self.assertAlmostEqual(self.page.pose()[0], 0.5, delta=0.001)
+        self.drag_box((0, 100))
+        rig.wait_until(lambda: self.page.pose()[1] < -0.1, "the box is farther south")
+        self.page.view("log")
+        self.assertIn("MoveThing", self.page.text(".log .lines"))
+
+    def test_a_box_is_moved_by_keys_and_no_farther_than_it_can_be(self):
+        self.open(text=STANDING)
+        self.page.choose(".world select", "thing 0")
+        canvas = self.page.find(".world canvas")
+        canvas.send_keys("\ue012" * 3)  # to the left
+        rig.wait_until(lambda: abs(self.page.pose()[0] - 0.44) < 0.005, "it is 6 cm nearer")
+        for _ in range(20):
+            canvas.send_keys("\ue012")
+        self.page.until("document.querySelector('.notices')?.textContent.includes(\"overlaps robot 'mouse'\")", "it says why not")
+        self.assertGreater(self.page.pose()[0], 0.14)
+
+    def test_the_values_of_sensors_are_at_their_rays(self):
+        self.open(text=STANDING)
+        self.page.until("[...document.querySelectorAll('.labels .ray')].some((each) => / cm · \\d/.test(each.textContent))", "a value is shown")
+
+
 if __name__ == "__main__":
-    sys.exit(rig.main("__main__"))
+    sys.exit(rig.main(__name__))

@@ -42,6 +42,24 @@ Expected<Act> read_move(const System& system, const std::string& marker, lua_Sta
     return MoveMarker{marker, pose};
 }
 
+// To carry a thing that is there.
+Expected<Act> read_move_thing(const System& system, const std::string& thing, lua_State* L, int index) {
+    Pose2D pose;
+    for (const ThingPose& known : system.world()->things()) {
+        if (known.name != thing) continue;
+        pose = {{known.pose.position.x, known.pose.position.y}, known.pose.orientation.y};
+    }
+    if (lua_type(L, index) != LUA_TTABLE)
+        return failure(fmt::format("pose: expected a table {{ x =, y =, heading = }}, got {}",
+                                   lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
+    const auto place = read_fields<MarkerPlace>(L, index, "pose");
+    if (!place) return Unexpected(place.error());
+    if (place->z) return failure("pose: a thing keeps its height: leave out z");
+    pose.position = {place->x.value_or(pose.position.x), place->y.value_or(pose.position.y)};
+    pose.heading = place->heading.value_or(pose.heading);
+    return MoveThing{thing, pose};
+}
+
 }  // namespace
 
 Expected<Pose2D> read_pose(lua_State* L, int index) {
@@ -76,6 +94,15 @@ std::vector<std::string> marker_names(const System& system) {
     return names;
 }
 
+std::vector<std::string> thing_names(const System& system) {
+    std::vector<std::string> names;
+    if (system.world() == nullptr) return names;
+    for (ThingPose& thing : system.world()->things()) {
+        if (thing.name != "wall") names.push_back(std::move(thing.name));
+    }
+    return names;
+}
+
 Expected<TeleportOf> read_teleport(const Objects& objects, LiveSystem& current, lua_State* L, int thing, int pose) {
     const auto robot = objects.to_component(L, thing);
     if (robot) {
@@ -83,8 +110,14 @@ Expected<TeleportOf> read_teleport(const Objects& objects, LiveSystem& current, 
         if (!place) return Unexpected(place.error());
         return TeleportOf{robot->live, Teleport{robot->component->name(), *place}};
     }
-    // A marker, or a slip in one's name.
+    // A thing, a marker, or a slip in a marker's name.
     const std::string name(lua_type(L, thing) == LUA_TSTRING ? lua_tostring(L, thing) : "");
+    const std::vector<std::string> things = thing_names(current.system());
+    if (std::find(things.begin(), things.end(), name) != things.end()) {
+        auto move = read_move_thing(current.system(), name, L, pose);
+        if (!move) return Unexpected(move.error());
+        return TeleportOf{&current, std::move(*move)};
+    }
     const std::vector<std::string> markers = marker_names(current.system());
     const std::vector<std::string_view> names(markers.begin(), markers.end());
     if (std::find(names.begin(), names.end(), name) != names.end()) {

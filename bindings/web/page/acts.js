@@ -43,6 +43,8 @@ export class Acts {
   disconnect = (from, to) => this.act("Disconnect", { from, to });
   teleport = (robot, { x, y, yaw }) =>
     this.act("Teleport", { robot, pose: { position: { x: round(x), y: round(y) }, heading: round(yaw) } });
+  move_thing = (thing, { x, y, yaw }) =>
+    this.act("MoveThing", { thing, pose: { position: { x: round(x), y: round(y) }, heading: round(yaw) } });
   move_marker = (marker, { x, y, z, yaw }) =>
     this.act("MoveMarker", { marker, pose: { position: { x: round(x), y: round(y), z: round(z) }, orientation: { r: 0, p: 0, y: round(yaw) } } });
 }

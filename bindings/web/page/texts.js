@@ -35,11 +35,11 @@ const EN = {
     label: "The world, seen from above. Drag to turn, two fingers or the right button to move, the wheel to zoom.",
     orbit: "Orbit", top: "Top", follow: "Follow", rays: "Rays", trails: "Trails", names: "Names", whole: "Whole",
     whole_hint: "Show the whole arena", none: "nobody",
-    about: "Drag a robot or marker to put it elsewhere. Selected: arrow keys move it, [ and ] turn it.",
+    about: "Drag a robot, marker, box or wall to put it elsewhere. Selected: arrow keys move it, [ and ] turn it.",
     select: "Select", no_gl: "This browser shows no 3D pictures (WebGL is off). Everything else works.",
     no_truth: "Where real robots are is not known: they are drawn where their odometry says.",
     pose: (x, y, deg) => `x ${x}  y ${y}  ${deg}°`,
-    touching: "touching",
+    touching: (what) => `touching ${what}`, value: (cm, value) => (value === undefined ? `${cm} cm` : `${cm} cm · ${value}`),
   },
 
   drive: {

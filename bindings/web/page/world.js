@@ -2,11 +2,13 @@
 import * as THREE from "/lib/three/three.module.js";
 import { at_most_every, el } from "./dom.js";
 import { T } from "./texts.js";
+import { number_text } from "./value_text.js";
 import { Eye } from "./world_camera.js";
 import { put_hands_on } from "./world_hand.js";
-import { Scene } from "./world_scene.js";
+import { BORDER, Scene } from "./world_scene.js";
 
 const MOST_NAMES = 40;
+const MOST_VALUES = 16;  // at the rays of one robot
 const NUDGES_JOIN = 500;  // ms
 
 /// The theme's colours, from the style sheet.
@@ -114,7 +116,9 @@ class World {
   }
 
   watch() {
-    this.#parts.model.watch("world", this.#is_shown && { truth: true, rays: this.shows.rays });
+    const ports = this.shows.rays ? this.#valued().flatMap(({ name, distances }) =>
+      distances.length > MOST_VALUES ? [] : distances.filter(Boolean).map(({ port }) => `${name}.${port}`)) : [];
+    this.#parts.model.watch("world", this.#is_shown && { truth: true, rays: this.shows.rays, ports: [...new Set(ports)] });
   }
 
   set(what, value) {
@@ -128,6 +132,7 @@ class World {
     this.chosen = kind ? { kind, index } : null;
     if (!kind) this.follows = false;
     if (kind === "robot") this.#parts.model.emit("chosen", this.#parts.model.system.robots[index].name);
+    this.watch();
     this.on_chosen?.();
     this.draw();
   }
@@ -141,12 +146,14 @@ class World {
 
   pose_of({ kind, index }) {
     const { model } = this.#parts;
+    if (kind === "thing") return this.scene.thing_pose(model.things, index);
     return kind === "robot" ? model.robots[index] : this.scene.marker_pose(model.markers, index);
   }
 
   async #put(what, pose) {
     const { acts, model } = this.#parts;
     if (what.kind === "robot") return acts.teleport(model.system.robots[what.index].name, pose);
+    if (what.kind === "thing") return acts.move_thing(model.system.arena.things[what.index].name, pose);
     return acts.move_marker(model.system.markers[what.index].name, pose);
   }
 
@@ -185,6 +192,7 @@ class World {
       this.#resize();
       this.whole();
     }
+    this.watch();
     this.on_layout?.();
     this.draw();
   }
@@ -219,8 +227,25 @@ class World {
     this.scene.trails.lines.visible = this.shows.trails;
     if (this.shows.trails) this.scene.trails.draw();
     this.#renderer?.render(this.scene.three, this.eye.camera);
+    const pose = this.chosen && this.pose_of(this.chosen);
+    this.canvas.dataset.chosen = (pose && this.eye.pixel(pose.x, pose.y, pose.z ?? 0)) || "";
     this.canvas.dataset.calls = this.#renderer?.info.render.calls ?? 0;
     this.#label(model);
+  }
+
+  /// The robots whose sensors' values are shown.
+  #valued() {
+    const { system } = this.#parts.model;
+    if (!system) return [];
+    return system.robots.filter((_, i) => system.robots.length === 1 || (this.chosen?.kind === "robot" && this.chosen.index === i));
+  }
+
+  /// What the sensor behind a ray says.
+  #sensor_value({ name, distances }, index) {
+    const carrier = distances[index];
+    const value = carrier && this.#parts.model.values.get(`${name}.${carrier.port}`)?.value;
+    const number = Array.isArray(value) ? value[carrier.index] : value?.ranges?.[carrier.index] ?? value;
+    return typeof number === "number" ? number_text(number) : undefined;
   }
 
   #label(model) {
@@ -234,9 +259,11 @@ class World {
       labels.put(`name${is_chosen ? " chosen" : ""}${pose.collided ? " bad" : ""}`, pose.collided ? `${name} ⚠` : name,
         eye.pixel(pose.x, pose.y, 0.12));
       if (!this.shows.rays || !(is_chosen || robots.length === 1)) return;
-      for (const { from, to, hit } of model.rays[i] ?? []) {
-        if (!hit || (model.rays[i].length > 16)) continue;
-        labels.put("ray", `${(Math.hypot(to.x - from.x, to.y - from.y, to.z - from.z) * 100).toFixed(1)} cm`, eye.pixel(...beyond(from, to)));
+      if ((model.rays[i]?.length ?? 0) > MOST_VALUES) return;
+      for (const { from, to, hit, distance } of model.rays[i] ?? []) {
+        if (!hit) continue;
+        const cm = (Math.hypot(to.x - from.x, to.y - from.y, to.z - from.z) * 100).toFixed(1);
+        labels.put("ray", T.world.value(cm, this.#sensor_value(robots[i], distance)), eye.pixel(...beyond(from, to)));
       }
     });
     labels.end();
@@ -281,16 +308,17 @@ function make_tools(world, { model }) {
     show();
   };
   world.on_layout = () => {
-    const { robots, markers } = model.system;
-    const options = (kind, all) => all.map(({ name }, i) => el("option", { value: `${kind} ${i}`, text: name }));
-    select.replaceChildren(el("option", { value: "", text: T.world.none }), ...options("robot", robots), ...options("marker", markers));
+    const { robots, markers, arena } = model.system;
+    const options = (kind, all) => all.map(({ name }, i) => name !== BORDER && el("option", { value: `${kind} ${i}`, text: name })).filter(Boolean);
+    select.replaceChildren(el("option", { value: "", text: T.world.none }), ...options("robot", robots), ...options("marker", markers),
+      ...options("thing", arena.things));
     world.on_chosen();
   };
   const show = at_most_every(100, () => {
     const pose = world.chosen && world.pose_of(world.chosen);
     const fixed = (value, digits) => value.toFixed(digits).replace(/^-(0\.0+)$/, "$1");
     readout.textContent = pose
-      ? T.world.pose(fixed(pose.x, 3), fixed(pose.y, 3), fixed((pose.yaw * 180) / Math.PI, 1)) + (pose.collided ? `  ${T.world.touching}` : "")
+      ? T.world.pose(fixed(pose.x, 3), fixed(pose.y, 3), fixed((pose.yaw * 180) / Math.PI, 1)) + (pose.collided ? `  ${T.world.touching(pose.touches)}` : "")
       : "";
   });
   model.on("frame", show);

@@ -1,8 +1,10 @@
 // Hands on the world: pointers that turn and move the eye, or drag a robot or a marker; the same by keys.
+import { BORDER } from "./world_scene.js";
 
 const CLICK = 5;  // px: less than this was no drag
 const NUDGE = 0.02;  // m
 const TURN = Math.PI / 36;
+const EDGE = 0.01;  // m around what is thin
 const REACH = 14;  // px around what is small
 
 /// `asks`: { eye, scene, model, may_act(), choose(kind, index), carry(kind, index, pose), drop(), changed(), chosen() }.
@@ -32,6 +34,24 @@ export function put_hands_on(canvas, asks) {
     (scene.marker_specs ?? []).forEach(({ size }, i) => {
       const pose = scene.marker_pose(model.markers, i);
       look_at("marker", i, pose, pose.z, size / 2);
+    });
+    return best ?? pick_thing(x, y);
+  }
+
+  /// The box or cylinder whose top or middle is at this pixel, as it stands upright.
+  function pick_thing(x, y) {
+    let best = null;
+    (scene.thing_specs ?? []).forEach(({ name, size }, i) => {
+      const pose = name !== BORDER && scene.thing_pose(model.things, i);
+      if (!pose) return;
+      for (const z of [pose.z + size[2] / 2, pose.z]) {
+        const at = eye.on_floor(x, y, z);
+        if (!at || (best && z <= best.z)) continue;
+        const [dx, dy] = [at.x - pose.x, at.y - pose.y];
+        const [cos, sin] = [Math.cos(pose.yaw), Math.sin(pose.yaw)];
+        const is_within = Math.abs(dx * cos + dy * sin) <= size[0] / 2 + EDGE && Math.abs(dy * cos - dx * sin) <= size[1] / 2 + EDGE;
+        if (is_within) best = { kind: "thing", index: i, pose, z };
+      }
     });
     return best;
   }

@@ -4,6 +4,8 @@ import { marker_atlas, matrix_of, merge, painted_lines, robot_geometry, solids_o
 import { Trails } from "./world_trails.js";
 
 const MOST_RAYS = 8192;
+/// What the engine calls the walls around an arena, which stay where they are.
+export const BORDER = "wall";
 const shaded = () => new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors });
 const hidden = new THREE.Matrix4().makeScale(0, 0, 0);
 
@@ -71,6 +73,7 @@ export class Scene {
     }
     const colors = this.#colors;
     const solids = solids_of(arena);
+    this.thing_specs = arena.things ?? [];
     this.#find_bounds(arena, solids, now);
     this.#build_floor(arena, now.floor);
     this.#build_solids(solids);
@@ -198,11 +201,17 @@ export class Scene {
     this.#discs.chosen.visible = chosen !== null;
     this.#discs.touching.visible = robots.some((each) => each?.collided);
     for (const { mesh, members } of this.#solids) {
-      members.forEach((each, i) => mesh.setMatrixAt(i, things[each.index] ? matrix_of(flat(things[each.index].pose), each.scale, scratch) : hidden));
+      members.forEach((each, i) => mesh.setMatrixAt(i, things[each.index] ? matrix_of(this.thing_pose(things, each.index, carried), each.scale, scratch) : hidden));
       mesh.instanceMatrix.needsUpdate = true;
     }
     this.#update_markers(markers, carried);
     this.#update_rays(shows_rays ? rays.flat() : []);
+  }
+
+  /// Where a thing is: { x, y, z, yaw, pitch, roll }; undefined when that is not known yet.
+  thing_pose(things, i, carried) {
+    const pose = flat(things[i]?.pose);
+    return pose && carried?.kind === "thing" && carried.index === i ? { ...pose, ...carried.pose } : pose;
   }
 
   /// Where a marker is: { x, y, z, yaw }.

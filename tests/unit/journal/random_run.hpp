@@ -141,6 +141,9 @@ function on_execute()
     }
     Act make(std::in_place_type_t<Teleport>) { return Teleport{"mouse", {{number(), number()}, number() * 3}}; }
     Act make(std::in_place_type_t<MoveMarker>) { return MoveMarker{"target", {{number(), number(), 0.1}, {}}}; }
+    Act make(std::in_place_type_t<MoveThing>) {
+        return MoveThing{one_of<std::string>({"box 1", "wall", "box 2"}), {{number(), number()}, number()}};
+    }
     Act make(std::in_place_type_t<AddMarker>) {
         return AddMarker{
             {.name = "sign", .id = 5, .size = 0.1, .at = {number(), number(), 0.1}, .place = {file.string(), 1}}};

@@ -1,0 +1,76 @@
+// The world as a browser is shown it, and carried about by it.
+#include <catch2/catch.hpp>
+
+#include "engine/ports/cdr.hpp"
+#include "tests/unit/web/web_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::web;
+
+namespace {
+
+using Json = WebRig::Json;
+
+// The first robot as it is told next.
+WebRobot next_robot(RawBrowser& browser) {
+    for (;;) {
+        const auto got = browser.next();
+        REQUIRE(got);
+        if (got->opcode != 2 || got->bytes[0] != 1) continue;
+        const Octets bytes(got->bytes.begin() + 4, got->bytes.end());
+        WebFrame frame;
+        REQUIRE(read_cdr(bytes, {}, frame));
+        if (!frame.robots.empty()) return frame.robots.front();
+    }
+}
+
+Json move(const std::string& thing, double x, int id) {
+    return {{"do", "act"},
+            {"id", id},
+            {"act", "MoveThing"},
+            {"fields", {{"thing", thing}, {"pose", {{"position", {{"x", x}, {"y", 0}}}, {"heading", 0}}}}}};
+}
+
+}  // namespace
+
+TEST_CASE("a browser carries a wall elsewhere, and is told why not where it can't be", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const auto system = Json::parse(browser.next_text("\"is\":\"system\""));
+    CHECK(system["arena"]["things"][0]["name"] == "box 1");
+    CHECK(WebRig::answer(browser, move("box 1", 1.5, 1))["ok"] == true);
+    CHECK(rig.live->system().world()->things().front().pose.position.x == 1.5);
+    const auto refused = WebRig::answer(browser, move("box 1", 0, 2));
+    CHECK(refused["ok"] == false);
+    CHECK(refused["text"] == "box 1 at x = 0, y = 0 overlaps robot 'mouse': move one of them");
+    rig.live->act(Restart{}, {});
+    CHECK(rig.live->system().world()->things().front().pose.position.x == 0.8);
+}
+
+TEST_CASE("a browser is told how a robot is tilted and what it touches", "[web]") {
+    WebRig rig(R"(
+arena { box { at = { 0, 0, 0 }, size = { 2, 2, 0.1 }, pitch = -0.1 },
+        box { at = { 0.28, 0, 0.15 }, size = { 0.02, 1, 0.3 } } }
+robot "mouse" { model = "raspimouse", pose = { x = 0.1, y = 0, heading = 0 } }
+)",
+               {});
+    rig.paused = false;
+    REQUIRE(rig.live->act(Hold{"mouse.target_velocity_in", Velocity2D{.vx = 0.2}}, {}));
+    RawBrowser browser = rig.open();
+    REQUIRE(browser.send_frame(R"({"do":"watch","truth":true})"));
+    WebRobot robot = next_robot(browser);
+    while (!robot.collided || robot.touches.find("box 2") == std::string::npos) robot = next_robot(browser);
+    CHECK(robot.pitch < -0.05);
+    CHECK(robot.z > 0);
+}
+
+TEST_CASE("a browser is told which port carries the value behind each ray", "[web]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const auto robot = Json::parse(browser.next_text("\"is\":\"system\""))["robots"][0];
+    REQUIRE(robot["distances"].size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(robot["distances"][i]["port"] == "ir_sensor_out");
+        CHECK(robot["distances"][i]["index"] == i);
+    }
+}
