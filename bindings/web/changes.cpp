@@ -28,6 +28,7 @@ void Changes::take(State&& state) {
         markers_.clear();
         rays_.clear();
         ports_.clear();
+        members_.clear();
     }
     std::vector<std::vector<WebRay>> rays;
     for (WebRay& ray : state.now.rays) {
@@ -40,6 +41,12 @@ void Changes::take(State&& state) {
     merge(rays_, std::move(rays));
     for (auto& [name, port] : state.ports) {
         ports_.insert_or_assign(name, Dated<State::Port>{std::move(port), sequence_});
+        changed_ = sequence_;
+    }
+    for (WebMember& member : state.members) {
+        Dated<WebMember>& known = members_[member.name];
+        if (known.changed != 0 && known.value == member) continue;
+        known = {std::move(member), sequence_};
         changed_ = sequence_;
     }
     state.now.rays.clear();
@@ -74,6 +81,11 @@ WebFrame Changes::since(Seen& seen, const Watch& watch) const {
                                .count = static_cast<std::uint32_t>(port.count - before),
                                .payload = port.payload});
         seen.counts[i] = port.count;
+    }
+    for (const std::string& name : watch.members) {
+        const auto found = members_.find(name);
+        if (found != members_.end() && found->second.changed > seen.sequence)
+            frame.members.push_back(found->second.value);
     }
     seen.sequence = sequence_;
     return frame;

@@ -16,6 +16,7 @@ struct Watch {
     bool truth = false;                ///< poses of robots
     bool rays = false;
     std::vector<std::string> pictures{};  ///< "name.port"
+    std::vector<std::string> members{};   ///< "mouse.truth", "controller.probes", "controller.state"
     bool operator==(const Watch&) const = default;
 };
 
@@ -27,6 +28,7 @@ struct State {
         Octets payload{};
     };
     std::map<std::string, Port, std::less<>> ports{};  ///< "name.port": those that have changed
+    std::vector<WebMember> members{};                  ///< as they are now
     std::uint64_t layout = 0;                          ///< another one: nothing is what it was
 };
 
@@ -63,6 +65,7 @@ private:
     std::vector<Dated<WebMarker>> markers_;
     std::vector<Dated<std::vector<WebRay>>> rays_;  // by robot
     std::map<std::string, Dated<State::Port>, std::less<>> ports_;
+    std::map<std::string, Dated<WebMember>, std::less<>> members_;
 };
 
 }  // namespace nezumi::web

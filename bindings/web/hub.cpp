@@ -141,11 +141,13 @@ void Hub::watch_anew() {
     for (const auto& [id, client] : clients_) {
         all.ports.insert(all.ports.end(), client.watch.ports.begin(), client.watch.ports.end());
         all.pictures.insert(all.pictures.end(), client.watch.pictures.begin(), client.watch.pictures.end());
+        all.members.insert(all.members.end(), client.watch.members.begin(), client.watch.members.end());
         all.truth = all.truth || client.watch.truth;
         all.rays = all.rays || client.watch.rays;
     }
     remove_doubles(all.ports);
     remove_doubles(all.pictures);
+    remove_doubles(all.members);
     const std::lock_guard lock(mutex_);
     wanted_ = std::move(all);
     std::erase_if(pictures_, [&](const auto& each) {

@@ -1,9 +1,13 @@
 // Poses are few and always told; a port is looked at only when something has come.
 #include "bindings/web/look.hpp"
 
+#include <optional>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include "engine/ports/cdr.hpp"
+#include "engine/trace/channel.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -55,6 +59,19 @@ void add_things(WebFrame& frame, const World& world) {
     for (const MarkerPose& marker : world.markers()) frame.markers.push_back({.index = index++, .pose = marker.pose});
 }
 
+// Numbers of a member that are shown.
+constexpr std::size_t most_leaves = 128;
+
+bool is_member(std::string_view name) { return name == "truth" || name == "probes" || name == "state"; }
+
+std::optional<double> number_of(const Leaf& leaf) {
+    if (const auto* number = std::get_if<double>(&leaf)) return *number;
+    if (const auto* single = std::get_if<float>(&leaf)) return *single;
+    if (const auto* whole = std::get_if<std::int64_t>(&leaf)) return static_cast<double>(*whole);
+    if (const auto* is_on = std::get_if<bool>(&leaf)) return *is_on ? 1 : 0;
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::unique_ptr<State> Look::at(std::unique_ptr<State> state, const Watch& wanted, double late) {
@@ -82,7 +99,28 @@ std::unique_ptr<State> Look::at(std::unique_ptr<State> state, const Watch& wante
     if (system.world() != nullptr) add_things(frame, *system.world());
     state->now = std::move(frame);
     add_ports(*state, wanted);
+    add_members(*state, wanted);
     return state;
+}
+
+void Look::add_members(State& state, const Watch& wanted) const {
+    state.members.clear();
+    for (const std::string& name : wanted.members) {
+        const auto dot = name.find('.');
+        if (dot == std::string::npos) continue;
+        const std::string_view what = std::string_view(name).substr(dot + 1);
+        const Component* const owner = live_.system().find(name.substr(0, dot));
+        if (!is_member(what) || owner == nullptr || owner->find_port(what) != nullptr) continue;
+        auto channel = Channel::find(live_.system(), name);
+        if (!channel) continue;
+        channel->latch(live_.system(), live_.system().now().tick);
+        WebMember member{.name = name};
+        channel->visit(0, [&](const LeafPath& path, const Leaf& leaf) {
+            if (member.leaves.size() >= most_leaves) return;
+            if (const auto value = number_of(leaf)) member.leaves.push_back({path.text(), *value});
+        });
+        state.members.push_back(std::move(member));
+    }
 }
 
 void Look::add_ports(State& state, const Watch& wanted) {

@@ -23,6 +23,7 @@ public:
 
 private:
     void add_ports(State& state, const Watch& wanted);
+    void add_members(State& state, const Watch& wanted) const;
 
     const LiveSystem& live_;
     const ClockControl& clock_;

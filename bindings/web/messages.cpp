@@ -103,7 +103,8 @@ Watch read_watch(Fields& fields) {
     return {.ports = fields.texts("ports"),
             .truth = fields.flag("truth"),
             .rays = fields.flag("rays"),
-            .pictures = fields.texts("pictures")};
+            .pictures = fields.texts("pictures"),
+            .members = fields.texts("members")};
 }
 
 ActMessage read_act(Fields& fields, const Project& project) {

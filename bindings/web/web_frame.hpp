@@ -43,6 +43,16 @@ struct WebPort {
     std::uint32_t count = 0;
     Octets payload{};
 };
+struct WebLeaf {
+    std::string name;
+    double value = 0;
+    bool operator==(const WebLeaf&) const = default;
+};
+struct WebMember {
+    std::string name;
+    std::vector<WebLeaf> leaves{};
+    bool operator==(const WebMember&) const = default;
+};
 struct WebFrame {
     double time = 0;
     std::int64_t tick = 0;
@@ -54,6 +64,7 @@ struct WebFrame {
     std::vector<WebMarker> markers{};
     std::vector<WebRay> rays{};
     std::vector<WebPort> ports{};
+    std::vector<WebMember> members{};
 };
 struct WebPicture {
     std::string port;
@@ -128,6 +139,20 @@ struct Describe<web::WebPort> {
     };
 };
 template <>
+struct Describe<web::WebLeaf> {
+    using T = web::WebLeaf;
+    static constexpr std::string_view name = "WebLeaf";
+    static constexpr std::tuple fields{Field{"name", &T::name, "", "as in pose.position.x"},
+                                       Field{"value", &T::value, "", "a truth value is 0 or 1"}};
+};
+template <>
+struct Describe<web::WebMember> {
+    using T = web::WebMember;
+    static constexpr std::string_view name = "WebMember";
+    static constexpr std::tuple fields{Field{"name", &T::name, "", "as in mouse.truth"},
+                                       Field{"leaves", &T::leaves, "", "its numbers"}};
+};
+template <>
 struct Describe<web::WebFrame> {
     using T = web::WebFrame;
     static constexpr std::string_view name = "WebFrame";
@@ -142,6 +167,7 @@ struct Describe<web::WebFrame> {
         Field{"markers", &T::markers, "", "that have changed"},
         Field{"rays", &T::rays, "", "all of each robot of which one has changed"},
         Field{"ports", &T::ports, "", "that have got messages"},
+        Field{"members", &T::members, "", "that have changed, of those that are watched"},
     };
 };
 template <>

@@ -207,6 +207,22 @@ class Words(rig.PageCase):
         self.assertEqual(page.errors(), [])
 
 
+class Members(rig.PageCase):
+    """Numbers that no port carries."""
+
+    def test_a_robots_truth_is_plotted(self):
+        self.open(WALL)
+        page = self.page
+        page.view("plots")
+        page.choose(".plots select", "mouse.truth")
+        page.until("[...document.querySelectorAll('.plots select')[1].options].some((each) => each.value === 'pose.position.x')", "it is offered")
+        page.choose(".plots select:nth-of-type(2)", "pose.position.x")
+        page.press("Plot")
+        page.until("document.querySelectorAll('.plots canvas').length > 0", "it is drawn")
+        self.assertIn("mouse.truth.pose.position.x", page.text(".legend"))
+        self.assertEqual(page.errors(), [])
+
+
 class Cameras(rig.PageCase):
     """What cameras see."""
 

@@ -14,7 +14,7 @@ export class Model extends Emitter {
   markers = [];
   rays = [];    // of each robot, by index
   floor = null;  // the address of the picture on the floor, once it has come
-  values = new Map();  // of watched ports: { value, tm, at, count }
+  values = new Map();  // of watched ports and members: { value, tm, at, count }
   #link;
   #cdr = null;
   #watchers = new Map();  // who: { ports, pictures, truth, rays }
@@ -69,6 +69,19 @@ export class Model extends Emitter {
       component.ports.map((port) => [`${component.name}.${port.name}`, port]));
   }
 
+  /// What else has numbers: ["mouse.truth", "controller.probes", ...].
+  all_members() {
+    const { components = [], robots = [] } = this.system ?? {};
+    return [...robots.filter(({ real }) => !real).map(({ name }) => `${name}.truth`),
+      ...components.filter(({ kind }) => kind === "behavior").flatMap(({ name }) => [`${name}.probes`, `${name}.state`])];
+  }
+
+  /// As `watch` takes it: the values of these ports and members.
+  wanted(names) {
+    const members = new Set(this.all_members());
+    return { ports: names.filter((name) => !members.has(name)), members: names.filter((name) => members.has(name)) };
+  }
+
   #watch_again() {
     this.#slots = [];
     this.#sent = "";
@@ -105,6 +118,7 @@ export class Model extends Emitter {
       do: "watch",
       ports: this.#slots.map(({ name }) => name),
       pictures: all("pictures").sort(),
+      members: all("members").sort(),
       truth: wanted.some((each) => each.truth),
       rays: wanted.some((each) => each.rays),
     };
@@ -112,7 +126,7 @@ export class Model extends Emitter {
     if (text === this.#sent || !this.#link.send(next)) return;
     this.#sent = text;
     if (!next.rays) this.rays = [];
-    for (const port of this.values.keys()) if (!ports.includes(port)) this.values.delete(port);
+    for (const port of this.values.keys()) if (!ports.includes(port) && !next.members.includes(port)) this.values.delete(port);
   }
 
   /// A port keeps its place while it is watched, and its place stays empty for a while: a frame under way may still
@@ -157,7 +171,7 @@ export class Model extends Emitter {
   }
 
   #take_frame(bytes) {
-    const { robots, things, markers, rays, ports, ...frame } = this.#cdr.read(this.hello.frame, bytes);
+    const { robots, things, markers, rays, ports, members, ...frame } = this.#cdr.read(this.hello.frame, bytes);
     if (frame.time < this.frame.time - 1e-9) this.#forget();
     this.frame = frame;
     for (const each of robots) this.robots[each.index] = each;
@@ -165,6 +179,7 @@ export class Model extends Emitter {
     for (const each of markers) this.markers[each.index] = each;
     this.#take_rays(rays);
     for (const each of ports) this.#take_port(each);
+    for (const each of members) this.#take_member(each, frame.time);
     this.emit("frame");
   }
 
@@ -190,6 +205,12 @@ export class Model extends Emitter {
     } catch (wrong) {
       console.warn(name, wrong.message);  // of the watch list before
     }
+  }
+
+  #take_member({ name, leaves }, tm) {
+    const count = (this.values.get(name)?.count ?? 0) + 1;
+    this.values.set(name, { value: Object.fromEntries(leaves.map((each) => [each.name, each.value])), tm, at: performance.now(), count });
+    this.emit("port", name);
   }
 
   #take_picture(bytes) {

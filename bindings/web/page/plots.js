@@ -107,7 +107,8 @@ class Plots {
   }
 
   #changed() {
-    this.#parts.model.watch("plots", { ports: [...new Set(this.recording.fields.map(({ port }) => port))] });
+    const { model } = this.#parts;
+    model.watch("plots", model.wanted([...new Set(this.recording.fields.map(({ port }) => port))]));
     this.#anew();
     this.on_changed?.();
   }
@@ -160,7 +161,7 @@ function make_chooser(plots, { model }) {
   const add = el("button", { text: T.plots.plot, onclick: () => field.value !== "-" && plots.add(port.value, field.value) });
   let fields = "";
   const look = () => {
-    model.watch("plot chooser", port.value && { ports: [port.value] });
+    model.watch("plot chooser", port.value && model.wanted([port.value]));
     fields = "";
     fill_fields();
   };
@@ -175,7 +176,8 @@ function make_chooser(plots, { model }) {
   port.onchange = look;
   model.on("port", (name) => name === port.value && fill_fields());
   model.on("system", () => {
-    const names = model.all_ports().filter(([, { type }]) => !/String|CameraImage/.test(type)).map(([name]) => name);
+    const names = model.all_ports().filter(([, { type }]) => !/String|CameraImage/.test(type)).map(([name]) => name)
+      .concat(model.all_members());
     if (port.dataset.names === names.join()) return;
     port.dataset.names = names.join();
     const before = port.value;

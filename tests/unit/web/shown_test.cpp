@@ -1,7 +1,11 @@
 // What a browser is told besides numbers that change: the log before it came, the floor, markers, what is set by hand.
 #include <catch2/catch.hpp>
 
+#include <map>
+#include <string>
+
 #include "engine/base/whole_file.hpp"
+#include "engine/ports/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
 using namespace nezumi;
@@ -128,6 +132,43 @@ behavior "controller" { script = "counter", config = { speed_x = 1 }, sets = { f
     CHECK(parameter(of_set, 0)["changed"] == false);
     CHECK(parameter(of_set, 1)["given"] == 40);
     CHECK(parameter(of_set, 1)["changed"] == false);
+}
+
+TEST_CASE("a browser is told the numbers of a robot's truth, a behaviour's probes and its state", "[web]") {
+    const std::string probing = R"lua(
+local out = output("out", "TimedVelocity2D", "")
+state.steps = 0
+state.name = "no number"
+function on_execute()
+  state.steps = state.steps + 1
+  probe("error", state.steps * 0.5)
+  out:write { vx = 0.1 }
+end
+)lua";
+    WebRig rig(R"(
+robot    "mouse"   { model = "raspimouse" }
+behavior "probing" { script = "probing" }
+connect("probing.out", "mouse.target_velocity_in")
+)",
+               {{"probing", probing}});
+    rig.paused = false;
+    RawBrowser browser = rig.open();
+    REQUIRE(browser.send_frame(
+        R"({"do":"watch","members":["mouse.truth","probing.probes","probing.state","probing.out","nobody.truth","x"]})"));
+    std::map<std::string, std::map<std::string, double>> seen;
+    while (seen.size() < 3 || !(seen["mouse.truth"]["pose.position.x"] > 0)) {
+        const std::string bytes = next_binary(browser, 1);
+        WebFrame frame;
+        REQUIRE(read_cdr(Octets(bytes.begin(), bytes.end()), {}, frame));
+        for (const WebMember& member : frame.members) {
+            if (member.name == "nobody.truth") continue;
+            for (const WebLeaf& leaf : member.leaves) seen[member.name][leaf.name] = leaf.value;
+        }
+    }
+    CHECK(seen.size() == 3);
+    CHECK(seen["probing.state"]["steps"] >= 1);
+    CHECK_FALSE(seen["probing.state"].contains("name"));
+    CHECK(seen["probing.probes"]["error"] == 0.5 * seen["probing.state"]["steps"]);
 }
 
 TEST_CASE("who may act is told the token for those who may only look", "[web]") {
