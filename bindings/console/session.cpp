@@ -276,6 +276,18 @@ void Session::after_tick() {
         parts.show(fmt::format("{} is gone: no longer watched", watch.path));
         return true;
     });
+    std::erase_if(parts.explained, [&parts](const Explained& each) {
+        const bool is_same = each.start == parts.live.starts();
+        const auto seen = is_same ? parts.live.explanation(each.component, each.look)
+                                  : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
+        if (seen && !*seen) return false;
+        if (seen) {
+            parts.show(to_text(**seen));
+        } else {
+            parts.show(seen.error().message + ": not explained");
+        }
+        return true;
+    });
     std::erase_if(parts.plots, [&parts](Plot& plot) {
         const double now = parts.live.system().now().seconds;
         if (now < plot.next - plot.every) plot.next = now;  // started anew
@@ -299,6 +311,7 @@ void Session::interrupt() {
     Parts& parts = *parts_;
     if (parts.drive.is_on()) key(Key::escape);
     parts.watches.clear();
+    parts.explained.clear();
     parts.plots.clear();
     parts.worker.serve_posts();
     auto jobs = std::exchange(parts.jobs, {});

@@ -26,6 +26,13 @@ struct Watch {
     double shown_at = -1;  ///< [s] simulated; -1: not yet
 };
 
+/// An execution that is to be explained.
+struct Explained {
+    std::string component;
+    std::int64_t look = 0;  ///< `LiveSystem::explain_next`
+    int start = 0;          ///< of the system
+};
+
 /// What `plot` was asked for.
 struct Plot {
     std::vector<std::string> names{};  ///< of channels: "controller.out.vx"
@@ -84,6 +91,7 @@ struct Session::Parts {
     std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was, which may not have ended yet
     std::optional<Worker::Clock::time_point> quits;    ///< when a line asked for the run's end
     std::vector<Watch> watches;
+    std::vector<Explained> explained;
     std::vector<Plot> plots;  ///< that are drawn again and again
     Drive drive;
 

@@ -58,7 +58,7 @@ WordFunction word_connect, word_disconnect;                                     
 WordFunction word_behavior, word_component, word_robot, word_marker, word_remove;  // members
 WordFunction word_activate, word_deactivate, word_log_level;                       // life
 WordFunction word_ls, word_find, word_help, word_errors, word_now, word_print;     // looking
-WordFunction word_watch, word_unwatch, word_plot, word_drive;                      // following
+WordFunction word_watch, word_unwatch, word_plot, word_drive, word_explain;        // following
 WordFunction word_inject, word_hold, word_release;                                 // acting
 WordFunction word_teleport, word_stop, word_rearm;
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time

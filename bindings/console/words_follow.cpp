@@ -41,6 +41,18 @@ Expected<WordEnd> word_unwatch(Session::Parts& parts, const Arguments& arguments
     return WordEnd::done;
 }
 
+Expected<WordEnd> word_explain(Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.count() < 1) return failure("expected a behaviour, as in explain(controller), got nothing");
+    const auto at = parts.objects->to_component(arguments.lua, 1);
+    if (!at) return Unexpected(at.error());
+    const std::string name = at->component->name();
+    const auto look = parts.live.explain_next(name);
+    if (!look) return Unexpected(look.error());
+    parts.explained.push_back({name, *look, parts.live.starts()});
+    if (parts.clock.is_paused()) parts.show("time is paused: step() lets it execute");
+    return WordEnd::done;
+}
+
 Expected<WordEnd> word_drive(Session::Parts& parts, const Arguments& arguments) {
     if (!parts.options.output.take_keys) return failure("this needs a terminal: there are no keys here");
     Expected<std::string> what = path(parts, arguments);

@@ -214,7 +214,7 @@ bool Hub::received(ClientId id, std::string_view text) {
         client.wants_floor = !floor_.empty();
         return true;
     }
-    if (client.view_only) {
+    if (client.view_only && !std::holds_alternative<ExplainMessage>(message->body)) {
         put_text(client, refusal(message->id, "this link is for looking only"), false);
         return true;
     }

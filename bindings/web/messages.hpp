@@ -36,12 +36,16 @@ struct ConsoleMessage {
     std::string shown;  ///< what it evaluates; "" when it evaluates nothing
 };
 
+/// Wants the next execution of a behaviour explained.
+struct ExplainMessage {
+    std::string component;
+};
 /// Wants the picture on the floor.
 struct FloorMessage {};
 
 struct Message {
     std::int64_t id = 0;  ///< of the page's choice; an answer carries it
-    std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage> body{};
+    std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage> body{};
 };
 
 /// What came with `id`, as far as that could be read, and what is wrong.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bindings/web/explain_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// That wait for an execution.
+constexpr std::size_t most_explained = 64;
 // Steps at once.
 constexpr double most_ticks = 1e12;
 constexpr std::string_view only_real_time = "real robots know only real time: this works in simulation";
@@ -105,6 +108,7 @@ bool WebServer::serve(Clock::time_point until, double late) {
         describe_system(now);
         show(late, now);
     }
+    explain();
     return dealt_ < waiting_.size();
 }
 
@@ -166,6 +170,13 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     if (const auto* console = std::get_if<ConsoleMessage>(&message.body)) {
         if (!console->shown.empty()) note(browser, console->shown);
         return replied(relay_.send(client, console->line, browser.who), Reply::later);
+    }
+    if (const auto* wanted = std::get_if<ExplainMessage>(&message.body)) {
+        if (explained_.size() >= most_explained) return failure("too many wait to be explained already");
+        const auto look = live_.explain_next(wanted->component);
+        if (!look) return Unexpected(look.error());
+        explained_.push_back({client, wanted->component, *look, live_.starts()});
+        return Reply::now;
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
         if (time->what == TimeMessage::What::restart) return restart(client, message.id, browser);
@@ -230,6 +241,16 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
             return {};
     }
     return {};
+}
+
+void WebServer::explain() {
+    std::erase_if(explained_, [&](const Explained& each) {
+        if (!browsers_.contains(each.client) || each.start != live_.starts()) return true;
+        const auto seen = live_.explanation(each.component, each.look);
+        if (seen && !*seen) return false;
+        if (seen) hub_.send(each.client, dump(explanation_to_json(**seen)));
+        return true;
+    });
 }
 
 void WebServer::describe_system(Clock::time_point now) {

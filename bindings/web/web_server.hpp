@@ -75,6 +75,7 @@ private:
     Expected<Reply> perform(ClientId client, const Browser& browser, const Message& message);
     Expected<void> set_time(const TimeMessage& time, const Browser& browser);
     Expected<Reply> restart(ClientId client, std::int64_t id, const Browser& browser);
+    void explain();
     void show(double late, Clock::time_point now);
     void describe_system(Clock::time_point now);
 
@@ -85,6 +86,13 @@ private:
     Drives drives_;
     ConsoleRelay relay_;
     std::map<ClientId, Browser> browsers_;
+    struct Explained {
+        ClientId client = 0;
+        std::string component;
+        std::int64_t look = 0;
+        int start = 0;
+    };
+    std::vector<Explained> explained_;  // that are to be
     std::vector<Hub::Incoming> waiting_;
     std::size_t dealt_ = 0;  // of waiting_
     Bell bell_;

@@ -79,5 +79,24 @@ class Hands(rig.PageCase):
         self.page.until("[...document.querySelectorAll('.labels .ray')].some((each) => / cm · \\d/.test(each.textContent))", "a value is shown")
 
 
+class Explain(rig.PageCase):
+    """One execution, from the sensor to the wheels."""
+
+    def test_choosing_a_robot_explains_what_drives_it(self):
+        self.open("behaviors/systems/stop_at_wall.lua")
+        page = self.page
+        page.view("explain")
+        page.choose(".world select", "robot 0")
+        page.until("document.querySelectorAll('.explain .step').length === 5", "the chain is shown")
+        self.assertIn("mouse.ir_sensor_out", page.text(".explain .inputs"))
+        self.assertIn("robot_controller.lua", page.text(".explain .lua .place"))
+        self.assertIn("mouse.target_velocity_in", page.text(".explain .outputs"))
+        self.assertIn("left", page.text(".explain .wheels"))
+        before = page.text(".explain .when")
+        page.press("Again and again")
+        rig.wait_until(lambda: page.text(".explain .when") != before, "it looks again")
+        self.assertEqual(page.errors(), [])
+
+
 if __name__ == "__main__":
     sys.exit(rig.main(__name__))

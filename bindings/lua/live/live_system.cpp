@@ -316,6 +316,23 @@ Expected<void> LiveSystem::rebuild(SystemSpec spec) {
     return {};
 }
 
+Expected<std::int64_t> LiveSystem::explain_next(std::string_view name) {
+    const auto component = running_->system->component(name);
+    if (!component) return Unexpected(component.error());
+    auto* const script = dynamic_cast<ScriptComponent*>(*component);
+    if (script == nullptr) return failure(fmt::format("{} is no behaviour: it has no lines", name));
+    if (script->state() != LifeState::active)
+        return failure(fmt::format("{} is {}: nothing of it is executed", name, to_text(script->state())));
+    return script->look_at_next();
+}
+
+Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view name, std::int64_t look) const {
+    const auto* const script = dynamic_cast<const ScriptComponent*>(system().find(name));
+    if (script == nullptr) return failure(fmt::format("{} is gone", name));
+    if (script->looks() < look) return std::optional<Explanation>();
+    return std::optional(explain(system(), *script));
+}
+
 void LiveSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
 
 void LiveSystem::end() { running_->system->stop(0); }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bindings/lua/files/start_values.hpp"
+#include "bindings/lua/live/explain.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "bindings/lua/reload/live_reload.hpp"
 #include "bindings/lua/reload/reloader.hpp"
@@ -80,6 +81,12 @@ public:
     Expected<ActResult> act(const Act& act, const Actor& who);
     /// Ends what one holds who goes for good, as a connection that closes: a velocity is zero for a tick first.
     void let_go(const Actor& who);
+    /// Has an execution of a behaviour looked at, line by line; it runs as it would without. Returns the number of that
+    /// look, for `explanation`. No act: nothing changes.
+    Expected<std::int64_t> explain_next(std::string_view component);
+    /// What was seen in that look, or in a later one; nothing before it was executed. An error when the component is
+    /// gone. To be asked for after each tick.
+    Expected<std::optional<Explanation>> explanation(std::string_view component, std::int64_t look) const;
     /// `System::set_at_rest`: a loop that is paused has it so where robots are real. No act: a replay has no clock.
     void set_at_rest(bool at_rest);
     /// Tells an observer of every act from now on. It must outlive this or be removed with null.

@@ -90,6 +90,14 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     return {};
 }
 
+std::string Script::text_of(std::string_view shown) const {
+    if (context_.chunks == nullptr) return "";
+    if (file_.shown == shown) return context_.chunks->text_of(file_);
+    const auto module =
+        std::find_if(modules_.begin(), modules_.end(), [&](const ScriptFile& each) { return each.shown == shown; });
+    return module != modules_.end() ? context_.chunks->text_of(*module) : "";
+}
+
 // Modules
 
 Expected<void> Script::begin_module(lua_State* L, std::string_view name) {

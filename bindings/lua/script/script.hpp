@@ -102,6 +102,8 @@ public:
     /// Where it came from; the text itself is let go.
     const ScriptFile& file() const { return file_; }
     const ScriptContext& context() const { return context_; }
+    /// The text of it, or of a module, as messages call them; "" where that is not known any more.
+    std::string text_of(std::string_view shown) const;
     /// The files that `require` loaded, directly or not.
     const std::vector<ScriptFile>& modules() const { return modules_; }
     const std::list<PortDeclaration>& ports() const { return ports_; }

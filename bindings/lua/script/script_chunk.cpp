@@ -113,4 +113,14 @@ Expected<Chunk> ChunkCache::compile(const SourceText& source, ScriptKind kind) {
     return std::move(*chunk);
 }
 
+std::string ChunkCache::text_of(const ScriptFile& file) const {
+    const std::lock_guard lock(mutex_);
+    for (const char* const kind : {"\n", "\nmodule"}) {
+        const auto entry = entries_.find(file.path + '\n' + file.shown + kind);
+        if (entry != entries_.end() && ScriptFile({file.path, file.shown, entry->second.text}) == file)
+            return entry->second.text;
+    }
+    return "";
+}
+
 }  // namespace nezumi

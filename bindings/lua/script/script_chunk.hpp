@@ -23,6 +23,8 @@ class ChunkCache {
 public:
     /// The code of this text, or the first thing that is wrong with it.
     Expected<Chunk> compile(const SourceText& source, ScriptKind kind);
+    /// The text of this file, "" when it is another one by now.
+    std::string text_of(const ScriptFile& file) const;
 
 private:
     struct Entry {
@@ -30,7 +32,7 @@ private:
         Chunk chunk;
     };
 
-    Mutex mutex_;
+    mutable Mutex mutex_;
     std::map<std::string, Entry> entries_;  // by path, name shown and kind
 };
 

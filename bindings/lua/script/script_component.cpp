@@ -207,6 +207,15 @@ void ScriptComponent::begin_probation(bool time_is_fatal) {
     relapse_.reset();
 }
 
+Expected<void> ScriptComponent::execute_looked_at() {
+    LineTrace trace(script_->lua());
+    auto ok = script_->call(Hook::on_execute);
+    looked_at_ = trace.take();
+    looks_ahead_ = false;
+    ++looks_;
+    return ok;
+}
+
 Expected<void> ScriptComponent::execute_on_probation() {
     if (relapse_) return {};  // waits to be taken back
     auto ok = script_->call(Hook::on_execute);

@@ -1,6 +1,7 @@
 // A component written in Lua: one file is one component type.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/script/script.hpp"
 #include "engine/components/component.hpp"
 
@@ -34,6 +36,15 @@ public:
     /// Its probes by name, for a look at them at this time [s]: `value`, `tm` and `age`.
     PlainData describe_probes(double seconds) const { return script_->probes().describe(seconds); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
+
+    /// Has an execution looked at, line by line: the next one that is not on probation. Returns the number of that look.
+    std::int64_t look_at_next() {
+        looks_ahead_ = true;
+        return looks_ + 1;
+    }
+    /// The number of the latest look, and what was seen.
+    std::int64_t looks() const { return looks_; }
+    const LineTrace::Seen& looked_at() const { return looked_at_; }
 
     // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
 
@@ -88,7 +99,8 @@ protected:
         return script_->call(Hook::on_activated);
     }
     Expected<void> on_execute() override {
-        return probation_left_ > 0 ? execute_on_probation() : script_->call(Hook::on_execute);
+        if (probation_left_ > 0) return execute_on_probation();
+        return looks_ahead_ ? execute_looked_at() : script_->call(Hook::on_execute);
     }
     Expected<void> on_deactivated() override { return script_->call(Hook::on_deactivated); }
     Expected<void> on_aborting() override { return script_->call(Hook::on_aborting); }
@@ -101,6 +113,7 @@ private:
     /// The number that the next version will have.
     int next_version() const { return newest_ + 1; }
     Expected<void> execute_on_probation();
+    Expected<void> execute_looked_at();
     void make_ports(Version& next) const;
     void fill_slots(Version& next) const;
     Version replace(Version next);
@@ -113,6 +126,9 @@ private:
     int probation_left_ = 0;     // executions
     bool time_is_fatal_ = false;
     std::optional<Relapse> relapse_;
+    bool looks_ahead_ = false;
+    std::int64_t looks_ = 0;
+    LineTrace::Seen looked_at_{};
 };
 
 }  // namespace nezumi

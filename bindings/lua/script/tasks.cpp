@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/slices.hpp"
 
 namespace nezumi {
@@ -108,6 +109,7 @@ void Tasks::begin(lua_State* L, Task& task) {
 void Tasks::run_slice_of(lua_State* L, Task& task, double now) {
     task.status = Task::Status::running;
     current_ = &task;
+    LineTrace::follow(task.thread);
     const SliceEnd end = run_slice(L, task.thread);
     current_ = nullptr;
     switch (end) {

@@ -5,9 +5,9 @@ import { T } from "./texts.js";
 const GROUPS = {
   stage: ["world", "diagram", "plots"],
   side: ["drive", "parameters", "cameras"],
-  dock: ["console", "log"],
+  dock: ["console", "explain", "log"],
 };
-const ICONS = { world: "◎", diagram: "⇄", plots: "∿", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", log: "☰" };
+const ICONS = { world: "◎", diagram: "⇄", plots: "∿", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", explain: "?", log: "☰" };
 
 /// Tabs as ARIA has them: one of them has the focus, arrow keys move it.
 function make_tabs(label, names, chosen, choose) {

@@ -11,6 +11,7 @@ import { make_drive } from "./drive.js";
 import { make_parameters } from "./parameters.js";
 import { make_diagram } from "./diagram.js";
 import { make_cameras } from "./cameras.js";
+import { make_explain } from "./explain.js";
 import { make_console } from "./console.js";
 import { make_log } from "./log.js";
 
@@ -45,7 +46,7 @@ async function start() {
   const parts = { link, model, acts, notices };
 
   const views = {
-    world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), drive: make_drive(parts),
+    world: make_world(parts), diagram: make_diagram(parts), plots: make_plots(parts), explain: make_explain(parts), drive: make_drive(parts),
     parameters: make_parameters(parts), cameras: make_cameras(parts), console: make_console(parts), log: make_log(parts),
   };
   document.body.append(make_header(parts), make_layout(views), notices.node);

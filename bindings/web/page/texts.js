@@ -2,7 +2,7 @@
 
 const EN = {
   views: { world: "World", diagram: "System", plots: "Plots", drive: "Drive", parameters: "Parameters",
-    cameras: "Cameras", console: "Console", log: "Log" },
+    cameras: "Cameras", console: "Console", explain: "Explain", log: "Log" },
   parts: { stage: "What happens", side: "Steering", dock: "Words", all: "Views" },
   real: "real robots",
   simulated: "simulated",
@@ -85,6 +85,18 @@ const EN = {
 
   console: { label: "Console", input: "A line of Lua; Tab completes, ↑ and ↓ recall", run: "Run", interrupt: "Interrupt",
     clear: "Clear", hello: "The system's names are in scope: try ls() or help()." },
+
+  explain: {
+    which: "Behaviour", look: "Explain", look_hint: "Look at the next execution, line by line", follow: "Again and again",
+    about: "Choose a robot in the world, or a behaviour here: its next execution is shown, from what its sensors said to what its wheels were told.",
+    none: "none", no_lines: "No line of Lua ran.", cut: "… and more lines",
+    paused: "Time is paused: Step lets it execute.",
+    when: (name, at, tick) => `${name} at ${at} s, tick ${tick}`,
+    inputs: "What came in", lines: "Lines that ran, and what their variables held then", outputs: "What went out",
+    limits: (robot) => `${robot}: limits`, wheels: (robot) => `${robot}: wheels`,
+    asked: (v) => `told to drive ${v}`, limited: (v, speed, rate) => `now ${v}, of at most ${speed} m/s and ${rate} rad/s`,
+    rims: (left, right) => `left ${left} m/s, right ${right} m/s`, free: "They roll freely.",
+  },
 
   log: { label: "Log", search: "Search", level: "Level", debug: "debug", info: "info", warn: "warn", error: "error",
     clear: "Clear", follow: "Newest", empty: "Nothing yet.", count: (n) => `${n} lines` },

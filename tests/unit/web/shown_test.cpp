@@ -171,6 +171,22 @@ connect("probing.out", "mouse.target_velocity_in")
     CHECK(seen["probing.probes"]["error"] == 0.5 * seen["probing.state"]["steps"]);
 }
 
+TEST_CASE("an execution is explained to a browser, also to one that may only look", "[web][explain]") {
+    WebRig rig;
+    rig.paused = false;
+    RawBrowser browser = rig.open(rig.view_token);
+    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 1}, {"component", "controller"}})["ok"] == true);
+    const auto seen = Json::parse(browser.next_text("\"is\":\"explain\""));
+    CHECK(seen["component"] == "controller");
+    CHECK(seen["inputs"][0]["peers"] == Json{"mouse.ir_sensor_out"});
+    CHECK_FALSE(seen["lines"].empty());
+    CHECK(seen["robots"][0]["robot"] == "mouse");
+    CHECK(seen["robots"][0]["wheels"].is_object());
+    const auto refused = WebRig::answer(browser, {{"do", "explain"}, {"id", 2}, {"component", "mouse"}});
+    CHECK(refused["ok"] == false);
+    CHECK(refused["text"] == "mouse is no behaviour: it has no lines");
+}
+
 TEST_CASE("who may act is told the token for those who may only look", "[web]") {
     WebRig rig;
     RawBrowser browser = rig.open();

@@ -1,0 +1,193 @@
+// A hook of Lua's for lines and returns. It calls nothing that raises an error or takes memory of the state, so that the
+// script runs as it would without; its time is given back to the calls that it is taken from.
+#include "bindings/lua/sandbox/line_trace.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <string_view>
+#include <utility>
+
+#include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/watchdog.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr int most_elements = 6;
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a hook finds its thread's trace by it
+constinit thread_local LineTrace* current_trace = nullptr;
+
+std::string cut(std::string text) {
+    if (text.size() > LineTrace::longest_value) text = text.substr(0, LineTrace::longest_value - 3) + "...";
+    return text;
+}
+
+std::string text_of_string(std::string_view text) {
+    std::string shown = "\"";
+    for (const char each : text.substr(0, LineTrace::longest_value)) {
+        const bool is_plain = static_cast<unsigned char>(each) >= ' ' && each != '\x7f';
+        shown += is_plain ? each : '.';
+    }
+    return shown + "\"";
+}
+
+// The value on top of the stack; "" for what says nothing, as functions.
+std::string text_of(lua_State* lua, bool within = false);
+
+std::string text_of_table(lua_State* lua) {
+    std::string text = "{";
+    int count = 0;
+    const auto add = [&](const std::string& element) {
+        if (!element.empty()) text += (count++ > 0 ? ", " : " ") + element;
+    };
+    const auto length = static_cast<lua_Integer>(lua_rawlen(lua, -1));
+    for (lua_Integer i = 1; i <= length && count < most_elements; ++i) {
+        lua_rawgeti(lua, -1, i);
+        add(text_of(lua, true));
+        lua_pop(lua, 1);
+    }
+    bool has_more = length > most_elements;
+    lua_pushnil(lua);
+    while (length == 0 && lua_next(lua, -2) != 0) {
+        if (count >= most_elements) {
+            has_more = true;
+            lua_pop(lua, 2);
+            break;
+        }
+        const std::string value = lua_type(lua, -2) == LUA_TSTRING ? text_of(lua, true) : "";
+        if (!value.empty()) add(std::string(lua_tostring(lua, -2)) + " = " + value);
+        lua_pop(lua, 1);
+    }
+    if (length != 0) lua_pop(lua, 1);  // the nil
+    return text + (has_more ? ", ... }" : count > 0 ? " }" : "}");
+}
+
+std::string text_of(lua_State* lua, bool within) {
+    switch (lua_type(lua, -1)) {
+        case LUA_TNIL: return "nil";
+        case LUA_TBOOLEAN: return lua_toboolean(lua, -1) != 0 ? "true" : "false";
+        case LUA_TNUMBER: {
+            char text[40];
+            if (lua_isinteger(lua, -1) != 0) {
+                std::snprintf(text, sizeof text, "%lld", static_cast<long long>(lua_tointeger(lua, -1)));
+            } else {
+                std::snprintf(text, sizeof text, "%.6g", lua_tonumber(lua, -1));
+            }
+            return text;
+        }
+        case LUA_TSTRING: {
+            std::size_t length = 0;
+            const char* const text = lua_tolstring(lua, -1, &length);
+            return cut(text_of_string({text, length}));
+        }
+        case LUA_TTABLE: {
+            if (within) return "{...}";
+            const bool is_locked = push_behind_lock(lua, -1);
+            std::string text = cut(text_of_table(lua));
+            if (is_locked) lua_pop(lua, 1);
+            return text;
+        }
+        default: return "";
+    }
+}
+
+void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
+    std::string text = text_of(lua);
+    if (text.empty()) return;
+    const auto same = std::find_if(values.begin(), values.end(), [&](const auto& each) { return each.name == name; });
+    if (same != values.end()) {
+        same->text = std::move(text);  // the inner one is meant
+    } else if (values.size() < LineTrace::most_values) {
+        values.push_back({name, std::move(text)});
+    }
+}
+
+// Variables of the file that the function on top of the stack uses, and its own.
+std::vector<LineTrace::Value> values_in_sight(lua_State* lua, lua_Debug* event) {
+    std::vector<LineTrace::Value> values;
+    for (int i = 1; const char* name = lua_getupvalue(lua, -1, i); ++i) {
+        if (*name != '\0' && std::string_view(name) != "_ENV") add_value(values, lua, name);
+        lua_pop(lua, 1);
+    }
+    for (int i = 1; const char* name = lua_getlocal(lua, event, i); ++i) {
+        if (*name != '(') add_value(values, lua, name);
+        lua_pop(lua, 1);
+    }
+    return values;
+}
+
+int depth_of(lua_State* lua) {
+    lua_Debug activation;
+    int depth = 0;
+    while (depth <= LineTrace::deepest && lua_getstack(lua, depth + 1, &activation) != 0) ++depth;
+    return depth;
+}
+
+}  // namespace
+
+LineTrace::LineTrace(lua_State* lua) : lua_(lua), outer_(std::exchange(current_trace, this)) { follow(lua); }
+
+LineTrace::~LineTrace() {
+    current_trace = outer_;
+    // Those of coroutines go by themselves.
+    if (lua_gethook(lua_) == on_event) lua_sethook(lua_, nullptr, 0, 0);
+}
+
+void LineTrace::follow(lua_State* coroutine) {
+    if (current_trace != nullptr && lua_gethook(coroutine) == nullptr)
+        lua_sethook(coroutine, on_event, LUA_MASKLINE | LUA_MASKRET, 0);
+}
+
+void LineTrace::on_event(lua_State* lua, lua_Debug* event) {
+    LineTrace* const trace = current_trace;
+    if (trace == nullptr || trace->seen_.is_cut) {
+        // The watchdog's may have come meanwhile: that one stays, or comes again.
+        if (lua_gethook(lua) == on_event) lua_sethook(lua, nullptr, 0, 0);
+        return;
+    }
+    const std::int64_t began = thread_time();
+    try {
+        trace->note(lua, event);
+    } catch (const std::exception&) {  // no memory: there are no errors to be thrown through Lua
+        trace->seen_.is_cut = true;
+    }
+    charge_calls(began - thread_time());
+}
+
+void LineTrace::note(lua_State* lua, lua_Debug* event) {
+    if (++events_ > most_events) {
+        seen_.is_cut = true;
+        return;
+    }
+    if (lua_getinfo(lua, "Slf", event) == 0) return;
+    const int depth = depth_of(lua);
+    if (*event->what != 'C' && depth <= deepest) {
+        const void* const function = lua_topointer(lua, -1);
+        end_line(lua, event, depth, function);
+        if (event->event == LUA_HOOKLINE) {
+            if (seen_.lines.size() < most_lines) {
+                const char* const file = *event->source == '@' ? event->source + 1 : event->short_src;
+                frames_.push_back({lua, depth, function, seen_.lines.size()});
+                seen_.lines.push_back({.file = file, .line = event->currentline, .depth = depth});
+            } else {
+                seen_.is_cut = true;
+            }
+        }
+    }
+    lua_pop(lua, 1);  // the function
+}
+
+// What ran in this function until now has run, and all that it called. The function is on top of the stack.
+void LineTrace::end_line(lua_State* lua, lua_Debug* event, int depth, const void* function) {
+    std::erase_if(frames_, [&](const Frame& each) { return each.lua == lua && each.depth > depth; });
+    const auto frame = std::find_if(frames_.begin(), frames_.end(),
+                                    [&](const Frame& each) { return each.lua == lua && each.depth == depth; });
+    if (frame == frames_.end()) return;
+    if (frame->function == function) seen_.lines[frame->line].values = values_in_sight(lua, event);
+    frames_.erase(frame);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,69 @@
+// The lines of Lua that run in one call, and what their variables hold behind each: a look that costs nothing while
+// nobody looks, and changes nothing of what is looked at.
+#pragma once
+
+#include <cstddef>
+#include <lua.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nezumi {
+
+class LineTrace {
+public:
+    /// Lines that are noted, looks at what Lua does, calls within calls, variables of a line, bytes of a value: what is
+    /// more is left out.
+    static constexpr std::size_t most_lines = 300, most_events = 5000;
+    static constexpr int deepest = 30;
+    static constexpr std::size_t most_values = 24, longest_value = 60;
+
+    struct Value {
+        std::string name;
+        std::string text;
+        bool operator==(const Value&) const = default;
+    };
+    struct Line {
+        std::string file;  ///< as messages call it
+        int line = 0;
+        int depth = 0;                ///< calls within the outermost function
+        std::vector<Value> values{};  ///< of the variables in sight, once it had run
+    };
+    struct Seen {
+        std::vector<Line> lines{};
+        bool is_cut = false;  ///< there were more
+    };
+
+    /// While it lives, what this thread runs in this state is noted. The state must outlive it. Where calls are watched
+    /// by polling (watchdog.hpp) there is nothing to be seen.
+    explicit LineTrace(lua_State* lua);
+    ~LineTrace();
+    LineTrace(const LineTrace&) = delete;
+    LineTrace& operator=(const LineTrace&) = delete;
+
+    /// A coroutine that is about to run: if this thread notes lines, its as well.
+    static void follow(lua_State* coroutine);
+
+    Seen take() { return std::move(seen_); }
+
+private:
+    // A function that is being called, and its line that runs.
+    struct Frame {
+        lua_State* lua;
+        int depth;
+        const void* function;
+        std::size_t line;  // of seen_.lines
+    };
+
+    static void on_event(lua_State* lua, lua_Debug* event);
+    void note(lua_State* lua, lua_Debug* event);
+    void end_line(lua_State* lua, lua_Debug* event, int depth, const void* function);
+
+    lua_State* lua_;
+    LineTrace* outer_;
+    Seen seen_;
+    std::size_t events_ = 0;
+    std::vector<Frame> frames_;
+};
+
+}  // namespace nezumi

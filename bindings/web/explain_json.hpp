@@ -1,0 +1,12 @@
+// An explained execution for the page.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "bindings/lua/live/explain.hpp"
+
+namespace nezumi::web {
+
+nlohmann::ordered_json explanation_to_json(const Explanation& explanation);
+
+}  // namespace nezumi::web

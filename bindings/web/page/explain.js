@@ -1,0 +1,126 @@
+// One execution of a behaviour explained: what came in, the lines that ran with their values, what went out, and what a
+// robot's limits and wheels made of it. Nothing is asked of the engine while nobody looks.
+import { el } from "./dom.js";
+import { T } from "./texts.js";
+import { number_text } from "./value_text.js";
+
+const AGAIN = 500;  // ms between two looks while it follows
+
+/// The behaviour that drives a robot, or else hears it.
+function behavior_of(model, robot) {
+  const { connections } = model.system;
+  const owner = (port) => port.slice(0, port.indexOf("."));
+  const is_behavior = (name) => model.component(name)?.kind === "behavior";
+  const drives = connections.find(({ from, to }) => owner(to) === robot && is_behavior(owner(from)));
+  const hears = connections.find(({ from, to }) => owner(from) === robot && is_behavior(owner(to)));
+  return drives ? owner(drives.from) : hears ? owner(hears.to) : null;
+}
+
+const stage = (name, kind, ...nodes) => el("section", { class: `step ${kind}` }, el("h3", { text: name }), ...nodes);
+
+function ports_of(ports, arrow) {
+  if (ports.length === 0) return [el("p", { class: "hint", text: T.explain.none })];
+  return ports.map(({ port, value, peers, override }) => el("div", { class: "port-value" },
+    el("span", { text: peers.length > 0 ? `${port} ${arrow} ${peers.join(", ")}` : port }),
+    el("code", { text: value || T.diagram.nothing_yet }), override && el("em", { text: override })));
+}
+
+function lines_of({ lines, is_cut }) {
+  if (lines.length === 0) return [el("p", { class: "hint", text: T.explain.no_lines })];
+  const rows = lines.map(({ file, line, text, depth, values }, i) => el("li", {},
+    el("span", { class: "place", title: file, text: i === 0 || lines[i - 1].file !== file ? `${file}:${line}` : String(line) }),
+    el("code", { text, style: { paddingLeft: `${Math.max(0, depth - lines[0].depth) * 1.2}em` } }),
+    el("span", { class: "values" }, ...values.map(([name, value]) => el("span", { class: "value" }, el("i", { text: name }), ` = ${value}`)))));
+  return [el("ol", {}, ...rows), is_cut && el("p", { class: "hint", text: T.explain.cut })];
+}
+
+function robot_of({ robot, asked, limits, limited, wheels }) {
+  const velocity = ({ vx, va }) => `${number_text(vx)} m/s, ${number_text(va)} rad/s`;
+  return [
+    stage(T.explain.limits(robot), "limits", el("p", { text: T.explain.asked(velocity(asked)) }),
+      el("p", { text: T.explain.limited(velocity(limited), number_text(limits.speed), number_text(limits.yaw_rate)) })),
+    stage(T.explain.wheels(robot), "wheels", el("p", { text: wheels
+      ? T.explain.rims(number_text(wheels.left), number_text(wheels.right)) : T.explain.free })),
+  ];
+}
+
+export function make_explain({ model, link, notices }) {
+  const which = el("select", { "aria-label": T.explain.which });
+  const look = el("button", { class: "primary", text: T.explain.look, title: T.explain.look_hint });
+  const follow = el("button", { class: "toggle", "aria-pressed": false, text: T.explain.follow });
+  const body = el("div", { class: "chain" }, el("p", { class: "empty", text: T.explain.about }));
+  let is_shown = false;
+  let waits = false;
+  let timer = null;
+
+  const ask = async () => {
+    if (!which.value || waits) return;
+    waits = true;
+    const { ok, text } = await link.ask({ do: "explain", component: which.value });
+    if (!ok) {
+      waits = false;
+      stop_following();
+      notices.say(text || T.link.no_answer, "error");
+    } else if (!model.frame.running) {
+      notices.say(T.explain.paused);
+    }
+  };
+  const stop_following = () => {
+    follow.setAttribute("aria-pressed", false);
+    clearTimeout(timer);
+  };
+  look.onclick = ask;
+  which.onchange = () => {
+    waits = false;
+    ask();
+  };
+  follow.onclick = () => {
+    const next = follow.getAttribute("aria-pressed") !== "true";
+    follow.setAttribute("aria-pressed", next);
+    if (next) ask();
+    else stop_following();
+  };
+  model.on("explain", (seen) => {
+    if (seen.component !== which.value) return;
+    waits = false;
+    body.replaceChildren(
+      el("p", { class: "when", text: T.explain.when(seen.component, seen.at.toFixed(2), seen.tick) }),
+      stage(T.explain.inputs, "inputs", ...ports_of(seen.inputs, "←")),
+      stage(T.explain.lines, "lua", ...lines_of(seen).filter(Boolean)),
+      stage(T.explain.outputs, "outputs", ...ports_of(seen.outputs, "→")),
+      ...seen.robots.flatMap(robot_of));
+    if (is_shown && follow.getAttribute("aria-pressed") === "true") timer = setTimeout(ask, AGAIN);
+  });
+  model.on("restarted", () => {
+    waits = false;
+    stop_following();
+  });
+  link.on("lost", () => {
+    waits = false;
+    stop_following();
+  });
+  model.on("system", () => {
+    const names = model.system.components.filter(({ kind }) => kind === "behavior").map(({ name }) => name);
+    if (which.dataset.names === names.join()) return;
+    which.dataset.names = names.join();
+    const before = which.value;
+    which.replaceChildren(...names.map((name) => el("option", { value: name, text: name })));
+    if (names.includes(before)) which.value = before;
+    look.disabled = names.length === 0;
+  });
+  model.on("chosen", (robot) => {
+    const name = behavior_of(model, robot);
+    if (!name || name === which.value) return;
+    which.value = name;
+    waits = false;
+    if (is_shown) ask();
+  });
+  return {
+    node: el("div", { class: "explain" }, el("div", { class: "tools", role: "toolbar", "aria-label": T.views.explain }, which, look, follow), body),
+    shown: (shown) => {
+      is_shown = shown;
+      if (shown) ask();
+      else stop_following();
+    },
+  };
+}

@@ -1,0 +1,30 @@
+// The console explains an execution.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/console/session_rig.hpp"
+
+using namespace nezumi;
+
+TEST_CASE("the console explains the next execution of a behaviour, once", "[console][explain]") {
+    SessionRig it;
+    it.paused = false;
+    CHECK(it.type("explain(controller)").empty());
+    it.turn();
+    CHECK(it.shown.find("controller at ") == 0);
+    CHECK(it.shown.find("controller.in <- mouse.ir_sensor_out") != std::string::npos);
+    CHECK(it.shown.find("mouse's wheels") != std::string::npos);
+    it.shown.clear();
+    it.turn(3);
+    CHECK(it.shown.empty());
+}
+
+TEST_CASE("the console says what it can't explain, and what it waits for", "[console][explain]") {
+    SessionRig it;
+    CHECK(it.type("explain(mouse)") == "! explain: mouse is no behaviour: it has no lines");
+    CHECK(it.type("explain()") == "! explain: expected a behaviour, as in explain(controller), got nothing");
+    CHECK(it.type("explain(controller)") == "time is paused: step() lets it execute");
+    it.type("restart()");
+    it.shown.clear();
+    it.turn();
+    CHECK(it.shown == "controller began anew: not explained");
+}

@@ -1,0 +1,202 @@
+// Executions that are looked at line by line: what is seen, and that nothing is other than without.
+#include <algorithm>
+#include <string>
+
+#include "tests/unit/live_rig.hpp"
+#include "tests/unit/lua/rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// "3 near = 7": the line, and the variable's value behind it; "" when that line did not run or names no such variable.
+std::string value_at(const LineTrace::Seen& seen, int line, const std::string& name) {
+    for (const LineTrace::Line& each : seen.lines) {
+        if (each.line != line) continue;
+        for (const LineTrace::Value& value : each.values) {
+            if (value.name == name) return value.text;
+        }
+    }
+    return "";
+}
+
+std::vector<int> numbers_of(const LineTrace::Seen& seen) {
+    std::vector<int> numbers;
+    for (const LineTrace::Line& line : seen.lines) numbers.push_back(line.line);
+    return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("lines that ran are seen in their order, with what their variables held behind each", "[lua][explain]") {
+    ScriptRig rig(R"(local out = output("out", "TimedDouble")
+local count = 0
+local function twice(x)
+  local y = x * 2
+  return y
+end
+function on_execute()
+  count = count + 1
+  local near = twice(count + 3)
+  if near > 100 then
+    near = 0
+  end
+  local list = { 1, 2.5, "three" }
+  local named = { vx = 0.5 }
+  out:write(near)
+end
+)");
+    rig.activate();
+    CHECK(rig.component->look_at_next() == 1);
+    rig.tick();
+    CHECK(rig.component->looks() == 1);
+    const LineTrace::Seen& seen = rig.component->looked_at();
+    CHECK_FALSE(seen.is_cut);
+    CHECK(numbers_of(seen) == std::vector<int>{8, 9, 4, 5, 10, 13, 14, 15, 16});
+    CHECK(value_at(seen, 8, "count") == "1");
+    CHECK(value_at(seen, 4, "x") == "4");
+    CHECK(value_at(seen, 4, "y") == "8");
+    CHECK(value_at(seen, 9, "near") == "8");
+    CHECK(value_at(seen, 13, "list") == R"({ 1, 2.5, "three" })");
+    CHECK(value_at(seen, 14, "named") == "{ vx = 0.5 }");
+    CHECK(seen.lines[2].depth == seen.lines[1].depth + 1);
+    CHECK(seen.lines[0].file == "robot_controller.lua");
+}
+
+TEST_CASE("only the execution that was asked for is looked at, and no hook is left", "[lua][explain]") {
+    ScriptRig rig("function on_execute()\n  local x = 1\nend\n");
+    rig.activate().tick();
+    CHECK(rig.component->looks() == 0);
+    rig.component->look_at_next();
+    rig.tick(3);
+    CHECK(rig.component->looks() == 1);
+    CHECK(lua_gethook(rig.component->script().lua()) == nullptr);
+    CHECK(rig.component->look_at_next() == 2);
+    rig.tick();
+    CHECK(rig.component->looks() == 2);
+}
+
+TEST_CASE("lines of tasks are seen, and no hook is left in their coroutines", "[lua][explain]") {
+    ScriptRig rig(R"(task("count", function()
+  local n = 0
+  while true do
+    n = n + 1
+    wait(0.01)
+  end
+end)
+)");
+    rig.activate().tick(2);
+    rig.component->look_at_next();
+    rig.tick();
+    CHECK_FALSE(value_at(rig.component->looked_at(), 4, "n").empty());
+    const std::size_t lines = rig.component->looked_at().lines.size();
+    rig.tick(3);
+    CHECK(rig.component->looked_at().lines.size() == lines);
+}
+
+TEST_CASE("a look ends after so many lines, the execution does not", "[lua][explain]") {
+    ScriptRig rig(R"(local out = output("out", "TimedDouble")
+function on_execute()
+  local sum = 0
+  for i = 1, 10000 do
+    sum = sum + i
+  end
+  out:write(sum)
+end
+)");
+    rig.activate();
+    rig.component->look_at_next();
+    rig.tick();
+    CHECK(rig.component->looked_at().is_cut);
+    CHECK(rig.component->looked_at().lines.size() == LineTrace::most_lines);
+    CHECK(std::get<double>(rig.out<double>("out").value()) == 50005000.0);
+    CHECK(lua_gethook(rig.component->script().lua()) == nullptr);
+}
+
+TEST_CASE("an error in an execution that is looked at is the same, and the lines up to it are seen", "[lua][explain]") {
+    const std::string text = "function on_execute()\n  local x = 1\n  error('no luck')\nend\n";
+    ScriptRig plain(text), looked(text);
+    plain.activate().tick();
+    looked.activate();
+    looked.component->look_at_next();
+    looked.tick();
+    CHECK(looked.error() == plain.error());
+    CHECK(numbers_of(looked.component->looked_at()) == std::vector<int>{2, 3});
+}
+
+TEST_CASE("an endless loop that is looked at still runs out of its time", "[lua][explain][wallclock]") {
+    ScriptRig rig("function on_execute()\n  while true do local x = 1 end\nend\n");
+    rig.activate();
+    rig.component->look_at_next();
+    rig.tick();
+    CHECK(rig.status() == "ERROR");
+    CHECK(rig.error().find("ran for more than 0.1 s") != std::string::npos);
+}
+
+TEST_CASE("a run that is looked at all the time has the hash of one that nobody looks at", "[lua][explain]") {
+    const std::string behavior = R"(
+local range = input("in", "TimedShortSeq", "")
+local target = output("out", "TimedVelocity2D", "")
+state.count = 0
+task("wink", function() while true do state.count = state.count + math.random(3) wait(0.05) end end)
+function on_execute()
+  local texts = {}
+  for i = 1, 20 do texts[i] = ("%d"):rep(i):format(table.unpack({ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20 })) end
+  local walk = coroutine.wrap(function() for i = 1, 3 do coroutine.yield(i * math.random()) end end)
+  target:write { vx = 0.1 + walk() * 0.01, va = (state.count % 5) * 0.1 + #texts[20] * 1e-4 }
+end
+)";
+    std::vector<std::uint64_t> hashes;
+    for (const bool looks : {false, true}) {
+        LiveRig rig(counter_system, {{"counter", behavior}});
+        for (int i = 0; i < 300; ++i) {
+            if (looks) REQUIRE(rig.live->explain_next("controller"));
+            rig.tick();
+        }
+        CHECK(rig.component("controller").state() == LifeState::active);
+        hashes.push_back(rig.live->trace_hash());
+    }
+    CHECK(hashes[0] == hashes[1]);
+}
+
+TEST_CASE("an explanation goes from the sensor's port over the lines to the wheels", "[lua][explain]") {
+    LiveRig rig;
+    rig.tick(50);
+    const auto look = rig.live->explain_next("controller");
+    REQUIRE(look);
+    CHECK_FALSE(*rig.live->explanation("controller", *look));
+    rig.tick();
+    const auto seen = *rig.live->explanation("controller", *look);
+    REQUIRE(seen);
+    CHECK(seen->component == "controller");
+    CHECK(seen->tick == 50);
+    REQUIRE(seen->inputs.size() == 1);
+    CHECK(seen->inputs[0].port == "controller.in");
+    CHECK(seen->inputs[0].peers == std::vector<std::string>{"mouse.ir_sensor_out"});
+    CHECK(seen->inputs[0].value.find("{ ") == 0);
+    const auto loop = std::find_if(seen->lines.begin(), seen->lines.end(),
+                                   [](const auto& line) { return line.text.find("if value > config.stop_d") == 0; });
+    REQUIRE(loop != seen->lines.end());
+    REQUIRE(loop->values.size() == 1);  // those that the line names, and no fields
+    CHECK(loop->values[0].name == "value");
+    CHECK(seen->lines.back().file.find("counter.lua") != std::string::npos);
+    REQUIRE(seen->outputs.size() == 1);
+    CHECK(seen->outputs[0].peers == std::vector<std::string>{"mouse.target_velocity_in"});
+    REQUIRE(seen->robots.size() == 1);
+    CHECK(seen->robots[0].robot == "mouse");
+    CHECK(seen->robots[0].asked.vx == 0.25);
+    CHECK(seen->robots[0].wheels_told);
+    const std::string text = to_text(*seen);
+    CHECK(text.find("controller.in <- mouse.ir_sensor_out: { ") != std::string::npos);
+    CHECK(text.find("mouse was told vx = 0.25 m/s") != std::string::npos);
+    CHECK(text.find("mouse's wheels: left ") != std::string::npos);
+}
+
+TEST_CASE("what can't be explained is refused with the reason", "[lua][explain]") {
+    LiveRig rig;
+    CHECK(rig.live->explain_next("mouse").error().message == "mouse is no behaviour: it has no lines");
+    CHECK(rig.live->explain_next("contoller").error().message.find("controller") != std::string::npos);
+    REQUIRE(rig.live->act(Deactivate{"controller"}, {}));
+    CHECK(rig.live->explain_next("controller").error().message == "controller is INACTIVE: nothing of it is executed");
+    CHECK(rig.live->explanation("nobody", 1).error().message == "nobody is gone");
+}
