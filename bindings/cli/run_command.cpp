@@ -212,7 +212,8 @@ private:
         if (!web) return "no page for browsers: " + web.error().message;
         web_ = std::move(*web);
         loop_->add(*web_);
-        return "in a browser: " + web_->url();
+        if (isatty(STDERR_FILENO) != 0) put_text(stderr, web_->picture());
+        return web_->where();
     }
 
     Expected<void> prepare_files() {

@@ -1,6 +1,7 @@
 // Options are read as words first, so that every mistake gets one plain sentence.
 #include "bindings/cli/run_options.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <charconv>
@@ -90,12 +91,12 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
         if (headless) return failure(fmt::format("{}: a run for machines serves no page: leave it out", option));
         if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
     }
-    if (!words.listen.empty())
-        return failure(
-            "--listen: the page is served to this computer alone; from another one, make a tunnel there: ssh -L "
-            "8765:127.0.0.1:8765 ROBOT");
     if (headless || words.no_web) return std::nullopt;
-    Web web;
+    Web web{.listen = words.listen};
+    in_addr address{};
+    if (!words.listen.empty() && (inet_pton(AF_INET, words.listen.c_str(), &address) != 1 || address.s_addr == 0))
+        return wrong("--listen", "the IPv4 address at which others reach this computer, as in 192.168.1.20",
+                     words.listen);
     if (!words.port.empty()) {
         const auto port = number<int>(words.port);
         if (!port || *port < 1 || *port > 65535) return wrong("--port", "a whole number from 1 to 65535", words.port);
@@ -124,7 +125,9 @@ std::vector<Option> run_options(RunWords& words) {
         {"--speed", &words.speed, "times real time (default 1), or max: without waiting", "N|max"},
         {"--port", &words.port, "serve the page for browsers on this port, or the next free one (default 8765)", "N"},
         {"--no-web", &words.no_web, "serve no page for browsers"},
-        {"--listen", &words.listen, "serve the page to other computers as well", "ADDRESS"},
+        {"--listen", &words.listen,
+         "serve the page to other computers, too, at this address of this one, by TLS with a certificate of its own",
+         "ADDRESS"},
         {"--realtime", &words.real_time,
          "ask the kernel for ticks in time beside other programs: SCHED_FIFO and locked memory"},
         {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},

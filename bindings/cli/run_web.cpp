@@ -1,11 +1,17 @@
 // Where the page's files are, and which port is free.
 #include "bindings/cli/run_web.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
 #include "bindings/cli/environment.hpp"
+#include "bindings/terminal/input_history.hpp"
+#include "bindings/web/certificate.hpp"
+#include "bindings/web/qr_code.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -13,10 +19,15 @@ namespace {
 // So many ports are tried, from the one that is wanted on.
 constexpr int most_ports = 20;
 
+std::string host_name() {
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
 }  // namespace
 
-RunWeb::RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server)
-    : loop_(loop), console_(console), server_(std::move(server)) {
+RunWeb::RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint)
+    : loop_(loop), console_(console), server_(std::move(server)), fingerprint_(std::move(fingerprint)) {
     console_.show_status_by([this](const std::string& text, bool running) { server_->show_status(text, running); });
 }
 
@@ -28,9 +39,34 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
                             .version = NEZUMI_VERSION};
     options.sockets.first_port = web.port;
     options.sockets.ports = std::min(most_ports, 65536 - web.port);
+    std::string fingerprint;
+    if (!web.listen.empty()) {
+        if (history_path().empty()) return failure("a certificate needs a folder of yours: set HOME");
+        const auto certificate = web::find_certificate(
+            {.folder = history_path().parent_path(), .address = web.listen, .host = host_name()});
+        if (!certificate) return Unexpected(certificate.error());
+        options.sockets.address = web.listen;
+        options.sockets.certificate = certificate->file;
+        options.sockets.key = certificate->key;
+        fingerprint = certificate->fingerprint;
+    }
     auto server = web::WebServer::open(loop.live(), loop, console.server(), options);
     if (!server) return Unexpected(server.error());
-    return std::unique_ptr<RunWeb>(new RunWeb(loop, console, std::move(*server)));
+    return std::unique_ptr<RunWeb>(new RunWeb(loop, console, std::move(*server), std::move(fingerprint)));
+}
+
+std::string RunWeb::where() const {
+    std::string text = "in a browser: " + url();
+    if (!fingerprint_.empty())
+        text += "\nits certificate is this computer's own: a browser that warns must show the fingerprint (SHA-256)\n" +
+                fingerprint_;
+    return text;
+}
+
+std::string RunWeb::picture() const {
+    if (fingerprint_.empty()) return "";
+    const auto code = web::qr_code(url());
+    return code ? *code : code.error().message + "\n";
 }
 
 }  // namespace nezumi::cli

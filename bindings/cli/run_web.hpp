@@ -22,6 +22,10 @@ public:
 
     /// Where it is, with the token that lets somebody act.
     std::string url() const { return server_->url(); }
+    /// That for people, and where other computers are let in the fingerprint of the certificate.
+    std::string where() const;
+    /// The address for a phone's camera, lines for a terminal; "" where only this computer is let in.
+    std::string picture() const;
     void log(const LogLine& line) { server_->log(line); }
     void say(const std::string& text) { server_->say(text); }
 
@@ -29,11 +33,12 @@ public:
     void add_files(std::vector<int>& files) const override { server_->add_files(files); }
 
 private:
-    RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server);
+    RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint);
 
     RunLoop& loop_;
     RunConsole& console_;
     std::unique_ptr<web::WebServer> server_;
+    std::string fingerprint_;  // of the certificate; "" for none
 };
 
 }  // namespace nezumi::cli

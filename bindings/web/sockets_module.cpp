@@ -120,6 +120,7 @@ std::string WebSockets::open(const SocketOptions& options) {
     lws_context_creation_info info{};
     info.port = CONTEXT_PORT_NO_LISTEN;
     info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
+    if (!options.certificate.empty()) info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
     info.user = this;
     info.gid = static_cast<gid_t>(-1);
     info.uid = static_cast<uid_t>(-1);
@@ -160,6 +161,11 @@ bool WebSockets::listen(const SocketOptions& options, int port) {
     info.port = port;
     info.protocols = protocols_.data();
     info.options = LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND;
+    if (!options.certificate.empty()) {
+        info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
+        info.ssl_cert_filepath = options.certificate.c_str();
+        info.ssl_private_key_filepath = options.key.c_str();
+    }
     info.keepalive_timeout = idle_timeout;
     info.timeout_secs = request_timeout;
     info.retry_and_idle_policy = &patience_;

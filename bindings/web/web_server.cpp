@@ -33,12 +33,15 @@ std::string hello(const LiveSystem& live, const WebOptions& options) {
     return dump(json).substr(1);
 }
 
+std::string scheme_of(const SocketOptions& sockets) { return sockets.certificate.empty() ? "http" : "https"; }
+
 }  // namespace
 
 WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options)
     : live_(live),
       clock_(clock),
-      hub_(Access(), StaticFiles(options.page), live.project(), hello(live, options)),
+      origin_(scheme_of(options.sockets) + "://" + options.sockets.address),
+      hub_(Access(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page), live.project(), hello(live, options)),
       look_(live, clock),
       drives_(live,
               [this](ClientId client, const std::string& port, const std::string& why) {
@@ -77,13 +80,13 @@ WebServer::~WebServer() {
     if (sockets_) sockets_->wake();
 }
 
-std::string WebServer::url() const {
-    return fmt::format("http://127.0.0.1:{}/#{}", sockets_->port(), hub_.access().token());
+std::string WebServer::url_with(const std::string& token) const {
+    return fmt::format("{}:{}/#{}", origin_, sockets_->port(), token);
 }
 
-std::string WebServer::view_url() const {
-    return fmt::format("http://127.0.0.1:{}/#{}", sockets_->port(), hub_.access().view_token());
-}
+std::string WebServer::url() const { return url_with(hub_.access().token()); }
+
+std::string WebServer::view_url() const { return url_with(hub_.access().view_token()); }
 
 void WebServer::add_files(std::vector<int>& files) const {
     files.push_back(hub_.file());

@@ -79,8 +79,11 @@ private:
     void show(double late, Clock::time_point now);
     void describe_system(Clock::time_point now);
 
+    std::string url_with(const std::string& token) const;
+
     LiveSystem& live_;
     ClockControl& clock_;
+    const std::string origin_;  // without the port
     Hub hub_;
     Look look_;
     Drives drives_;

@@ -5,7 +5,10 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <cctype>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -128,9 +131,55 @@ TEST_CASE("runs for machines, and those that are told so, serve no page", "[cli]
           "nezumi: --port: a run for machines serves no page: leave it out\n");
     CHECK(refused({"--port", "8765", "--no-web"}) ==
           "nezumi: --port: --no-web serves no page: leave out one of them\n");
-    CHECK(refused({"--listen", "0.0.0.0"}) ==
-          "nezumi: --listen: the page is served to this computer alone; from another one, make a tunnel there: ssh -L "
-          "8765:127.0.0.1:8765 ROBOT\n");
+    for (const std::string address : {"0.0.0.0", "robot", "::1", "192.168.1"})
+        CHECK(refused({"--listen", address}) ==
+              "nezumi: --listen: expected the IPv4 address at which others reach this computer, as in 192.168.1.20, "
+              "got '" +
+                  address + "'\n");
+}
+
+TEST_CASE("other computers are let in by TLS alone, with a certificate whose fingerprint is told", "[cli][web]") {
+    const System system;
+    const std::string state = system.scratch.path("state").string();
+    setenv("XDG_STATE_HOME", state.c_str(), 1);
+    Program run({"run", system.file, "--listen", "127.0.0.1"});
+    REQUIRE(run.wait_for_error("fingerprint (SHA-256)\n"));
+    REQUIRE(run.wait_for_error(":"));
+    const std::string begin = "in a browser: https://127.0.0.1:";
+    REQUIRE(run.error.find(begin) == 0);
+    const std::string port = run.error.substr(begin.size(), run.error.find('/', begin.size()) - begin.size());
+    // Asks for the page as a client that is not ours, and says the fingerprint that it was shown.
+    const std::string script =
+        "import hashlib, socket, ssl\n"
+        "context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)\n"
+        "context.check_hostname, context.verify_mode = True, ssl.CERT_REQUIRED\n"
+        "context.load_verify_locations('" +
+        state +
+        "/nezumi/page_certificate.pem')\n"
+        "with context.wrap_socket(socket.create_connection(('127.0.0.1', " +
+        port +
+        ")), server_hostname='127.0.0.1') as link:\n"
+        "    paper = link.getpeercert(True)\n"
+        "    link.sendall(b'GET / HTTP/1.1\\r\\nHost: 127.0.0.1\\r\\nConnection: close\\r\\n\\r\\n')\n"
+        "    print(link.recv(12).decode(), hashlib.sha256(paper).hexdigest())\n";
+    const std::string file = system.scratch.write("ask.py", script).string();
+    std::string said;
+    if (FILE* const asked = popen(("/usr/bin/python3 " + file).c_str(), "r")) {
+        char piece[256];
+        while (fgets(piece, sizeof piece, asked) != nullptr) said += piece;
+        pclose(asked);
+    }
+    REQUIRE(said.rfind("HTTP/1.1 200 ", 0) == 0);
+    std::string fingerprint;
+    for (std::size_t i = 13; i < 13 + 64; ++i) {
+        if (i > 13 && i % 2 == 1) fingerprint += ':';
+        fingerprint += static_cast<char>(std::toupper(static_cast<unsigned char>(said[i])));
+    }
+    run.send(SIGINT);
+    CHECK(run.wait() == 0);
+    CHECK(run.error.find("\n" + fingerprint + "\n") != std::string::npos);
+    CHECK(get(std::atoi(port.c_str()), "/").find("200") == std::string::npos);
+    unsetenv("XDG_STATE_HOME");
 }
 
 TEST_CASE("the prompt begins with the page's address", "[cli][web][prompt]") {
