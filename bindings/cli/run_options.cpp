@@ -92,7 +92,7 @@ Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
         if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
     }
     if (headless || words.no_web) return std::nullopt;
-    Web web{.listen = words.listen};
+    Web web{.open = words.open, .listen = words.listen};
     in_addr address{};
     if (!words.listen.empty() && (inet_pton(AF_INET, words.listen.c_str(), &address) != 1 || address.s_addr == 0))
         return wrong("--listen", "the IPv4 address at which others reach this computer, as in 192.168.1.20",
@@ -125,6 +125,7 @@ std::vector<Option> run_options(RunWords& words) {
         {"--speed", &words.speed, "times real time (default 1), or max: without waiting", "N|max"},
         {"--port", &words.port, "serve the page for browsers on this port, or the next free one (default 8765)", "N"},
         {"--no-web", &words.no_web, "serve no page for browsers"},
+        {"--open", &words.open, "show the page in the desktop's browser; without a desktop its address is printed alone"},
         {"--listen", &words.listen,
          "serve the page to other computers, too, at this address of this one, by TLS with a certificate of its own",
          "ADDRESS"},

@@ -1,10 +1,13 @@
 // Where the page's files are, and which port is free.
 #include "bindings/cli/run_web.hpp"
 
+#include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -18,6 +21,27 @@ namespace {
 
 // So many ports are tried, from the one that is wanted on.
 constexpr int most_ports = 20;
+
+bool is_set(const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+}
+
+// Asks the desktop, if there is one, and waits for nothing.
+void show_in_browser(const std::filesystem::path& file) {
+    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return;
+    const pid_t child = fork();
+    if (child < 0) return;
+    if (child == 0) {
+        // The grandchild is nobody's to wait for.
+        if (setsid() < 0 || fork() != 0) _exit(0);
+        const int nothing = ::open("/dev/null", O_RDWR);
+        for (const int file_of_ours : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, file_of_ours);
+        execlp("xdg-open", "xdg-open", file.c_str(), static_cast<char*>(nullptr));
+        _exit(1);
+    }
+    waitpid(child, nullptr, 0);
+}
 
 std::string host_name() {
     std::array<char, 256> name{};
@@ -52,7 +76,15 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
     }
     auto server = web::WebServer::open(loop.live(), loop, console.server(), options);
     if (!server) return Unexpected(server.error());
-    return std::unique_ptr<RunWeb>(new RunWeb(loop, console, std::move(*server), std::move(fingerprint)));
+    std::unique_ptr<RunWeb> run(new RunWeb(loop, console, std::move(*server), std::move(fingerprint)));
+    // Without it the page is as good, and other pages do not tell of it.
+    auto entry = web::PageEntry::open({.name = loop.live().file().stem().string(),
+                                       .process = getpid(),
+                                       .url = run->server_->url(),
+                                       .view_url = run->server_->view_url()});
+    if (entry) run->entry_.emplace(std::move(*entry));
+    if (web.open && run->entry_) show_in_browser(run->entry_->file());
+    return run;
 }
 
 std::string RunWeb::where() const {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bindings/cli/run_console.hpp"
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
+#include "bindings/web/page_directory.hpp"
 #include "bindings/web/web_server.hpp"
 
 namespace nezumi::cli {
@@ -38,6 +40,7 @@ private:
     RunLoop& loop_;
     RunConsole& console_;
     std::unique_ptr<web::WebServer> server_;
+    std::optional<web::PageEntry> entry_;
     std::string fingerprint_;  // of the certificate; "" for none
 };
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bindings/web/page_directory.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/cdr.hpp"
 
@@ -22,6 +23,19 @@ constexpr int unavailable = 503;
 std::string refusal(std::int64_t id, std::string_view why) {
     return Json{{"is", "answer"}, {"id", id}, {"ok", false}, {"text", why}}.dump(-1, ' ', false,
                                                                                  Json::error_handler_t::replace);
+}
+
+// The others, with what leads to them: who may only look here may only look there.
+std::string list_of(const std::vector<RunningPage>& pages, bool view_only) {
+    Json systems = Json::array();
+    for (const RunningPage& page : pages) {
+        const bool is_here = page.process == getpid();
+        systems.push_back({{"name", page.name},
+                           {"process", page.process},
+                           {"here", is_here},
+                           {"url", is_here ? "" : view_only ? page.view_url : page.url}});
+    }
+    return Json{{"is", "systems"}, {"systems", std::move(systems)}}.dump();
 }
 
 void remove_doubles(std::vector<std::string>& names) {
@@ -193,6 +207,8 @@ bool Hub::is_too_fast(Client& client) {
 
 bool Hub::received(ClientId id, std::string_view text) {
     auto message = read_message(text, project_);  // may read files
+    const bool wants_systems = message && std::holds_alternative<SystemsMessage>(message->body);
+    const std::vector<RunningPage> pages = wants_systems ? running_pages() : std::vector<RunningPage>();
     Lock lock(mutex_);
     const auto found = clients_.find(id);
     if (found == clients_.end()) return false;
@@ -208,6 +224,10 @@ bool Hub::received(ClientId id, std::string_view text) {
         client.pictures.clear();
         lock.unlock();
         watch_anew();
+        return true;
+    }
+    if (wants_systems) {
+        put_text(client, list_of(pages, client.view_only), false);
         return true;
     }
     if (std::holds_alternative<FloorMessage>(message->body)) {

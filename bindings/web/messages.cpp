@@ -210,10 +210,12 @@ tl::expected<Message, Refusal> read_message(std::string_view text, const Project
         message.body = read_console(fields);
     } else if (what == "floor") {
         message.body = FloorMessage{};
+    } else if (what == "systems") {
+        message.body = SystemsMessage{};
     } else if (what == "explain") {
         message.body = ExplainMessage{fields.text("component")};
     } else {
-        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain");
+        fields.wrong("do", "one of watch, act, stop, rearm, time, drive, console, floor, explain, systems");
     }
     if (!fields.problem().empty()) return refuse(fields.problem());
     return message;

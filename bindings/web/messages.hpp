@@ -43,9 +43,14 @@ struct ExplainMessage {
 /// Wants the picture on the floor.
 struct FloorMessage {};
 
+/// Wants to know which systems run.
+struct SystemsMessage {};
+
 struct Message {
     std::int64_t id = 0;  ///< of the page's choice; an answer carries it
-    std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage> body{};
+    std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
+                 SystemsMessage>
+        body{};
 };
 
 /// What came with `id`, as far as that could be read, and what is wrong.

@@ -207,6 +207,19 @@ class Words(rig.PageCase):
         self.assertEqual(page.errors(), [])
 
 
+class Systems(rig.PageCase):
+    """Several systems on a machine."""
+
+    def test_the_systems_of_the_machine_are_listed_and_lead_to_their_pages(self):
+        first = self.open(WALL)
+        second = self.system("behaviors/systems/line_follower.lua", runtime=first.folder)
+        self.page.find(".systems summary").click()
+        self.page.until("document.querySelectorAll('.systems a').length === 1", "the other is listed")
+        self.assertEqual(self.page.text(".systems a"), "line_follower")
+        self.assertEqual(self.page.js("return document.querySelector('.systems a').href"), second.url)
+        self.assertEqual(self.page.text(".systems b"), "stop_at_wall")
+
+
 class Members(rig.PageCase):
     """Numbers that no port carries."""
 

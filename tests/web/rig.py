@@ -48,7 +48,7 @@ def wait_until(holds, what, within=PATIENCE):
 class System:
     """`nezumi run` of a file, or of a text with scripts of its own: { name: text }."""
 
-    def __init__(self, nezumi, file=None, text=None, scripts=None, options=()):
+    def __init__(self, nezumi, file=None, text=None, scripts=None, options=(), runtime=None):
         self.folder = tempfile.mkdtemp(prefix="nezumi-web-")
         if text is not None:
             os.mkdir(os.path.join(self.folder, "behaviors"))
@@ -58,7 +58,7 @@ class System:
             for name, script in (scripts or {}).items():
                 with open(os.path.join(self.folder, "behaviors", name + ".lua"), "w") as out:
                     out.write(script)
-        environment = dict(os.environ, XDG_RUNTIME_DIR=self.folder)
+        environment = dict(os.environ, XDG_RUNTIME_DIR=runtime or self.folder)
         self.reader = None
         self.process = subprocess.Popen([nezumi, "run", file, *options], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

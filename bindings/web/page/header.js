@@ -78,6 +78,24 @@ function make_stop({ model, acts, notices }) {
   return el("div", { class: "stopping" }, rearm, stop);
 }
 
+/// The system's name; pressed, which other systems run on this machine.
+function make_systems({ model, link }) {
+  const list = el("ul", {});
+  const name = el("h1", { text: "nezumi" });
+  const node = el("details", { class: "systems" }, el("summary", { title: T.systems.hint }, name), list);
+  node.addEventListener("toggle", () => node.open && link.send({ do: "systems" }));
+  model.on("systems", ({ systems }) => {
+    const rows = systems.map((each) => el("li", {}, each.here ? el("b", { text: each.name })
+      : el("a", { href: each.url, target: "_blank", rel: "noopener noreferrer", text: each.name }),
+    el("small", { text: each.here ? T.systems.here : T.systems.process(each.process) })));
+    list.replaceChildren(...rows, el("li", { class: "hint", text: T.systems.about }));
+  });
+  addEventListener("click", (event) => {
+    if (!node.contains(event.target)) node.open = false;
+  });
+  return { node, name };
+}
+
 /// Copies the address at which somebody may look and no more.
 function make_share({ model, notices }) {
   const button = el("button", { class: "quiet share acts", text: "⧉", title: T.share.hint, "aria-label": T.share.hint });
@@ -95,7 +113,7 @@ function make_share({ model, notices }) {
 
 export function make_header(parts) {
   const { model, link } = parts;
-  const name = el("h1", { text: "nezumi" });
+  const { node: systems, name } = make_systems(parts);
   const kind = el("span", { class: "kind" });
   const dot = el("span", { class: "dot", role: "img", title: T.link.connecting, "aria-label": T.link.connecting });
   const say = (text, is_open) => {
@@ -113,6 +131,6 @@ export function make_header(parts) {
     const words = [model.hello.real ? T.real : T.simulated, model.hello.view_only && T.view_only];
     kind.textContent = words.filter(Boolean).join(" · ");
   });
-  return el("header", {}, el("div", { class: "title" }, dot, name, kind), make_time(parts),
+  return el("header", {}, el("div", { class: "title" }, dot, systems, kind), make_time(parts),
     make_share(parts), make_theme_button(), make_stop(parts));
 }

@@ -7,6 +7,8 @@ const EN = {
   real: "real robots",
   simulated: "simulated",
   view_only: "view only",
+  systems: { hint: "Systems that run on this machine", here: "this page", process: (id) => `process ${id}`,
+    about: "Through a tunnel, make one for each." },
   share: { hint: "Copy an address for looking only", copied: "Copied: whoever opens this address sees all and steers nothing.",
     here: (address) => `For looking only: ${address}` },
   theme: { label: "Colours", auto: "Automatic", light: "Light", dark: "Dark" },
