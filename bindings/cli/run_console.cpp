@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "bindings/cli/author.hpp"
 #include "bindings/cli/picture.hpp"
 #include "bindings/cli/wiring_graph.hpp"
 #include "bindings/console/client.hpp"
@@ -36,6 +37,7 @@ RunConsole::RunConsole(RunLoop& loop, const std::string& name)
         }
         return [seen = look_at(live, {}, title)](const std::string& file) { return draw_picture(seen, file); };
     });
+    server_->write_by(write_new_behavior);
 }
 
 RunConsole::~RunConsole() { close(); }

@@ -40,6 +40,8 @@ public:
     Expected<void> listen(std::string_view name, const std::filesystem::path& folder = console_folder());
     /// Lends it what `picture` and `graph` draw with.
     void draw_by(Draughtsman draughtsman) { draughtsman_ = std::move(draughtsman); }
+    /// Lends it what `new` writes with.
+    void write_by(BehaviorAuthor author) { author_ = std::move(author); }
     /// What a client in this process is for.
     enum class Use {
         prompt,  ///< somebody types, while time passes
@@ -87,6 +89,7 @@ private:
     LiveSystem& live_;
     ClockControl& clock_;
     Draughtsman draughtsman_;
+    BehaviorAuthor author_;
     Bell bell_;  // of all sessions
     std::map<ClientId, Console> consoles_;
     std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone

@@ -50,6 +50,18 @@ using Drawing = std::function<Expected<void>(const std::string& file)>;
 /// Looks at the system, between two ticks, for a drawing of it beside them.
 using Draughtsman = std::function<Drawing(Drawn what)>;
 
+/// A behaviour that is to be written; what its texts mean is the author's to say.
+struct BehaviorWish {
+    std::string name;                      ///< line_follower
+    std::vector<std::string> inputs{};     ///< "name:Type" or "name:Type:doc"
+    std::vector<std::string> outputs{};    ///< the same
+    std::vector<std::string> parameters{};  ///< "gain=0.5"
+    std::string doc{};                     ///< what it does, a sentence
+};
+/// Writes its files below a folder, never over others, and returns their names; from any thread.
+using BehaviorAuthor =
+    std::function<Expected<std::vector<std::string>>(const std::filesystem::path& root, const BehaviorWish& wish)>;
+
 struct SessionOptions {
     SessionOutput output;
     /// Whose acts these are.
@@ -60,6 +72,8 @@ struct SessionOptions {
     bool batch = false;
     /// Empty: `picture` and `graph` are refused.
     Draughtsman draughtsman{};
+    /// Empty: `new` is refused.
+    BehaviorAuthor author{};
     /// Is rung when `advance` has something to do; must outlive the session. Null: only `advance` itself waits for it.
     const Bell* bell = nullptr;
 };

@@ -63,6 +63,6 @@ WordFunction word_inject, word_hold, word_release;                              
 WordFunction word_teleport, word_stop, word_rearm;
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
 WordFunction word_reload, word_rollback;                                            // versions
-WordFunction word_save, word_picture, word_graph;                                   // files
+WordFunction word_save, word_new, word_picture, word_graph;                         // files
 
 }  // namespace nezumi

@@ -3,6 +3,7 @@ const { Cdr, numbers_in, to_message } = await import("/cdr.js");
 const { curve, place, route } = await import("/diagram_layout.js");
 const { ticks, to_csv } = await import("/plot_files.js");
 const { what_is_wrong } = await import("/widgets.js");
+const { lines_of, lua_text } = await import("/add_form.js");
 const { number_text, value_text } = await import("/value_text.js");
 
 let count = 0;
@@ -74,4 +75,8 @@ same(overlap, false, "boxes lie apart");
 same(route(boxes, [...connections, { from: "mouse.gone", to: "controller.in" }]).length, 2, "what has no ports has no line");
 same(place(components, connections, { alone: [500, 600] }).get("alone").x, 500, "a place that a person chose is kept");
 same(curve([0, 0], [100, 0]), "M0 0C50 0 50 0 100 0", "a line");
+same(lua_text('a "b"\\\n'), '"a \\034b\\034\\092\\010"', "a text as Lua reads it");
+same(lines_of({ name: "x", script: "y", is_new: false }), ['behavior "x" { script = "y" }'], "a behaviour that is there");
+same(lines_of({ name: "x", is_new: true, doc: "Does.", inputs: ["in:TimedDouble"], outputs: [], params: ["gain=1"] }),
+  ['new "x" { inputs = { "in:TimedDouble" }, params = { "gain=1" }, doc = "Does." }', 'behavior "x" { script = "x" }'], "a new behaviour");
 return count;

@@ -83,6 +83,26 @@ class Wiring(rig.PageCase):
             self.page.keys().send_keys("\ue007").perform()
         rig.wait_until(lambda: self.wires() == ["mouse.ir_sensor_out controller.in"], "the connection is drawn")
 
+    def test_a_new_behaviour_is_written_and_added_and_the_system_saved(self):
+        system = self.open(text=APART.replace('script = "robot_controller", config = { speed_x = 0.1 }', 'script = "quiet"'),
+                           scripts={"quiet": 'output("out", "TimedVelocity2D", "nothing")\n'})
+        page = self.page
+        page.view("diagram")
+        page.press("Add…")
+        page.find(".add-form input[aria-label='name']").send_keys("follower")
+        page.press("+ in-port")
+        page.find(".add-form fieldset .row input").send_keys("light")
+        page.press("Add")
+        page.until("document.querySelector('.node[data-component=follower]') !== null", "it is in the diagram")
+        self.assertTrue(os.path.exists(os.path.join(system.folder, "behaviors", "follower.lua")))
+        page.press("Add…")
+        page.press("Add")
+        page.until("document.querySelector('.add-form .error').textContent.length > 0", "it can't be there twice")
+        page.press("Close")
+        page.js("window.prompt = () => 'kept.lua'")
+        page.press("Save…")
+        rig.wait_until(lambda: os.path.exists(os.path.join(system.folder, "kept.lua")), "the system is saved")
+
     def test_a_component_is_deactivated_and_activated(self):
         self.open(WALL)
         page = self.page

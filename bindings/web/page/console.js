@@ -34,7 +34,8 @@ class History {
   }
 }
 
-export function make_console({ link, model, notices }) {
+export function make_console(parts) {
+  const { link, model, notices } = parts;
   const history = new History();
   const waiting = new Map();  // id: what takes the answer
   let next = 1;
@@ -67,22 +68,33 @@ export function make_console({ link, model, notices }) {
   };
   const stop = () => link.send({ do: "console", request: { do: "interrupt" } });
 
-  const send = () => {
-    const text = input.value.trimEnd();
-    if (!text) return;
+  let last_error = "";
+  const evaluate = (text, answered = () => {}) => {
     say(text, "asked");
-    history.add(text);
-    input.value = "";
-    fit();
     drawing = null;
     running += 1;
     show_running();
-    ask({ do: "eval", text }, () => {
+    last_error = "";
+    ask({ do: "eval", text }, (answer) => {
       running -= 1;
       drawing = null;
       show_running();
+      answered(answer);
     });
   };
+  const send = () => {
+    const text = input.value.trimEnd();
+    if (!text) return;
+    history.add(text);
+    input.value = "";
+    fit();
+    evaluate(text);
+  };
+  /// A line that another view says for a person: resolves to { ok, text }, what was wrong with it.
+  parts.run_line = (text) => new Promise((resolve) => {
+    if (!link.is_open) return resolve({ ok: false, text: T.link.no_answer });
+    evaluate(text, ({ ok }) => resolve({ ok, text: last_error }));
+  });
   /// A line that is not whole gets another one.
   const send_when_whole = () => {
     const text = input.value;
@@ -156,6 +168,7 @@ export function make_console({ link, model, notices }) {
       else drawing = say(event.text, "output");
     } else if (event.is === "output" || event.is === "error") {
       drawing = null;
+      if (event.is === "error") last_error = event.text;
       say(event.text, event.is);
     } else if (event.is === "bye") say(event.text, "error");
   });

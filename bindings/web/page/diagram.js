@@ -1,4 +1,5 @@
 // The system as a diagram: components, their ports and connections, and what can be done to them.
+import { lua_text, make_add_form } from "./add_form.js";
 import { at_most_every, el, svg } from "./dom.js";
 import { curve, place, port_at, route } from "./diagram_layout.js";
 import { Sheet } from "./diagram_view.js";
@@ -288,7 +289,15 @@ export function make_diagram(parts) {
     for (const { name, state: now } of model.system?.components ?? []) if (now === state) work(name);
   };
   const button = (text, onclick, kind = "") => el("button", { class: kind, text, onclick });
+  const form = make_add_form(parts);
+  const save = async () => {
+    const name = prompt(T.diagram.save_as, `${model.system.name}_changed.lua`);
+    if (!name) return;
+    const { ok, text } = await parts.run_line(`save ${lua_text(name)}`);
+    parts.notices.say(ok ? T.diagram.saved(name) : text, ok ? "info" : "error");
+  };
   const tools = el("div", { class: "tools", role: "toolbar", "aria-label": T.views.diagram },
+    button(T.diagram.add, () => form.open(), "acts"), button(T.diagram.save, save, "acts"),
     el("span", { class: "acts label", text: T.diagram.all }),
     button(T.diagram.activate, all("INACTIVE", acts.activate), "acts"), button(T.diagram.deactivate, all("ACTIVE", acts.deactivate), "acts"),
     button(T.diagram.reset, all("ERROR", acts.reset), "acts"), el("span", { class: "gap" }),

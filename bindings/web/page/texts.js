@@ -75,8 +75,12 @@ const EN = {
     connection: (from, to) => `Connection from ${from} to ${to}`,
     port: (name, way, type) => `${way === "in" ? "In-port" : "Out-port"} ${name}, ${type}`,
     nothing_yet: "nothing came yet", age: (s) => `${s} s ago`, rate: (n) => `${n} messages`,
-    in: "in", out: "out",
+    in: "in", out: "out", add: "Add…", save: "Save…", save_as: "Save the system as it is now, below the project's folder, as",
+    saved: (name) => `Saved as ${name}; the console says where.`,
   },
+  add: { title: "Add a behaviour", name: "name", name_hint: "small letters, digits and _", is_new: "write a new file for it", script: "script",
+    script_hint: "the name of a behaviour of the project", doc: "what it does, a sentence", input: "in-port", output: "out-port", port: "port",
+    type: "message type", about: "what it carries", param: "parameter", param_hint: "name=default, as in gain=0.5", add: "Add" },
   states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created" },
 
   plots: { add: "Add a field", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Go on", csv: "CSV",

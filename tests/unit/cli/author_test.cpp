@@ -1,0 +1,24 @@
+// New behaviours for a running system's project.
+#include "bindings/cli/author.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+
+TEST_CASE("a new behaviour is written beside the others, with a scenario, and never over another", "[cli][new]") {
+    const Scratch scratch;
+    scratch.write("tests/scenarios/.keep", "");
+    const BehaviorWish wish{.name = "follower", .inputs = {"light:TimedShortSeq"}, .outputs = {"out:TimedVelocity2D"}};
+    const auto written = cli::write_new_behavior(scratch.path(), wish);
+    REQUIRE(written);
+    CHECK(*written == std::vector<std::string>{"behaviors/follower.lua", "tests/scenarios/follower_test.lua"});
+    for (const std::string& file : *written) CHECK(std::filesystem::exists(scratch.path(file)));
+    CHECK_FALSE(cli::write_new_behavior(scratch.path(), wish));
+    const auto wrong = cli::write_new_behavior(scratch.path(), {.name = "other", .inputs = {"light:TimedShort"}});
+    REQUIRE_FALSE(wrong);
+    CHECK(wrong.error().message.find("TimedShort") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(scratch.path("behaviors/other.lua")));
+}
