@@ -54,8 +54,7 @@ Expected<void> OdeWorld::move_label(const Label& label, Shape& shape, const Pose
     Shape moved = shape;
     moved.rotation = yaw_rotation(pose.heading - heading) * shape.rotation;
     moved.centre = {pose.position.x, pose.position.y, shape.centre.z()};
-    const auto overlap =
-        find_overlap(moved, moved.reach(), self, least_overlap_of_things, self != Scene::nobody);
+    const auto overlap = find_overlap(moved, moved.reach(), self, least_overlap_of_things, self != Scene::nobody);
     if (overlap) {
         return failure(fmt::format("{} at x = {:g}, y = {:g} overlaps {}: move one of them", label.name,
                                    pose.position.x, pose.position.y, overlap->other));

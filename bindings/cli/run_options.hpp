@@ -37,7 +37,7 @@ std::vector<Option> run_options(RunWords& words);
 
 /// Where the page for browsers is served.
 struct Web {
-    int port = 8765;      ///< or the next free one
+    int port = 8765;       ///< or the next free one
     bool open = false;     ///< the page is shown in the desktop's browser, where there is one
     std::string listen{};  ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
 };

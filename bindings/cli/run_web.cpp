@@ -66,8 +66,8 @@ Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& consol
     std::string fingerprint;
     if (!web.listen.empty()) {
         if (history_path().empty()) return failure("a certificate needs a folder of yours: set HOME");
-        const auto certificate = web::find_certificate(
-            {.folder = history_path().parent_path(), .address = web.listen, .host = host_name()});
+        const auto certificate =
+            web::find_certificate({.folder = history_path().parent_path(), .address = web.listen, .host = host_name()});
         if (!certificate) return Unexpected(certificate.error());
         options.sockets.address = web.listen;
         options.sockets.certificate = certificate->file;

@@ -52,11 +52,11 @@ using Draughtsman = std::function<Drawing(Drawn what)>;
 
 /// A behaviour that is to be written; what its texts mean is the author's to say.
 struct BehaviorWish {
-    std::string name;                      ///< line_follower
-    std::vector<std::string> inputs{};     ///< "name:Type" or "name:Type:doc"
-    std::vector<std::string> outputs{};    ///< the same
+    std::string name;                       ///< line_follower
+    std::vector<std::string> inputs{};      ///< "name:Type" or "name:Type:doc"
+    std::vector<std::string> outputs{};     ///< the same
     std::vector<std::string> parameters{};  ///< "gain=0.5"
-    std::string doc{};                     ///< what it does, a sentence
+    std::string doc{};                      ///< what it does, a sentence
 };
 /// Writes its files below a folder, never over others, and returns their names; from any thread.
 using BehaviorAuthor =

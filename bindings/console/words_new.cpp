@@ -21,7 +21,8 @@ Expected<std::vector<std::string>> read_texts(const FileTable& table, std::strin
     std::vector<std::string> texts;
     const FileValue* const value = table.find(field);
     if (value == nullptr) return texts;
-    const auto refused = failure(fmt::format("{}: expected a list of texts, as in {{ \"distance:TimedShortSeq\" }}", field));
+    const auto refused =
+        failure(fmt::format("{}: expected a list of texts, as in {{ \"distance:TimedShortSeq\" }}", field));
     if (value->table() == nullptr || !value->table()->fields.empty()) return refused;
     for (const FileValue& element : value->table()->elements) {
         if (element.text() == nullptr) return refused;

@@ -22,8 +22,8 @@ struct Certificate {
     bool is_new = false;        ///< made just now, signed by nobody but itself
 };
 
-/// The one that is kept there, or a new one: when none is, when it is not for this address, when it ends within a month,
-/// or when others could have read its key. The error says in one line why there is none.
+/// The one that is kept there, or a new one: when none is, when it is not for this address, when it ends within a
+/// month, or when others could have read its key. The error says in one line why there is none.
 Expected<Certificate> find_certificate(const CertificateWish& wish);
 
 // What the program and its module know of each other: they are built together.

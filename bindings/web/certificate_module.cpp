@@ -66,7 +66,9 @@ std::string read_text(const std::string& file) {
     return text;
 }
 
-Memory memory_of(const std::string& text) { return Memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size()))); }
+Memory memory_of(const std::string& text) {
+    return Memory(BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));
+}
 
 // Whether only its owner, who is us, may read it.
 bool is_private(const std::string& file) {

@@ -33,7 +33,9 @@ std::string list_of(const std::vector<RunningPage>& pages, bool view_only) {
         systems.push_back({{"name", page.name},
                            {"process", page.process},
                            {"here", is_here},
-                           {"url", is_here ? "" : view_only ? page.view_url : page.url}});
+                           {"url", is_here     ? ""
+                                   : view_only ? page.view_url
+                                               : page.url}});
     }
     return Json{{"is", "systems"}, {"systems", std::move(systems)}}.dump();
 }

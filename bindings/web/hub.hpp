@@ -135,9 +135,9 @@ private:
     Watch wanted_;
     std::unique_ptr<State> state_;
     std::map<Slot, Shown> slots_;
-    std::string floor_;            // file
-    std::deque<std::string> log_;  // the latest lines
-    std::size_t kept_ = 0;         // [bytes] of them
+    std::string floor_;                                   // file
+    std::deque<std::string> log_;                         // the latest lines
+    std::size_t kept_ = 0;                                // [bytes] of them
     std::map<std::string, Shown, std::less<>> pictures_;  // by port
     std::uint64_t last_number_ = 0;
     bool ends_ = false;

@@ -71,8 +71,7 @@ Expected<PageEntry> PageEntry::open(const RunningPage& page, const std::filesyst
         "<!doctype html>\n<meta charset=\"utf-8\">\n<title>nezumi</title>\n<meta http-equiv=\"refresh\" {}{}{}>\n<a "
         "href=\"{}\">{}</a>\n{}{}{}\n",
         before_url, page.url, after_url, page.url, plain(page.name), before_view, page.view_url, after_view);
-    const std::filesystem::path file =
-        folder / fmt::format("{}-{}{}", plain(page.name), page.process, suffix);
+    const std::filesystem::path file = folder / fmt::format("{}-{}{}", plain(page.name), page.process, suffix);
     unlink(file.c_str());
     const FileHandle opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (!opened || ::write(opened.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))

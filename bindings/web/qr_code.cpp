@@ -6,8 +6,8 @@
 namespace nezumi::web {
 
 Expected<std::string> qr_code(const std::string& text) {
-    static const auto draws = load_function(
-        {.file = qr_module, .function = draw_in_module, .part = "QR codes", .needs = "libqrencode4"});
+    static const auto draws =
+        load_function({.file = qr_module, .function = draw_in_module, .part = "QR codes", .needs = "libqrencode4"});
     if (!draws) return failure(draws.error().message);
     std::string lines;
     std::string problem;

@@ -12,7 +12,7 @@
 namespace nezumi::web {
 namespace {
 
-constexpr int quiet = 2;                                   // modules around it; four need more of a terminal
+constexpr int quiet = 2;                                         // modules around it; four need more of a terminal
 constexpr const char* dark_on_light = "\033[38;5;16;48;5;231m";  // black on white, whatever the terminal's colours
 constexpr const char* plain = "\033[0m";
 

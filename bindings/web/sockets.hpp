@@ -20,8 +20,8 @@ public:
 
 struct SocketOptions {
     std::string address = "127.0.0.1";
-    int first_port = 8765;  ///< 0: any that is free
-    int ports = 1;          ///< so many are tried, from the first on
+    int first_port = 8765;             ///< 0: any that is free
+    int ports = 1;                     ///< so many are tried, from the first on
     std::string certificate{}, key{};  ///< files with which TLS is spoken, and nothing else; "": plain HTTP
 };
 

@@ -163,7 +163,8 @@ Json robot_to_json(const Robot& robot) {
 Json arena_to_json(const ArenaSpec& arena, const World* world) {
     Json json{{"size", arena.size ? point(*arena.size) : Json()}, {"border", Json()}, {"floor", Json()}};
     if (arena.border) json["border"] = {{"thickness", arena.border->thickness}, {"height", arena.border->height}};
-    if (arena.floor) json["floor"] = {{"file", std::filesystem::path(arena.floor->image).filename().string()},
+    if (arena.floor)
+        json["floor"] = {{"file", std::filesystem::path(arena.floor->image).filename().string()},
                          {"size", point(arena.floor->size)}};
     Json lines = Json::array();
     for (const LineSpec& line : arena.lines) {

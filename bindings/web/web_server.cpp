@@ -41,7 +41,8 @@ WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& conso
     : live_(live),
       clock_(clock),
       origin_(scheme_of(options.sockets) + "://" + options.sockets.address),
-      hub_(Access(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page), live.project(), hello(live, options)),
+      hub_(Access(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page), live.project(),
+           hello(live, options)),
       look_(live, clock),
       drives_(live,
               [this](ClientId client, const std::string& port, const std::string& why) {
@@ -290,11 +291,8 @@ void WebServer::log(const LogLine& line) {
 }
 
 void WebServer::say(const std::string& text) {
-    hub_.log(dump({{"is", "log"},
-                   {"level", "info"},
-                   {"component", ""},
-                   {"text", text},
-                   {"at", live_.system().now().seconds}}));
+    hub_.log(dump(
+        {{"is", "log"}, {"level", "info"}, {"component", ""}, {"text", text}, {"at", live_.system().now().seconds}}));
 }
 
 void WebServer::show_status(const std::string& text, bool running) {

@@ -121,8 +121,8 @@ Explanation explain(const System& system, const ScriptComponent& component) {
 }
 
 std::string to_text(const Explanation& explanation) {
-    std::string text = fmt::format("{} at {:.2f} s, tick {}", explanation.component, explanation.seconds,
-                                   explanation.tick);
+    std::string text =
+        fmt::format("{} at {:.2f} s, tick {}", explanation.component, explanation.seconds, explanation.tick);
     for (const auto& port : explanation.inputs) text += "\n  " + text_of(port, "<-");
     for (const Explanation::Line& line : explanation.lines) {
         text += fmt::format("\n  {}:{}  {}", line.file, line.line, line.text);
@@ -132,14 +132,14 @@ std::string to_text(const Explanation& explanation) {
     for (const auto& port : explanation.outputs) text += "\n  " + text_of(port, "->");
     for (const auto& robot : explanation.robots) {
         text += fmt::format(
-            "\n  {} was told vx = {:g} m/s, va = {:g} rad/s; within its limits ({:g} m/s, {:g} rad/s) now vx = {:g}, va "
+            "\n  {} was told vx = {:g} m/s, va = {:g} rad/s; within its limits ({:g} m/s, {:g} rad/s) now vx = {:g}, "
+            "va "
             "= {:g}",
             robot.robot, robot.asked.vx, robot.asked.va, robot.speed, robot.yaw_rate, robot.limited.vx,
             robot.limited.va);
-        text += robot.wheels_told
-                    ? fmt::format("\n  {}'s wheels: left {:g} m/s, right {:g} m/s", robot.robot, robot.wheels.left,
-                                  robot.wheels.right)
-                    : fmt::format("\n  {}'s wheels roll freely", robot.robot);
+        text += robot.wheels_told ? fmt::format("\n  {}'s wheels: left {:g} m/s, right {:g} m/s", robot.robot,
+                                                robot.wheels.left, robot.wheels.right)
+                                  : fmt::format("\n  {}'s wheels roll freely", robot.robot);
     }
     return text;
 }

@@ -28,12 +28,12 @@ struct Explanation {
     /// A robot that hears it, or that it hears.
     struct OfRobot {
         std::string robot;
-        Velocity2D asked;         ///< what it was told
-        Velocity2D limited;       ///< what its limits make of that
-        double speed = 0;         ///< [m/s] that it may drive at most
-        double yaw_rate = 0;      ///< [rad/s] that it may turn at most
+        Velocity2D asked;     ///< what it was told
+        Velocity2D limited;   ///< what its limits make of that
+        double speed = 0;     ///< [m/s] that it may drive at most
+        double yaw_rate = 0;  ///< [rad/s] that it may turn at most
         bool wheels_told = false;
-        Wheels wheels{};          ///< [m/s] that its wheels are told
+        Wheels wheels{};  ///< [m/s] that its wheels are told
     };
 
     std::string component;

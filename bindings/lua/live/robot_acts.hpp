@@ -26,8 +26,9 @@ Expected<Push> read_push(lua_State* L, int index, unsigned kind = Describe<Push>
 std::vector<std::string> marker_names(const System& system);
 std::vector<std::string> thing_names(const System& system);
 /// The act of carrying what is at `thing`: a robot or its name, or the name of a marker, or of a thing as in "box 2",
-/// of `current`, the world that names mean; the pose is at `pose`. A marker is carried to `{ x =, y =, z =, heading = }`
-/// [m, rad], a thing to `{ x =, y =, heading = }`, and what is left out stays as it is. The error names the nearest robot, marker or field. Raises no Lua error.
+/// of `current`, the world that names mean; the pose is at `pose`. A marker is carried to `{ x =, y =, z =, heading =
+/// }` [m, rad], a thing to `{ x =, y =, heading = }`, and what is left out stays as it is. The error names the nearest
+/// robot, marker or field. Raises no Lua error.
 struct TeleportOf {
     LiveSystem* live;
     Act act;

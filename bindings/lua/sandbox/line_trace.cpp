@@ -1,5 +1,5 @@
-// A hook of Lua's for lines and returns. It calls nothing that raises an error or takes memory of the state, so that the
-// script runs as it would without; its time is given back to the calls that it is taken from.
+// A hook of Lua's for lines and returns. It calls nothing that raises an error or takes memory of the state, so that
+// the script runs as it would without; its time is given back to the calls that it is taken from.
 #include "bindings/lua/sandbox/line_trace.hpp"
 
 #include <algorithm>

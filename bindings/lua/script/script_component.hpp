@@ -37,7 +37,8 @@ public:
     PlainData describe_probes(double seconds) const { return script_->probes().describe(seconds); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
 
-    /// Has an execution looked at, line by line: the next one that is not on probation. Returns the number of that look.
+    /// Has an execution looked at, line by line: the next one that is not on probation. Returns the number of that
+    /// look.
     std::int64_t look_at_next() {
         looks_ahead_ = true;
         return looks_ + 1;

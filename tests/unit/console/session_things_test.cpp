@@ -23,6 +23,5 @@ TEST_CASE("the console refuses to carry a box where it can't be", "[console]") {
     CHECK(it.type("teleport('box 1', { x = 0 })") ==
           "! teleport: box 1 at x = 0, y = 0 overlaps robot 'mouse': move one of them");
     CHECK(it.type("teleport('box 1', { z = 1 })") == "! teleport: pose: a thing keeps its height: leave out z");
-    CHECK(it.type("teleport('box 1')") ==
-          "! teleport: pose: expected a table { x =, y =, heading = }, got nothing");
+    CHECK(it.type("teleport('box 1')") == "! teleport: pose: expected a table { x =, y =, heading = }, got nothing");
 }

@@ -60,7 +60,7 @@ TEST_CASE("lines of the log that are long are kept in bounds", "[web]") {
 TEST_CASE("the picture on the floor comes as its file is, to who asks for it", "[web]") {
     WebRig rig(R"(
 arena { size = { 2, 1 }, floor { image = ")" +
-               source_root() + "/behaviors/line.png" + R"(", size = { 2, 1 } } }
+                   source_root() + "/behaviors/line.png" + R"(", size = { 2, 1 } } }
 robot "mouse" { model = "raspimouse" }
 )",
                {});
@@ -89,7 +89,9 @@ TEST_CASE("who asks for a floor's picture where there is none gets none", "[web]
 }
 
 TEST_CASE("a marker is told with the cells of its tag", "[web]") {
-    WebRig rig(R"(arena { marker { name = "seven", id = 7, at = { 0, 0, 0.1 } }, marker { name = "eight", id = 8, at = { 1, 0, 0.1 } } })", {});
+    WebRig rig(
+        R"(arena { marker { name = "seven", id = 7, at = { 0, 0, 0.1 } }, marker { name = "eight", id = 8, at = { 1, 0, 0.1 } } })",
+        {});
     RawBrowser browser = rig.open();
     const auto markers = next_system(browser)["markers"];
     REQUIRE(markers.size() == 2);
