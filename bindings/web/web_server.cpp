@@ -249,10 +249,15 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
 
 void WebServer::explain() {
     std::erase_if(explained_, [&](const Explained& each) {
-        if (!browsers_.contains(each.client) || each.start != live_.starts()) return true;
-        const auto seen = live_.explanation(each.component, each.look);
+        if (!browsers_.contains(each.client)) return true;
+        const auto seen = each.start == live_.starts()
+                              ? live_.explanation(each.component, each.look)
+                              : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
         if (seen && !*seen) return false;
-        if (seen) hub_.send(each.client, dump(explanation_to_json(**seen)));
+        hub_.send(each.client, seen ? dump(explanation_to_json(**seen))
+                                    : dump({{"is", "explain"},
+                                            {"component", each.component},
+                                            {"problem", seen.error().message + ": not explained"}}));
         return true;
     });
 }

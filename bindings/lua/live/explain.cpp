@@ -42,18 +42,28 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Those that the line names.
+// Those that the line names, `config.speed` and such too.
 std::vector<LineTrace::Value> named_in(std::string_view text, const std::vector<LineTrace::Value>& values) {
     std::vector<LineTrace::Value> named;
     Lexer lexer(text);
-    bool is_field = false;  // what follows a dot or colon is no variable
+    std::string path;  // "config" or "config.speed", as far as it has come
+    bool is_field = false;
     for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) {
-        if (token.kind == Token::Kind::name && !is_field) {
-            const auto is_it = [&](const LineTrace::Value& each) { return each.name == token.text; };
-            const auto value = std::find_if(values.begin(), values.end(), is_it);
-            if (value != values.end() && std::none_of(named.begin(), named.end(), is_it)) named.push_back(*value);
+        if (token.is(".") && !path.empty()) {
+            is_field = true;
+            continue;
         }
-        is_field = token.is(".") || token.is(":");
+        const bool is_name = token.kind == Token::Kind::name;
+        if (!is_name) {
+            path = token.is(":") || token.is(".") ? "?" : "";  // what follows is no variable
+            is_field = path == "?";
+            continue;
+        }
+        path = is_field ? path + "." + std::string(token.text) : std::string(token.text);
+        is_field = false;
+        const auto is_it = [&](const LineTrace::Value& each) { return each.name == path; };
+        const auto value = std::find_if(values.begin(), values.end(), is_it);
+        if (value != values.end() && std::none_of(named.begin(), named.end(), is_it)) named.push_back(*value);
     }
     return named;
 }

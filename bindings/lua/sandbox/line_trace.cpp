@@ -105,18 +105,16 @@ void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char
     }
 }
 
-// Variables of the file that the function on top of the stack uses, and its own.
-std::vector<LineTrace::Value> values_in_sight(lua_State* lua, lua_Debug* event) {
-    std::vector<LineTrace::Value> values;
-    for (int i = 1; const char* name = lua_getupvalue(lua, -1, i); ++i) {
-        if (*name != '\0' && std::string_view(name) != "_ENV") add_value(values, lua, name);
+// Of the table on top of the stack: "state.count" and so on.
+void add_fields(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
+    if (lua_type(lua, -1) != LUA_TTABLE) return;
+    lua_pushnil(lua);
+    for (int count = 0; lua_next(lua, -2) != 0; ++count) {
+        if (count >= LineTrace::most_fields) return lua_pop(lua, 2);
+        if (lua_type(lua, -2) == LUA_TSTRING)
+            add_value(values, lua, (std::string(name) + "." + lua_tostring(lua, -2)).c_str());
         lua_pop(lua, 1);
     }
-    for (int i = 1; const char* name = lua_getlocal(lua, event, i); ++i) {
-        if (*name != '(') add_value(values, lua, name);
-        lua_pop(lua, 1);
-    }
-    return values;
 }
 
 int depth_of(lua_State* lua) {
@@ -128,7 +126,10 @@ int depth_of(lua_State* lua) {
 
 }  // namespace
 
-LineTrace::LineTrace(lua_State* lua) : lua_(lua), outer_(std::exchange(current_trace, this)) { follow(lua); }
+LineTrace::LineTrace(lua_State* lua, std::vector<Table> tables)
+    : lua_(lua), outer_(std::exchange(current_trace, this)), tables_(std::move(tables)) {
+    follow(lua);
+}
 
 LineTrace::~LineTrace() {
     current_trace = outer_;
@@ -178,6 +179,25 @@ void LineTrace::note(lua_State* lua, lua_Debug* event) {
         }
     }
     lua_pop(lua, 1);  // the function
+}
+
+// Variables of the file that the function on top of the stack uses, its own, and fields of the tables.
+std::vector<LineTrace::Value> LineTrace::values_in_sight(lua_State* lua, lua_Debug* event) const {
+    std::vector<Value> values;
+    for (int i = 1; const char* name = lua_getupvalue(lua, -1, i); ++i) {
+        if (*name != '\0' && std::string_view(name) != "_ENV") add_value(values, lua, name);
+        lua_pop(lua, 1);
+    }
+    for (int i = 1; const char* name = lua_getlocal(lua, event, i); ++i) {
+        if (*name != '(') add_value(values, lua, name);
+        lua_pop(lua, 1);
+    }
+    for (const Table& table : tables_) {
+        table.push(lua);
+        add_fields(values, lua, table.name);
+        lua_pop(lua, 1);
+    }
+    return values;
 }
 
 // What ran in this function until now has run, and all that it called. The function is on top of the stack.

@@ -16,7 +16,8 @@ public:
     /// more is left out.
     static constexpr std::size_t most_lines = 300, most_events = 5000;
     static constexpr int deepest = 30;
-    static constexpr std::size_t most_values = 24, longest_value = 60;
+    static constexpr std::size_t most_values = 48, longest_value = 60;
+    static constexpr int most_fields = 12;
 
     struct Value {
         std::string name;
@@ -34,9 +35,15 @@ public:
         bool is_cut = false;  ///< there were more
     };
 
-    /// While it lives, what this thread runs in this state is noted. The state must outlive it. Where calls are watched
-    /// by polling (watchdog.hpp) there is nothing to be seen.
-    explicit LineTrace(lua_State* lua);
+    /// A table that scripts have by this name; `push` pushes it, raises nothing and takes no memory.
+    struct Table {
+        const char* name;
+        void (*push)(lua_State* lua);
+    };
+
+    /// While it lives, what this thread runs in this state is noted; of the tables the fields count as variables. The
+    /// state must outlive it. Where calls are watched by polling (watchdog.hpp) there is nothing to be seen.
+    explicit LineTrace(lua_State* lua, std::vector<Table> tables = {});
     ~LineTrace();
     LineTrace(const LineTrace&) = delete;
     LineTrace& operator=(const LineTrace&) = delete;
@@ -57,10 +64,12 @@ private:
 
     static void on_event(lua_State* lua, lua_Debug* event);
     void note(lua_State* lua, lua_Debug* event);
+    std::vector<Value> values_in_sight(lua_State* lua, lua_Debug* event) const;
     void end_line(lua_State* lua, lua_Debug* event, int depth, const void* function);
 
     lua_State* lua_;
     LineTrace* outer_;
+    std::vector<Table> tables_;
     Seen seen_;
     std::size_t events_ = 0;
     std::vector<Frame> frames_;

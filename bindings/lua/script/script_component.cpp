@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "bindings/lua/script/script_config.hpp"
+#include "bindings/lua/script/script_words.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -208,7 +211,7 @@ void ScriptComponent::begin_probation(bool time_is_fatal) {
 }
 
 Expected<void> ScriptComponent::execute_looked_at() {
-    LineTrace trace(script_->lua());
+    LineTrace trace(script_->lua(), {{"config", push_config_values}, {"state", push_state}});
     auto ok = script_->call(Hook::on_execute);
     looked_at_ = trace.take();
     looks_ahead_ = false;

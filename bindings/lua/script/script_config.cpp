@@ -60,6 +60,8 @@ int config_pairs(lua_State* L) {
 
 }  // namespace
 
+void push_config_values(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &config_values_key); }
+
 void push_config(lua_State* L, Script& script) {
     lua_newuserdatauv(L, 0, 0);
     lua_createtable(L, 0, 5);

@@ -11,6 +11,8 @@ namespace nezumi {
 
 /// Pushes the object `config`, which shows nothing yet.
 void push_config(lua_State* L, Script& script);
+/// Pushes the table with the values that it shows. Raises nothing.
+void push_config_values(lua_State* L);
 /// Lets it show this value.
 void show_parameter(lua_State* L, const Parameters::Parameter& parameter);
 /// Lets it show all values.

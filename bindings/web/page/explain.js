@@ -83,6 +83,11 @@ export function make_explain({ model, link, notices }) {
   model.on("explain", (seen) => {
     if (seen.component !== which.value) return;
     waits = false;
+    if (seen.problem) {
+      stop_following();
+      notices.say(seen.problem, "warn");
+      return;
+    }
     body.replaceChildren(
       el("p", { class: "when", text: T.explain.when(seen.component, seen.at.toFixed(2), seen.tick) }),
       stage(T.explain.inputs, "inputs", ...ports_of(seen.inputs, "←")),

@@ -63,6 +63,24 @@ end
     CHECK(seen.lines[0].file == "robot_controller.lua");
 }
 
+TEST_CASE("parameters and what is kept in state are seen as they were behind each line", "[lua][explain]") {
+    ScriptRig rig(R"(param("gain", 0.5)
+state.count = 3
+function on_execute()
+  state.count = state.count + 1
+  state.list = { 1, 2 }
+end
+)");
+    rig.activate();
+    rig.component->look_at_next();
+    rig.tick();
+    const LineTrace::Seen& seen = rig.component->looked_at();
+    CHECK(value_at(seen, 4, "config.gain") == "0.5");
+    CHECK(value_at(seen, 4, "state.count") == "4");
+    CHECK(value_at(seen, 4, "state.list").empty());
+    CHECK(value_at(seen, 5, "state.list") == "{ 1, 2 }");
+}
+
 TEST_CASE("only the execution that was asked for is looked at, and no hook is left", "[lua][explain]") {
     ScriptRig rig("function on_execute()\n  local x = 1\nend\n");
     rig.activate().tick();
@@ -177,8 +195,9 @@ TEST_CASE("an explanation goes from the sensor's port over the lines to the whee
     const auto loop = std::find_if(seen->lines.begin(), seen->lines.end(),
                                    [](const auto& line) { return line.text.find("if value > config.stop_d") == 0; });
     REQUIRE(loop != seen->lines.end());
-    REQUIRE(loop->values.size() == 1);  // those that the line names, and no fields
+    REQUIRE(loop->values.size() == 2);  // those that the line names
     CHECK(loop->values[0].name == "value");
+    CHECK(loop->values[1] == LineTrace::Value{"config.stop_d", "30"});
     CHECK(seen->lines.back().file.find("counter.lua") != std::string::npos);
     REQUIRE(seen->outputs.size() == 1);
     CHECK(seen->outputs[0].peers == std::vector<std::string>{"mouse.target_velocity_in"});

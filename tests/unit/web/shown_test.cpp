@@ -187,6 +187,11 @@ TEST_CASE("an execution is explained to a browser, also to one that may only loo
     const auto refused = WebRig::answer(browser, {{"do", "explain"}, {"id", 2}, {"component", "mouse"}});
     CHECK(refused["ok"] == false);
     CHECK(refused["text"] == "mouse is no behaviour: it has no lines");
+
+    rig.paused = true;
+    CHECK(WebRig::answer(browser, {{"do", "explain"}, {"id", 3}, {"component", "controller"}})["ok"] == true);
+    REQUIRE(rig.live->act(Remove{"controller"}, {}));
+    CHECK(browser.next_text("\"is\":\"explain\"").find("controller is gone: not explained") != std::string::npos);
 }
 
 TEST_CASE("who may act is told the token for those who may only look", "[web]") {
