@@ -10,6 +10,7 @@
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/system/network.hpp"
 
 namespace nezumi {
 namespace {
@@ -131,6 +132,9 @@ PresentSystem present_system(const LiveSystem& live) {
     SystemSpec spec = live.spec();
     std::erase_if(spec.entries, [&](const Entry& entry) { return system.find(name_of(entry)) == nullptr; });
     spec.connections = system.connections();
+    std::erase_if(spec.connections, [&](const ConnectionSpec& connection) {
+        return system.network() != nullptr && system.network()->brought(connection);
+    });
     leave_out_twins(spec);
     for (Entry& entry : spec.entries) {
         std::visit([&](auto& each) { bring_up_to_date(each, *system.find(each.name)); }, entry);

@@ -38,6 +38,8 @@ void merge(SystemSpec& spec, const SystemSpec& more) {
     if (more.arena.floor) spec.arena.floor = more.arena.floor;
     if (more.arena.size) spec.arena.size = more.arena.size;
     spec.models.insert(more.models.begin(), more.models.end());
+    if (more.network) spec.network = more.network;
+    if (more.ros) spec.ros = more.ros;
     if (!more.rate_place.file.empty()) {
         spec.rate = more.rate;
         spec.rate_place = more.rate_place;

@@ -206,6 +206,14 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
                                       : add_entry(*system, entry, spec, makers);
         if (!added) return Unexpected(added.error());
     }
+    if (spec.network || spec.ros) {
+        const Place& place = spec.network ? spec.network->place : spec.ros->place;
+        const std::string_view word = spec.network ? "network" : "ros";
+        if (!makers.network) return failure(fmt::format("{}: there is no network here", word), place);
+        auto network = makers.network(spec, *system);
+        if (!network) return at(place, network.error());
+        system->take_network(std::move(*network));
+    }
     for (const ConnectionSpec& connection : spec.connections) {
         if (auto ok = system->connect(connection.from, connection.to); !ok) return at(connection.place, ok.error());
     }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "engine/base/error.hpp"
+#include "engine/system/network.hpp"
 #include "engine/system/system.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -36,6 +37,7 @@ struct Makers {
     /// Makes the bodies of backend "sim". May be empty: a system without simulated robots needs no world.
     WorldFactory world;
     RigMaker rig;
+    NetworkMaker network;  ///< may be empty: then a system of several hosts is refused
     /// Bodies of all other backends. They are in no world: neither kind of robot sees the other.
     ByBackend<BodyMaker> bodies;
     std::function<Expected<std::unique_ptr<Component>>(const BehaviorEntry& entry, const MakerContext& context)>

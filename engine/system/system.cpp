@@ -9,6 +9,7 @@
 
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
+#include "engine/system/network.hpp"
 #include "engine/system/worker_pool.hpp"
 
 namespace nezumi {
@@ -16,6 +17,13 @@ namespace {
 
 // Fewer components than this are quicker on one thread: waking the others costs as much as some hundred executions.
 constexpr std::size_t worth_threads = 256;
+
+// "name", or of another host "host/name".
+bool is_component_name(std::string_view name) {
+    const std::size_t slash = name.find('/');
+    if (slash == std::string_view::npos) return is_identifier(name);
+    return is_identifier(name.substr(0, slash)) && is_identifier(name.substr(slash + 1));
+}
 
 // The worker that runs this thread's share; 0 on the thread that ticks.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a thread's own number, not shared state
@@ -42,9 +50,11 @@ void System::log(LogLevel level, std::string text) const {
     if (log_) log_({level, now_.seconds, "", std::move(text)});
 }
 
+void System::take_network(std::unique_ptr<Network> network) { network_ = std::move(network); }
+
 Expected<Component*> System::add(std::unique_ptr<Component> component) {
     const std::string& name = component->name();
-    if (!is_identifier(name)) {
+    if (!is_component_name(name)) {
         return failure(
             fmt::format("'{}' is no name: letters, digits and _, not beginning with a digit, and no keyword of Lua",
                         name),
@@ -156,7 +166,18 @@ Expected<Port*> System::port_named(std::string_view port_path) const {
     return failure(fmt::format("{} has no port '{}'{}", owner->name(), shown(name), did_you_mean(name, names)));
 }
 
+// Has the network make the end of a connection that is another host's.
+Expected<void> System::reach(std::string_view from, std::string_view to) {
+    if (is_remote(from) == is_remote(to)) return {};
+    const std::string_view remote = is_remote(from) ? from : to;
+    const auto other = port(is_remote(from) ? to : from);
+    if (!other) return Unexpected(other.error());
+    if (network_ != nullptr) return network_->reach(remote, **other);
+    return failure(fmt::format("{} is on another host: that needs the word network in the system's file", shown(remote)));
+}
+
 Expected<void> System::connect(std::string_view from, std::string_view to) {
+    if (auto reached = reach(from, to); !reached) return reached;
     const auto source = split(from);
     if (!source) return Unexpected(source.error());
     const auto sink = split(to);

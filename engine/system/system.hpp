@@ -25,6 +25,7 @@
 
 namespace nezumi {
 
+class Network;
 class WorkerPool;
 
 /// [s] of the monotonic clock.
@@ -70,6 +71,12 @@ public:
     Rig* rig() { return rig_ ? &*rig_ : nullptr; }
     const Rig* rig() const { return rig_ ? &*rig_ : nullptr; }
 
+    /// What reaches other hosts; given once, before any connection to them.
+    void take_network(std::unique_ptr<Network> network);
+    /// nullptr when there is none.
+    Network* network() { return network_.get(); }
+    const Network* network() const { return network_.get(); }
+
     /// Adds a component; an error when the name is taken or no name. It is INACTIVE until it is activated.
     Expected<Component*> add(std::unique_ptr<Component> component);
     /// Deactivates a component, lets its safe values through, disconnects and destroys it.
@@ -93,7 +100,7 @@ public:
     Expected<Port*> port(std::string_view path) { return port_named(path); }
     Expected<const Port*> port(std::string_view path) const { return port_named(path); }
 
-    /// Connects "name.port" to "name.port", or says why not.
+    /// Connects "name.port" to "name.port", or says why not. One of them may be another host's, "host/name.port".
     Expected<void> connect(std::string_view from, std::string_view to);
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
@@ -141,6 +148,7 @@ public:
 private:
     double seconds_at(std::int64_t tick) const;
     bool is_due(const Component& component) const;
+    Expected<void> reach(std::string_view from, std::string_view to);
     template <class ForEach>
     void run_phases(const Group& group, const ForEach& for_each);
     void run_groups();
@@ -162,6 +170,7 @@ private:
     Time now_;
     std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
     std::optional<Rig> rig_;
+    std::unique_ptr<Network> network_;  // before the components: those of other hosts are its
     std::vector<std::unique_ptr<Component>> components_;
     std::unordered_map<std::string_view, Component*> by_name_;
     std::vector<Robot*> robots_;  // in the order of components_

@@ -86,6 +86,90 @@ struct Describe<ComponentEntry> {
     };
 };
 
+namespace detail {
+/// [1] the last domain whose ports there are (RTPS 2.5, 9.6.2.3)
+inline constexpr std::int64_t last_domain = 232;
+}  // namespace detail
+
+template <>
+struct Describe<NetworkSpec> {
+    static constexpr std::string_view name = "network";
+    static constexpr std::string_view doc = "This system is a host among others. Without the word nothing of it is on the network.";
+    static constexpr std::tuple fields{
+        Setting{"name", &NetworkSpec::name, "", "what other hosts call this one", {.required = true}},
+        Setting{"domain",
+                &NetworkSpec::domain,
+                "",
+                "hosts of one domain find each other",
+                {.min = 0, .max = detail::last_domain}},
+        Setting{"interface",
+                &NetworkSpec::interface,
+                "",
+                "the network interface, for example \"wlan0\"",
+                {.fallback = "the loopback: processes of this machine"}},
+        Setting{"peers",
+                &NetworkSpec::peers,
+                "",
+                "addresses of hosts, where the network carries no multicast"},
+        Setting{"secret",
+                &NetworkSpec::secret,
+                "",
+                "a file that `nezumi network secret` has made: who has it may write"},
+        Setting{"open", &NetworkSpec::open, "", "everybody on the interface may write, without a secret"},
+        Setting{"lockstep", &NetworkSpec::lockstep, "", "simulations of all hosts advance together"},
+        Internal{&NetworkSpec::place},
+    };
+};
+
+/// One entry of `publish` or `subscribe`, where a name alone does not say enough.
+template <>
+struct Describe<RosTopic> {
+    static constexpr std::string_view name = "ros_topic";
+    static constexpr std::string_view doc = "A topic of ROS 2, where its name alone does not say enough.";
+    static constexpr std::tuple fields{
+        Setting{"topic", &RosTopic::topic, "", "of `publish`: its name, for example \"/odom\""},
+        Setting{"port", &RosTopic::port, "", "of `subscribe`: the in-port, \"name.port\""},
+        Setting{"type",
+                &RosTopic::type,
+                "",
+                "the message's type, for example \"geometry_msgs/msg/TwistStamped\"",
+                {.fallback = "the first for the port's type"}},
+        Setting{"frame", &RosTopic::frame, "", "of the message's header", {.fallback = "what fits its type"}},
+        Internal{&RosTopic::place},
+    };
+};
+
+template <>
+struct Describe<RosSpec> {
+    static constexpr std::string_view name = "ros";
+    static constexpr std::string_view doc = "This system is a node among those of ROS 2.";
+    static constexpr std::tuple fields{
+        Setting{"node", &RosSpec::node, "", "the node's name", {.required = true}},
+        Extra{"publish",
+              "table<string, string|RosTopicFields>",
+              "",
+              "out-ports and the topics that carry them: `[\"mouse.current_velocity_out\"] = \"/velocity\"`"},
+        Extra{"subscribe",
+              "table<string, string|RosTopicFields>",
+              "",
+              "topics and the in-ports that take them: `[\"/cmd_vel\"] = \"mouse.target_velocity_in\"`"},
+        Setting{"domain",
+                &RosSpec::domain,
+                "",
+                "what is ROS_DOMAIN_ID for the other nodes",
+                {.min = 0, .max = detail::last_domain}},
+        Setting{"interface",
+                &RosSpec::interface,
+                "",
+                "the network interface, for example \"wlan0\"",
+                {.fallback = "the loopback: processes of this machine"}},
+        Setting{"peers", &RosSpec::peers, "", "addresses of hosts, where the network carries no multicast"},
+        Internal{&RosSpec::publish},
+        Internal{&RosSpec::subscribe},
+        Internal{&RosSpec::place},
+    };
+};
+
 /// What the word `physics` sets.
 struct PhysicsFields {
     double step = SystemSpec{}.physics_step;

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -76,7 +77,39 @@ using Entry = std::variant<RobotEntry, BehaviorEntry, ComponentEntry>;
 const std::string& name_of(const Entry& entry);
 const Place& place_of(const Entry& entry);
 
-/// `connect(from, to)`, each "name.port".
+/// `network { name, domain, interface, peers, secret, open, lockstep }`: this system is a host among others.
+struct NetworkSpec {
+    std::string name;
+    std::int64_t domain = 0;
+    std::string interface;  ///< "": the loopback
+    std::vector<std::string> peers{};
+    std::string secret{};  ///< a file, as the system's says it; "": none
+    bool open = false;
+    bool lockstep = false;
+    Place place{};
+};
+
+/// A topic of ROS 2, and the port that it is published from or written to.
+struct RosTopic {
+    std::string port;  ///< "name.port"
+    std::string topic;
+    std::string type{};   ///< as ROS names it; "": the first that there is for the port's type
+    std::string frame{};  ///< of its header; "": what fits its type
+    Place place{};
+};
+
+/// `ros { node, publish, subscribe, domain, interface, peers }`.
+struct RosSpec {
+    std::string node;
+    std::vector<RosTopic> publish{};
+    std::vector<RosTopic> subscribe{};
+    std::int64_t domain = 0;
+    std::string interface{};  ///< "": the loopback
+    std::vector<std::string> peers{};
+    Place place{};
+};
+
+/// `connect(from, to)`, each "name.port", or "host/name.port" for a port of another host.
 struct ConnectionSpec {
     std::string from;
     std::string to;
@@ -84,6 +117,9 @@ struct ConnectionSpec {
 
     bool operator==(const ConnectionSpec& other) const { return from == other.from && to == other.to; }
 };
+
+/// Whether a component or port is another host's: "host/name", "host/name.port".
+constexpr bool is_remote(std::string_view path) { return path.find('/') != std::string_view::npos; }
 
 struct SystemSpec {
     std::string file;   ///< as it was given
@@ -95,6 +131,8 @@ struct SystemSpec {
     std::map<std::string, RobotSpec> models;  ///< by the name that entries use
     std::vector<Entry> entries;               ///< in the order of the file
     std::vector<ConnectionSpec> connections;
+    std::optional<NetworkSpec> network{};
+    std::optional<RosSpec> ros{};
     std::vector<std::string> files;  ///< every file it was read from: system, models, maps
 };
 

@@ -614,6 +614,29 @@ function output(name, type, doc, options) end
 ---@class (exact) PhysicsFields
 ---@field step number [s] of time that the physics advances at once; a tick is a whole number of them
 
+---@class (exact) NetworkFields
+---@field name string what other hosts call this one
+---@field domain? integer hosts of one domain find each other
+---@field interface? string the network interface, for example "wlan0"
+---@field peers? string|string[] addresses of hosts, where the network carries no multicast
+---@field secret? string a file that `nezumi network secret` has made: who has it may write
+---@field open? boolean everybody on the interface may write, without a secret
+---@field lockstep? boolean simulations of all hosts advance together
+
+---@class (exact) RosFields
+---@field node string the node's name
+---@field publish? table<string, string|RosTopicFields> out-ports and the topics that carry them: `["mouse.current_velocity_out"] = "/velocity"`
+---@field subscribe? table<string, string|RosTopicFields> topics and the in-ports that take them: `["/cmd_vel"] = "mouse.target_velocity_in"`
+---@field domain? integer what is ROS_DOMAIN_ID for the other nodes
+---@field interface? string the network interface, for example "wlan0"
+---@field peers? string|string[] addresses of hosts, where the network carries no multicast
+
+---@class (exact) RosTopicFields
+---@field topic? string of `publish`: its name, for example "/odom"
+---@field port? string of `subscribe`: the in-port, "name.port"
+---@field type? string the message's type, for example "geometry_msgs/msg/TwistStamped"
+---@field frame? string of the message's header
+
 ---@class (exact) BodyFields
 ---@field shape? "box"|"cylinder"
 ---@field size? number[] [m] length, width, height; of a cylinder: diameter, diameter, height
@@ -894,6 +917,14 @@ function component(name, fields) end
 ---How the simulation runs.
 ---@param fields PhysicsFields
 function physics(fields) end
+
+---This system is a host among others. Without the word nothing of it is on the network.
+---@param fields NetworkFields
+function network(fields) end
+
+---This system is a node among those of ROS 2.
+---@param fields RosFields
+function ros(fields) end
 
 ---Connects an out-port to an in-port of the same type.
 ---@param from string|Port "name.port", or in a scenario the port itself
@@ -1195,6 +1226,14 @@ function s:component(name, fields) end
 ---How the simulation runs.
 ---@param fields PhysicsFields
 function s:physics(fields) end
+
+---This system is a host among others. Without the word nothing of it is on the network.
+---@param fields NetworkFields
+function s:network(fields) end
+
+---This system is a node among those of ROS 2.
+---@param fields RosFields
+function s:ros(fields) end
 
 ---Connects an out-port to an in-port of the same type.
 ---@param from string|Port "name.port", or in a scenario the port itself

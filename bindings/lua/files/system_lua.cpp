@@ -26,9 +26,11 @@ enum Word : int {
     map,
     marker,
     maze,
+    network,
     physics,
     rate,
     robot,
+    ros,
     seed,
     wall
 };
@@ -107,8 +109,10 @@ Expected<Result> carry_out(const WordHost& host, int word, const WordCall& call,
     if (first->is_nil()) return failure(fmt::format("{}: expected an argument, got none", call.word));
     switch (word) {
         case arena: return nothing(words.arena(call, *first));
+        case network: return nothing(words.network(call, *first));
         case physics: return nothing(words.physics(call, *first));
         case rate: return nothing(words.rate(call, *first));
+        case ros: return nothing(words.ros(call, *first));
         case seed: return nothing(words.seed(call, *first));
         default: {
             auto thing = words.thing(call, *first);
@@ -174,7 +178,8 @@ int take_table(lua_State* lua) {
 const std::vector<const char*>& system_word_names() {
     static const std::vector<const char*> names{"arena",    "behavior", "box",   "component", "connect", "csv",
                                                 "cylinder", "floor",    "line",  "map",       "marker",  "maze",
-                                                "physics",  "rate",     "robot", "seed",      "wall"};
+                                                "network",  "physics",  "rate",  "robot",     "ros",     "seed",
+                                                "wall"};
     return names;
 }
 

@@ -51,6 +51,34 @@ std::string arena(const ArenaSpec& arena) {
     return text + "}\n\n";
 }
 
+// Entries of `publish` or `subscribe`: a name says it, or a table.
+std::string topics(std::string_view field, const std::vector<RosTopic>& all) {
+    const bool publishes = field == "publish";
+    std::string text;
+    for (const RosTopic& each : all) {
+        RosTopic own = each;
+        (publishes ? own.port : own.topic).clear();
+        const bool named = own.type.empty() && own.frame.empty();
+        text += fmt::format("    [{}] = {},\n", quoted(publishes ? each.port : each.topic),
+                            named ? quoted(publishes ? each.topic : each.port) : write_record(own));
+    }
+    return text.empty() ? "" : fmt::format("  {} = {{\n{}  }},\n", field, text);
+}
+
+// The fields of `network` or `ros` that are no topics.
+template <Recorded T>
+std::string place_in_domain(const T& spec) {
+    const std::string own = write_record(spec);
+    std::string text = own.substr(2, own.size() - 4), peers;
+    for (const std::string& peer : spec.peers) peers += (peers.empty() ? "" : ", ") + quoted(peer);
+    return peers.empty() ? text : fmt::format("{}, peers = {{ {} }}", text, peers);
+}
+
+std::string ros(const RosSpec& spec) {
+    return fmt::format("ros {{\n  {},\n{}{}}}\n", place_in_domain(spec), topics("publish", spec.publish),
+                       topics("subscribe", spec.subscribe));
+}
+
 }  // namespace
 
 std::string write_system_text(const SystemSpec& spec, const std::string& title) {
@@ -61,6 +89,8 @@ std::string write_system_text(const SystemSpec& spec, const std::string& title) 
     const SystemSpec plain;
     if (spec.rate != plain.rate) text += fmt::format("rate({})\n", lua_number(spec.rate));
     if (spec.physics_step != plain.physics_step) text += thing(PhysicsFields{spec.physics_step}) + "\n";
+    if (spec.network) text += fmt::format("network {{ {} }}\n", place_in_domain(*spec.network));
+    if (spec.ros) text += ros(*spec.ros);
     text += "\n" + arena(spec.arena);
     for (const Entry& each : spec.entries) {
         std::visit(

@@ -37,11 +37,15 @@ std::vector<std::string_view> names_of(const Sets& sets) {
     return names;
 }
 
-// "name.port", both identifiers; a port may be called like one of Lua's keywords ("in").
-bool is_port_path(const std::string& path) {
+// "name.port" or "host/name.port", all identifiers; a port may be called like one of Lua's keywords ("in").
+bool is_port_path(std::string_view path) {
+    if (const std::size_t slash = path.find('/'); slash != std::string_view::npos) {
+        if (!is_identifier(path.substr(0, slash))) return false;
+        path.remove_prefix(slash + 1);
+    }
     const std::size_t dot = path.find('.');
-    if (dot == std::string::npos) return false;
-    const std::string port = path.substr(dot + 1);
+    if (dot == std::string_view::npos) return false;
+    const std::string_view port = path.substr(dot + 1);
     return is_identifier(path.substr(0, dot)) && (is_identifier(port) || is_keyword(port));
 }
 
@@ -254,6 +258,7 @@ Expected<void> SystemWords::finish(bool is_part) const {
                                    place_of(other).file, place_of(other).line),
                        marker.place);
     }
+    if (auto ok = check_network(); !ok) return ok;
     std::vector<std::string_view> robots;
     for (const Entry& entry : spec_.entries) {
         if (std::holds_alternative<RobotEntry>(entry)) robots.push_back(name_of(entry));

@@ -53,6 +53,8 @@ public:
     Expected<void> seed(const WordCall& call, const FileValue& value);
     Expected<void> rate(const WordCall& call, const FileValue& hertz);
     Expected<void> physics(const WordCall& call, const FileValue& fields);
+    Expected<void> network(const WordCall& call, const FileValue& fields);
+    Expected<void> ros(const WordCall& call, const FileValue& fields);
 
     /// Checks what depends on the whole, which a part does not know. May be called again after more words.
     Expected<void> finish(bool is_part = false) const;
@@ -99,6 +101,7 @@ private:
     Expected<void> check_rates() const;
     Expected<void> check_lines() const;
     Expected<void> check_mazes() const;
+    Expected<void> check_network() const;
 
     const Project& project_;
     SystemSpec spec_;

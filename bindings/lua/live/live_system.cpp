@@ -85,6 +85,7 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     next->makers.world = options_.world;
     next->makers.bodies = options_.bodies;
     next->makers.rig = options_.rig;
+    next->makers.network = options_.network;
     next->makers.components = options_.components;
     next->makers.behavior =
         [settings = BehaviorSettings{.project = project_, .budget = options_.budget, .chunks = &next->chunks}](
@@ -131,6 +132,8 @@ void LiveSystem::between_ticks() {
     } else {
         running_->reloader->after_tick();
     }
+    Network* network = running_->system->network();
+    if (network != nullptr) network->between_ticks([this](const Act& each, const Actor& who) { return act(each, who); });
 }
 
 void LiveSystem::tick() {

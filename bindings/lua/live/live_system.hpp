@@ -28,6 +28,7 @@ struct LiveOptions {
     WorldFactory world;                            ///< may be empty: then there can be no robots
     decltype(Makers::bodies) bodies;               ///< makers of real robots by backend
     RigMaker rig;                                  ///< what sees real robots from outside
+    NetworkMaker network;                          ///< may be empty: then a system of several hosts is refused
     decltype(Makers::components) components;       ///< native components by type
     /// Has a look at what a file says before it is built, and may change it; an error refuses it. May be empty.
     std::function<Expected<void>(SystemSpec&)> prepare;

@@ -94,6 +94,9 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<BehaviorEntry>(),
         shape_of_record<ComponentEntry>(),
         shape_of_record<PhysicsFields>(),
+        shape_of_record<NetworkSpec>(),
+        shape_of_record<RosSpec>(),
+        shape_of_record<RosTopic>(),
         of_robot(shape_of_record<BodySpec>()),
         of_robot(shape_of_record<DriveSpec>()),
         of_robot(shape_of_record<SensorSpec>()),
@@ -133,7 +136,8 @@ std::string system_word_annotations(bool methods) {
         const bool is_thing = record.name == "box" || record.name == "wall" || record.name == "cylinder" ||
                               record.name == "marker" || record.name == "maze" || record.name == "floor" ||
                               record.name == "line";
-        if (is_entry || is_thing || record.name == "arena" || record.name == "physics")
+        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" ||
+            record.name == "network" || record.name == "ros")
             text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
     }
     for (const Word& each : words) {

@@ -48,6 +48,9 @@ const std::map<std::string, std::string> systems{
     {"behavior", "behavior 'b' { % }"},
     {"component", "component 'c' { % }"},
     {"physics", "physics { % }"},
+    {"network", "network { % }"},
+    {"ros", "ros { % }"},
+    {"ros_topic", "ros { node = 'n', subscribe = { ['/a'] = { % } } }"},
 };
 const std::string wheels = "return robot_model { mass = 1, drive = { radius = 0.02, track = 0.1 }, ";
 const std::map<std::string, std::string> robots{

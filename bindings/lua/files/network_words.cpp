@@ -1,0 +1,123 @@
+// `network` and `ros`: what a system shows to other hosts, and takes from them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/lua/files/read_record.hpp"
+#include "bindings/lua/files/system_words.hpp"
+#include "engine/base/names.hpp"
+#include "engine/system/system_fields.hpp"
+
+namespace nezumi {
+namespace {
+
+// Why this is no name of a topic of ROS, or "" (ROS 2 design, "Topic and Service name mapping to DDS").
+std::string problem_of_topic(std::string_view topic) {
+    if (topic.size() < 2 || topic.front() != '/') return "expected a whole name as \"/odom\"";
+    bool begins = false;  // a token of the name
+    for (const char c : topic) {
+        const bool digit = c >= '0' && c <= '9';
+        const bool fits = digit || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        if (c == '/' ? begins : !fits || (begins && digit))
+            return "expected tokens of letters, digits and _ between slashes, none beginning with a digit";
+        begins = c == '/';
+    }
+    return begins ? "expected no slash at the end" : "";
+}
+
+// Reads `publish`, from ports to topics, or `subscribe`, from topics to ports.
+void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& out) {
+    const bool publishes = name == "publish";
+    Fields table = fields.inner(name);
+    for (const FileField& each : table.all()) {
+        RosTopic topic;
+        topic.place = fields.check().place_of(table.path_of(each.name));
+        const FileValue* value = table.field(each.name);
+        std::string& other = publishes ? topic.topic : topic.port;
+        if (value->table() != nullptr) {
+            Fields inner = table.inner(each.name);
+            read_record(inner, topic);
+            const std::string_view key = publishes ? "port" : "topic";
+            if (inner.has(key))
+                fields.check().wrong(inner.path_of(key), fmt::format("is said already, by the name '{}'", each.name));
+            inner.require(publishes ? "topic" : "port", publishes ? "a text: the topic" : "a text: \"name.port\"");
+            inner.done();
+        } else {
+            table.text(each.name, other);
+        }
+        (publishes ? topic.port : topic.topic) = each.name;
+        if (!fields.check().ok()) return;
+        if (const std::string problem = problem_of_topic(topic.topic); !problem.empty())
+            return fields.check().wrong(table.path_of(each.name),
+                                        fmt::format("names no topic '{}': {}", topic.topic, problem));
+        out.push_back(std::move(topic));
+    }
+    table.done();
+}
+
+Expected<void> said_once(const WordCall& call, const Place* before) {
+    if (before == nullptr) return {};
+    return failure(fmt::format("{}: is set already, at {}:{}", call.word, before->file, before->line), call.place);
+}
+
+}  // namespace
+
+Expected<void> SystemWords::network(const WordCall& call, const FileValue& value) {
+    FieldCheck check("network", call.word, call.place, call.source);
+    Fields fields(check, value);
+    NetworkSpec given;
+    given.place = call.place;
+    read_record(fields, given);
+    fields.done();
+    if (check.ok() && !is_identifier(given.name))
+        check.wrong({"name"}, fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.name));
+    if (check.ok() && given.open && !given.secret.empty())
+        check.explain({"open"}, "with a `secret` only those who have it may write: leave one of them out");
+    if (auto ok = check.result(); !ok) return ok;
+    if (auto once = said_once(call, spec_.network ? &spec_.network->place : nullptr); !once) return once;
+    spec_.network = std::move(given);
+    return {};
+}
+
+Expected<void> SystemWords::ros(const WordCall& call, const FileValue& value) {
+    FieldCheck check("ros", call.word, call.place, call.source);
+    Fields fields(check, value);
+    RosSpec given;
+    given.place = call.place;
+    read_record(fields, given);
+    read_topics(fields, "publish", given.publish);
+    read_topics(fields, "subscribe", given.subscribe);
+    fields.done();
+    if (check.ok() && !is_identifier(given.node))
+        check.wrong({"node"}, fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.node));
+    if (auto ok = check.result(); !ok) return ok;
+    if (auto once = said_once(call, spec_.ros ? &spec_.ros->place : nullptr); !once) return once;
+    spec_.ros = std::move(given);
+    return {};
+}
+
+Expected<void> SystemWords::check_network() const {
+    for (const ConnectionSpec& each : spec_.connections) {
+        if (!is_remote(each.from) && !is_remote(each.to)) continue;
+        const std::string& remote = is_remote(each.from) ? each.from : each.to;
+        const auto refuse = [&](std::string_view why) {
+            return failure(fmt::format("connect: {}: {}", remote, why), each.place);
+        };
+        if (!spec_.network) return refuse("a port of another host needs the word network { name = ... }");
+        if (is_remote(each.from) && is_remote(each.to))
+            return refuse("both ends are on other hosts: one of these connects them");
+        if (remote.substr(0, remote.find('/')) == spec_.network->name)
+            return refuse(fmt::format("this host is '{}' itself: write \"{}\"", spec_.network->name,
+                                      remote.substr(remote.find('/') + 1)));
+    }
+    if (!spec_.network || !spec_.ros || spec_.network->domain != spec_.ros->domain) return {};
+    if (spec_.network->interface == spec_.ros->interface && spec_.network->peers == spec_.ros->peers) return {};
+    return failure(fmt::format("ros: is in domain {} as network is: 'interface' and 'peers' must be the same in both",
+                               spec_.ros->domain),
+                   spec_.ros->place);
+}
+
+}  // namespace nezumi

@@ -1,0 +1,57 @@
+// The network as a system sees it: ports of other hosts are ports of components whose names have a slash, "ev3/vehicle".
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/error.hpp"
+#include "engine/ports/port_base.hpp"
+#include "engine/system/act.hpp"
+#include "engine/system/actor.hpp"
+#include "engine/system/system_spec.hpp"
+
+namespace nezumi {
+
+class System;
+
+/// A port that another host offers.
+struct OfferedPort {
+    std::string name;  ///< "name.port"
+    std::string type;  ///< name of its message type
+    Direction direction = Direction::out;
+};
+
+/// Another host.
+struct Host {
+    std::string name;
+    bool here = false;  ///< or only named by a connection that waits for it
+    std::string version{};
+    std::vector<OfferedPort> ports{};
+};
+
+/// Performs an act as `LiveSystem::act` does.
+using ActDoor = std::function<Expected<ActResult>(const Act& act, const Actor& who)>;
+
+class Network {
+public:
+    virtual ~Network() = default;
+    /// Makes sure that "host/name.port" is there to be connected to `other`, of its type and in the other direction,
+    /// whether or not the host is there yet.
+    virtual Expected<void> reach(std::string_view path, const Port& other) = 0;
+    /// Between two ticks: takes note of hosts that came and went, makes and ends the connections that they ask for.
+    virtual void between_ticks(const ActDoor& act) = 0;
+    /// Hosts that are there or waited for, by name.
+    virtual std::vector<Host> hosts() const = 0;
+    /// Whether a connection is there because of something else than a `connect` of this system: another host's, or
+    /// the word `ros`.
+    virtual bool brought(const ConnectionSpec& connection) const = 0;
+};
+
+/// Makes the network of a system whose file has `network` or `ros`, which has all its components by then and none of
+/// its connections.
+using NetworkMaker = std::function<Expected<std::unique_ptr<Network>>(const SystemSpec& spec, System& system)>;
+
+}  // namespace nezumi

@@ -1,0 +1,104 @@
+// `network` and `ros` in system files: what they take, and what they refuse.
+#include <catch2/catch.hpp>
+
+#include "bindings/lua/files/system_text.hpp"
+#include "tests/unit/lua/system_reader.hpp"
+
+using namespace nezumi;
+using namespace nezumi::system_files;
+
+TEST_CASE("a system says which host it is", "[lua][system_file][network]") {
+    const auto spec = system_of(
+        "network { name = 'mouse_pi', domain = 7, interface = 'wlan0', peers = { '192.168.11.2' }, secret = 's.key' }");
+    REQUIRE(spec.network.has_value());
+    CHECK(spec.network->name == "mouse_pi");
+    CHECK(spec.network->domain == 7);
+    CHECK(spec.network->interface == "wlan0");
+    CHECK(spec.network->peers == std::vector<std::string>{"192.168.11.2"});
+    CHECK(spec.network->secret == "s.key");
+    CHECK_FALSE(spec.network->open);
+    CHECK_FALSE(spec.network->lockstep);
+    CHECK(spec.network->place.line == 1);
+    CHECK_FALSE(system_of("seed(1)").network.has_value());
+}
+
+TEST_CASE("network refuses what no host can be", "[lua][system_file][network]") {
+    CHECK(error("network {}") ==
+          "s.lua:1: network: field 'name' is missing: expected a text: what other hosts call this one");
+    CHECK(error("network { name = 'a b' }") ==
+          "s.lua:1:11: network: field 'name' expected letters, digits and _, not beginning with a digit, got 'a b'");
+    CHECK(error("network { name = 'a', domian = 7 }") ==
+          "s.lua:1:23: network: unknown field 'domian' (did you mean 'domain'?)");
+    CHECK(error("network { name = 'a', domain = 233 }") ==
+          "s.lua:1:23: network: field 'domain' expected a whole number from 0 to 232, got 233");
+    CHECK(error("network { name = 'a', open = true, secret = 'k' }") ==
+          "s.lua:1:23: network: field 'open': with a `secret` only those who have it may write: leave one of them out");
+    CHECK(error("network { name = 'a' }\nnetwork { name = 'a' }") ==
+          "s.lua:2: network: is set already, at behaviors/systems/s.lua:1");
+}
+
+TEST_CASE("a port of another host is host/name.port", "[lua][system_file][network]") {
+    const auto spec = system_of("network { name = 'a' } connect('ev3/vehicle.current_vel', 'mouse.target_velocity_in')");
+    REQUIRE(spec.connections.size() == 1);
+    CHECK(spec.connections[0].from == "ev3/vehicle.current_vel");
+    CHECK(error("connect('ev3/vehicle.out', 'mouse.in')") ==
+          "s.lua:1: connect: ev3/vehicle.out: a port of another host needs the word network { name = ... }");
+    CHECK(error("network { name = 'a' }\nconnect('b/x.out', 'c/y.in')") ==
+          "s.lua:2: connect: b/x.out: both ends are on other hosts: one of these connects them");
+    CHECK(error("network { name = 'a' }\nconnect('a/x.out', 'y.in')") ==
+          "s.lua:2: connect: a/x.out: this host is 'a' itself: write \"x.out\"");
+    CHECK(error("network { name = 'a' }\nconnect('a/b/x.out', 'y.in')") ==
+          "s.lua:2: connect: expected \"name.port\", got 'a/b/x.out'");
+    CHECK(error("network { name = 'a' }\nconnect('/x.out', 'y.in')") ==
+          "s.lua:2: connect: expected \"name.port\", got '/x.out'");
+}
+
+TEST_CASE("a system says which topics of ROS it has", "[lua][system_file][network]") {
+    const auto spec = system_of(
+        "ros { node = 'mouse', domain = 5,\n"
+        "  publish = { ['mouse.current_velocity_out'] = '/velocity' },\n"
+        "  subscribe = { ['/cmd_vel'] = { port = 'mouse.target_velocity_in', type = 'geometry_msgs/msg/TwistStamped' } } }");
+    REQUIRE(spec.ros.has_value());
+    CHECK(spec.ros->node == "mouse");
+    CHECK(spec.ros->domain == 5);
+    REQUIRE(spec.ros->publish.size() == 1);
+    CHECK(spec.ros->publish[0].port == "mouse.current_velocity_out");
+    CHECK(spec.ros->publish[0].topic == "/velocity");
+    CHECK(spec.ros->publish[0].place.line == 2);
+    REQUIRE(spec.ros->subscribe.size() == 1);
+    CHECK(spec.ros->subscribe[0].port == "mouse.target_velocity_in");
+    CHECK(spec.ros->subscribe[0].topic == "/cmd_vel");
+    CHECK(spec.ros->subscribe[0].type == "geometry_msgs/msg/TwistStamped");
+}
+
+TEST_CASE("ros refuses what is no topic", "[lua][system_file][network]") {
+    CHECK(error("ros {}") == "s.lua:1: ros: field 'node' is missing: expected a text: the node's name");
+    for (const char* topic : {"odom", "/", "/a/", "/a//b", "/1a", "/a b"}) {
+        CAPTURE(topic);
+        CHECK(error("ros { node = 'n', publish = { ['a.b'] = '" + std::string(topic) + "' } }")
+                  .find("names no topic '" + std::string(topic) + "'") != std::string::npos);
+    }
+    CHECK(error("ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }").find("did you mean 'topic'?") !=
+          std::string::npos);
+    CHECK(error("ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }").find("field 'subscribe./a.port' is missing") !=
+          std::string::npos);
+    CHECK(error("ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }").find("is said already") !=
+          std::string::npos);
+    CHECK(error("network { name = 'a', interface = 'lo' }\nros { node = 'n' }") ==
+          "s.lua:2: ros: is in domain 0 as network is: 'interface' and 'peers' must be the same in both");
+}
+
+TEST_CASE("network and ros are written as they were read", "[lua][system_text][network]") {
+    const std::string text =
+        "network { name = \"a\", domain = 3, peers = { \"10.0.0.1\", \"10.0.0.2\" } }\n"
+        "ros {\n"
+        "  node = \"n\",\n"
+        "  publish = {\n"
+        "    [\"a.b\"] = \"/c\",\n"
+        "  },\n"
+        "  subscribe = {\n"
+        "    [\"/d\"] = { port = \"e.f\", type = \"sensor_msgs/msg/Joy\" },\n"
+        "  },\n"
+        "}\n";
+    CHECK(write_system_text(system_of(text), "x") == "--- x\n" + text + "\n");
+}
