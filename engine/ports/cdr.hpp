@@ -2,8 +2,8 @@
 // 1.3, 7.4.1).
 //
 // A number is aligned to its size, counted from the start of the stream. A truth value is one byte, a text its length
-// (with the final 0), its bytes and a 0, a sequence its length and its elements, a structure its fields in order. What
-// is written is a function of the value alone: padding is 0.
+// (with the final 0), its bytes and a 0, a sequence its length and its elements, an array its elements, a structure its
+// fields in order. What is written is a function of the value alone: padding is 0.
 #pragma once
 
 #include <algorithm>
@@ -60,12 +60,20 @@ double to_seconds(const CdrTime& time);
 
 namespace detail {
 
+/// So many of the same, without their number: an array of IDL.
+template <class T>
+struct IsArray : std::false_type {};
+template <class T, std::size_t N>
+struct IsArray<std::array<T, N>> : std::true_type {};
+
 /// The fewest bytes that a T takes in a stream.
 template <class T>
 constexpr std::size_t min_cdr_size() {
     if constexpr (Described<T>) {
         return std::apply([]<class... M>(const Field<T, M>&...) { return (std::size_t{0} + ... + min_cdr_size<M>()); },
                           Describe<T>::fields);
+    } else if constexpr (IsArray<T>::value) {
+        return std::tuple_size_v<T> * min_cdr_size<typename T::value_type>();
     } else if constexpr (std::is_same_v<T, bool>) {
         return 1;
     } else if constexpr (std::is_arithmetic_v<T>) {
@@ -96,6 +104,8 @@ public:
     void write(const T& value) {
         if constexpr (Described<T>) {
             for_each_field(value, [&](const auto&, const auto& member) { write(member); });
+        } else if constexpr (IsArray<T>::value) {
+            for (const auto& element : value) write(element);
         } else if constexpr (std::is_same_v<T, bool>) {
             out_.push_back(value ? 1 : 0);
         } else if constexpr (CdrNumber<T>) {
@@ -145,6 +155,8 @@ public:
                 read(member);
             });
             field_ = {};
+        } else if constexpr (IsArray<T>::value) {
+            for (auto& element : value) read(element);
         } else if constexpr (std::is_same_v<T, bool>) {
             value = read_truth();
         } else if constexpr (CdrNumber<T>) {

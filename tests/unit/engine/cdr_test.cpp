@@ -313,3 +313,34 @@ TEST_CASE("a stream of more than 64 MiB is refused unread", "[engine][cdr]") {
     REQUIRE_FALSE(read.has_value());
     CHECK(read.error().message == "byte 0: expected at most 67108864 bytes, got 67108865");
 }
+
+namespace {
+
+// An array of IDL, as ROS has them: without its length.
+struct Matrix {
+    std::uint8_t before = 0;
+    std::array<double, 2> rows{};
+    bool operator==(const Matrix&) const = default;
+};
+
+}  // namespace
+
+namespace nezumi {
+template <>
+struct Describe<Matrix> {
+    static constexpr std::string_view name = "Matrix";
+    static constexpr std::tuple fields{Field{"before", &Matrix::before, "", ""}, Field{"rows", &Matrix::rows, "", ""}};
+};
+}  // namespace nezumi
+
+TEST_CASE("an array of a fixed size has no length before it", "[engine][cdr]") {
+    const Matrix matrix{7, {1.0, -2.0}};
+    CHECK(written(matrix) == "07 00 00 00 00 00 00 00 00 00 00 00 00 00 f0 3f 00 00 00 00 00 00 00 c0");
+    Octets out;
+    write_cdr(out, big, std::vector<Matrix>{matrix, matrix});
+    std::vector<Matrix> back;
+    REQUIRE(read_cdr(out, big, back).has_value());
+    CHECK(back == std::vector<Matrix>{matrix, matrix});
+    out.pop_back();
+    CHECK_FALSE(read_cdr(out, big, back).has_value());
+}
