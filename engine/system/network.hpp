@@ -1,4 +1,5 @@
-// The network as a system sees it: ports of other hosts are ports of components whose names have a slash, "ev3/vehicle".
+// The network as a system sees it: ports of other hosts are ports of components whose names have a slash,
+// "ev3/vehicle".
 #pragma once
 
 #include <functional>

@@ -170,10 +170,12 @@ Expected<Port*> System::port_named(std::string_view port_path) const {
 Expected<void> System::reach(std::string_view from, std::string_view to) {
     if (is_remote(from) == is_remote(to)) return {};
     const std::string_view remote = is_remote(from) ? from : to;
+    if (port(remote)) return {};
     const auto other = port(is_remote(from) ? to : from);
     if (!other) return Unexpected(other.error());
     if (network_ != nullptr) return network_->reach(remote, **other);
-    return failure(fmt::format("{} is on another host: that needs the word network in the system's file", shown(remote)));
+    return failure(
+        fmt::format("{} is on another host: that needs the word network in the system's file", shown(remote)));
 }
 
 Expected<void> System::connect(std::string_view from, std::string_view to) {

@@ -94,7 +94,8 @@ inline constexpr std::int64_t last_domain = 232;
 template <>
 struct Describe<NetworkSpec> {
     static constexpr std::string_view name = "network";
-    static constexpr std::string_view doc = "This system is a host among others. Without the word nothing of it is on the network.";
+    static constexpr std::string_view doc =
+        "This system is a host among others. Without the word nothing of it is on the network.";
     static constexpr std::tuple fields{
         Setting{"name", &NetworkSpec::name, "", "what other hosts call this one", {.required = true}},
         Setting{"domain",
@@ -107,13 +108,8 @@ struct Describe<NetworkSpec> {
                 "",
                 "the network interface, for example \"wlan0\"",
                 {.fallback = "the loopback: processes of this machine"}},
-        Setting{"peers",
-                &NetworkSpec::peers,
-                "",
-                "addresses of hosts, where the network carries no multicast"},
-        Setting{"secret",
-                &NetworkSpec::secret,
-                "",
+        Setting{"peers", &NetworkSpec::peers, "", "addresses of hosts, where the network carries no multicast"},
+        Setting{"secret", &NetworkSpec::secret, "",
                 "a file that `nezumi network secret` has made: who has it may write"},
         Setting{"open", &NetworkSpec::open, "", "everybody on the interface may write, without a secret"},
         Setting{"lockstep", &NetworkSpec::lockstep, "", "simulations of all hosts advance together"},
@@ -145,13 +141,9 @@ struct Describe<RosSpec> {
     static constexpr std::string_view doc = "This system is a node among those of ROS 2.";
     static constexpr std::tuple fields{
         Setting{"node", &RosSpec::node, "", "the node's name", {.required = true}},
-        Extra{"publish",
-              "table<string, string|RosTopicFields>",
-              "",
+        Extra{"publish", "table<string, string|RosTopicFields|any[]>", "",
               "out-ports and the topics that carry them: `[\"mouse.current_velocity_out\"] = \"/velocity\"`"},
-        Extra{"subscribe",
-              "table<string, string|RosTopicFields>",
-              "",
+        Extra{"subscribe", "table<string, string|RosTopicFields>", "",
               "topics and the in-ports that take them: `[\"/cmd_vel\"] = \"mouse.target_velocity_in\"`"},
         Setting{"domain",
                 &RosSpec::domain,

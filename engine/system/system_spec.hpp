@@ -104,7 +104,7 @@ struct RosSpec {
     std::vector<RosTopic> publish{};
     std::vector<RosTopic> subscribe{};
     std::int64_t domain = 0;
-    std::string interface{};  ///< "": the loopback
+    std::string interface {};  ///< "": the loopback
     std::vector<std::string> peers{};
     Place place{};
 };

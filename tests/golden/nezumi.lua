@@ -625,7 +625,7 @@ function output(name, type, doc, options) end
 
 ---@class (exact) RosFields
 ---@field node string the node's name
----@field publish? table<string, string|RosTopicFields> out-ports and the topics that carry them: `["mouse.current_velocity_out"] = "/velocity"`
+---@field publish? table<string, string|RosTopicFields|any[]> out-ports and the topics that carry them: `["mouse.current_velocity_out"] = "/velocity"`
 ---@field subscribe? table<string, string|RosTopicFields> topics and the in-ports that take them: `["/cmd_vel"] = "mouse.target_velocity_in"`
 ---@field domain? integer what is ROS_DOMAIN_ID for the other nodes
 ---@field interface? string the network interface, for example "wlan0"

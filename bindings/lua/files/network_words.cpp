@@ -28,32 +28,44 @@ std::string problem_of_topic(std::string_view topic) {
     return begins ? "expected no slash at the end" : "";
 }
 
-// Reads `publish`, from ports to topics, or `subscribe`, from topics to ports.
+// Reads one entry of `publish` or `subscribe`: a text, or a table that says more. `name` is what it stands for.
+void read_topic(FieldCheck& check, const FileValue& value, const FieldPath& path, const std::string& name,
+                bool publishes, std::vector<RosTopic>& out) {
+    RosTopic topic;
+    topic.place = check.place_of(path);
+    if (const std::string* text = value.text()) {
+        (publishes ? topic.topic : topic.port) = *text;
+    } else if (value.table() != nullptr) {
+        Fields fields(check, value, path);
+        read_record(fields, topic);
+        const std::string_view key = publishes ? "port" : "topic";
+        if (fields.has(key)) check.wrong(fields.path_of(key), fmt::format("is said already, by the name '{}'", name));
+        fields.require(publishes ? "topic" : "port", publishes ? "a text: the topic" : "a text: \"name.port\"");
+        fields.done();
+    } else {
+        check.wrong(path, fmt::format("expected a text or a table, got {}", kind_of(value)));
+    }
+    (publishes ? topic.port : topic.topic) = name;
+    if (!check.ok()) return;
+    if (const std::string problem = problem_of_topic(topic.topic); !problem.empty())
+        return check.wrong(path, fmt::format("names no topic '{}': {}", topic.topic, problem));
+    out.push_back(std::move(topic));
+}
+
+// Reads `publish`, from ports to topics, where a list gives a port several, or `subscribe`, from topics to ports.
 void read_topics(Fields& fields, std::string_view name, std::vector<RosTopic>& out) {
     const bool publishes = name == "publish";
     Fields table = fields.inner(name);
     for (const FileField& each : table.all()) {
-        RosTopic topic;
-        topic.place = fields.check().place_of(table.path_of(each.name));
-        const FileValue* value = table.field(each.name);
-        std::string& other = publishes ? topic.topic : topic.port;
-        if (value->table() != nullptr) {
-            Fields inner = table.inner(each.name);
-            read_record(inner, topic);
-            const std::string_view key = publishes ? "port" : "topic";
-            if (inner.has(key))
-                fields.check().wrong(inner.path_of(key), fmt::format("is said already, by the name '{}'", each.name));
-            inner.require(publishes ? "topic" : "port", publishes ? "a text: the topic" : "a text: \"name.port\"");
-            inner.done();
-        } else {
-            table.text(each.name, other);
+        const FileValue& value = *table.field(each.name);
+        const FieldPath path = table.path_of(each.name);
+        const FileTable* list = value.table();
+        if (!publishes || list == nullptr || list->elements.empty() || !list->fields.empty()) {
+            read_topic(fields.check(), value, path, each.name, publishes, out);
+            continue;
         }
-        (publishes ? topic.port : topic.topic) = each.name;
-        if (!fields.check().ok()) return;
-        if (const std::string problem = problem_of_topic(topic.topic); !problem.empty())
-            return fields.check().wrong(table.path_of(each.name),
-                                        fmt::format("names no topic '{}': {}", topic.topic, problem));
-        out.push_back(std::move(topic));
+        for (const FileValue& element : list->elements)
+            read_topic(fields.check(), element, path, each.name, publishes, out);
     }
     table.done();
 }
@@ -73,7 +85,10 @@ Expected<void> SystemWords::network(const WordCall& call, const FileValue& value
     read_record(fields, given);
     fields.done();
     if (check.ok() && !is_identifier(given.name))
-        check.wrong({"name"}, fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.name));
+        check.wrong({"name"},
+                    fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.name));
+    if (check.ok() && is_taken_name(given.name))
+        check.wrong({"name"}, fmt::format("may not be '{}', a word of Lua or of the console", given.name));
     if (check.ok() && given.open && !given.secret.empty())
         check.explain({"open"}, "with a `secret` only those who have it may write: leave one of them out");
     if (auto ok = check.result(); !ok) return ok;
@@ -92,7 +107,8 @@ Expected<void> SystemWords::ros(const WordCall& call, const FileValue& value) {
     read_topics(fields, "subscribe", given.subscribe);
     fields.done();
     if (check.ok() && !is_identifier(given.node))
-        check.wrong({"node"}, fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.node));
+        check.wrong({"node"},
+                    fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.node));
     if (auto ok = check.result(); !ok) return ok;
     if (auto once = said_once(call, spec_.ros ? &spec_.ros->place : nullptr); !once) return once;
     spec_.ros = std::move(given);

@@ -176,10 +176,9 @@ int take_table(lua_State* lua) {
 }  // namespace
 
 const std::vector<const char*>& system_word_names() {
-    static const std::vector<const char*> names{"arena",    "behavior", "box",   "component", "connect", "csv",
-                                                "cylinder", "floor",    "line",  "map",       "marker",  "maze",
-                                                "network",  "physics",  "rate",  "robot",     "ros",     "seed",
-                                                "wall"};
+    static const std::vector<const char*> names{
+        "arena",  "behavior", "box",     "component", "connect", "csv",   "cylinder", "floor", "line", "map",
+        "marker", "maze",     "network", "physics",   "rate",    "robot", "ros",      "seed",  "wall"};
     return names;
 }
 

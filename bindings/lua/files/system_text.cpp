@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "bindings/lua/files/write_record.hpp"
@@ -51,16 +53,21 @@ std::string arena(const ArenaSpec& arena) {
     return text + "}\n\n";
 }
 
-// Entries of `publish` or `subscribe`: a name says it, or a table.
+// Entries of `publish` or `subscribe`: a name says it, or a table; a port with several topics has a list.
 std::string topics(std::string_view field, const std::vector<RosTopic>& all) {
     const bool publishes = field == "publish";
-    std::string text;
+    std::map<std::string, std::vector<std::string>> by_name;
     for (const RosTopic& each : all) {
         RosTopic own = each;
         (publishes ? own.port : own.topic).clear();
         const bool named = own.type.empty() && own.frame.empty();
-        text += fmt::format("    [{}] = {},\n", quoted(publishes ? each.port : each.topic),
-                            named ? quoted(publishes ? each.topic : each.port) : write_record(own));
+        by_name[publishes ? each.port : each.topic].push_back(named ? quoted(publishes ? each.topic : each.port)
+                                                                    : write_record(own));
+    }
+    std::string text;
+    for (const auto& [name, entries] : by_name) {
+        const std::string list = fmt::format("{}", fmt::join(entries, ", "));
+        text += fmt::format("    [{}] = {},\n", quoted(name), entries.size() == 1 ? list : "{ " + list + " }");
     }
     return text.empty() ? "" : fmt::format("  {} = {{\n{}  }},\n", field, text);
 }

@@ -133,7 +133,8 @@ void LiveSystem::between_ticks() {
         running_->reloader->after_tick();
     }
     Network* network = running_->system->network();
-    if (network != nullptr) network->between_ticks([this](const Act& each, const Actor& who) { return act(each, who); });
+    if (network != nullptr)
+        network->between_ticks([this](const Act& each, const Actor& who) { return act(each, who); });
 }
 
 void LiveSystem::tick() {

@@ -136,8 +136,8 @@ std::string system_word_annotations(bool methods) {
         const bool is_thing = record.name == "box" || record.name == "wall" || record.name == "cylinder" ||
                               record.name == "marker" || record.name == "maze" || record.name == "floor" ||
                               record.name == "line";
-        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" ||
-            record.name == "network" || record.name == "ros")
+        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" || record.name == "network" ||
+            record.name == "ros")
             text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
     }
     for (const Word& each : words) {

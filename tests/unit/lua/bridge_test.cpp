@@ -122,8 +122,8 @@ TEST_CASE("every word of a system file refuses an argument too many and one of a
         table[word] = {word + "('a', {}, 3)", word + entry + word + " \"NAME\" { ... }", word + "(5)",
                        word + ": expected a name, got number: write " + word + " \"NAME\" { ... }"};
     }
-    for (const std::string word : {"arena", "box", "cylinder", "floor", "line", "marker", "maze", "network", "physics",
-                                   "ros", "wall"})
+    for (const std::string word :
+         {"arena", "box", "cylinder", "floor", "line", "marker", "maze", "network", "physics", "ros", "wall"})
         table[word] = {word + "({}, 2)", word + fields + word + " { ... }", word + " 'x'",
                        word + ": expected a table, got string"};
     check_covered(table, system_word_names(), {});

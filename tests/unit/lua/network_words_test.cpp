@@ -27,6 +27,8 @@ TEST_CASE("network refuses what no host can be", "[lua][system_file][network]") 
           "s.lua:1: network: field 'name' is missing: expected a text: what other hosts call this one");
     CHECK(error("network { name = 'a b' }") ==
           "s.lua:1:11: network: field 'name' expected letters, digits and _, not beginning with a digit, got 'a b'");
+    CHECK(error("network { name = 'ros' }") ==
+          "s.lua:1:11: network: field 'name' may not be 'ros', a word of Lua or of the console");
     CHECK(error("network { name = 'a', domian = 7 }") ==
           "s.lua:1:23: network: unknown field 'domian' (did you mean 'domain'?)");
     CHECK(error("network { name = 'a', domain = 233 }") ==
@@ -38,7 +40,8 @@ TEST_CASE("network refuses what no host can be", "[lua][system_file][network]") 
 }
 
 TEST_CASE("a port of another host is host/name.port", "[lua][system_file][network]") {
-    const auto spec = system_of("network { name = 'a' } connect('ev3/vehicle.current_vel', 'mouse.target_velocity_in')");
+    const auto spec =
+        system_of("network { name = 'a' } connect('ev3/vehicle.current_vel', 'mouse.target_velocity_in')");
     REQUIRE(spec.connections.size() == 1);
     CHECK(spec.connections[0].from == "ev3/vehicle.current_vel");
     CHECK(error("connect('ev3/vehicle.out', 'mouse.in')") ==
@@ -57,7 +60,8 @@ TEST_CASE("a system says which topics of ROS it has", "[lua][system_file][networ
     const auto spec = system_of(
         "ros { node = 'mouse', domain = 5,\n"
         "  publish = { ['mouse.current_velocity_out'] = '/velocity' },\n"
-        "  subscribe = { ['/cmd_vel'] = { port = 'mouse.target_velocity_in', type = 'geometry_msgs/msg/TwistStamped' } } }");
+        "  subscribe = { ['/cmd_vel'] = { port = 'mouse.target_velocity_in', type = 'geometry_msgs/msg/TwistStamped' } "
+        "} }");
     REQUIRE(spec.ros.has_value());
     CHECK(spec.ros->node == "mouse");
     CHECK(spec.ros->domain == 5);
@@ -80,10 +84,11 @@ TEST_CASE("ros refuses what is no topic", "[lua][system_file][network]") {
     }
     CHECK(error("ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }").find("did you mean 'topic'?") !=
           std::string::npos);
-    CHECK(error("ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }").find("field 'subscribe./a.port' is missing") !=
-          std::string::npos);
-    CHECK(error("ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }").find("is said already") !=
-          std::string::npos);
+    CHECK(error("ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }")
+              .find("field 'subscribe./a.port' is missing") != std::string::npos);
+    CHECK(
+        error("ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }").find("is said already") !=
+        std::string::npos);
     CHECK(error("network { name = 'a', interface = 'lo' }\nros { node = 'n' }") ==
           "s.lua:2: ros: is in domain 0 as network is: 'interface' and 'peers' must be the same in both");
 }
@@ -95,6 +100,7 @@ TEST_CASE("network and ros are written as they were read", "[lua][system_text][n
         "  node = \"n\",\n"
         "  publish = {\n"
         "    [\"a.b\"] = \"/c\",\n"
+        "    [\"g.h\"] = { \"/odom\", { topic = \"/tf\", type = \"tf2_msgs/msg/TFMessage\" } },\n"
         "  },\n"
         "  subscribe = {\n"
         "    [\"/d\"] = { port = \"e.f\", type = \"sensor_msgs/msg/Joy\" },\n"
