@@ -1,0 +1,245 @@
+// A place in a domain of Cyclone DDS: topics, and who has them.
+#include <dds/dds.h>
+#include <dds/ddsi/ddsi_serdata.h>
+#include <dds/ddsi/ddsi_sertype.h>
+#include <dds/ddsrt/log.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings/dds/cyclone.hpp"
+#include "bindings/dds/octet_type.hpp"
+#include "engine/base/mutex.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+// An entity of Cyclone's that is deleted with its object.
+class Entity {
+public:
+    explicit Entity(dds_entity_t id) : id_(id) {}
+    Entity(Entity&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Entity& operator=(Entity&&) = delete;
+    ~Entity() {
+        if (id_ > 0) dds_delete(id_);
+    }
+    dds_entity_t get() const { return id_; }
+    bool ok() const { return id_ > 0; }
+
+private:
+    dds_entity_t id_;
+};
+
+struct FreeQos {
+    void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
+};
+using Qos = std::unique_ptr<dds_qos_t, FreeQos>;
+
+// [messages] of all instances that a reader or writer keeps at most.
+constexpr int most_kept = 4096;
+
+Qos qos_of(const Topic& topic) {
+    Qos qos(dds_create_qos());
+    // A write never waits: what a slow reader has not acknowledged is replaced.
+    dds_qset_reliability(qos.get(), topic.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
+    dds_qset_durability(qos.get(), topic.keeps_last ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, std::clamp(topic.depth, 1, most_kept));
+    const dds_data_representation_id_t plain[] = {DDS_DATA_REPRESENTATION_XCDR1};
+    dds_qset_data_representation(qos.get(), 1, plain);
+    if (!topic.user_data.empty()) dds_qset_userdata(qos.get(), topic.user_data.data(), topic.user_data.size());
+    return qos;
+}
+
+class CycloneWriter final : public Writer {
+public:
+    CycloneWriter(Entity topic, Entity writer) : topic_(std::move(topic)), writer_(std::move(writer)) {}
+    bool write(std::span<const std::uint8_t> cdr) override { return dds_write(writer_.get(), &cdr) == DDS_RETCODE_OK; }
+    int readers() const override {
+        dds_publication_matched_status_t status{};
+        if (dds_get_publication_matched_status(writer_.get(), &status) != DDS_RETCODE_OK) return 0;
+        return static_cast<int>(status.current_count);
+    }
+
+private:
+    Entity topic_;
+    Entity writer_;
+};
+
+class CycloneReader final : public Reader {
+public:
+    CycloneReader(Entity topic, Entity reader) : topic_(std::move(topic)), reader_(std::move(reader)) {}
+
+    std::vector<Sample> take() override {
+        std::vector<Sample> all;
+        constexpr std::uint32_t portion = 32;
+        std::array<ddsi_serdata*, portion> data{};
+        std::array<dds_sample_info_t, portion> infos{};
+        for (;;) {
+            const dds_return_t count = dds_takecdr(reader_.get(), data.data(), portion, infos.data(),
+                                                   DDS_ANY_SAMPLE_STATE | DDS_ANY_VIEW_STATE | DDS_ANY_INSTANCE_STATE);
+            for (dds_return_t i = 0; i < count; ++i) {
+                const auto at = static_cast<std::size_t>(i);
+                if (infos[at].valid_data && data[at]->kind == SDK_DATA) {
+                    const std::span<const std::uint8_t> bytes = octets_of(*data[at]);
+                    all.push_back({{bytes.begin(), bytes.end()}, infos[at].publication_handle});
+                }
+                ddsi_serdata_unref(data[at]);
+            }
+            if (count < static_cast<dds_return_t>(portion)) return all;
+        }
+    }
+    std::vector<std::uint64_t> writers() const override {
+        std::vector<dds_instance_handle_t> found(16);
+        dds_return_t count = 0;
+        for (;;) {
+            count = dds_get_matched_publications(reader_.get(), found.data(), found.size());
+            if (count <= static_cast<dds_return_t>(found.size())) break;
+            found.resize(static_cast<std::size_t>(count));
+        }
+        found.resize(static_cast<std::size_t>(std::max(count, 0)));
+        return {found.begin(), found.end()};
+    }
+    std::uint64_t lost() const override {
+        dds_sample_lost_status_t status{};
+        if (dds_get_sample_lost_status(reader_.get(), &status) != DDS_RETCODE_OK) return 0;
+        return status.total_count;
+    }
+
+private:
+    Entity topic_;
+    Entity reader_;
+};
+
+// What Cyclone says would go to the standard error output: the last line of it explains what fails next.
+class LastWords {
+public:
+    LastWords() { dds_set_log_sink(&take, this); }
+    ~LastWords() { dds_set_log_sink(nullptr, nullptr); }
+    LastWords(const LastWords&) = delete;
+    LastWords& operator=(const LastWords&) = delete;
+
+    std::string text() const {
+        const std::lock_guard lock(mutex_);
+        return text_;
+    }
+
+private:
+    static void take(void* self, const dds_log_data_t* said) {
+        auto& words = *static_cast<LastWords*>(self);
+        std::string text(said->message + said->hdrsize, said->size - said->hdrsize);
+        while (!text.empty() && text.back() == '\n') text.pop_back();
+        const std::lock_guard lock(words.mutex_);
+        words.text_ = std::move(text);
+    }
+
+    mutable Mutex mutex_;
+    std::string text_;
+};
+
+class Cyclone final : public Transport {
+public:
+    std::string open(const DomainOptions& options) {
+        domain_.emplace(dds_create_domain(options.domain, options.xml.c_str()));
+        if (!domain_->ok()) return explain("the domain can't be opened", domain_->get());
+        participant_.emplace(dds_create_participant(options.domain, nullptr, nullptr));
+        if (!participant_->ok()) return explain("the domain can't be joined", participant_->get());
+        publications_.emplace(
+            dds_create_reader(participant_->get(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr));
+        subscriptions_.emplace(
+            dds_create_reader(participant_->get(), DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, nullptr, nullptr));
+        return "";
+    }
+
+    std::unique_ptr<Writer> write(const Topic& topic) override {
+        Entity made = make_topic(topic);
+        if (!made.ok()) return nullptr;
+        const Qos qos = qos_of(topic);
+        Entity writer(dds_create_writer(participant_->get(), made.get(), qos.get(), nullptr));
+        if (!writer.ok()) {
+            problem_ = explain(topic.name + " can't be written", writer.get());
+            return nullptr;
+        }
+        return std::make_unique<CycloneWriter>(std::move(made), std::move(writer));
+    }
+    std::unique_ptr<Reader> read(const Topic& topic) override {
+        Entity made = make_topic(topic);
+        if (!made.ok()) return nullptr;
+        const Qos qos = qos_of(topic);
+        Entity reader(dds_create_reader(participant_->get(), made.get(), qos.get(), nullptr));
+        if (!reader.ok()) {
+            problem_ = explain(topic.name + " can't be read", reader.get());
+            return nullptr;
+        }
+        return std::make_unique<CycloneReader>(std::move(made), std::move(reader));
+    }
+    std::vector<SeenEndpoint> seen() override {
+        std::vector<SeenEndpoint> all;
+        add_seen(publications_->get(), true, all);
+        add_seen(subscriptions_->get(), false, all);
+        return all;
+    }
+    std::string problem() const override { return problem_; }
+
+private:
+    std::string explain(const std::string& what, dds_return_t code) const {
+        const std::string words = words_.text();
+        return what + ": " + (words.empty() ? dds_strretcode(code) : words);
+    }
+
+    Entity make_topic(const Topic& topic) {
+        ddsi_sertype* given = make_octet_type(topic.type.c_str());  // Cyclone's from here on, unless it fails
+        Entity made(
+            dds_create_topic_sertype(participant_->get(), topic.name.c_str(), &given, nullptr, nullptr, nullptr));
+        if (!made.ok()) {
+            problem_ = explain("there is no topic " + topic.name, made.get());
+            ddsi_sertype_unref(given);
+        }
+        return made;
+    }
+
+    void add_seen(dds_entity_t reader, bool writes, std::vector<SeenEndpoint>& all) const {
+        constexpr std::uint32_t most = 2048;
+        std::vector<void*> samples(most, nullptr);
+        std::vector<dds_sample_info_t> infos(most);
+        const dds_return_t count = dds_read_mask(reader, samples.data(), infos.data(), most, most,
+                                                 DDS_ALIVE_INSTANCE_STATE | DDS_ANY_SAMPLE_STATE | DDS_ANY_VIEW_STATE);
+        dds_guid_t own{};
+        dds_get_guid(participant_->get(), &own);
+        for (dds_return_t i = 0; i < count; ++i) {
+            const auto* endpoint =
+                static_cast<const dds_builtintopic_endpoint_t*>(samples[static_cast<std::size_t>(i)]);
+            dds_reliability_kind_t kind = DDS_RELIABILITY_BEST_EFFORT;
+            dds_duration_t longest = 0;
+            dds_qget_reliability(endpoint->qos, &kind, &longest);
+            all.push_back({endpoint->topic_name, endpoint->type_name, writes, kind == DDS_RELIABILITY_RELIABLE,
+                           std::memcmp(endpoint->participant_key.v, own.v, sizeof own.v) == 0});
+        }
+        if (count > 0) dds_return_loan(reader, samples.data(), count);
+    }
+
+    // Declaration order is destruction order reversed.
+    LastWords words_;
+    std::optional<Entity> domain_;
+    std::optional<Entity> participant_;
+    std::optional<Entity> publications_;
+    std::optional<Entity> subscriptions_;
+    std::string problem_;
+};
+
+}  // namespace
+}  // namespace nezumi::dds
+
+extern "C" __attribute__((visibility("default"))) nezumi::dds::Transport* nezumi_open_cyclone(
+    const nezumi::dds::DomainOptions& options, std::string& problem) {
+    auto opened = std::make_unique<nezumi::dds::Cyclone>();
+    problem = opened->open(options);
+    return problem.empty() ? opened.release() : nullptr;
+}

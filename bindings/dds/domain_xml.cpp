@@ -1,0 +1,45 @@
+// Elements as in Cyclone DDS 0.10's configuration reference.
+#include "bindings/dds/domain_xml.hpp"
+
+#include <fmt/format.h>
+
+namespace nezumi::dds {
+namespace {
+
+std::string quoted(const std::string& text) {
+    std::string all = "\"";
+    for (const char c : text) {
+        switch (c) {
+            case '&': all += "&amp;"; break;
+            case '<': all += "&lt;"; break;
+            case '>': all += "&gt;"; break;
+            case '"': all += "&quot;"; break;
+            case '$': all += "&#36;"; break;  // Cyclone would put a variable of the environment there
+            default: all += c;
+        }
+    }
+    return all + "\"";
+}
+
+std::string peer(const std::string& address) { return fmt::format("<Peer address={}/>", quoted(address)); }
+
+}  // namespace
+
+std::string domain_xml(const std::string& interface, const std::vector<std::string>& peers) {
+    // A host that was killed is missed after so long; it says that it is there four times as often.
+    constexpr const char* lease = "5s";
+    // So many processes of one host are found at an address without multicast.
+    constexpr int processes = 32;
+    std::string known;
+    for (const std::string& address : peers) known += peer(address);
+    if (interface.empty()) known += peer("127.0.0.1");
+    return fmt::format(
+        "<CycloneDDS><Domain id=\"any\"><General><Interfaces><NetworkInterface name={}/></Interfaces>"
+        "<AllowMulticast>{}</AllowMulticast></General><Discovery><ParticipantIndex>auto</ParticipantIndex>"
+        "<MaxAutoParticipantIndex>{}</MaxAutoParticipantIndex><LeaseDuration>{}</LeaseDuration><Peers>{}</Peers>"
+        "</Discovery></Domain></CycloneDDS>",
+        quoted(interface.empty() ? "lo" : interface), interface.empty() ? "false" : "spdp", processes - 1, lease,
+        known);
+}
+
+}  // namespace nezumi::dds

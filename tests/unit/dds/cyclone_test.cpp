@@ -1,0 +1,102 @@
+// Cyclone DDS itself, on the loopback: octets as they were written, and who is there.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "bindings/dds/cyclone.hpp"
+#include "bindings/dds/domain_xml.hpp"
+
+using namespace nezumi;
+using namespace nezumi::dds;
+
+namespace {
+
+// Waits for at most 10 s.
+bool comes(const std::function<bool()>& what) {
+    for (int i = 0; i < 1000; ++i) {
+        if (what()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+std::unique_ptr<Transport> join(std::uint32_t domain) {
+    auto place = open_cyclone({.domain = domain, .xml = domain_xml("", {})});
+    INFO((place ? std::string() : place.error().message));
+    REQUIRE(place.has_value());
+    return std::move(*place);
+}
+
+// CDR of any length that begins as CDR does.
+Octets cdr(std::size_t size) {
+    Octets bytes(size, 0x5a);
+    bytes[0] = 0;
+    bytes[1] = 1;
+    bytes[2] = bytes[3] = 0;
+    bytes.back() = 0x77;
+    return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("octets arrive as they were written, whatever their number", "[dds][cyclone][wallclock]") {
+    const auto place = join(211);
+    const Topic topic{.name = "nezumi/a/b.c", .type = "nezumi::TimedString", .reliable = true, .depth = 16};
+    const auto reader = place->read(topic);
+    const auto writer = place->write(topic);
+    REQUIRE(reader != nullptr);
+    REQUIRE(writer != nullptr);
+    REQUIRE(comes([&] { return writer->readers() == 1 && reader->writers().size() == 1; }));
+    const std::vector<std::size_t> sizes{5, 6, 7, 8, 1200, 65537, 921604};
+    for (const std::size_t size : sizes) REQUIRE(writer->write(cdr(size)));
+    std::vector<Sample> got;
+    REQUIRE(comes([&] {
+        for (Sample& sample : reader->take()) got.push_back(std::move(sample));
+        return got.size() == sizes.size();
+    }));
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        CAPTURE(sizes[i]);
+        CHECK(got[i].bytes == cdr(sizes[i]));
+        CHECK(got[i].writer == reader->writers().front());
+    }
+}
+
+TEST_CASE("who comes late is given what is kept for it", "[dds][cyclone][wallclock]") {
+    const auto place = join(212);
+    const Topic topic{.name = "nezumi/hosts", .type = "nezumi::Announcement", .reliable = true, .keeps_last = true};
+    const auto writer = place->write(topic);
+    REQUIRE(writer->write(cdr(9)));
+    REQUIRE(writer->write(cdr(10)));
+    const auto reader = place->read(topic);
+    std::vector<Sample> got;
+    REQUIRE(comes([&] {
+        for (Sample& sample : reader->take()) got.push_back(std::move(sample));
+        return !got.empty();
+    }));
+    CHECK(got.back().bytes == cdr(10));
+}
+
+TEST_CASE("writers and readers in a domain are seen, and gone when they end", "[dds][cyclone][wallclock]") {
+    const auto place = join(213);
+    const auto is_seen = [&](bool writes) {
+        for (const SeenEndpoint& each : place->seen()) {
+            if (each.topic == "rt/cmd_vel" && each.writes == writes)
+                return each.type == "geometry_msgs::msg::dds_::Twist_" && each.own;
+        }
+        return false;
+    };
+    const Topic topic{.name = "rt/cmd_vel", .type = "geometry_msgs::msg::dds_::Twist_"};
+    auto writer = place->write(topic);
+    CHECK(comes([&] { return is_seen(true); }));
+    CHECK_FALSE(is_seen(false));
+    writer.reset();
+    CHECK(comes([&] { return !is_seen(true); }));
+}
+
+TEST_CASE("an interface that is not there is told in one line", "[dds][cyclone]") {
+    const auto place = open_cyclone({.domain = 214, .xml = domain_xml("none9", {})});
+    REQUIRE_FALSE(place.has_value());
+    CHECK(place.error().message.find("none9") != std::string::npos);
+    CHECK(place.error().message.find('\n') == std::string::npos);
+}
