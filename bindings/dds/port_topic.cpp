@@ -1,0 +1,89 @@
+// Velocities go as the newest alone and are never late; all else is delivered, the oldest first, while there is room.
+#include "bindings/dds/port_topic.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/ports/cdr.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/ports/port.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
+
+constexpr bool is_velocity(std::size_t type) { return type == type_index<Velocity2D>(); }
+
+// Messages that wait for a host that is slow to take them: a second of a port that publishes at 100 Hz.
+constexpr int most_waiting = 128;
+// Pictures are large, and only the newest are of use.
+constexpr int most_pictures = 2;
+
+}  // namespace
+
+Topic topic_of(std::string_view host, std::string_view port, std::size_t type) {
+    const bool picture = type == type_index<CameraImage>();
+    return {.name = fmt::format("nezumi/{}/{}", host, port),
+            .type = fmt::format("nezumi::{}", message_type_names[type]),
+            .reliable = !is_velocity(type),
+            .depth = is_velocity(type) ? 1
+                     : picture         ? most_pictures
+                                       : most_waiting};
+}
+
+void Outlet::send(const Time& now, std::uint64_t run, double clock) {
+    if (port_->sequence() == seen_) return;
+    seen_ = port_->sequence();
+    with_payload_type(port_->type(), [&]<class T>() {
+        for (const Message<T>& message : static_cast<const OutPort<T>&>(*port_).messages()) {
+            const MessageHead head{
+                .run = run, .number = ++number_, .stamp = message.tm, .tick = now.tick, .offset = clock - message.tm};
+            write_cdr(bytes_, on_the_wire, head, message.data);
+            static_cast<void>(writer_->write(bytes_));
+        }
+    });
+}
+
+Inlet::Inlet(OutPortBase& port, std::unique_ptr<Reader> reader)
+    : port_(port),
+      reader_(std::move(reader)),
+      payload_(with_payload_type(port.type(), []<class T>() { return AnyPayload(T{}); })) {}
+
+void Inlet::receive(const Time& now, std::optional<std::uint64_t> run, double clock) {
+    if (run != run_) {
+        run_ = run;
+        number_ = 0;
+        age_ = {};
+    }
+    for (const Sample& sample : reader_->take()) {
+        if (run_) {
+            take(sample.bytes, now, *run_, clock);
+        } else {
+            ++counts_.wrong;
+        }
+    }
+}
+
+void Inlet::take(const Octets& bytes, const Time& now, std::uint64_t run, double clock) {
+    MessageHead head;
+    const Expected<void> read =
+        std::visit([&](auto& payload) { return read_cdr(bytes, on_the_wire, head, payload); }, payload_);
+    const bool fits = read && is_finite(payload_) && is_finite(head) && head.run == run;
+    // A number that was there already is a message that comes again.
+    if (!fits || head.number <= number_) {
+        ++counts_.wrong;
+        return;
+    }
+    if (number_ > 0) counts_.missed += head.number - number_ - 1;
+    number_ = head.number;
+    const double age = age_.of(head.stamp + head.offset, clock);
+    if (is_velocity(port_.type()) && age > silence) {
+        ++counts_.late;
+        return;
+    }
+    ++counts_.taken;
+    port_.write_any(payload_);
+    port_.stamp(now.seconds - age);
+}
+
+}  // namespace nezumi::dds

@@ -1,0 +1,77 @@
+// Messages of one port on their way between hosts: head, stamp and payload as CDR, one topic for each out-port.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bindings/dds/message_age.hpp"
+#include "bindings/dds/transport.hpp"
+#include "bindings/dds/wire.hpp"
+#include "engine/ports/port_base.hpp"
+
+namespace nezumi::dds {
+
+/// The topic of the out-port "name.port" of a host, whose messages are of this type.
+Topic topic_of(std::string_view host, std::string_view port, std::size_t type);
+
+/// Sends what an out-port publishes, while another host wants it.
+class Outlet {
+public:
+    /// `number`: of the message sent last on this topic, which goes on where another outlet has ended. Both references
+    /// must outlive the outlet, `port` until another one is followed.
+    Outlet(const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
+        : port_(&port), writer_(std::move(writer)), seen_(port.sequence()), number_(number) {}
+
+    /// Sends what was published since the last call. `run` as announced; `clock`: the monotonic clock [s].
+    void send(const Time& now, std::uint64_t run, double clock);
+    std::size_t type() const { return port_->type(); }
+    /// The port of the same name and type that has taken the place of the one before.
+    void follow(const OutPortBase& port) {
+        if (&port == port_) return;
+        port_ = &port;
+        seen_ = 0;
+    }
+
+private:
+    const OutPortBase* port_;
+    std::unique_ptr<Writer> writer_;
+    std::uint64_t seen_;
+    std::uint64_t& number_;
+    Octets bytes_;
+};
+
+/// What became of the messages that came.
+struct Counts {
+    std::uint64_t taken = 0;
+    std::uint64_t missed = 0;  ///< were sent and never came
+    std::uint64_t late = 0;    ///< velocities older than 0.5 s
+    std::uint64_t wrong = 0;   ///< no messages of the port's type, with a number that is not finite, or of another run
+};
+
+/// Writes what comes from another host into an out-port of this one.
+class Inlet {
+public:
+    Inlet(OutPortBase& port, std::unique_ptr<Reader> reader);
+
+    /// Takes what has come; only what is of this run of the other host counts.
+    void receive(const Time& now, std::optional<std::uint64_t> run, double clock);
+    const Counts& counts() const { return counts_; }
+    OutPortBase& port() { return port_; }
+
+private:
+    void take(const Octets& bytes, const Time& now, std::uint64_t run, double clock);
+
+    OutPortBase& port_;
+    std::unique_ptr<Reader> reader_;
+    MessageAge age_;
+    std::optional<std::uint64_t> run_;
+    std::uint64_t number_ = 0;  // of the last one taken
+    AnyPayload payload_;        // keeps its memory
+    Counts counts_;
+};
+
+}  // namespace nezumi::dds

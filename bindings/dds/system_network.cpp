@@ -1,0 +1,346 @@
+// Looks at other hosts some times a second; messages go in every tick.
+#include "bindings/dds/system_network.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/visible.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+// [s] between two looks at what other hosts have announced.
+constexpr double period = 0.05;
+
+const Topic announcements{.name = "nezumi/hosts", .type = "nezumi::Announcement", .reliable = true, .keeps_last = true};
+
+std::string_view host_of(std::string_view path) { return path.substr(0, path.find('/')); }
+
+std::string_view without_host(std::string_view path) { return path.substr(path.find('/') + 1); }
+
+// "host/name" of "host/name.port", and the port.
+std::pair<std::string, std::string> split(std::string_view path) {
+    const std::size_t dot = path.find('.');
+    return {std::string(path.substr(0, dot)), std::string(path.substr(dot + 1))};
+}
+
+RemoteComponent* remote_of(System& system, std::string_view name) {
+    return dynamic_cast<RemoteComponent*>(system.find(name));
+}
+
+}  // namespace
+
+SystemNetwork::SystemNetwork(System& system, Transport& transport, HostSettings settings)
+    : system_(system),
+      transport_(transport),
+      settings_(std::move(settings)),
+      hosts_({.protocol = protocol, .host = settings_.name, .version = settings_.version}, settings_.run) {
+    system_.observe(*this);
+}
+
+Expected<void> SystemNetwork::reach(std::string_view path, const Port& other) {
+    const auto [name, port] = split(path);
+    RemoteComponent* remote = remote_of(system_, name);
+    if (remote == nullptr) {
+        auto made = std::make_unique<RemoteComponent>(host_of(name), without_host(name), settings_.clock);
+        remote = made.get();
+        if (auto added = system_.add(std::move(made)); !added) return Unexpected(added.error());
+        if (auto active = remote->activate(system_.now()); !active) return active;
+    }
+    if (remote->find_port(port) != nullptr) return {};
+    system_.change_layout();
+    static_cast<void>(
+        remote->port(port, other.type(), other.direction() == Direction::in ? Direction::out : Direction::in));
+    return {};
+}
+
+void SystemNetwork::between_ticks(const ActDoor& act) {
+    const double now = settings_.clock();
+    if (now < next_ || failed_ || !open()) return;
+    next_ = now + period;
+    listen();
+    make_what_others_want(present(), act);
+    end_what_they_no_longer_want(present(), act);
+    end_what_is_refused(present(), act);
+    const std::vector<Ends> all = present();
+    open_topics(all);
+    announce(all);
+    note_waiting();
+}
+
+bool SystemNetwork::open() {
+    if (announcer_ != nullptr) return true;
+    listener_ = transport_.read(announcements);
+    if (listener_ != nullptr) announcer_ = transport_.write(announcements);
+    failed_ = announcer_ == nullptr;
+    if (failed_) system_.log(LogLevel::error, fmt::format("network: {}", transport_.problem()));
+    return !failed_;
+}
+
+void SystemNetwork::listen() {
+    const double now = settings_.clock();
+    for (const Sample& sample : listener_->take()) hosts_.heard(sample.writer, sample.bytes, now);
+    hosts_.keep(listener_->writers(), now);
+    for (HostTable::News& news : hosts_.take_news()) system_.log(news.level, std::move(news.text));
+    for (const auto& component : system_.components()) {
+        auto* remote = dynamic_cast<RemoteComponent*>(component.get());
+        if (remote == nullptr) continue;
+        const Announcement* host = hosts_.find(remote->host());
+        remote->set_run(host != nullptr ? std::optional(host->run) : std::nullopt);
+    }
+}
+
+std::string SystemNetwork::whole(std::string_view path) const {
+    return is_remote(path) ? std::string(path) : fmt::format("{}/{}", settings_.name, path);
+}
+
+std::string SystemNetwork::local(std::string_view path) const {
+    return std::string(host_of(path) == settings_.name ? without_host(path) : path);
+}
+
+std::string SystemNetwork::other_of(const Ends& ends) const {
+    return std::string(host_of(host_of(ends.first) == settings_.name ? ends.second : ends.first));
+}
+
+// The connections that there are with other hosts.
+std::vector<SystemNetwork::Ends> SystemNetwork::present() const {
+    std::vector<Ends> all;
+    for (const ConnectionSpec& each : system_.connections()) {
+        const bool is_ours = is_remote(each.from) != is_remote(each.to);
+        const auto [name, port] = split(is_remote(each.from) ? each.from : each.to);
+        if (is_ours && remote_of(system_, name) != nullptr) all.emplace_back(whole(each.from), whole(each.to));
+    }
+    return all;
+}
+
+void SystemNetwork::refuse(const Ends& ends, const std::string& why) {
+    if (!refusals_.try_emplace(ends, why).second) return;
+    system_.log(LogLevel::warn, fmt::format("host {} may not connect({}, {}): {}", other_of(ends), local(ends.first),
+                                            local(ends.second), why));
+}
+
+// Whether both ends of a connection with this host are there; an error when they can't be connected.
+Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host) const {
+    const bool ours_first = host_of(ends.first) == settings_.name;
+    const std::string& our_end = ours_first ? ends.first : ends.second;
+    const std::string& their_end = ours_first ? ends.second : ends.first;
+    const auto ours = std::as_const(system_).port(without_host(our_end));
+    const auto theirs = std::find_if(host.ports.begin(), host.ports.end(),
+                                     [&](const AnnouncedPort& port) { return port.name == without_host(their_end); });
+    if (!ours || theirs == host.ports.end()) return false;
+    if (theirs->type == (*ours)->type_name()) return true;
+    return failure(
+        fmt::format("types differ: {} is {}, {} is {}", our_end, (*ours)->type_name(), their_end, shown(theirs->type)));
+}
+
+void SystemNetwork::make_what_others_want(const std::vector<Ends>& present, const ActDoor& act) {
+    std::set<Ends> wanted;
+    for (const Announcement* host : hosts_.all()) {
+        const std::string& name = host->head.host;
+        for (const AnnouncedConnection& want : host->wants) {
+            const Ends ends{want.from, want.to};
+            const bool theirs_first = host_of(want.from) == name && host_of(want.to) == settings_.name;
+            const bool ours_first = host_of(want.from) == settings_.name && host_of(want.to) == name;
+            if (!theirs_first && !ours_first) continue;
+            wanted.insert(ends);
+            if (refusals_.contains(ends)) continue;
+            if (std::find(present.begin(), present.end(), ends) != present.end()) continue;
+            const auto fits = can_be(ends, *host);
+            if (fits && !*fits) {  // one end is not there: as a script that was reloaded without the port
+                brought_.erase(ends);
+                continue;
+            }
+            if (brought_.contains(ends)) {  // ended here since: the other end is told
+                brought_.erase(ends);
+                refusals_.try_emplace(ends, "it was ended there");
+                continue;
+            }
+            if (!fits) {
+                refuse(ends, fits.error().message);
+                continue;
+            }
+            if (theirs_first && !settings_.writable) {
+                refuse(ends, "others may only look: a secret or open = true in the word network lets them write");
+                continue;
+            }
+            const auto made = act(Connect{local(want.from), local(want.to)}, {Actor::Kind::network, name});
+            if (made) {
+                brought_.emplace(ends, name);
+            } else {
+                refuse(ends, made.error().message);
+            }
+        }
+    }
+    // What nobody wants any more may be wanted anew.
+    std::erase_if(refusals_, [&](const auto& each) {
+        return !wanted.contains(each.first) && hosts_.find(other_of(each.first)) != nullptr;
+    });
+}
+
+void SystemNetwork::end_what_they_no_longer_want(const std::vector<Ends>& present, const ActDoor& act) {
+    for (auto each = brought_.begin(); each != brought_.end();) {
+        const Ends& ends = each->first;
+        const std::string& name = each->second;
+        const Announcement* host = hosts_.find(name);  // one that is not there may come back
+        const auto is_it = [&](const AnnouncedConnection& want) {
+            return want.from == ends.first && want.to == ends.second;
+        };
+        if (host == nullptr || std::any_of(host->wants.begin(), host->wants.end(), is_it)) {
+            ++each;
+            continue;
+        }
+        if (std::find(present.begin(), present.end(), ends) != present.end())
+            static_cast<void>(act(Disconnect{local(ends.first), local(ends.second)}, {Actor::Kind::network, name}));
+        each = brought_.erase(each);
+    }
+}
+
+// The other host can't or won't have a connection that this one was asked for.
+void SystemNetwork::end_what_is_refused(const std::vector<Ends>& present, const ActDoor& act) {
+    for (const Announcement* host : hosts_.all()) {
+        const std::string name = host->head.host;
+        for (const AnnouncedConnection& refusal : host->refusals) {
+            const Ends ends{refusal.from, refusal.to};
+            if (other_of(ends) != name || brought_.contains(ends)) continue;
+            if (std::find(present.begin(), present.end(), ends) == present.end()) continue;
+            system_.log(LogLevel::warn, fmt::format("connect({}, {}): host {} refuses: {}", local(ends.first),
+                                                    local(ends.second), name, visible(refusal.why)));
+            static_cast<void>(act(Disconnect{local(ends.first), local(ends.second)}, {Actor::Kind::network, name}));
+        }
+    }
+}
+
+void SystemNetwork::open_topics(const std::vector<Ends>& present) {
+    std::set<std::string, std::less<>> sent, received;
+    for (const auto& [from, to] : present) {
+        if (host_of(from) == settings_.name) {
+            sent.emplace(without_host(from));
+        } else {
+            received.insert(from);
+        }
+    }
+    std::erase_if(outlets_, [&](const auto& each) { return !sent.contains(each.first); });
+    for (const std::string& path : sent) {
+        const auto port = std::as_const(system_).port(path);
+        if (outlets_.contains(path) || !port) continue;
+        const auto& out = static_cast<const OutPortBase&>(**port);
+        if (auto writer = transport_.write(topic_of(settings_.name, path, out.type())))
+            outlets_.try_emplace(path, out, std::move(writer), numbers_[path]);
+    }
+    for (const auto& component : system_.components()) {
+        auto* remote = dynamic_cast<RemoteComponent*>(component.get());
+        if (remote == nullptr) continue;
+        for (const auto& port : remote->out_ports()) {
+            const std::string path = nezumi::path(*remote, *port);
+            const bool wanted = received.contains(path);
+            if (wanted == remote->receives(*port)) continue;
+            remote->receive(
+                *port, wanted ? transport_.read(topic_of(host_of(path), without_host(path), port->type())) : nullptr);
+        }
+    }
+}
+
+std::vector<AnnouncedPort> SystemNetwork::own_ports() const {
+    std::vector<AnnouncedPort> all;
+    const auto add = [&](const Component& component, const Port& port) {
+        all.push_back(
+            {nezumi::path(component, port), std::string(port.type_name()), port.direction() == Direction::in});
+    };
+    for (const auto& component : system_.components()) {
+        if (is_remote(component->name())) continue;
+        for (const auto& port : std::as_const(*component).in_ports()) add(*component, *port);
+        for (const auto& port : std::as_const(*component).out_ports()) add(*component, *port);
+    }
+    return all;
+}
+
+void SystemNetwork::announce(const std::vector<Ends>& present) {
+    Announcement next;
+    next.head = {.protocol = protocol, .host = settings_.name, .version = settings_.version};
+    next.run = settings_.run;
+    next.ports = layout_ == system_.layout() && said_.run != 0 ? said_.ports : own_ports();
+    for (const Ends& ends : present) {
+        if (!brought_.contains(ends)) next.wants.push_back({ends.first, ends.second});
+    }
+    for (const auto& [ends, why] : refusals_) next.refusals.push_back({ends.first, ends.second, why});
+    layout_ = system_.layout();
+    if (next == said_) return;
+    if (announcer_->write(write_announcement(next))) said_ = std::move(next);
+}
+
+namespace {
+
+// Why nothing can come of a port of another host, nullptr when that is not there; "" when there is no reason.
+std::string why_waiting(const Announcement* host, const RemoteComponent& remote, const Port& port) {
+    if (host == nullptr) return fmt::format("waits for host {}", remote.host());
+    const std::string name(without_host(nezumi::path(remote, port)));
+    std::vector<std::string_view> names;
+    for (const AnnouncedPort& each : host->ports) {
+        if (each.name == name) return "";
+        names.push_back(each.name);
+    }
+    return fmt::format("host {} has no port {}{}", remote.host(), name, did_you_mean(name, names));
+}
+
+}  // namespace
+
+// What a person sees at ports of other hosts.
+void SystemNetwork::note_waiting() {
+    for (const auto& component : system_.components()) {
+        auto* remote = dynamic_cast<RemoteComponent*>(component.get());
+        if (remote == nullptr) continue;
+        const Announcement* host = hosts_.find(remote->host());
+        for (const auto& port : remote->in_ports()) port->set_note(why_waiting(host, *remote, *port));
+        for (const auto& port : remote->out_ports()) {
+            std::string note = why_waiting(host, *remote, *port);
+            const Counts* counts = remote->counts(*port);
+            if (note.empty() && counts != nullptr && counts->missed + counts->late + counts->wrong > 0)
+                note =
+                    fmt::format("{} messages missed, {} late, {} wrong", counts->missed, counts->late, counts->wrong);
+            port->set_note(std::move(note));
+        }
+    }
+}
+
+void SystemNetwork::latched(const System& system) {
+    if (layout_ != system.layout()) {  // ports may have gone, or others have taken their places
+        for (auto each = outlets_.begin(); each != outlets_.end();) {
+            const auto port = system.port(each->first);
+            if (port && (*port)->direction() == Direction::out && (*port)->type() == each->second.type()) {
+                each->second.follow(static_cast<const OutPortBase&>(**port));
+                ++each;
+            } else {
+                each = outlets_.erase(each);
+            }
+        }
+    }
+    const double clock = settings_.clock();
+    for (auto& [path, outlet] : outlets_) outlet.send(system.now(), settings_.run, clock);
+}
+
+std::vector<Host> SystemNetwork::hosts() const {
+    std::map<std::string, Host> all;
+    for (const Announcement* said : hosts_.all()) {
+        Host& host = all[said->head.host];
+        host.here = true;
+        host.version = said->head.version;
+        for (const AnnouncedPort& port : said->ports)
+            host.ports.push_back({port.name, port.type, port.in ? Direction::in : Direction::out});
+    }
+    for (const auto& component : std::as_const(system_).components()) {
+        if (const auto* remote = dynamic_cast<const RemoteComponent*>(component)) all[remote->host()];
+    }
+    std::vector<Host> list;
+    for (auto& [name, host] : all) {
+        host.name = name;
+        list.push_back(std::move(host));
+    }
+    return list;
+}
+
+bool SystemNetwork::brought(const ConnectionSpec& connection) const {
+    return brought_.contains(Ends{whole(connection.from), whole(connection.to)});
+}
+
+}  // namespace nezumi::dds

@@ -1,0 +1,81 @@
+// The network of one system: announces it, finds other hosts, and keeps the connections with them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/dds/host_table.hpp"
+#include "bindings/dds/port_topic.hpp"
+#include "bindings/dds/remote_component.hpp"
+#include "bindings/dds/transport.hpp"
+#include "engine/system/network.hpp"
+#include "engine/system/system.hpp"
+
+namespace nezumi::dds {
+
+/// What a host is, and whom it trusts.
+struct HostSettings {
+    std::string name;
+    std::string version;                                ///< of nezumi
+    bool writable = true;                               ///< others may connect to its in-ports
+    std::uint64_t run = 0;                              ///< another number at each start
+    std::function<double()> clock = monotonic_seconds;  ///< [s], never backwards
+};
+
+/// A connection with another host is an ordinary connection at both ends, to a component that stands for the other's:
+/// "ev3/vehicle". Who was asked for it announces it; the other makes it as an act of that host, or refuses it and says
+/// why. It ends when either end ends it, and outlives either end's absence.
+class SystemNetwork final : public Network, private PortObserver {
+public:
+    /// Both must outlive the network. Nothing is said or heard before the first `between_ticks`.
+    SystemNetwork(System& system, Transport& transport, HostSettings settings);
+
+    Expected<void> reach(std::string_view path, const Port& other) override;
+    void between_ticks(const ActDoor& act) override;
+    std::vector<Host> hosts() const override;
+    bool brought(const ConnectionSpec& connection) const override;
+
+private:
+    using Ends = std::pair<std::string, std::string>;  // "host/name.port" both
+
+    void latched(const System& system) override;
+    bool open();
+    void listen();
+    std::vector<Ends> present() const;
+    Expected<bool> can_be(const Ends& ends, const Announcement& host) const;
+    void make_what_others_want(const std::vector<Ends>& present, const ActDoor& act);
+    void end_what_they_no_longer_want(const std::vector<Ends>& present, const ActDoor& act);
+    void end_what_is_refused(const std::vector<Ends>& present, const ActDoor& act);
+    void open_topics(const std::vector<Ends>& present);
+    void announce(const std::vector<Ends>& present);
+    std::vector<AnnouncedPort> own_ports() const;
+    void note_waiting();
+    std::string whole(std::string_view path) const;
+    std::string local(std::string_view path) const;
+    std::string other_of(const Ends& ends) const;
+    void refuse(const Ends& ends, const std::string& why);
+
+    System& system_;
+    Transport& transport_;
+    HostSettings settings_;
+    HostTable hosts_;
+    std::unique_ptr<Writer> announcer_;
+    std::unique_ptr<Reader> listener_;
+    Announcement said_;
+    double next_ = 0;                                            // [s] by the clock: when to look at others again
+    bool failed_ = false;                                        // there is no announcing; told
+    std::map<Ends, std::string> brought_;                        // by which host
+    std::map<Ends, std::string> refusals_;                       // of what others want: why
+    std::map<std::string, std::uint64_t, std::less<>> numbers_;  // of the messages last sent, by topic
+    std::map<std::string, Outlet, std::less<>> outlets_;         // by "name.port"
+    std::uint64_t layout_ = 0;
+};
+
+}  // namespace nezumi::dds

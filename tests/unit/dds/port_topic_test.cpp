@@ -1,0 +1,136 @@
+// Messages between hosts: which count, how old they are.
+#include "bindings/dds/port_topic.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bindings/dds/domain_xml.hpp"
+#include "engine/ports/cdr.hpp"
+#include "engine/ports/port.hpp"
+#include "tests/unit/dds/fake_domain.hpp"
+
+using namespace nezumi;
+using namespace nezumi::dds;
+
+namespace {
+
+// An inlet for velocities, and who sends to it.
+struct Line {
+    FakeDomain domain;
+    std::unique_ptr<Transport> place = domain.join();
+    OutPort<Velocity2D> port{"speed"};
+    Topic topic = topic_of("ev3", "part.speed", port.type());
+    std::unique_ptr<Writer> writer = place->write(topic);
+    Inlet inlet{port, place->read(topic)};
+
+    void send(const MessageHead& head, const Velocity2D& velocity) const {
+        Octets bytes;
+        write_cdr(bytes, {.header = true}, head, velocity);
+        writer->write(bytes);
+    }
+    // Whether something is published at this time of ours [s].
+    bool receive(double clock, std::optional<std::uint64_t> run = 7) {
+        inlet.receive({.tick = 1, .seconds = 50}, run, clock);
+        return port.latch({.tick = 1, .seconds = 50});
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a velocity goes as the newest alone, a picture as one of the newest, all else is delivered", "[dds]") {
+    const Topic velocity = topic_of("ev3", "a.b", type_index<Velocity2D>());
+    CHECK(velocity.name == "nezumi/ev3/a.b");
+    CHECK(velocity.type == "nezumi::TimedVelocity2D");
+    CHECK_FALSE(velocity.reliable);
+    CHECK(velocity.depth == 1);
+    CHECK(topic_of("ev3", "a.b", type_index<std::int32_t>()).reliable);
+    CHECK(topic_of("ev3", "a.b", type_index<std::int32_t>()).depth == 128);
+    CHECK(topic_of("ev3", "a.b", type_index<CameraImage>()).depth == 2);
+}
+
+TEST_CASE("a velocity older than 0.5 s is dropped, by clocks that are not set", "[dds]") {
+    Line line;
+    line.send({.run = 7, .number = 1, .stamp = 2.0, .offset = 100.0}, {.vx = 0.1});  // sent at 102 of theirs
+    CHECK(line.receive(5000.0));
+    line.send({.run = 7, .number = 2, .stamp = 2.1, .offset = 100.0}, {.vx = 0.2});
+    CHECK(line.receive(5000.55));  // 0.45 s late
+    CHECK(line.port.tm() == Approx(50 - 0.45).margin(1e-3));
+    line.send({.run = 7, .number = 3, .stamp = 2.2, .offset = 100.0}, {.vx = 0.3});
+    CHECK_FALSE(line.receive(5000.71));
+    CHECK(line.inlet.counts().late == 1);
+    CHECK(line.inlet.counts().taken == 2);
+}
+
+TEST_CASE("the sender's pause makes no message old", "[dds]") {
+    Line line;
+    line.send({.run = 7, .number = 1, .stamp = 2.0, .offset = 100.0}, {.vx = 0.1});
+    CHECK(line.receive(5000.0));
+    line.send({.run = 7, .number = 2, .stamp = 2.01, .offset = 160.0}, {.vx = 0.2});  // its time stood for 60 s
+    CHECK(line.receive(5060.01));
+}
+
+TEST_CASE("a message that comes again, of another start or of no host is not taken", "[dds]") {
+    Line line;
+    line.send({.run = 7, .number = 1, .offset = 100}, {});
+    CHECK(line.receive(1));
+    line.send({.run = 7, .number = 1, .offset = 100}, {});
+    CHECK_FALSE(line.receive(1));
+    line.send({.run = 6, .number = 2, .offset = 100}, {});
+    CHECK_FALSE(line.receive(1));
+    line.send({.run = 7, .number = 2, .offset = 100}, {});
+    CHECK_FALSE(line.receive(1, std::nullopt));
+    CHECK(line.inlet.counts().wrong == 3);
+    line.send({.run = 9, .number = 1, .offset = 3}, {});
+    CHECK(line.receive(1, 9));
+}
+
+TEST_CASE("what is no message of the port's type, or not finite, is not taken", "[dds]") {
+    Line line;
+    const Octets bytes{0, 1, 0, 0, 1, 2, 3};
+    line.writer->write(bytes);
+    CHECK_FALSE(line.receive(1));
+    line.writer->write({});
+    CHECK_FALSE(line.receive(1));
+    line.send({.run = 7, .number = 1}, {.vx = std::numeric_limits<double>::quiet_NaN()});
+    CHECK_FALSE(line.receive(1));
+    line.send({.run = 7, .number = 2, .offset = std::numeric_limits<double>::infinity()}, {});
+    CHECK_FALSE(line.receive(1));
+    CHECK(line.inlet.counts().wrong == 4);
+}
+
+TEST_CASE("an outlet sends every message of a tick, with what it says of itself", "[dds]") {
+    FakeDomain domain;
+    const auto place = domain.join();
+    OutPort<std::int32_t> port{"count"};
+    const Topic topic = topic_of("ev3", "part.count", port.type());
+    const auto reader = place->read(topic);
+    std::uint64_t number = 41;
+    Outlet outlet(port, place->write(topic), number);
+    port.write(3);
+    port.write(4);
+    port.latch({.tick = 9, .seconds = 0.09});
+    outlet.send({.tick = 9, .seconds = 0.09}, 7, 1000.09);
+    outlet.send({.tick = 10, .seconds = 0.1}, 7, 1000.1);
+    const auto samples = reader->take();
+    REQUIRE(samples.size() == 2);
+    MessageHead head;
+    std::int32_t value = 0;
+    REQUIRE(read_cdr(samples[1].bytes, {.header = true}, head, value));
+    CHECK(value == 4);
+    CHECK(head.run == 7);
+    CHECK(head.number == 43);
+    CHECK(head.tick == 9);
+    CHECK(head.stamp == 0.09);
+    CHECK(head.offset == Approx(1000));
+}
+
+TEST_CASE("without an interface a domain is the loopback's, and nothing stands in its configuration unquoted",
+          "[dds]") {
+    const std::string loopback = domain_xml("", {});
+    CHECK(loopback.find("<NetworkInterface name=\"lo\"/>") != std::string::npos);
+    CHECK(loopback.find("<AllowMulticast>false</AllowMulticast>") != std::string::npos);
+    CHECK(loopback.find("<Peers><Peer address=\"127.0.0.1\"/></Peers>") != std::string::npos);
+    const std::string wlan = domain_xml("w\"<&${HOME}", {"10.0.0.2", "pi.local"});
+    CHECK(wlan.find("name=\"w&quot;&lt;&amp;&#36;{HOME}\"") != std::string::npos);
+    CHECK(wlan.find("<AllowMulticast>spdp</AllowMulticast>") != std::string::npos);
+    CHECK(wlan.find("<Peers><Peer address=\"10.0.0.2\"/><Peer address=\"pi.local\"/></Peers>") != std::string::npos);
+}

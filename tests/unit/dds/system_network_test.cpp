@@ -1,0 +1,206 @@
+// Connections between hosts: made, refused, ended and made again, whichever end is asked.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/dds/host_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::dds;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("what a port of another host publishes arrives", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
+    pass(room, 3, ev3, pi);
+    CHECK(pi.connections() == Lines{"ev3/part.speed > part.target"});
+    CHECK(ev3.connections() == Lines{"part.speed > pi/part.target"});
+    CHECK(ev3.acts == Lines{"Connect by network pi"});
+    CHECK(pi.acts.empty());
+    ev3.part->speed.write({.vx = 0.25});
+    pass(room, 1, ev3, pi);
+    REQUIRE(pi.part->targets.size() == 1);
+    CHECK(pi.part->targets[0].data == Velocity2D{.vx = 0.25});
+}
+
+TEST_CASE("a connection that the sending host is asked for is the same", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(ev3.system.connect("part.count", "pi/part.number"));
+    pass(room, 3, ev3, pi);
+    CHECK(pi.connections() == Lines{"ev3/part.count > part.number"});
+    CHECK(pi.acts == Lines{"Connect by network ev3"});
+    for (const std::int32_t number : {1, 2, 3}) {
+        ev3.part->count.write(number);
+        ev3.part->count.write(10 * number);
+        pass(room, 1, ev3, pi);
+    }
+    CHECK(pi.part->numbers == std::vector<std::int32_t>{1, 10, 2, 20, 3, 30});
+}
+
+TEST_CASE("a connection waits for a host that is not there, and says so", "[dds][network]") {
+    Room room;
+    HostRig pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
+    pass(room, 2, pi);
+    CHECK((*pi.system.port("ev3/part.speed"))->note() == "waits for host ev3");
+    REQUIRE(pi.system.network()->hosts().size() == 1);
+    CHECK_FALSE(pi.system.network()->hosts()[0].here);
+    HostRig ev3(room, "ev3");
+    pass(room, 3, ev3, pi);
+    CHECK((*pi.system.port("ev3/part.speed"))->note().empty());
+    CHECK(pi.told("info: host ev3 is here"));
+    REQUIRE(pi.system.network()->hosts().size() == 1);
+    CHECK(pi.system.network()->hosts()[0].here);
+    CHECK(pi.system.network()->hosts()[0].ports.size() == 4);
+    ev3.part->speed.write({.va = 1});
+    pass(room, 1, ev3, pi);
+    CHECK(pi.part->targets.size() == 1);
+}
+
+TEST_CASE("a connection survives the other host's restart", "[dds][network]") {
+    Room room;
+    HostRig pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.count", "part.number"));
+    for (const std::int32_t number : {1, 2}) {
+        HostRig ev3(room, "ev3");
+        pass(room, 3, ev3, pi);
+        ev3.part->count.write(number);
+        pass(room, 1, ev3, pi);
+    }
+    pass(room, 2, pi);
+    CHECK(pi.part->numbers == std::vector<std::int32_t>{1, 2});
+    CHECK(pi.told("warn: host ev3 has gone"));
+    CHECK((*pi.system.port("ev3/part.count"))->note() == "waits for host ev3");
+}
+
+TEST_CASE("either end ends a connection at both", "[dds][network]") {
+    for (const bool by_asker : {true, false}) {
+        CAPTURE(by_asker);
+        Room room;
+        HostRig ev3(room, "ev3"), pi(room, "pi");
+        REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
+        pass(room, 3, ev3, pi);
+        if (by_asker) {
+            REQUIRE(pi.system.disconnect("ev3/part.speed", "part.target"));
+        } else {
+            REQUIRE(ev3.system.disconnect("part.speed", "pi/part.target"));
+        }
+        pass(room, 4, ev3, pi);
+        CHECK(pi.connections().empty());
+        CHECK(ev3.connections().empty());
+        CHECK(room.domain.topics() == Lines{"< nezumi/hosts", "< nezumi/hosts", "> nezumi/hosts", "> nezumi/hosts"});
+        // And it can be made anew.
+        REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
+        pass(room, 4, ev3, pi);
+        CHECK(ev3.connections() == Lines{"part.speed > pi/part.target"});
+    }
+}
+
+TEST_CASE("types that differ are told at both ends", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.speed", "part.number"));
+    pass(room, 4, ev3, pi);
+    CHECK(
+        ev3.told("warn: host pi may not connect(part.speed, pi/part.number): types differ: ev3/part.speed is "
+                 "TimedVelocity2D, pi/part.number is TimedLong"));
+    CHECK(pi.told("warn: connect(ev3/part.speed, part.number): host ev3 refuses: types differ"));
+    CHECK(pi.connections().empty());
+    CHECK(ev3.connections().empty());
+}
+
+TEST_CASE("a port that the other host does not have is told with the nearest", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.sped", "part.target"));
+    pass(room, 3, ev3, pi);
+    CHECK((*pi.system.port("ev3/part.sped"))->note() == "host ev3 has no port part.sped (did you mean 'part.speed'?)");
+    CHECK(pi.connections() == Lines{"ev3/part.sped > part.target"});
+}
+
+TEST_CASE("where others may only look they read, and write nothing", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3", false), pi(room, "pi", false);
+    REQUIRE(pi.system.connect("ev3/part.count", "part.number"));
+    REQUIRE(pi.system.connect("part.speed", "ev3/part.target"));
+    pass(room, 3, ev3, pi);
+    ev3.part->count.write(5);
+    pi.part->speed.write({.vx = 1});
+    pass(room, 2, ev3, pi);
+    CHECK(pi.part->numbers == std::vector<std::int32_t>{5});
+    CHECK(ev3.part->targets.empty());
+    CHECK(pi.told("host ev3 refuses: others may only look"));
+    CHECK(pi.connections() == Lines{"ev3/part.count > part.number"});
+}
+
+TEST_CASE("two hosts of one name are told at both and at a third", "[dds][network]") {
+    Room room;
+    HostRig one(room, "ev3"), two(room, "ev3"), pi(room, "pi");
+    pass(room, 30, one, two, pi);
+    CHECK_FALSE(one.told("another host is called"));
+    pass(room, 60, one, two, pi);
+    CHECK(one.told("error: another host is called ev3 as this one"));
+    CHECK(two.told("error: another host is called ev3 as this one"));
+    CHECK(pi.told("error: two hosts are called ev3"));
+}
+
+TEST_CASE("hosts of different versions are told", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3", true, "1.1"), pi(room, "pi");
+    pass(room, 2, ev3, pi);
+    CHECK(pi.told("warn: host ev3 is here; it runs nezumi 1.1, protocol 1, this one nezumi 1.0, protocol 1"));
+}
+
+TEST_CASE("a link that heals replays no velocity, and the count of what was missed is shown", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
+    pass(room, 3, ev3, pi);
+    ev3.part->speed.write({.vx = 0.1});
+    pass(room, 1, ev3, pi);
+    room.domain.cut = true;
+    for (int i = 0; i < 5; ++i) {
+        ev3.part->speed.write({.vx = 0.2});
+        pass(room, 1, ev3, pi);
+    }
+    room.domain.cut = false;
+    CHECK(pi.part->targets.size() == 1);
+    ev3.part->speed.write({.vx = 0.3});
+    pass(room, 2, ev3, pi);
+    REQUIRE(pi.part->targets.size() == 2);
+    CHECK(pi.part->targets[1].data.vx == 0.3);
+    CHECK((*pi.system.port("ev3/part.speed"))->note() == "5 messages missed, 0 late, 0 wrong");
+}
+
+TEST_CASE("what is deactivated at the console takes nothing from its host", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.count", "part.number"));
+    pass(room, 3, ev3, pi);
+    REQUIRE((*pi.system.component("ev3/part"))->deactivate(pi.system.now()));
+    ev3.part->count.write(1);
+    pass(room, 2, ev3, pi);
+    CHECK(pi.part->numbers.empty());
+}
+
+TEST_CASE("a component that is removed takes its end of a connection with it", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
+    pass(room, 3, ev3, pi);
+    REQUIRE(ev3.system.remove("part"));
+    pass(room, 3, ev3, pi);
+    CHECK((*pi.system.port("ev3/part.speed"))->note() == "host ev3 has no port part.speed");
+}
+
+TEST_CASE("a connection to another host needs a network", "[dds][network]") {
+    System system({}, nullptr);
+    REQUIRE(system.add(std::make_unique<Part>("part")));
+    CHECK(system.connect("ev3/part.speed", "part.target").error().message ==
+          "ev3/part.speed is on another host: that needs the word network in the system's file");
+}
