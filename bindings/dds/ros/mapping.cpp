@@ -1,0 +1,192 @@
+// A line for each pair of types; the conversions are in convert.hpp.
+#include "bindings/dds/ros/mapping.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "bindings/dds/message_age.hpp"
+#include "bindings/dds/ros/convert.hpp"
+#include "bindings/dds/ros/type_hash.hpp"
+#include "engine/ports/cdr.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/ports/port.hpp"
+
+namespace nezumi::ros {
+namespace {
+
+constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
+
+template <class Message>
+void set_stamp(Message& message, double stamp, const std::string& frame) {
+    if constexpr (requires { message.header; }) {
+        message.header = {to_time(stamp), frame};
+    } else if constexpr (std::is_same_v<Message, TFMessage>) {
+        for (TransformStamped& transform : message.transforms) transform.header = {to_time(stamp), frame};
+    }
+}
+
+template <class T, class Message>
+class Sender final : public Publication {
+public:
+    Sender(InPort<T>& port, std::unique_ptr<dds::Writer> writer, std::string frame)
+        : port_(port), writer_(std::move(writer)), frame_(std::move(frame)) {}
+
+    void send(double offset) override {
+        while (port_.is_new()) {
+            const nezumi::Message<T>& taken = port_.take();
+            to_ros(taken.data, message_);
+            set_stamp(message_, taken.tm + offset, frame_);
+            write_cdr(bytes_, on_the_wire, message_);
+            static_cast<void>(writer_->write(bytes_));
+        }
+    }
+
+private:
+    InPort<T>& port_;
+    std::unique_ptr<dds::Writer> writer_;
+    std::string frame_;
+    Message message_;
+    Octets bytes_;
+};
+
+template <class T, class Message>
+class Taker final : public Subscription {
+public:
+    Taker(OutPort<T>& port, std::unique_ptr<dds::Reader> reader) : port_(port), reader_(std::move(reader)) {}
+
+    std::string receive(double clock) override {
+        std::string problem;
+        for (const dds::Sample& sample : reader_->take()) {
+            Expected<void> read = take(sample.bytes, clock);
+            if (!read) problem = read.error().message;
+        }
+        return problem;
+    }
+
+private:
+    Expected<void> take(const Octets& bytes, double clock) {
+        Expected<void> read = read_cdr(bytes, on_the_wire, message_);
+        if constexpr (std::is_same_v<Message, Range>) {
+            if (!read) read = read_without_variance(bytes);
+        }
+        if (read) read = from_ros(message_, payload_);
+        if (!read) return read;
+        if (!is_finite(payload_)) return failure("a number is not finite");
+        if constexpr (std::is_same_v<T, Velocity2D> && requires { message_.header; }) {
+            const double stamp = to_seconds(message_.header.stamp);
+            if (stamp > 0 && age_.of(stamp, clock) > silence) return {};  // of a link that was broken
+        }
+        port_.write(payload_);
+        return {};
+    }
+    // As Humble has it.
+    Expected<void> read_without_variance(const Octets& bytes) {
+        message_.variance = 0;
+        return read_cdr(bytes, on_the_wire, message_.header, message_.radiation_type, message_.field_of_view,
+                        message_.min_range, message_.max_range, message_.range);
+    }
+
+    OutPort<T>& port_;
+    std::unique_ptr<dds::Reader> reader_;
+    dds::MessageAge age_;
+    Message message_;
+    T payload_{};
+};
+
+template <class T, class Message>
+constexpr Mapping pair(std::string_view frame, bool sensor_data) {
+    Mapping made;
+    made.port_type = type_index<T>();
+    made.type = Describe<Message>::name;
+    made.frame = frame;
+    made.sensor_data = sensor_data;
+    made.type_hash = type_hash<Message>;
+    made.publish = [](InPortBase& port, std::unique_ptr<dds::Writer> writer,
+                      std::string its_frame) -> std::unique_ptr<Publication> {
+        return std::make_unique<Sender<T, Message>>(static_cast<InPort<T>&>(port), std::move(writer),
+                                                    std::move(its_frame));
+    };
+    if constexpr (requires(const Message& from, T& to) { from_ros(from, to); }) {
+        made.subscribe = [](OutPortBase& port, std::unique_ptr<dds::Reader> reader) -> std::unique_ptr<Subscription> {
+            return std::make_unique<Taker<T, Message>>(static_cast<OutPort<T>&>(port), std::move(reader));
+        };
+    }
+    return made;
+}
+
+constexpr std::string_view body = "base_link", odometry = "odom", camera = "camera";
+
+constexpr std::array all{
+    pair<Velocity2D, Twist>("", false),
+    pair<Velocity2D, TwistStamped>(body, false),
+    pair<Pose2D, Odometry>(odometry, false),
+    pair<Pose2D, TFMessage>(odometry, false),
+    pair<Pose3D, PoseStamped>(odometry, false),
+    pair<RangeData, LaserScan>(body, true),
+    pair<RangeData, Range>(body, true),
+    pair<CameraImage, Image>(camera, true),
+    pair<CameraImage, CompressedImage>(camera, true),
+    pair<CameraIntrinsics, CameraInfo>(camera, true),
+    pair<bool, Bool>("", false),
+    pair<std::int16_t, Int16>("", false),
+    pair<std::int32_t, Int32>("", false),
+    pair<float, Float32>("", false),
+    pair<double, Float64>("", false),
+    pair<std::string, String>("", false),
+    pair<std::vector<std::int16_t>, Int16MultiArray>("", false),
+    pair<std::vector<std::int32_t>, Int32MultiArray>("", false),
+    pair<std::vector<float>, Float32MultiArray>("", false),
+    pair<std::vector<float>, Joy>("", false),
+    pair<std::vector<double>, Float64MultiArray>("", false),
+    pair<std::vector<bool>, Joy>("", false),
+};
+
+// [messages] that wait: as ROS's default profile, and as its profile for sensor data.
+constexpr int usual_depth = 10, sensor_depth = 5;
+
+}  // namespace
+
+std::span<const Mapping> mappings() { return all; }
+
+Expected<const Mapping*> find_mapping(std::size_t port_type, std::string_view type, bool takes) {
+    std::vector<std::string_view> types;
+    for (const Mapping& each : all) {
+        if (each.port_type != port_type || (takes && each.subscribe == nullptr)) continue;
+        if (type.empty() || each.type == type) return &each;
+        types.push_back(each.type);
+    }
+    const std::string_view name = message_type_names[port_type];
+    if (types.empty()) return failure(fmt::format("there is no type of ROS for {}", name));
+    return failure(fmt::format("{} {} no '{}'{}; there {} {}", name, takes ? "is made of" : "becomes", shown(type),
+                               did_you_mean(type, types), types.size() == 1 ? "is" : "are", fmt::join(types, ", ")));
+}
+
+dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes) {
+    // A reader of best effort is given what any writer sends; a reliable one only what a reliable writer does. A
+    // velocity is of use only as the newest.
+    const bool velocity = mapping.port_type == type_index<Velocity2D>();
+    return {.name = fmt::format("rt{}", name),
+            .type = dds_type_name(mapping.type),
+            .reliable = !mapping.sensor_data && (writes || !velocity),
+            .depth = velocity && !writes   ? 1
+                     : mapping.sensor_data ? sensor_depth
+                                           : usual_depth,
+            .user_data = fmt::format("typehash={};", mapping.type_hash())};
+}
+
+std::string mapping_table() {
+    std::string text = "| port | topic | ways | frame | QoS |\n|---|---|---|---|---|\n";
+    for (const Mapping& each : all) {
+        text += fmt::format("| {} | `{}` | {} | {} | {} |\n", message_type_names[each.port_type], each.type,
+                            each.subscribe != nullptr ? "both" : "to ROS",
+                            each.frame.empty() ? "" : fmt::format("`{}`", each.frame),
+                            each.sensor_data ? "best effort" : "reliable");
+    }
+    return text;
+}
+
+}  // namespace nezumi::ros

@@ -1,0 +1,58 @@
+// Which message types of ports become which of ROS 2: the one list, from which the documentation's table is made too.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "bindings/dds/transport.hpp"
+#include "engine/base/error.hpp"
+#include "engine/ports/port_base.hpp"
+
+namespace nezumi::ros {
+
+/// Sends what an in-port of the node takes as messages of a topic.
+class Publication {
+public:
+    virtual ~Publication() = default;
+    /// `offset` [s]: what ROS calls now, less what the system does.
+    virtual void send(double offset) = 0;
+};
+
+/// Takes messages of a topic and writes them into an out-port of the node.
+class Subscription {
+public:
+    virtual ~Subscription() = default;
+    /// `clock` [s]: monotonic. Returns what was wrong with a message, "" when nothing was.
+    virtual std::string receive(double clock) = 0;
+};
+
+struct Mapping {
+    std::size_t port_type = 0;  ///< place in `message_types`
+    std::string_view type;      ///< of ROS: "geometry_msgs/msg/Twist"
+    std::string_view frame;     ///< of its header, unless the system says another; "" for none
+    bool sensor_data = false;   ///< best effort, as what sensors measure is in ROS
+    std::string (*type_hash)() = nullptr;
+    std::unique_ptr<Publication> (*publish)(InPortBase& port, std::unique_ptr<dds::Writer> writer,
+                                            std::string frame) = nullptr;
+    /// None where nothing of this type can be taken.
+    std::unique_ptr<Subscription> (*subscribe)(OutPortBase& port, std::unique_ptr<dds::Reader> reader) = nullptr;
+};
+
+/// For a port's type the first is the one that is meant where no type is said.
+std::span<const Mapping> mappings();
+
+/// The mapping for a port of this type to a type of ROS, or for "" to the first; an error that names what there is.
+/// `takes`: from ROS.
+Expected<const Mapping*> find_mapping(std::size_t port_type, std::string_view type, bool takes);
+
+/// "/cmd_vel" as DDS knows it: with what its readers and writers promise each other.
+dds::Topic topic_of(std::string_view name, const Mapping& mapping, bool writes);
+
+/// The table of the documentation.
+std::string mapping_table();
+
+}  // namespace nezumi::ros

@@ -1,0 +1,141 @@
+// Ports are called as their topics are: "/scan/front" is scan_front.
+#include "bindings/dds/ros/node.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bindings/dds/ros/convert.hpp"
+#include "bindings/dds/ros/type_hash.hpp"
+#include "engine/ports/cdr.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+// Messages that wait in a tick for being sent.
+constexpr std::size_t most_waiting = 32;
+
+std::string port_name(std::string_view topic) {
+    std::string name(topic.substr(1));
+    std::replace(name.begin(), name.end(), '/', '_');
+    return name;
+}
+
+}  // namespace
+
+RosNode::RosNode(const System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings)
+    : Device(fmt::format("ros/{}", spec.node), "RosNode"),
+      system_(system),
+      transport_(transport),
+      settings_(std::move(settings)) {
+    place = spec.place;
+}
+
+Expected<RosNode*> RosNode::add(System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings) {
+    auto made = std::unique_ptr<RosNode>(new RosNode(system, spec, transport, std::move(settings)));
+    RosNode* node = made.get();
+    for (const RosTopic& topic : spec.publish) {
+        if (auto ok = node->make_port(system, topic, true); !ok) return Unexpected(ok.error());
+    }
+    for (const RosTopic& topic : spec.subscribe) {
+        if (auto ok = node->make_port(system, topic, false); !ok) return Unexpected(ok.error());
+    }
+    if (auto added = system.add(std::move(made)); !added) return Unexpected(added.error());
+    for (const Line& line : node->lines_) {
+        const std::string own = path(*node, *line.port);
+        const bool publishes = line.port->direction() == Direction::in;
+        const auto connected = publishes ? system.connect(line.said.port, own) : system.connect(own, line.said.port);
+        if (!connected) return failure(fmt::format("ros: {}", connected.error().message), line.said.place);
+    }
+    if (auto active = node->activate(system.now()); !active) return Unexpected(active.error());
+    return node;
+}
+
+Expected<void> RosNode::make_port(System& system, const RosTopic& topic, bool publishes) {
+    const auto refuse = [&](std::string_view why) {
+        return failure(fmt::format("ros: {}: {}", publishes ? topic.port : topic.topic, why), topic.place);
+    };
+    const auto other = system.port(topic.port);
+    if (!other) return refuse(other.error().message);
+    if (((*other)->direction() == Direction::out) != publishes)
+        return refuse(publishes ? "an in-port can't be published" : "an out-port takes nothing from a topic");
+    const std::size_t type = (*other)->type();
+    const auto mapping = ros::find_mapping(type, topic.type, !publishes);
+    if (!mapping) return refuse(mapping.error().message);
+    const std::string name = port_name(topic.topic);
+    if (find_port(name) != nullptr) return refuse(fmt::format("the topic {} is there already", topic.topic));
+    const std::string doc = fmt::format("{}, {}", topic.topic, (*mapping)->type);
+    if (publishes) {
+        const bool newest = type == type_index<Velocity2D>() || type == type_index<CameraImage>();
+        in_ports_.push_back(make_in_port(type, name, doc, newest ? 0 : most_waiting));
+    } else {
+        out_ports_.push_back(make_out_port(type, name, doc));
+    }
+    lines_.push_back({topic, *mapping, find_port(name)});
+    return {};
+}
+
+void RosNode::open() {
+    opened_ = true;
+    const auto tell = [&] { log(LogLevel::error, transport_.problem()); };
+    for (const Line& line : lines_) {
+        const bool publishes = line.port->direction() == Direction::in;
+        const Topic topic = ros::topic_of(line.said.topic, *line.mapping, publishes);
+        if (publishes) {
+            auto writer = transport_.write(topic);
+            if (writer == nullptr) {
+                tell();
+                continue;
+            }
+            const std::string frame = line.said.frame.empty() ? std::string(line.mapping->frame) : line.said.frame;
+            publications_.push_back(
+                line.mapping->publish(static_cast<InPortBase&>(*line.port), std::move(writer), frame));
+        } else {
+            auto reader = transport_.read(topic);
+            if (reader == nullptr) {
+                tell();
+                continue;
+            }
+            subscriptions_.push_back(line.mapping->subscribe(static_cast<OutPortBase&>(*line.port), std::move(reader)));
+            told_.emplace_back();
+        }
+    }
+    if (system_.settings().real_time) return;
+    clock_ = transport_.write({.name = "rt/clock",
+                               .type = ros::dds_type_name(Describe<ros::Clock>::name),
+                               .reliable = false,
+                               .user_data = fmt::format("typehash={};", ros::type_hash<ros::Clock>())});
+}
+
+// Stamps in a simulation are its own time, which /clock tells; else the time of day.
+double RosNode::offset(const Time& now) const {
+    return system_.settings().real_time ? settings_.wall_clock() - now.seconds : 0;
+}
+
+void RosNode::sense(const Time& /*now*/) {
+    if (!opened_) open();
+    const double clock = settings_.clock();
+    for (std::size_t i = 0; i < subscriptions_.size(); ++i) {
+        const std::string problem = subscriptions_[i]->receive(clock);
+        if (problem.empty() || problem == told_[i]) continue;
+        told_[i] = problem;
+        log(LogLevel::warn, fmt::format("a message is not taken: {}", problem));
+    }
+    if (state() == LifeState::active) return;
+    for (const auto& port : out_ports_) port->discard();
+}
+
+void RosNode::actuate(const Time& now) {
+    if (state() != LifeState::active) return;
+    send_clock(now);
+    for (const auto& publication : publications_) publication->send(offset(now));
+}
+
+void RosNode::send_clock(const Time& now) {
+    if (clock_ == nullptr) return;
+    write_cdr(bytes_, {.order = std::endian::little, .header = true}, ros::Clock{ros::to_time(now.seconds)});
+    static_cast<void>(clock_->write(bytes_));
+}
+
+}  // namespace nezumi::dds

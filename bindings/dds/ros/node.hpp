@@ -1,0 +1,57 @@
+// The node that a system is among those of ROS 2: a component with a port for each topic.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/dds/ros/mapping.hpp"
+#include "bindings/dds/transport.hpp"
+#include "engine/components/component.hpp"
+#include "engine/system/system.hpp"
+
+namespace nezumi::dds {
+
+/// What a node is beside its topics.
+struct RosNodeSettings {
+    std::function<double()> clock = monotonic_seconds;  ///< [s], never backwards
+    std::function<double()> wall_clock;                 ///< [s] since 1970: what ROS calls now, where robots are real
+};
+
+class RosNode final : public Device {
+public:
+    /// Adds the node "ros/NAME" to a system that has all its other components, with what its topics say, and connects
+    /// it. The error has the place of the topic. Nothing is on the network before the first tick.
+    static Expected<RosNode*> add(System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings);
+
+    void sense(const Time& now) override;
+    void actuate(const Time& now) override;
+
+private:
+    struct Line {
+        RosTopic said;
+        const ros::Mapping* mapping;
+        Port* port;  // of this node
+    };
+
+    RosNode(const System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings);
+    Expected<void> make_port(System& system, const RosTopic& topic, bool publishes);
+    void open();
+    double offset(const Time& now) const;
+    void send_clock(const Time& now);
+
+    const System& system_;
+    Transport& transport_;
+    RosNodeSettings settings_;
+    std::vector<Line> lines_;
+    bool opened_ = false;
+    std::vector<std::unique_ptr<ros::Publication>> publications_;
+    std::vector<std::unique_ptr<ros::Subscription>> subscriptions_;
+    std::vector<std::string> told_;  // what was wrong, for each subscription: once
+    std::unique_ptr<Writer> clock_;
+    Octets bytes_;
+};
+
+}  // namespace nezumi::dds
