@@ -67,6 +67,19 @@ bool stands_at(const Entry& entry, const Place& place) {
 // False when nothing is at that place.
 bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
     if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
+    if (spec.network && spec.network->place == place) {
+        spec.network.reset();
+        std::erase_if(spec.connections, [](const auto& c) { return is_remote(c.from) || is_remote(c.to); });
+        return true;
+    }
+    if (spec.ros) {
+        const auto is_there = [&](const RosTopic& topic) { return topic.place == place; };
+        if (std::erase_if(spec.ros->publish, is_there) + std::erase_if(spec.ros->subscribe, is_there) > 0) return true;
+        if (spec.ros->place == place) {
+            spec.ros.reset();
+            return true;
+        }
+    }
     std::set<std::string, std::less<>> gone;
     for (const Entry& entry : spec.entries) {
         const auto* behavior = std::get_if<BehaviorEntry>(&entry);
@@ -102,6 +115,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     makers.world = options.world;
     makers.bodies = options.bodies;
     makers.components = options.components;
+    makers.network = options.network;
     if (!makers.world) leave_out_bodies(*spec, makers);
     makers.behavior = [&](const BehaviorEntry& entry,
                           const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {

@@ -9,6 +9,7 @@
 
 #include "bindings/cli/status.hpp"
 #include "bindings/console/put_text.hpp"
+#include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "engine/base/visible.hpp"
 
@@ -25,7 +26,11 @@ std::vector<std::filesystem::path> installed_folders() {
     return {std::move(folder)};
 }
 
-LiveOptions simulated_systems() { return nezumi::simulated_systems(installed_folders()); }
+LiveOptions simulated_systems() {
+    LiveOptions live = nezumi::simulated_systems(installed_folders());
+    live.network = dds::make_silent_networks();
+    return live;
+}
 
 Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses) {
     if (nezumi::simulated_systems({}).world) return {};

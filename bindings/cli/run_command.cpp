@@ -30,6 +30,7 @@
 #include "bindings/cli/stop_signals.hpp"
 #include "bindings/cli/trajectories.hpp"
 #include "bindings/console/put_text.hpp"
+#include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "bindings/lua/script/script_words.hpp"
 
@@ -182,6 +183,8 @@ private:
         live.values = options_.values;
         live.budget = options_.headless ? headless_budget : paced_budget;
         live.watch = !options_.headless;
+        // What came over the network is not in a journal: its replay is alone.
+        if (options_.replay.empty()) live.network = dds::make_networks(domains_, NEZUMI_VERSION);
         if (devices_) use_hardware(live, *options_.hardware, devices_->roots());
         live.print = [this](std::string_view line) { say(std::string(line)); };
         return live;
@@ -284,6 +287,7 @@ private:
     Problems problems_;
     std::optional<RunDevices> devices_;
     RunJournal journal_;  // its files outlive the system
+    dds::Domains domains_;
     std::unique_ptr<LiveSystem> live_;
     std::optional<Recorder> recorder_;
     Trajectories trajectories_;

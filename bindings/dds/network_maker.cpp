@@ -1,0 +1,137 @@
+// One object stands for both words: a system has one network or none.
+#include "bindings/dds/network_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+#include <random>
+
+#include "bindings/dds/domain_xml.hpp"
+#include "bindings/dds/ros/node.hpp"
+#include "bindings/dds/silent_transport.hpp"
+#include "bindings/dds/system_network.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+constexpr std::string_view of_ros = "ros/";
+
+class BothNetworks final : public Network {
+public:
+    /// `own`: the transport that it alone uses, or nullptr.
+    BothNetworks(std::unique_ptr<Transport> own, std::unique_ptr<SystemNetwork> hosts)
+        : own_(std::move(own)), hosts_(std::move(hosts)) {}
+
+    Expected<void> reach(std::string_view path, const Port& other) override {
+        if (path.starts_with(of_ros))
+            return failure(
+                fmt::format("{}: what the node has is said in ros {{ publish = ..., subscribe = ... }}", shown(path)));
+        if (hosts_ != nullptr) return hosts_->reach(path, other);
+        return failure(
+            fmt::format("{} is on another host: that needs the word network in the system's file", shown(path)));
+    }
+    void between_ticks(const ActDoor& act) override {
+        if (hosts_ != nullptr) hosts_->between_ticks(act);
+    }
+    std::vector<Host> hosts() const override { return hosts_ != nullptr ? hosts_->hosts() : std::vector<Host>{}; }
+    bool brought(const ConnectionSpec& connection) const override {
+        if (connection.from.starts_with(of_ros) || connection.to.starts_with(of_ros)) return true;
+        return hosts_ != nullptr && hosts_->brought(connection);
+    }
+
+private:
+    std::unique_ptr<Transport> own_;  // of the components of other hosts too: these go before the network does
+    std::unique_ptr<SystemNetwork> hosts_;
+};
+
+double wall_clock() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+// Another number at each start, on every host.
+std::uint64_t new_run() {
+    std::random_device random;
+    return std::uint64_t{random()} << 32 | random() | 1;
+}
+
+// What the word allows that is not there.
+Expected<void> check(const NetworkSpec& spec, const System& system) {
+    if (!spec.secret.empty())
+        return failure("network: 'secret' can't be kept yet: leave it out, and others may look only", spec.place);
+    if (spec.lockstep && system.settings().real_time)
+        return failure("network: 'lockstep' is for simulations: time does not wait for real robots", spec.place);
+    if (spec.lockstep)
+        return failure("network: 'lockstep' is not there yet: each simulation keeps its own time", spec.place);
+    return {};
+}
+
+// The place in the domain of `network` or `ros`.
+template <class Word>
+using Join = std::function<Expected<Transport*>(const Word& word)>;
+
+Expected<std::unique_ptr<SystemNetwork>> make_host(const Join<NetworkSpec>& join, const NetworkSpec& spec,
+                                                   System& system, const std::string& version) {
+    if (auto ok = check(spec, system); !ok) return Unexpected(ok.error());
+    const auto transport = join(spec);
+    if (!transport) return failure(fmt::format("network: {}", transport.error().message), spec.place);
+    HostSettings settings;
+    settings.name = spec.name;
+    settings.version = version;
+    settings.writable = spec.interface.empty() || spec.open;
+    settings.run = new_run();
+    settings.clock = system.settings().clock;
+    return std::make_unique<SystemNetwork>(system, **transport, std::move(settings));
+}
+
+template <class JoinAny>
+Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& system, const JoinAny& join,
+                                             const std::string& version, std::unique_ptr<Transport> own) {
+    std::unique_ptr<SystemNetwork> host;
+    if (spec.network) {
+        auto made = make_host(join, *spec.network, system, version);
+        if (!made) return Unexpected(made.error());
+        host = std::move(*made);
+    }
+    if (spec.ros) {
+        const Expected<Transport*> transport = join(*spec.ros);
+        if (!transport) return failure(fmt::format("ros: {}", transport.error().message), spec.ros->place);
+        const auto node =
+            RosNode::add(system, *spec.ros, **transport, {.clock = system.settings().clock, .wall_clock = wall_clock});
+        if (!node) return Unexpected(node.error());
+    }
+    return std::make_unique<BothNetworks>(std::move(own), std::move(host));
+}
+
+}  // namespace
+
+Expected<Transport*> Domains::join(std::int64_t domain, const std::string& interface,
+                                   const std::vector<std::string>& peers) {
+    const std::string xml = domain_xml(interface, peers);
+    if (const auto found = joined_.find(domain); found != joined_.end()) {
+        if (found->second.xml == xml) return found->second.transport.get();
+        return failure(
+            fmt::format("domain {} was joined by another interface or with other peers: start nezumi anew", domain));
+    }
+    auto transport = open_({.domain = static_cast<std::uint32_t>(domain), .xml = xml});
+    if (!transport) return Unexpected(transport.error());
+    return joined_.emplace(domain, Joined{xml, std::move(*transport)}).first->second.transport.get();
+}
+
+NetworkMaker make_networks(Domains& domains, std::string version) {
+    return [&domains, version = std::move(version)](const SystemSpec& spec,
+                                                    System& system) -> Expected<std::unique_ptr<Network>> {
+        const auto join = [&](const auto& word) { return domains.join(word.domain, word.interface, word.peers); };
+        return make_both(spec, system, join, version, nullptr);
+    };
+}
+
+NetworkMaker make_silent_networks() {
+    return [](const SystemSpec& spec, System& system) {
+        auto silent = make_silent_transport();
+        const auto join = [its = silent.get()](const auto& /*word*/) -> Expected<Transport*> { return its; };
+        return make_both(spec, system, join, "", std::move(silent));
+    };
+}
+
+}  // namespace nezumi::dds
