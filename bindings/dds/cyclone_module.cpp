@@ -134,7 +134,7 @@ public:
 private:
     static void take(void* self, const dds_log_data_t* said) {
         auto& words = *static_cast<LastWords*>(self);
-        std::string text(said->message + said->hdrsize, said->size - said->hdrsize);
+        std::string text(said->message, said->size);
         while (!text.empty() && text.back() == '\n') text.pop_back();
         const std::lock_guard lock(words.mutex_);
         words.text_ = std::move(text);
