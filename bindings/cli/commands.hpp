@@ -17,6 +17,7 @@ Command doctor_command();
 Command calibrate_command();
 Command push_command();
 Command marker_command();
+Command network_command();
 Command completion_command();
 Command manual_command();
 

@@ -10,7 +10,7 @@ Command program() {
             .help = "nezumi runs what small robots do: Lua behaviours, in simulation and on the robots",
             .commands = {run_command(), attach_command(), calc_command(), types_command(), check_command(),
                          new_command(), test_command(), doctor_command(), calibrate_command(), push_command(),
-                         marker_command(), completion_command(), manual_command()},
+                         marker_command(), network_command(), completion_command(), manual_command()},
             .version = "nezumi " NEZUMI_VERSION};
 }
 

@@ -20,6 +20,16 @@ std::string shown_version(const AnnouncementHead& head) {
 
 }  // namespace
 
+Topic announcement_topic() {
+    // A reader keeps what so many hosts said last.
+    constexpr int most_hosts = 256;
+    return {.name = "nezumi/hosts",
+            .type = "nezumi::Announcement",
+            .reliable = true,
+            .keeps_last = true,
+            .depth = most_hosts};
+}
+
 std::vector<std::uint8_t> write_announcement(const Announcement& announcement) {
     Octets bytes;
     write_cdr(bytes, on_the_wire, announcement);
@@ -32,25 +42,42 @@ void HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     detail::CdrReader reader(cdr, on_the_wire);
     reader.read(head);
     if (!is_identifier(head.host)) return;
+    Announcement whole;
+    const bool understood = head.protocol == protocol && read_cdr(cdr, on_the_wire, whole).has_value();
+    if (understood && (whole.run == own_run_ || ended_.contains(whole.run))) return;  // its own; or kept from earlier
     const bool is_new = !said_.contains(writer);
     Said& said = said_[writer];
+    if (understood && said.understood && said.announcement.run == whole.run && whole.number <= said.announcement.number)
+        return;
     if (is_new) said.since = now;
     const bool told = !is_new && said.head == head;
     said.head = std::move(head);
-    said.understood = said.head.protocol == protocol;
-    if (said.understood) {
-        Announcement whole;
-        said.understood = read_cdr(cdr, on_the_wire, whole).has_value();
-        if (said.understood) said.announcement = std::move(whole);
+    said.understood = understood;
+    said.announcement = std::move(whole);
+    const std::string& host = said.head.host;
+    if (host != own_.host && understood) {
+        std::uint64_t& run = runs_[host];
+        if (run != 0 && run != said.announcement.run) ended_.insert(run);
+        run = said.announcement.run;
     }
-    if (said.head.host == own_.host && said.understood && said.announcement.run == own_run_) {
-        said_.erase(writer);  // its own
+    const std::vector<std::uint64_t>& heard = said.announcement.heard;
+    const bool counts = understood && (!answered_ || std::find(heard.begin(), heard.end(), own_run_) != heard.end());
+    if (understood && !counts) {
+        here_.erase(host);
         return;
     }
-    if (!told) tell_of(said);
-    if (said.head.host == own_.host || !said.understood) return;
-    const auto before = here_.find(said.head.host);
-    if (before == here_.end() || said_.at(before->second).since <= said.since) here_[said.head.host] = writer;
+    if (!told || (counts && !here_.contains(host))) tell_of(said);
+    if (host == own_.host || !counts) return;
+    const auto before = here_.find(host);
+    if (before == here_.end() || said_.at(before->second).since <= said.since) here_[host] = writer;
+}
+
+std::vector<std::uint64_t> HostTable::heard_runs() const {
+    std::set<std::uint64_t> runs;
+    for (const auto& [writer, said] : said_) {
+        if (said.understood) runs.insert(said.announcement.run);
+    }
+    return {runs.begin(), runs.end()};
 }
 
 void HostTable::keep(std::span<const std::uint64_t> writers, double now) {

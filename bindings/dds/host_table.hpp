@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "bindings/dds/transport.hpp"
 #include "bindings/dds/wire.hpp"
 #include "engine/base/log.hpp"
 
@@ -19,8 +21,10 @@ inline constexpr double patience = 6;
 
 class HostTable {
 public:
-    /// `own`: this host's name and version; `own_run`: of what it announces itself.
-    HostTable(AnnouncementHead own, std::uint64_t own_run) : own_(std::move(own)), own_run_(own_run) {}
+    /// `own`: this host's name and version; `own_run`: of what it announces itself. `answered`: who has not heard this
+    /// run is not there, so that announcements that somebody has kept from earlier are none.
+    HostTable(AnnouncementHead own, std::uint64_t own_run, bool answered = false)
+        : own_(std::move(own)), own_run_(own_run), answered_(answered) {}
 
     /// What a writer has announced. `now` [s] by a clock that never falls.
     void heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now);
@@ -32,6 +36,9 @@ public:
     const Announcement* find(std::string_view host) const;
     /// Those that are there, by name.
     std::vector<const Announcement*> all() const;
+
+    /// The runs of those that were heard, sorted: what this host answers.
+    std::vector<std::uint64_t> heard_runs() const;
 
     struct News {
         LogLevel level;
@@ -53,10 +60,16 @@ private:
 
     AnnouncementHead own_;
     std::uint64_t own_run_;
+    bool answered_;
+    std::map<std::string, std::uint64_t, std::less<>> runs_;  // by name: the newest
+    std::set<std::uint64_t> ended_;                           // runs that a newer one of their host has followed
     std::map<std::uint64_t, Said> said_;                      // by writer
     std::map<std::string, std::uint64_t, std::less<>> here_;  // by name: the writer that counts
     std::vector<News> news_;
 };
+
+/// The topic on which hosts announce themselves.
+Topic announcement_topic();
 
 /// An announcement as it travels.
 std::vector<std::uint8_t> write_announcement(const Announcement& announcement);

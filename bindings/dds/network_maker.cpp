@@ -4,13 +4,18 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <random>
+#include <system_error>
+#include <type_traits>
 
 #include "bindings/dds/domain_xml.hpp"
 #include "bindings/dds/ros/node.hpp"
+#include "bindings/dds/sealed_transport.hpp"
 #include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::dds {
 namespace {
@@ -57,13 +62,30 @@ std::uint64_t new_run() {
 
 // What the word allows that is not there.
 Expected<void> check(const NetworkSpec& spec, const System& system) {
-    if (!spec.secret.empty())
-        return failure("network: 'secret' can't be kept yet: leave it out, and others may look only", spec.place);
     if (spec.lockstep && system.settings().real_time)
         return failure("network: 'lockstep' is for simulations: time does not wait for real robots", spec.place);
     if (spec.lockstep)
         return failure("network: 'lockstep' is not there yet: each simulation keeps its own time", spec.place);
     return {};
+}
+
+// The secret of a host. Whoever can read it can drive its robots.
+Expected<Secret> read_secret(const NetworkSpec& spec) {
+    const auto refuse = [&](const std::string& why) {
+        return failure(fmt::format("the secret '{}' {}", shown(spec.secret), why));
+    };
+    if (spec.secret_path.empty())
+        return refuse("is not there: `nezumi network secret FILE` makes one, to be copied to each host");
+    std::error_code none;
+    using std::filesystem::perms;
+    const perms rights = std::filesystem::status(spec.secret_path, none).permissions();
+    if ((rights & (perms::group_read | perms::others_read)) != perms::none)
+        return refuse(fmt::format("can be read by others: chmod 600 {}", spec.secret_path));
+    const auto text = read_whole(spec.secret_path, spec.secret_path);
+    if (!text) return refuse(text.error().message);
+    auto secret = secret_from(*text);
+    if (!secret) return refuse(secret.error().message);
+    return secret;
 }
 
 // The place in the domain of `network` or `ros`.
@@ -78,7 +100,8 @@ Expected<std::unique_ptr<SystemNetwork>> make_host(const Join<NetworkSpec>& join
     HostSettings settings;
     settings.name = spec.name;
     settings.version = version;
-    settings.writable = spec.interface.empty() || spec.open;
+    settings.writable = spec.interface.empty() || spec.open || !spec.secret.empty();
+    settings.answered = !spec.secret.empty();
     settings.run = new_run();
     settings.clock = system.settings().clock;
     return std::make_unique<SystemNetwork>(system, **transport, std::move(settings));
@@ -86,7 +109,7 @@ Expected<std::unique_ptr<SystemNetwork>> make_host(const Join<NetworkSpec>& join
 
 template <class JoinAny>
 Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& system, const JoinAny& join,
-                                             const std::string& version, std::unique_ptr<Transport> own) {
+                                             const std::string& version, std::unique_ptr<Transport>& own) {
     std::unique_ptr<SystemNetwork> host;
     if (spec.network) {
         auto made = make_host(join, *spec.network, system, version);
@@ -121,8 +144,20 @@ Expected<Transport*> Domains::join(std::int64_t domain, const std::string& inter
 NetworkMaker make_networks(Domains& domains, std::string version) {
     return [&domains, version = std::move(version)](const SystemSpec& spec,
                                                     System& system) -> Expected<std::unique_ptr<Network>> {
-        const auto join = [&](const auto& word) { return domains.join(word.domain, word.interface, word.peers); };
-        return make_both(spec, system, join, version, nullptr);
+        std::unique_ptr<Transport> sealed;
+        const auto join = [&]<class Word>(const Word& word) -> Expected<Transport*> {
+            auto joined = domains.join(word.domain, word.interface, word.peers);
+            if constexpr (std::is_same_v<Word, NetworkSpec>) {
+                if (!joined || word.secret.empty()) return joined;
+                const auto secret = read_secret(word);
+                if (!secret) return Unexpected(secret.error());
+                sealed = make_sealed_transport(**joined, *secret);
+                return sealed.get();
+            } else {
+                return joined;
+            }
+        };
+        return make_both(spec, system, join, version, sealed);
     };
 }
 
@@ -130,7 +165,7 @@ NetworkMaker make_silent_networks() {
     return [](const SystemSpec& spec, System& system) {
         auto silent = make_silent_transport();
         const auto join = [its = silent.get()](const auto& /*word*/) -> Expected<Transport*> { return its; };
-        return make_both(spec, system, join, "", std::move(silent));
+        return make_both(spec, system, join, "", silent);
     };
 }
 

@@ -44,20 +44,20 @@ void Outlet::send(const Time& now, std::uint64_t run, double clock) {
     });
 }
 
-Inlet::Inlet(OutPortBase& port, std::unique_ptr<Reader> reader)
+Inlet::Inlet(OutPortBase& port, std::unique_ptr<Reader> reader, Progress& progress)
     : port_(port),
       reader_(std::move(reader)),
+      progress_(progress),
       payload_(with_payload_type(port.type(), []<class T>() { return AnyPayload(T{}); })) {}
 
 void Inlet::receive(const Time& now, std::optional<std::uint64_t> run, double clock) {
-    if (run != run_) {
-        run_ = run;
-        number_ = 0;
+    if (run && run != progress_.run) {
+        progress_ = {.run = run};
         age_ = {};
     }
     for (const Sample& sample : reader_->take()) {
-        if (run_) {
-            take(sample.bytes, now, *run_, clock);
+        if (run) {
+            take(sample.bytes, now, *run, clock);
         } else {
             ++counts_.wrong;
         }
@@ -70,12 +70,12 @@ void Inlet::take(const Octets& bytes, const Time& now, std::uint64_t run, double
         std::visit([&](auto& payload) { return read_cdr(bytes, on_the_wire, head, payload); }, payload_);
     const bool fits = read && is_finite(payload_) && is_finite(head) && head.run == run;
     // A number that was there already is a message that comes again.
-    if (!fits || head.number <= number_) {
+    if (!fits || head.number <= progress_.number) {
         ++counts_.wrong;
         return;
     }
-    if (number_ > 0) counts_.missed += head.number - number_ - 1;
-    number_ = head.number;
+    if (progress_.number > 0) counts_.missed += head.number - progress_.number - 1;
+    progress_.number = head.number;
     const double age = age_.of(head.stamp + head.offset, clock);
     if (is_velocity(port_.type()) && age > silence) {
         ++counts_.late;

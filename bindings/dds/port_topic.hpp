@@ -52,10 +52,17 @@ struct Counts {
     std::uint64_t wrong = 0;   ///< no messages of the port's type, with a number that is not finite, or of another run
 };
 
+/// How far the messages of a topic were taken: what comes again is older.
+struct Progress {
+    std::optional<std::uint64_t> run{};  ///< of the sender
+    std::uint64_t number = 0;            ///< of the last message of it
+};
+
 /// Writes what comes from another host into an out-port of this one.
 class Inlet {
 public:
-    Inlet(OutPortBase& port, std::unique_ptr<Reader> reader);
+    /// `port` and `progress`, which goes on where another inlet has ended, must outlive it.
+    Inlet(OutPortBase& port, std::unique_ptr<Reader> reader, Progress& progress);
 
     /// Takes what has come; only what is of this run of the other host counts.
     void receive(const Time& now, std::optional<std::uint64_t> run, double clock);
@@ -68,9 +75,8 @@ private:
     OutPortBase& port_;
     std::unique_ptr<Reader> reader_;
     MessageAge age_;
-    std::optional<std::uint64_t> run_;
-    std::uint64_t number_ = 0;  // of the last one taken
-    AnyPayload payload_;        // keeps its memory
+    Progress& progress_;
+    AnyPayload payload_;  // keeps its memory
     Counts counts_;
 };
 

@@ -19,7 +19,7 @@ Port& RemoteComponent::port(const std::string& name, std::size_t type, Direction
 
 void RemoteComponent::receive(OutPortBase& port, std::unique_ptr<Reader> reader) {
     inlets_.erase(&port);
-    if (reader != nullptr) inlets_.try_emplace(&port, port, std::move(reader));
+    if (reader != nullptr) inlets_.try_emplace(&port, port, std::move(reader), progress_[&port]);
 }
 
 const Counts* RemoteComponent::counts(const OutPortBase& port) const {

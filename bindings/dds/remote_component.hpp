@@ -38,6 +38,7 @@ public:
 private:
     std::string host_;
     std::function<double()> clock_;
+    std::map<const OutPortBase*, Progress> progress_;
     std::map<const OutPortBase*, Inlet> inlets_;
     std::optional<std::uint64_t> run_;
 };

@@ -13,8 +13,6 @@ namespace {
 // [s] between two looks at what other hosts have announced.
 constexpr double period = 0.05;
 
-const Topic announcements{.name = "nezumi/hosts", .type = "nezumi::Announcement", .reliable = true, .keeps_last = true};
-
 std::string_view host_of(std::string_view path) { return path.substr(0, path.find('/')); }
 
 std::string_view without_host(std::string_view path) { return path.substr(path.find('/') + 1); }
@@ -35,7 +33,8 @@ SystemNetwork::SystemNetwork(System& system, Transport& transport, HostSettings 
     : system_(system),
       transport_(transport),
       settings_(std::move(settings)),
-      hosts_({.protocol = protocol, .host = settings_.name, .version = settings_.version}, settings_.run) {
+      hosts_({.protocol = protocol, .host = settings_.name, .version = settings_.version}, settings_.run,
+             settings_.answered) {
     system_.observe(*this);
 }
 
@@ -71,8 +70,8 @@ void SystemNetwork::between_ticks(const ActDoor& act) {
 
 bool SystemNetwork::open() {
     if (announcer_ != nullptr) return true;
-    listener_ = transport_.read(announcements);
-    if (listener_ != nullptr) announcer_ = transport_.write(announcements);
+    listener_ = transport_.read(announcement_topic());
+    if (listener_ != nullptr) announcer_ = transport_.write(announcement_topic());
     failed_ = announcer_ == nullptr;
     if (failed_) system_.log(LogLevel::error, fmt::format("network: {}", transport_.problem()));
     return !failed_;
@@ -263,9 +262,12 @@ void SystemNetwork::announce(const std::vector<Ends>& present) {
     for (const Ends& ends : present) {
         if (!brought_.contains(ends)) next.wants.push_back({ends.first, ends.second});
     }
+    next.heard = hosts_.heard_runs();
+    next.number = said_.number;
     for (const auto& [ends, why] : refusals_) next.refusals.push_back({ends.first, ends.second, why});
     layout_ = system_.layout();
     if (next == said_) return;
+    ++next.number;
     if (announcer_->write(write_announcement(next))) said_ = std::move(next);
 }
 

@@ -25,6 +25,7 @@ struct HostSettings {
     std::string name;
     std::string version;                                ///< of nezumi
     bool writable = true;                               ///< others may connect to its in-ports
+    bool answered = false;                              ///< as in `HostTable`
     std::uint64_t run = 0;                              ///< another number at each start
     std::function<double()> clock = monotonic_seconds;  ///< [s], never backwards
 };

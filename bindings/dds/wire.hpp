@@ -40,6 +40,8 @@ struct AnnouncedConnection {
 struct Announcement {
     AnnouncementHead head;
     std::uint64_t run = 0;                      ///< another number each time that a host starts
+    std::uint64_t number = 0;                   ///< of this announcement in its run, from 1 on
+    std::vector<std::uint64_t> heard;           ///< runs of the hosts whose announcements it has
     std::vector<AnnouncedPort> ports;           ///< that it has
     std::vector<AnnouncedConnection> wants;     ///< connections that it was asked for
     std::vector<AnnouncedConnection> refusals;  ///< of those that other hosts want with it
@@ -99,6 +101,8 @@ struct Describe<dds::Announcement> {
     static constexpr std::tuple fields{
         Field{"head", &T::head, "", "who says this"},
         Field{"run", &T::run, "", "since its start"},
+        Field{"number", &T::number, "", "in its run, from 1 on"},
+        Field{"heard", &T::heard, "", "runs of hosts that it knows of"},
         Field{"ports", &T::ports, "", "that it has"},
         Field{"wants", &T::wants, "", "connections with other hosts"},
         Field{"refusals", &T::refusals, "", "of what others want"},

@@ -113,6 +113,7 @@ struct Describe<NetworkSpec> {
                 "a file that `nezumi network secret` has made: who has it may write"},
         Setting{"open", &NetworkSpec::open, "", "everybody on the interface may write, without a secret"},
         Setting{"lockstep", &NetworkSpec::lockstep, "", "simulations of all hosts advance together"},
+        Internal{&NetworkSpec::secret_path},
         Internal{&NetworkSpec::place},
     };
 };

@@ -83,7 +83,8 @@ struct NetworkSpec {
     std::int64_t domain = 0;
     std::string interface;  ///< "": the loopback
     std::vector<std::string> peers{};
-    std::string secret{};  ///< a file, as the system's says it; "": none
+    std::string secret{};       ///< a file, as the system's says it; "": none
+    std::string secret_path{};  ///< where it was found; "": nowhere
     bool open = false;
     bool lockstep = false;
     Place place{};

@@ -93,6 +93,9 @@ Expected<void> SystemWords::network(const WordCall& call, const FileValue& value
         check.explain({"open"}, "with a `secret` only those who have it may write: leave one of them out");
     if (auto ok = check.result(); !ok) return ok;
     if (auto once = said_once(call, spec_.network ? &spec_.network->place : nullptr); !once) return once;
+    // It is not read here: what a system was read from is recorded.
+    if (const auto path = project_.find(FileKind::data, given.secret, call.place.file); path && !given.secret.empty())
+        given.secret_path = path->string();
     spec_.network = std::move(given);
     return {};
 }

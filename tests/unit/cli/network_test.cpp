@@ -1,6 +1,7 @@
 // Processes as hosts: `network` in what `nezumi run`, `check` and `test` read.
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -116,4 +117,66 @@ end)
     const Outcome tested = run_nezumi({"test", hosts.scratch.path("listener_test.lua").string()});
     INFO(tested.out + tested.error);
     CHECK(tested.status == 0);
+}
+
+TEST_CASE("a secret is made once, for its owner alone", "[cli][network]") {
+    Scratch scratch;
+    const std::string file = scratch.path("seminar.key").string();
+    const Outcome made = run_nezumi({"network", "secret", file});
+    CHECK(made.status == 0);
+    CHECK(made.out.find("seminar.key is a new secret") != std::string::npos);
+    using std::filesystem::perms;
+    CHECK(std::filesystem::status(file).permissions() == (perms::owner_read | perms::owner_write));
+    const Outcome again = run_nezumi({"network", "secret", file});
+    CHECK(again.status == 2);
+    CHECK(again.error.find("is there already") != std::string::npos);
+}
+
+TEST_CASE("a secret that is not there, that others can read, or that is none ends a run", "[cli][network]") {
+    Scratch scratch;
+    const std::string system =
+        scratch.write("s.lua", "network { name = \"a\", domain = 223, secret = \"s.key\" }\nseed(1)\n").string();
+    const auto said = [&] {
+        const Outcome ran = run_nezumi({"run", system, "--headless", "--duration", "1"});
+        CHECK(ran.status == 2);
+        return ran.error;
+    };
+    CHECK(said().find("s.lua:1: network: the secret 's.key' is not there: `nezumi network secret FILE` makes one") !=
+          std::string::npos);
+    const auto key = scratch.write("s.key", "nezumi secret 1\nnone\n");
+    std::filesystem::permissions(key, std::filesystem::perms{0644});
+    CHECK(said().find("can be read by others: chmod 600") != std::string::npos);
+    std::filesystem::permissions(key, std::filesystem::perms{0600});
+    CHECK(said().find("the secret 's.key' is no secret") != std::string::npos);
+}
+
+TEST_CASE("hosts of a secret find each other, and those without it do not", "[cli][network][wallclock]") {
+    TwoHosts hosts;
+    REQUIRE(run_nezumi({"network", "secret", hosts.scratch.path("s.key").string()}).status == 0);
+    const std::string with = ", secret = \"s.key\" }", none = " }";
+    const auto host = [&](const std::string& name, const std::string& behavior, const std::string& key,
+                          const std::string& rest) {
+        return hosts.scratch
+            .write(name + ".lua", "network { name = \"" + name + "\", domain = 224" + key +
+                                      "\nbehavior \"it\" { script = \"" + behavior + "\" }\n" + rest)
+            .string();
+    };
+    const std::string hears = "connect(\"one/it.out\", \"it.in\")\n";
+    Program one({"run", host("one", "counter", with, ""), "--headless"});
+    Program two({"run", host("two", "listener", with, hears), "--headless"});
+    Program three({"run", host("three", "listener", none, hears), "--headless"});
+    CHECK(two.wait_for_error("hears"));
+    CHECK_FALSE(three.wait_for_error("hears", 3));
+}
+
+TEST_CASE("who is in a domain is listed", "[cli][network][wallclock]") {
+    TwoHosts hosts;
+    Program counter({"run", hosts.counter, "--headless"});
+    std::string out;
+    for (int i = 0; i < 10 && out.find("host one") == std::string::npos; ++i)
+        out = run_nezumi({"network", "list", "--domain", "221", "--seconds", "2"}).out;
+    CHECK(out.find("host one  nezumi 0.") != std::string::npos);
+    CHECK(run_nezumi({"network", "list", "--domain", "225", "--seconds", "0.2"}).out == "nobody is in domain 225\n");
+    CHECK(run_nezumi({"network", "list", "--domain", "300"}).error ==
+          "nezumi: network list: --domain: expected 0 to 232, got 300\n");
 }

@@ -20,7 +20,8 @@ struct Line {
     OutPort<Velocity2D> port{"speed"};
     Topic topic = topic_of("ev3", "part.speed", port.type());
     std::unique_ptr<Writer> writer = place->write(topic);
-    Inlet inlet{port, place->read(topic)};
+    Progress progress;
+    Inlet inlet{port, place->read(topic), progress};
 
     void send(const MessageHead& head, const Velocity2D& velocity) const {
         Octets bytes;
@@ -133,4 +134,15 @@ TEST_CASE("without an interface a domain is the loopback's, and nothing stands i
     CHECK(wlan.find("name=\"w&quot;&lt;&amp;&#36;{HOME}\"") != std::string::npos);
     CHECK(wlan.find("<AllowMulticast>spdp</AllowMulticast>") != std::string::npos);
     CHECK(wlan.find("<Peers><Peer address=\"10.0.0.2\"/><Peer address=\"pi.local\"/></Peers>") != std::string::npos);
+}
+
+TEST_CASE("what is opened anew does not take what came before", "[dds]") {
+    Line line;
+    line.send({.run = 7, .number = 5, .offset = 100}, {});
+    CHECK(line.receive(1));
+    Inlet again(line.port, line.place->read(line.topic), line.progress);
+    line.send({.run = 7, .number = 5, .offset = 100}, {});
+    again.receive({.tick = 2, .seconds = 51}, 7, 2);
+    CHECK_FALSE(line.port.latch({.tick = 2, .seconds = 51}));
+    CHECK(again.counts().wrong == 1);
 }

@@ -1,0 +1,151 @@
+// A random nonce of 24 bytes, then the ciphertext with its tag; the topic's name and type are authenticated beside it.
+#include "bindings/dds/sealed_transport.hpp"
+
+#include <fmt/format.h>
+#include <sodium.h>
+
+#include <utility>
+
+#include "engine/ports/cdr.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
+constexpr std::size_t nonce_size = crypto_aead_xchacha20poly1305_ietf_NPUBBYTES;
+constexpr std::size_t tag_size = crypto_aead_xchacha20poly1305_ietf_ABYTES;
+constexpr std::string_view title = "nezumi secret 1";
+
+static_assert(std::tuple_size_v<Secret> == crypto_aead_xchacha20poly1305_ietf_KEYBYTES);
+
+std::string place_of(const Topic& topic) { return topic.name + '\n' + topic.type; }
+
+const unsigned char* bytes_of(const std::string& text) { return reinterpret_cast<const unsigned char*>(text.data()); }
+
+class SealedWriter final : public Writer {
+public:
+    SealedWriter(std::unique_ptr<Writer> inner, Topic topic, const Secret& secret)
+        : inner_(std::move(inner)), topic_(std::move(topic)), secret_(secret) {}
+    bool write(std::span<const std::uint8_t> cdr) override { return inner_->write(seal(cdr, topic_, secret_)); }
+    int readers() const override { return inner_->readers(); }
+
+private:
+    std::unique_ptr<Writer> inner_;
+    Topic topic_;
+    const Secret& secret_;
+};
+
+class SealedReader final : public Reader {
+public:
+    SealedReader(std::unique_ptr<Reader> inner, Topic topic, const Secret& secret)
+        : inner_(std::move(inner)), topic_(std::move(topic)), secret_(secret) {}
+    std::vector<Sample> take() override {
+        std::vector<Sample> all;
+        for (const Sample& sample : inner_->take()) {
+            if (auto bytes = unseal(sample.bytes, topic_, secret_)) {
+                all.push_back({std::move(*bytes), sample.writer});
+            } else {
+                ++refused_;
+            }
+        }
+        return all;
+    }
+    std::vector<std::uint64_t> writers() const override { return inner_->writers(); }
+    std::uint64_t lost() const override { return inner_->lost() + refused_; }
+
+private:
+    std::unique_ptr<Reader> inner_;
+    Topic topic_;
+    const Secret& secret_;
+    std::uint64_t refused_ = 0;
+};
+
+class SealedTransport final : public Transport {
+public:
+    SealedTransport(Transport& inner, const Secret& secret) : inner_(inner), secret_(secret) {
+        static_cast<void>(sodium_init());  // fails where there is no randomness: then so does each nonce, and it aborts
+    }
+    ~SealedTransport() override { sodium_memzero(secret_.data(), secret_.size()); }
+    SealedTransport(const SealedTransport&) = delete;
+    SealedTransport& operator=(const SealedTransport&) = delete;
+
+    std::unique_ptr<Writer> write(const Topic& topic) override {
+        auto made = inner_.write(sealed(topic));
+        return made != nullptr ? std::make_unique<SealedWriter>(std::move(made), topic, secret_) : nullptr;
+    }
+    std::unique_ptr<Reader> read(const Topic& topic) override {
+        auto made = inner_.read(sealed(topic));
+        return made != nullptr ? std::make_unique<SealedReader>(std::move(made), topic, secret_) : nullptr;
+    }
+    std::vector<SeenEndpoint> seen() override { return inner_.seen(); }
+    std::string problem() const override { return inner_.problem(); }
+
+private:
+    // Hosts with a secret and those without one do not hear each other at all.
+    static Topic sealed(Topic topic) {
+        topic.name = "sealed/" + topic.name;
+        topic.type = "nezumi::Sealed";
+        return topic;
+    }
+
+    Transport& inner_;
+    Secret secret_;
+};
+
+}  // namespace
+
+Secret make_secret() {
+    Secret secret{};
+    randombytes_buf(secret.data(), secret.size());
+    return secret;
+}
+
+std::string secret_text(const Secret& secret) {
+    std::string text(sodium_base64_ENCODED_LEN(std::tuple_size_v<Secret>, sodium_base64_VARIANT_ORIGINAL), '\0');
+    sodium_bin2base64(text.data(), text.size(), secret.data(), secret.size(), sodium_base64_VARIANT_ORIGINAL);
+    text.pop_back();  // the final 0
+    return fmt::format("{}\n{}\n", title, text);
+}
+
+Expected<Secret> secret_from(std::string_view text) {
+    const auto refuse = [] {
+        return failure("is no secret: `nezumi network secret FILE` makes one, to be copied to each host");
+    };
+    if (!text.starts_with(title)) return refuse();
+    text.remove_prefix(title.size());
+    Secret secret{};
+    std::size_t size = 0;
+    const int read = sodium_base642bin(secret.data(), secret.size(), text.data(), text.size(), "\r\n ", &size, nullptr,
+                                       sodium_base64_VARIANT_ORIGINAL);
+    if (read != 0 || size != secret.size()) return refuse();
+    return secret;
+}
+
+Octets seal(std::span<const std::uint8_t> cdr, const Topic& topic, const Secret& secret) {
+    const std::string place = place_of(topic);
+    Octets box(nonce_size + cdr.size() + tag_size);
+    randombytes_buf(box.data(), nonce_size);
+    crypto_aead_xchacha20poly1305_ietf_encrypt(box.data() + nonce_size, nullptr, cdr.data(), cdr.size(),
+                                               bytes_of(place), place.size(), nullptr, box.data(), secret.data());
+    Octets bytes;
+    write_cdr(bytes, on_the_wire, box);
+    return bytes;
+}
+
+std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& topic, const Secret& secret) {
+    Octets box;
+    if (!read_cdr(sealed, on_the_wire, box) || box.size() < nonce_size + tag_size) return std::nullopt;
+    const std::string place = place_of(topic);
+    Octets cdr(box.size() - nonce_size - tag_size);
+    const int opened = crypto_aead_xchacha20poly1305_ietf_decrypt(cdr.data(), nullptr, nullptr, box.data() + nonce_size,
+                                                                  box.size() - nonce_size, bytes_of(place),
+                                                                  place.size(), box.data(), secret.data());
+    if (opened != 0) return std::nullopt;
+    return cdr;
+}
+
+std::unique_ptr<Transport> make_sealed_transport(Transport& inner, const Secret& secret) {
+    return std::make_unique<SealedTransport>(inner, secret);
+}
+
+}  // namespace nezumi::dds

@@ -1,0 +1,35 @@
+// A transport whose messages only those can write and read who have a secret.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "bindings/dds/transport.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi::dds {
+
+/// A key that hosts share.
+using Secret = std::array<std::uint8_t, 32>;
+
+/// A new one.
+Secret make_secret();
+/// As the text of a file, and from one; the error says what is wrong with it.
+std::string secret_text(const Secret& secret);
+Expected<Secret> secret_from(std::string_view text);
+
+/// Encrypted and authenticated for this topic alone (XChaCha20-Poly1305 of libsodium), as CDR with its header.
+Octets seal(std::span<const std::uint8_t> cdr, const Topic& topic, const Secret& secret);
+/// What `seal` was given; nothing when it was not sealed for this topic with this secret.
+std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& topic, const Secret& secret);
+
+/// `inner` must outlive it. What can't be unsealed is dropped, and counts as lost. That a message comes again is for
+/// who reads to see: heads have numbers.
+std::unique_ptr<Transport> make_sealed_transport(Transport& inner, const Secret& secret);
+
+}  // namespace nezumi::dds

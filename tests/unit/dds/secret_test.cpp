@@ -1,0 +1,99 @@
+// Messages that only those write and read who have a secret, and announcements that were kept from earlier.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "bindings/dds/host_table.hpp"
+#include "bindings/dds/sealed_transport.hpp"
+#include "tests/unit/dds/fake_domain.hpp"
+
+using namespace nezumi;
+using namespace nezumi::dds;
+
+namespace {
+
+const Topic topic{.name = "nezumi/hosts", .type = "nezumi::Announcement", .reliable = true, .depth = 8};
+const Octets message{0, 1, 0, 0, 7, 8, 9};
+
+Octets announced(const std::string& host, std::uint64_t run, std::uint64_t number, std::vector<std::uint64_t> heard) {
+    Announcement all;
+    all.head = {.protocol = protocol, .host = host, .version = "1.0"};
+    all.run = run;
+    all.number = number;
+    all.heard = std::move(heard);
+    return write_announcement(all);
+}
+
+}  // namespace
+
+TEST_CASE("what was sealed is opened by the same secret for the same topic alone", "[dds][secret]") {
+    const Secret secret = make_secret();
+    const Octets sealed = seal(message, topic, secret);
+    CHECK(unseal(sealed, topic, secret) == message);
+    CHECK(seal(message, topic, secret) != sealed);
+    CHECK_FALSE(unseal(sealed, topic, make_secret()).has_value());
+    Topic other = topic;
+    other.name = "nezumi/others";
+    CHECK_FALSE(unseal(sealed, other, secret).has_value());
+    for (std::size_t i = 0; i < sealed.size(); ++i) {
+        CAPTURE(i);
+        Octets changed = sealed;
+        changed[i] ^= 1;
+        const auto opened = unseal(changed, topic, secret);
+        CHECK((!opened || *opened == message));  // the header's last two bytes mean nothing
+        changed.resize(i);
+        CHECK_FALSE(unseal(changed, topic, secret).has_value());
+    }
+    CHECK(std::search(sealed.begin(), sealed.end(), message.begin() + 4, message.end()) == sealed.end());
+}
+
+TEST_CASE("a secret is a line of text in a file", "[dds][secret]") {
+    const Secret secret = make_secret();
+    const std::string text = secret_text(secret);
+    CHECK(text.starts_with("nezumi secret 1\n"));
+    CHECK(secret_from(text) == secret);
+    CHECK(make_secret() != secret);
+    for (const std::string& wrong : {std::string(), std::string("nezumi secret 1\n"), text.substr(16),
+                                     text.substr(0, text.size() - 5), text + "AAAA"}) {
+        CAPTURE(wrong);
+        CHECK(secret_from(wrong).error().message ==
+              "is no secret: `nezumi network secret FILE` makes one, to be copied to each host");
+    }
+}
+
+TEST_CASE("hosts with another secret, or without one, do not hear each other", "[dds][secret]") {
+    FakeDomain domain;
+    const auto one = domain.join(), two = domain.join(), open = domain.join();
+    const Secret secret = make_secret();
+    const auto sealed_one = make_sealed_transport(*one, secret);
+    const auto sealed_two = make_sealed_transport(*two, secret);
+    const auto stranger = make_sealed_transport(*open, make_secret());
+    const auto reader = sealed_two->read(topic);
+    const auto others = open->read(topic);
+    const auto writer = sealed_one->write(topic);
+    writer->write(message);
+    auto got = reader->take();
+    REQUIRE(got.size() == 1);
+    CHECK(got[0].bytes == message);
+    CHECK(others->take().empty());
+    stranger->write(topic)->write(message);
+    open->write(topic)->write(message);
+    CHECK(reader->take().empty());
+    CHECK(reader->lost() == 1);
+}
+
+TEST_CASE("an announcement that was kept from earlier is none", "[dds][secret]") {
+    const std::uint64_t own = 77;
+    HostTable hosts({.protocol = protocol, .host = "me", .version = "1.0"}, own, true);
+    hosts.heard(1, announced("ev3", 5, 1, {}), 0);  // of a time before this run
+    CHECK(hosts.find("ev3") == nullptr);
+    CHECK(hosts.heard_runs() == std::vector<std::uint64_t>{5});
+    hosts.heard(1, announced("ev3", 5, 2, {own}), 0);
+    REQUIRE(hosts.find("ev3") != nullptr);
+    hosts.heard(1, announced("ev3", 5, 1, {}), 0);  // an older one of the same run
+    REQUIRE(hosts.find("ev3") != nullptr);
+    hosts.heard(2, announced("ev3", 6, 1, {own}), 1);  // it has started anew
+    REQUIRE(hosts.find("ev3") != nullptr);
+    CHECK(hosts.find("ev3")->run == 6);
+    hosts.heard(3, announced("ev3", 5, 9, {own}), 2);  // and what it said before is sent again
+    CHECK(hosts.find("ev3")->run == 6);
+}
