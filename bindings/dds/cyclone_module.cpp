@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstddef>
 #include <cstring>
 #include <memory>
@@ -144,9 +145,26 @@ private:
     std::string text_;
 };
 
+// The threads that are made meanwhile take no signals: these are for the threads that wait for them.
+class WithoutSignals {
+public:
+    WithoutSignals() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_SETMASK, &all, &before_);
+    }
+    ~WithoutSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    WithoutSignals(const WithoutSignals&) = delete;
+    WithoutSignals& operator=(const WithoutSignals&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
 class Cyclone final : public Transport {
 public:
     std::string open(const DomainOptions& options) {
+        const WithoutSignals during;
         domain_.emplace(dds_create_domain(options.domain, options.xml.c_str()));
         if (!domain_->ok()) return explain("the domain can't be opened", domain_->get());
         participant_.emplace(dds_create_participant(options.domain, nullptr, nullptr));
