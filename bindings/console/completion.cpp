@@ -34,7 +34,10 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 
 Names names_of(const System& system) {
     Names names;
-    for (const auto& component : system.components()) names.push_back(component->name());
+    for (const auto& component : system.components()) {
+        if (!is_remote(component->name()))
+            names.push_back(component->name());  // those of other hosts are no names of Lua
+    }
     return names;
 }
 

@@ -142,6 +142,7 @@ std::vector<std::string> component_names(Session::Parts& parts) {
 
 std::vector<std::string> names_in_scope(Session::Parts& parts) {
     std::vector<std::string> names = component_names(parts);
+    std::erase_if(names, [](const std::string& name) { return is_remote(name); });  // known as texts: "ev3/vehicle.out"
     lua_State* L = parts.state->lua();
     const int top = lua_gettop(L);
     if (lua_checkstack(L, 6) != 0) {
