@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
@@ -68,7 +71,8 @@ void Inlet::take(const Octets& bytes, const Time& now, std::uint64_t run, double
     MessageHead head;
     const Expected<void> read =
         std::visit([&](auto& payload) { return read_cdr(bytes, on_the_wire, head, payload); }, payload_);
-    const bool fits = read && is_finite(payload_) && is_finite(head) && head.run == run;
+    const double sent = head.stamp + head.offset;
+    const bool fits = read && is_finite(payload_) && std::isfinite(sent) && head.run == run;
     // A number that was there already is a message that comes again.
     if (!fits || head.number <= progress_.number) {
         ++counts_.wrong;
@@ -76,14 +80,14 @@ void Inlet::take(const Octets& bytes, const Time& now, std::uint64_t run, double
     }
     if (progress_.number > 0) counts_.missed += head.number - progress_.number - 1;
     progress_.number = head.number;
-    const double age = age_.of(head.stamp + head.offset, clock);
+    const double age = age_.of(sent, clock);
     if (is_velocity(port_.type()) && age > silence) {
         ++counts_.late;
         return;
     }
     ++counts_.taken;
     port_.write_any(payload_);
-    port_.stamp(now.seconds - age);
+    port_.stamp(std::max(0.0, now.seconds - age));
 }
 
 }  // namespace nezumi::dds

@@ -95,7 +95,9 @@ TEST_CASE("what is no message of the port's type, or not finite, is not taken", 
     CHECK_FALSE(line.receive(1));
     line.send({.run = 7, .number = 2, .offset = std::numeric_limits<double>::infinity()}, {});
     CHECK_FALSE(line.receive(1));
-    CHECK(line.inlet.counts().wrong == 4);
+    line.send({.run = 7, .number = 3, .stamp = 1e308, .offset = 1e308}, {});
+    CHECK_FALSE(line.receive(1));
+    CHECK(line.inlet.counts().wrong == 5);
 }
 
 TEST_CASE("an outlet sends every message of a tick, with what it says of itself", "[dds]") {

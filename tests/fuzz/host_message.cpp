@@ -1,0 +1,76 @@
+// What another host or a node of ROS sends: announcements, messages of ports, topics, sealed ones. Nothing of it may do
+// more than count as wrong.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "bindings/dds/host_table.hpp"
+#include "bindings/dds/port_topic.hpp"
+#include "bindings/dds/ros/mapping.hpp"
+#include "bindings/dds/sealed_transport.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/ports/port.hpp"
+#include "tests/fuzz/require.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+// Gives one message.
+class OneMessage final : public dds::Reader {
+public:
+    explicit OneMessage(std::span<const std::uint8_t> bytes) : bytes_(bytes.begin(), bytes.end()) {}
+    std::vector<dds::Sample> take() override { return {{std::exchange(bytes_, {}), 1}}; }
+    std::vector<std::uint64_t> writers() const override { return {1}; }
+    std::uint64_t lost() const override { return 0; }
+
+private:
+    Octets bytes_;
+};
+
+void announce(std::span<const std::uint8_t> bytes) {
+    dds::HostTable hosts({.protocol = dds::protocol, .host = "me", .version = "1"}, 1, bytes.size() % 2 == 0);
+    hosts.heard(1, bytes, 0);
+    hosts.heard(2, bytes, 1);
+    const std::uint64_t writers[] = {2};
+    hosts.keep(writers, 10);
+    for (const dds::Announcement* host : hosts.all()) require(hosts.find(host->head.host) == host);
+}
+
+void receive(std::size_t type, std::span<const std::uint8_t> bytes) {
+    const auto port = make_out_port(type, "out", "");
+    dds::Progress progress;
+    dds::Inlet inlet(*port, std::make_unique<OneMessage>(bytes), progress);
+    inlet.receive({.tick = 1, .seconds = 1}, 1, 1);
+    port->latch({.tick = 1, .seconds = 1});
+    require(is_finite(port->value()));
+}
+
+void subscribe(const ros::Mapping& mapping, std::span<const std::uint8_t> bytes) {
+    if (mapping.subscribe == nullptr) return;
+    const auto port = make_out_port(mapping.port_type, "out", "");
+    mapping.subscribe(*port, std::make_unique<OneMessage>(bytes))->receive(1);
+    port->latch({.tick = 1, .seconds = 1});
+    require(is_finite(port->value()));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const std::span<const std::uint8_t> bytes(data + 1, size - 1);
+    const std::size_t kinds = 2 + message_type_count + ros::mappings().size();
+    std::size_t kind = data[0] % kinds;
+    if (kind == 0) {
+        announce(bytes);
+    } else if (kind == 1) {
+        require(!dds::unseal(bytes, {.name = "a", .type = "b"}, dds::Secret{}).has_value());
+    } else if (kind -= 2; kind < message_type_count) {
+        receive(kind, bytes);
+    } else {
+        subscribe(ros::mappings()[kind - message_type_count], bytes);
+    }
+    return 0;
+}
