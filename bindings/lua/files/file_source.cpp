@@ -159,7 +159,7 @@ private:
 std::string to_text(const FieldPath& path) {
     std::string text;
     for (const std::string& part : path) {
-        if (!text.empty() && part.front() != '[') text += '.';
+        if (!text.empty() && !part.starts_with('[')) text += '.';  // a person's own name may be empty
         text += part;
     }
     return text;

@@ -82,6 +82,7 @@ TEST_CASE("ros refuses what is no topic", "[lua][system_file][network]") {
         CHECK(error("ros { node = 'n', publish = { ['a.b'] = '" + std::string(topic) + "' } }")
                   .find("names no topic '" + std::string(topic) + "'") != std::string::npos);
     }
+    CHECK(error("ros { node = 'n', subscribe = { [''] = 'a.b' } }").find("names no topic ''") != std::string::npos);
     CHECK(error("ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }").find("did you mean 'topic'?") !=
           std::string::npos);
     CHECK(error("ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }")
