@@ -116,6 +116,8 @@ public:
         auto live = journal_.load(options_, live_options());
         if (!live) return Unexpected(why_no_system(live.error()));
         live_ = std::move(*live);
+        if (live_->spec().rtm && options_.replay.empty())
+            return failure("rtm: this nezumi has no part for OpenRTM's components", live_->spec().rtm->place);
         StopSignals stop_signals;
         live_->trace().remember_ports();
         if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());

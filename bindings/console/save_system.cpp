@@ -125,6 +125,22 @@ void leave_out_twins(SystemSpec& spec) {
     }
 }
 
+// What was removed is no RTC any more.
+void leave_out_rtm(SystemSpec& spec) {
+    if (!spec.rtm) return;
+    std::erase_if(spec.rtm->exported, [&](const std::string& name) {
+        return std::none_of(spec.entries.begin(), spec.entries.end(),
+                            [&](const Entry& entry) { return name_of(entry) == name; });
+    });
+    const auto is_exported = [&](const std::string& end) {
+        const auto& names = spec.rtm->exported;
+        return is_rtm_path(end) || std::find(names.begin(), names.end(), end.substr(0, end.find('.'))) != names.end();
+    };
+    std::erase_if(spec.rtm_connections, [&](const ConnectionSpec& connection) {
+        return !is_exported(connection.from) || !is_exported(connection.to);
+    });
+}
+
 }  // namespace
 
 PresentSystem present_system(const LiveSystem& live) {
@@ -135,6 +151,7 @@ PresentSystem present_system(const LiveSystem& live) {
     std::erase_if(spec.connections, [&](const ConnectionSpec& connection) {
         return system.network() != nullptr && system.network()->brought(connection);
     });
+    leave_out_rtm(spec);
     leave_out_twins(spec);
     for (Entry& entry : spec.entries) {
         std::visit([&](auto& each) { bring_up_to_date(each, *system.find(each.name)); }, entry);

@@ -160,6 +160,24 @@ struct Describe<RosSpec> {
         Internal{&RosSpec::publish},
         Internal{&RosSpec::subscribe},
         Internal{&RosSpec::place},
+template <>
+struct Describe<RtmSpec> {
+    static constexpr std::string_view name = "rtm";
+    static constexpr std::string_view doc = "Components that OpenRTM-aist's see, and may be connected to.";
+    static constexpr std::tuple fields{
+        Setting{"nameserver",
+                &RtmSpec::nameserver,
+                "",
+                "\"HOST:PORT\" of the CORBA name service",
+                {.adopt = adopt_nameserver}},
+        Setting{"export", &RtmSpec::exported, "", "the components that appear there"},
+        Setting{"interface",
+                &RtmSpec::interface,
+                "",
+                "this computer's address at which others reach them; as it is, only this computer does",
+                {.adopt = adopt_interface}},
+        Setting{"rename", &RtmSpec::rename, "", "what a port is called there, by `\"name.port\"`"},
+        Internal{&RtmSpec::place},
     };
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/components/parameter.hpp"
+#include "engine/system/rtm_spec.hpp"
 #include "engine/world/arena_spec.hpp"
 #include "engine/world/robot_spec.hpp"
 
@@ -134,6 +135,8 @@ struct SystemSpec {
     std::vector<ConnectionSpec> connections;
     std::optional<NetworkSpec> network{};
     std::optional<RosSpec> ros{};
+    std::optional<RtmSpec> rtm;                    ///< none: no RTC sees the system
+    std::vector<ConnectionSpec> rtm_connections;   ///< those that have an RTC's port at one end
     std::vector<std::string> files;  ///< every file it was read from: system, models, maps
 };
 

@@ -636,6 +636,11 @@ function output(name, type, doc, options) end
 ---@field port? string of `subscribe`: the in-port, "name.port"
 ---@field type? string the message's type, for example "geometry_msgs/msg/TwistStamped"
 ---@field frame? string of the message's header
+---@class (exact) RtmFields
+---@field nameserver? string "HOST:PORT" of the CORBA name service
+---@field export? string|string[] the components that appear there
+---@field interface? string this computer's address at which others reach them; as it is, only this computer does
+---@field rename? table<string, ParameterValue> what a port is called there, by `"name.port"`
 
 ---@class (exact) BodyFields
 ---@field shape? "box"|"cylinder"
@@ -925,9 +930,12 @@ function network(fields) end
 ---This system is a node among those of ROS 2.
 ---@param fields RosFields
 function ros(fields) end
+---Components that OpenRTM-aist's see, and may be connected to.
+---@param fields RtmFields
+function rtm(fields) end
 
 ---Connects an out-port to an in-port of the same type.
----@param from string|Port "name.port", or in a scenario the port itself
+---@param from string|Port "name.port", "rtm:NAME.port", or in a scenario the port itself
 ---@param to string|Port
 function connect(from, to) end
 
@@ -1234,9 +1242,12 @@ function s:network(fields) end
 ---This system is a node among those of ROS 2.
 ---@param fields RosFields
 function s:ros(fields) end
+---Components that OpenRTM-aist's see, and may be connected to.
+---@param fields RtmFields
+function s:rtm(fields) end
 
 ---Connects an out-port to an in-port of the same type.
----@param from string|Port "name.port", or in a scenario the port itself
+---@param from string|Port "name.port", "rtm:NAME.port", or in a scenario the port itself
 ---@param to string|Port
 function s:connect(from, to) end
 

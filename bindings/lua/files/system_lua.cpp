@@ -31,6 +31,7 @@ enum Word : int {
     rate,
     robot,
     ros,
+    rtm,
     seed,
     wall
 };
@@ -113,6 +114,7 @@ Expected<Result> carry_out(const WordHost& host, int word, const WordCall& call,
         case physics: return nothing(words.physics(call, *first));
         case rate: return nothing(words.rate(call, *first));
         case ros: return nothing(words.ros(call, *first));
+        case rtm: return nothing(words.rtm(call, *first));
         case seed: return nothing(words.seed(call, *first));
         default: {
             auto thing = words.thing(call, *first);
@@ -179,6 +181,9 @@ const std::vector<const char*>& system_word_names() {
     static const std::vector<const char*> names{
         "arena",  "behavior", "box",     "component", "connect", "csv",   "cylinder", "floor", "line", "map",
         "marker", "maze",     "network", "physics",   "rate",    "robot", "ros",      "seed",  "wall"};
+    static const std::vector<const char*> names{"arena",    "behavior", "box",   "component", "connect", "csv",
+                                                "cylinder", "floor",    "line",  "map",       "marker",  "maze",
+                                                "physics",  "rate",     "robot", "rtm",       "seed",    "wall"};
     return names;
 }
 

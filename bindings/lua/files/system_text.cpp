@@ -84,6 +84,12 @@ std::string place_in_domain(const T& spec) {
 std::string ros(const RosSpec& spec) {
     return fmt::format("ros {{\n  {},\n{}{}}}\n", place_in_domain(spec), topics("publish", spec.publish),
                        topics("subscribe", spec.subscribe));
+std::string rtm(const RtmSpec& rtm) {
+    std::string names;
+    for (const std::string& name : rtm.exported) names += (names.empty() ? "{ " : ", ") + quoted(name);
+    const std::string own = write_record(rtm);
+    if (names.empty()) return fmt::format("rtm {}\n", own);
+    return fmt::format("rtm {{ export = {} }}{}\n", names, own == "{}" ? " }" : ", " + own.substr(2));
 }
 
 }  // namespace
@@ -106,9 +112,11 @@ std::string write_system_text(const SystemSpec& spec, const std::string& title) 
             },
             each);
     }
-    text += spec.connections.empty() ? "" : "\n";
-    for (const ConnectionSpec& connection : spec.connections) {
-        text += fmt::format("connect({}, {})\n", quoted(connection.from), quoted(connection.to));
+    if (spec.rtm) text += "\n" + rtm(*spec.rtm);
+    text += spec.connections.empty() && spec.rtm_connections.empty() ? "" : "\n";
+    for (const auto* connections : {&spec.connections, &spec.rtm_connections}) {
+        for (const ConnectionSpec& connection : *connections)
+            text += fmt::format("connect({}, {})\n", quoted(connection.from), quoted(connection.to));
     }
     return text;
 }

@@ -61,7 +61,9 @@ bool is_taken_name(std::string_view name) {
 
 SystemWords::SystemWords(const Project& project, SystemSpec start) : project_(project), spec_(std::move(start)) {
     for (const Entry& entry : spec_.entries) names_.emplace(name_of(entry), names_.size());
-    for (const ConnectionSpec& connection : spec_.connections) wired_.emplace(connection.from, connection.to);
+    for (const auto* connections : {&spec_.connections, &spec_.rtm_connections}) {
+        for (const ConnectionSpec& connection : *connections) wired_.emplace(connection.from, connection.to);
+    }
 }
 
 void SystemWords::note_file(const std::string& shown) {
@@ -165,21 +167,29 @@ Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const
 Expected<void> SystemWords::connect(const WordCall& call, const FileValue& from, const FileValue& to) {
     ConnectionSpec connection;
     connection.place = call.place;
+    const auto is_rtm = [](const FileValue& end) { return end.text() != nullptr && is_rtm_path(*end.text()); };
     for (auto [value, out] : {std::pair{&from, &connection.from}, std::pair{&to, &connection.to}}) {
         const std::string* path = value->text();
-        if (path == nullptr || !is_port_path(*path)) {
+        if (is_rtm(*value)) {
+            if (auto ok = rtm_path(*path); !ok) return failure("connect: " + ok.error().message, call.place);
+        } else if (path == nullptr || !is_port_path(*path)) {
             const std::string got = path == nullptr ? nezumi::kind_of(*value) : "'" + *path + "'";
             return failure(fmt::format("connect: expected \"name.port\", got {}", got), call.place);
         }
         *out = *path;
     }
+    if (is_rtm(from) && is_rtm(to)) {
+        return failure("connect: both ends are ports of other programs: one of them must be of this system",
+                       call.place);
+    }
+    auto& connections = is_rtm(from) || is_rtm(to) ? spec_.rtm_connections : spec_.connections;
     if (!wired_.emplace(connection.from, connection.to).second) {
-        const auto other = std::find(spec_.connections.begin(), spec_.connections.end(), connection);
+        const auto other = std::find(connections.begin(), connections.end(), connection);
         return failure(fmt::format("connect: {} is connected to {} already, at {}:{}", connection.from, connection.to,
                                    other->place.file, other->place.line),
                        call.place);
     }
-    spec_.connections.push_back(std::move(connection));
+    connections.push_back(std::move(connection));
     return {};
 }
 
@@ -259,6 +269,7 @@ Expected<void> SystemWords::finish(bool is_part) const {
                        marker.place);
     }
     if (auto ok = check_network(); !ok) return ok;
+    if (auto ok = check_rtm(); !ok) return ok;
     std::vector<std::string_view> robots;
     for (const Entry& entry : spec_.entries) {
         if (std::holds_alternative<RobotEntry>(entry)) robots.push_back(name_of(entry));

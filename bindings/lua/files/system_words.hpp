@@ -55,6 +55,7 @@ public:
     Expected<void> physics(const WordCall& call, const FileValue& fields);
     Expected<void> network(const WordCall& call, const FileValue& fields);
     Expected<void> ros(const WordCall& call, const FileValue& fields);
+    Expected<void> rtm(const WordCall& call, const FileValue& fields);
 
     /// Checks what depends on the whole, which a part does not know. May be called again after more words.
     Expected<void> finish(bool is_part = false) const;
@@ -102,6 +103,7 @@ private:
     Expected<void> check_lines() const;
     Expected<void> check_mazes() const;
     Expected<void> check_network() const;
+    Expected<void> check_rtm() const;
 
     const Project& project_;
     SystemSpec spec_;

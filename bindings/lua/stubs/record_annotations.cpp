@@ -60,7 +60,7 @@ struct Word {
 };
 constexpr Word words[] = {
     {"connect", "Connects an out-port to an in-port of the same type.",
-     "---@param from string|Port \"name.port\", or in a scenario the port itself\n---@param to string|Port\n",
+     "---@param from string|Port \"name.port\", \"rtm:NAME.port\", or in a scenario the port itself\n---@param to string|Port\n",
      "from, to"},
     {"csv", "Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.", "---@param file string\n---@return Thing\n",
      "file"},
@@ -97,6 +97,7 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<NetworkSpec>(),
         shape_of_record<RosSpec>(),
         shape_of_record<RosTopic>(),
+        shape_of_record<RtmSpec>(),
         of_robot(shape_of_record<BodySpec>()),
         of_robot(shape_of_record<DriveSpec>()),
         of_robot(shape_of_record<SensorSpec>()),
@@ -138,6 +139,8 @@ std::string system_word_annotations(bool methods) {
                               record.name == "line";
         if (is_entry || is_thing || record.name == "arena" || record.name == "physics" || record.name == "network" ||
             record.name == "ros")
+        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" ||
+            record.name == "rtm")
             text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
     }
     for (const Word& each : words) {

@@ -51,6 +51,7 @@ const std::map<std::string, std::string> systems{
     {"network", "network { % }"},
     {"ros", "ros { % }"},
     {"ros_topic", "ros { node = 'n', subscribe = { ['/a'] = { % } } }"},
+    {"rtm", "rtm { % }"},
 };
 const std::string wheels = "return robot_model { mass = 1, drive = { radius = 0.02, track = 0.1 }, ";
 const std::map<std::string, std::string> robots{

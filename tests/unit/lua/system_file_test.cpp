@@ -320,3 +320,27 @@ TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_fi
     scratch.write("behaviors/rooms/map.yaml", "image: gone.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
     CHECK(read("arena { map 'rooms/map.yaml' }").error().message.find("gone.pgm") != std::string::npos);
 }
+
+TEST_CASE("a system says which RTCs see it, and where its ports lead", "[lua][system_file][rtm]") {
+    const auto spec = system_of(
+        "behavior 'c' { script = 'robot_controller' }\n"
+        "rtm { nameserver = 'pc', export = { 'c' }, interface = '192.168.1.10', rename = { ['c.in'] = 'ir' } }\n"
+        "connect('rtm:ConsoleOut0.out', 'c.in')\n"
+        "connect('c.out', 'rtm:pc.host_cxt/RaspberryPiMouse0.target_velocity_in')");
+    REQUIRE(spec.rtm);
+    CHECK(spec.rtm->nameserver == "pc:2809");
+    CHECK(spec.rtm->exported == std::vector<std::string>{"c"});
+    CHECK(spec.rtm->interface == "192.168.1.10");
+    CHECK(spec.rtm->rename == ParameterValues{{"c.in", std::string("ir")}});
+    CHECK(spec.connections.empty());
+    REQUIRE(spec.rtm_connections.size() == 2);
+    CHECK(spec.rtm_connections[0].to == "c.in");
+    CHECK(rtm_path(spec.rtm_connections[1].to) ==
+          RtmPath{"pc.host_cxt/RaspberryPiMouse0", "target_velocity_in"});
+
+    const auto plain = system_of("behavior 'c' { script = 'robot_controller' }");
+    CHECK_FALSE(plain.rtm);
+    const auto alone = system_of("behavior 'c' { script = 'robot_controller' } rtm { export = 'c' }");
+    CHECK(alone.rtm->nameserver == "localhost:2809");
+    CHECK(alone.rtm->interface == "127.0.0.1");
+}

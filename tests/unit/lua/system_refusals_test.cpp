@@ -328,3 +328,49 @@ TEST_CASE("a check of a system file tells every unknown global", "[lua][system_f
     CHECK(check_system_text("", "s.lua", project).size() == 1);
     CHECK(check_system_text("rate(60)", "s.lua", project).size() == 1);
 }
+
+TEST_CASE("what RTCs see is said once, by names that there are", "[lua][system_file][rtm]") {
+    const std::string c = "behavior 'c' { script = 'robot_controller' }\n";
+    CHECK(error(c + "rtm { exports = 'c' }") == "s.lua:2:7: rtm: unknown field 'exports' (did you mean 'export'?)");
+    CHECK(error(c + "rtm { export = 5 }") ==
+          "s.lua:2:7: rtm: field 'export' expected a name or a list of names, got number");
+    CHECK(error(c + "rtm { export = { 'c', 'd' } }") ==
+          "s.lua:2: rtm: field 'export' names no component: there is none 'd' (did you mean 'c'?)");
+    CHECK(error(c + "rtm { export = { 'c', 'c' } }") == "s.lua:2:7: rtm: field 'export' has 'c' twice");
+    CHECK(error(c + "rtm { export = 'c' }\nrtm {}") ==
+          "s.lua:3: rtm: is set already, at behaviors/systems/s.lua:2");
+    CHECK(error(c + "rtm { nameserver = 'localhost:0' }") ==
+          "s.lua:2:7: rtm: field 'nameserver' expected \"HOST:PORT\", got 'localhost:0'");
+    CHECK(error(c + "rtm { nameserver = 'corbaloc::localhost' }").find("expected \"HOST:PORT\"") != std::string::npos);
+    CHECK(error(c + "rtm { interface = 'eth0' }") ==
+          "s.lua:2:7: rtm: field 'interface' expected an address as 192.168.1.10, got 'eth0'");
+    CHECK(error(c + "rtm { interface = '1.2.3.256' }").find("got '1.2.3.256'") != std::string::npos);
+    CHECK(error(c + "rtm { export = 'c', rename = { ['d.in'] = 'x' } }")
+              .find("field 'rename' gives 'd.in' another name: expected \"name.port\" of a component that is "
+                    "exported") != std::string::npos);
+    CHECK(error(c + "rtm { export = 'c', rename = { ['c.in'] = 'a b' } }")
+              .find("field 'rename' gives 'c.in' another name: 'a b' is no name of a port") != std::string::npos);
+    CHECK(error(c + "rtm { export = 'c', rename = { ['c.in'] = 5 } }")
+              .find("field 'rename' gives 'c.in' another name: expected a port's name there, got 5") !=
+          std::string::npos);
+}
+
+TEST_CASE("one end of a connection may be another program's port, and the other is exported",
+          "[lua][system_file][rtm]") {
+    const std::string c = "behavior 'c' { script = 'robot_controller' }\n";
+    const std::string exported = c + "rtm { export = 'c' }\n";
+    CHECK(error(c + "connect('rtm:Out0.out', 'c.in')") ==
+          "s.lua:2: connect: rtm:Out0.out is a port of another program, which sees only what is exported: write rtm { "
+          "export = { \"c\" } }");
+    CHECK(error(exported + "connect('rtm:Out0.out', 'd.in')") ==
+          "s.lua:3: connect: there is no component 'd' (did you mean 'c'?)");
+    CHECK(error(exported + "connect('rtm:Out0.out', 'rtm:In0.in')") ==
+          "s.lua:3: connect: both ends are ports of other programs: one of them must be of this system");
+    for (const std::string slip : {"rtm:", "rtm:out", "rtm:.out", "rtm:Out0.", "rtm:/Out0.out", "rtm:a//b.out",
+                                   "rtm:a.b/c", "rtm:Out 0.out"}) {
+        CHECK(error(exported + "connect('" + slip + "', 'c.in')") ==
+              "s.lua:3: connect: expected \"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got '" + slip + "'");
+    }
+    CHECK(error(exported + "connect('rtm:Out0.out', 'c.in')\nconnect('rtm:Out0.out', 'c.in')") ==
+          "s.lua:4: connect: rtm:Out0.out is connected to c.in already, at behaviors/systems/s.lua:3");
+}

@@ -13,3 +13,5 @@ component "eye" { type = "Camera", on = "m", at = { 0.05, 0, 0.08 }, yaw = 0.1, 
 connect("m.ir_sensor_out", "c.in")
 for i = 1, 3 do robot("m" .. i, { model = "raspimouse", pose = { x = i, y = 0, heading = 0 } }) end
 local ok = pcall(require, "lib.swarm_arena")
+rtm { nameserver = "localhost:2809", export = { "m", "c" }, interface = "127.0.0.1", rename = { ["c.in"] = "ir" } }
+connect("rtm:pc.host_cxt/ConsoleOut0.out", "c.in")
