@@ -1,0 +1,117 @@
+// CORBA's side of the system, in threads of its own: a module that is loaded by the first run whose file says `rtm`.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi::openrtm {
+
+/// A port of an RTC of ours.
+struct RtcPort {
+    std::string path{};  ///< "controller.in": how the system calls it
+    std::string name{};  ///< "in": how it is called there
+    std::string type{};  ///< "TimedShortSeq"
+    bool is_in = false;
+    bool operator==(const RtcPort&) const = default;
+};
+
+/// A component as others see it, as far as it never changes.
+struct RtcProfile {
+    std::string component{};  ///< its name in the system; "controller" is the RTC "controller0"
+    std::string type{};
+    double rate = 0;  ///< [Hz] of its executions
+    std::vector<RtcPort> ports{};
+    bool operator==(const RtcProfile&) const = default;
+};
+
+/// Names with what belongs to them, in order: as RTCs have values, all of them texts.
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
+enum class RtcState { inactive, active, error };
+
+/// What changes of a component.
+struct RtcLook {
+    RtcState state = RtcState::inactive;
+    std::string set = "default";  ///< the configuration set in use
+    /// The values of each set, the widgets, bounds and types of parameters: "default", "__widget__" ...
+    std::vector<std::pair<std::string, Texts>> sets{};
+};
+
+/// What somebody wants of a component of ours.
+struct RtcRequest {
+    enum class What { activate, deactivate, reset, use, set };
+    What what = What::activate;
+    std::string component{};
+    std::string set{};  ///< of `use` and `set`
+    Texts values{};     ///< of `set`: parameters of the set
+};
+
+enum class RtcAnswer { done, refused, unknown, busy };
+enum class PutAnswer { taken, malformed, unknown };
+
+/// The system, as CORBA's threads ask for it. None of it waits for a tick for longer than a second.
+class RtcSite {
+public:
+    virtual ~RtcSite() = default;
+
+    virtual RtcLook look(std::string_view component) = 0;
+    virtual RtcAnswer perform(const RtcRequest& request) = 0;
+    /// A message for an in-port, from a connection that is called `from`.
+    virtual PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
+                          std::endian order) = 0;
+    /// A connection to an in-port is gone.
+    virtual void left(std::string_view path, std::string_view from) = 0;
+    /// Something that a person should know.
+    virtual void tell(bool is_problem, std::string text) = 0;
+};
+
+/// A connection that is wanted: made as soon as the other RTC is there, and made again when it was away.
+struct RtcLink {
+    std::string path{};       ///< "controller.in"
+    std::string component{};  ///< "ConsoleOut0" or "pc.host_cxt/ConsoleOut0"
+    std::string port{};       ///< "out"
+    bool operator==(const RtcLink&) const = default;
+};
+
+/// The byte orders in which connections want an out-port's messages.
+struct WantedOrders {
+    bool little = false;
+    bool big = false;
+};
+
+/// What RTCs see. None of it waits for a peer, but for its end.
+class Orb {
+public:
+    /// Takes the RTCs out of the name service, disconnects them and ends all threads, within about two seconds.
+    virtual ~Orb() = default;
+
+    /// These are RTCs from now on, and no others; who stays as it was keeps its connections.
+    virtual void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) = 0;
+    virtual WantedOrders wanted(std::string_view path) = 0;
+    /// Hands a message to the connections of an out-port that want it in this order.
+    virtual void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) = 0;
+};
+
+struct OrbOptions {
+    std::string nameserver = "localhost:2809";
+    std::string interface = "127.0.0.1";
+};
+
+/// Begins. `site` must outlive it. The error says in one line why it can't: what to install.
+Expected<std::unique_ptr<Orb>> open_orb(const OrbOptions& options, RtcSite& site);
+
+// What the program and its module know of each other: they are built together.
+inline constexpr const char* orb_module = "nezumi_orb.so";
+inline constexpr const char* open_in_module = "nezumi_open_orb";
+/// The module's one function: CORBA's side, or nullptr with the `problem`. It throws nothing.
+using OpenInModule = Orb*(const OrbOptions& options, RtcSite& site, std::string& problem);
+
+}  // namespace nezumi::openrtm

@@ -1,0 +1,189 @@
+// A round takes what the system wants, sees that it is known, and sees who has gone; it never holds a lock meanwhile.
+#include "bindings/openrtm/orb/keeper.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "bindings/openrtm/orb/linker.hpp"
+#include "bindings/openrtm/orb/threads.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+// Between two rounds; and so many of them until names and peers are looked after again.
+constexpr std::chrono::milliseconds pause{200};
+constexpr int rounds_of_peers = 5;
+constexpr int rounds_of_links = 2;
+// Instances of one name on a computer.
+constexpr int most_instances = 100;
+
+}  // namespace
+
+Keeper::Keeper(const Home& home, const OrbOptions& options) : home_(home), names_(home.orb, options.nameserver) {
+    thread_ = start_thread([this] { run(); });
+}
+
+Keeper::~Keeper() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+    for (const Rtc& rtc : rtcs_) withdraw(*rtc.in());
+}
+
+void Keeper::show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) {
+    {
+        const std::lock_guard lock(mutex_);
+        wanted_ = {std::move(profiles), std::move(links)};
+        is_new_ = true;
+    }
+    changed_.notify_all();
+}
+
+// With the lock held, or by the thread alone that changes the list.
+PortObject* Keeper::find_port(std::string_view path) {
+    for (const Rtc& rtc : rtcs_) {
+        if (PortObject* port = rtc->find_port(path)) return port;
+    }
+    return nullptr;
+}
+
+WantedOrders Keeper::wanted(std::string_view path) {
+    const std::lock_guard lock(mutex_);
+    PortObject* port = find_port(path);
+    return port != nullptr ? port->wanted() : WantedOrders{};
+}
+
+void Keeper::publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) {
+    const std::lock_guard lock(mutex_);
+    if (PortObject* port = find_port(path)) port->publish(bytes, order);
+}
+
+void Keeper::run() {
+    for (;;) {
+        Wanted wanted;
+        bool is_new = false;
+        {
+            Lock lock(mutex_);
+            changed_.wait_for(lock, pause, [this] { return ends_ || is_new_; });
+            if (ends_) return;
+            is_new = std::exchange(is_new_, false);
+            if (is_new) wanted = wanted_;
+        }
+        if (is_new) take_wanted(wanted);
+        const bool looks_around = is_new || rounds_ % rounds_of_peers == 0;
+        if (looks_around) register_all();
+        look_after_connections();
+        if (is_new || rounds_ % rounds_of_links == 0) make_links();
+        ++rounds_;
+    }
+}
+
+void Keeper::take_wanted(const Wanted& wanted) {
+    links_.clear();
+    for (const RtcLink& link : wanted.links) links_.push_back({link, {}});
+    std::vector<Rtc> gone;
+    std::vector<RtcProfile> fresh;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto stays = [&](const Rtc& rtc) {
+            return std::find(wanted.profiles.begin(), wanted.profiles.end(), rtc->profile()) != wanted.profiles.end();
+        };
+        const auto first_gone = std::stable_partition(rtcs_.begin(), rtcs_.end(), stays);
+        gone.assign(first_gone, rtcs_.end());
+        rtcs_.erase(first_gone, rtcs_.end());
+        for (const RtcProfile& profile : wanted.profiles) {
+            const auto is_it = [&](const Rtc& rtc) { return rtc->profile() == profile; };
+            if (std::none_of(rtcs_.begin(), rtcs_.end(), is_it)) fresh.push_back(profile);
+        }
+    }
+    for (const Rtc& rtc : gone) withdraw(*rtc.in());
+    for (const RtcProfile& profile : fresh) {
+        const Rtc rtc(new RtcObject(home_, profile, free_instance(profile.component)));
+        rtc->begin();
+        const std::lock_guard lock(mutex_);
+        rtcs_.push_back(rtc);
+    }
+}
+
+void Keeper::withdraw(RtcObject& rtc) {
+    try {
+        names_.unbind(rtc.instance() + ".rtc", rtc.reference());
+    } catch (const CORBA::Exception&) {
+        // The name service is away: whoever looks there next finds a stale entry, as after any crash.
+        told_.clear();
+    }
+    rtc.withdraw();
+}
+
+// The first instance that nobody who lives has on this computer.
+std::string Keeper::free_instance(const std::string& component) {
+    try {
+        for (int i = 0; i < most_instances; ++i) {
+            const std::string instance = component + std::to_string(i);
+            if (names_.bound(instance + ".rtc", CORBA::Object::_nil()) != NameService::Bound::other) return instance;
+        }
+    } catch (const CORBA::Exception&) {
+        // It is asked again when it is registered.
+        return component + "0";
+    }
+    return component + "0";
+}
+
+void Keeper::register_all() {
+    const std::string about = "the name service";
+    try {
+        for (const Rtc& rtc : rtcs_) {
+            const std::string name = rtc->instance() + ".rtc";
+            const auto bound = names_.bound(name, rtc->reference());
+            if (bound == NameService::Bound::ours) continue;
+            if (bound == NameService::Bound::other) {
+                tell_once(name, true, "rtm: " + name + " is another program's now: ours is not to be found");
+                continue;
+            }
+            names_.rebind(name, rtc->reference());
+            tell_once(name, false, "rtm: " + rtc->profile().component + " is " + names_.own_context() + "/" + name);
+        }
+        told_.erase(about);
+    } catch (const CORBA::Exception&) {
+        tell_once(about, true,
+                  "rtm: no name service answers at " + names_.address() +
+                      ": start one, as omniNames; nobody finds us "
+                      "until then");
+    }
+}
+
+void Keeper::look_after_connections() {
+    for (const Rtc& rtc : rtcs_) {
+        for (const auto& port : rtc->ports()) {
+            port->drop_lost();
+            if (rounds_ % rounds_of_peers == 0) port->ask_peers();
+        }
+    }
+}
+
+void Keeper::make_links() {
+    for (auto& [wanted, theirs] : links_) {
+        PortObject* port = find_port(wanted.path);
+        if (port == nullptr) continue;
+        if (!CORBA::is_nil(theirs) && port->is_connected_to(theirs)) continue;
+        const std::string other = "rtm:" + wanted.component + "." + wanted.port;
+        const std::string between = port->port().is_in ? other + " to " + wanted.path : wanted.path + " to " + other;
+        const std::string problem = link(names_, *port, wanted, theirs);
+        tell_once(between, !problem.empty(),
+                  problem.empty() ? "connected: " + between : "not connected: " + between + ": " + problem);
+    }
+}
+
+// What holds on is said once.
+void Keeper::tell_once(const std::string& about, bool is_problem, const std::string& text) {
+    std::string& last = told_[about];
+    if (last == text) return;
+    last = text;
+    home_.site.tell(is_problem, text);
+}
+
+}  // namespace nezumi::openrtm

@@ -1,0 +1,68 @@
+// The thread that keeps RTCs in the name service, and their connections alive.
+#pragma once
+
+#include <condition_variable>
+#include <map>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "bindings/openrtm/orb.hpp"
+#include "bindings/openrtm/orb/name_service.hpp"
+#include "bindings/openrtm/orb/rtc_object.hpp"
+#include "engine/base/mutex.hpp"
+
+namespace nezumi::openrtm {
+
+class Keeper {
+public:
+    Keeper(const Home& home, const OrbOptions& options);
+    /// Takes all RTCs out of the name service, and disconnects them.
+    ~Keeper();
+    Keeper(const Keeper&) = delete;
+    Keeper& operator=(const Keeper&) = delete;
+
+    // From the thread that ticks: none of it waits for a peer.
+    void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links);
+    WantedOrders wanted(std::string_view path);
+    void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order);
+
+private:
+    using Rtc = PortableServer::Servant_var<RtcObject>;
+    struct Wanted {
+        std::vector<RtcProfile> profiles{};
+        std::vector<RtcLink> links{};
+    };
+
+    void run();
+    void take_wanted(const Wanted& wanted);
+    void withdraw(RtcObject& rtc);
+    std::string free_instance(const std::string& component);
+    void register_all();
+    void look_after_connections();
+    void make_links();
+    void tell_once(const std::string& about, bool is_problem, const std::string& text);
+    PortObject* find_port(std::string_view path);
+
+    const Home home_;
+    NameService names_;
+    // A connection that is wanted, and the other port when it was made last.
+    struct Link {
+        RtcLink wanted{};
+        RTC::PortService_var theirs{};
+    };
+    std::vector<Link> links_;                  // of the thread alone, as the next two
+    std::map<std::string, std::string> told_;  // what was said last, by what it was about
+    int rounds_ = 0;
+
+    Mutex mutex_;  // of all below; never held while a peer is called
+    std::condition_variable changed_;
+    std::vector<Rtc> rtcs_;
+    Wanted wanted_;
+    bool is_new_ = false;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
+}  // namespace nezumi::openrtm

@@ -1,0 +1,91 @@
+// A port is found by the name of its RTC, and must fit.
+#include "bindings/openrtm/orb/linker.hpp"
+
+#include "bindings/openrtm/orb/properties.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+// "TimedLong" of "IDL:RTC/TimedLong:1.0" and of "TimedLong".
+std::string_view short_type(std::string_view type) {
+    const std::size_t slash = type.rfind('/');
+    if (slash != std::string_view::npos) type = type.substr(slash + 1);
+    return type.substr(0, type.find(':'));
+}
+
+// Ports of one RTC are called "ConsoleOut0.out".
+bool is_called(std::string_view name, std::string_view port) {
+    return name == port ||
+           (name.size() > port.size() && name.ends_with(port) && name[name.size() - port.size() - 1] == '.');
+}
+
+std::string_view reason_for(RTC::ReturnCode_t code) {
+    switch (code) {
+        case RTC::RTC_OK: return "";
+        case RTC::BAD_PARAMETER: return "it does not take the connection's type or properties (BAD_PARAMETER)";
+        case RTC::UNSUPPORTED: return "it does not support that (UNSUPPORTED)";
+        case RTC::OUT_OF_RESOURCES: return "it has too many connections (OUT_OF_RESOURCES)";
+        case RTC::PRECONDITION_NOT_MET: return "it says that they are connected already (PRECONDITION_NOT_MET)";
+        case RTC::RTC_ERROR: break;
+    }
+    return "it refuses it (RTC_ERROR)";
+}
+
+// Why a port of this profile can't be the other end of ours; "" when it can.
+std::string misfit(const PortObject& ours, const RTC::PortProfile& theirs) {
+    const bool is_in = text_of(theirs.properties, "port.port_type") == "DataInPort";
+    const std::string type(short_type(text_of(theirs.properties, "dataport.data_type")));
+    if (is_in == ours.port().is_in) return is_in ? "both are in-ports" : "both are out-ports";
+    if (type != ours.port().type)
+        return "it carries " + type + ", and " + ours.port().path + " carries " + ours.port().type;
+    return "";
+}
+
+std::string connect(PortObject& ours, const RtcLink& wanted, RTC::PortService_ptr theirs) {
+    if (ours.is_connected_to(theirs)) return "";
+    const RTC::PortService_var self = ours._this();
+    RTC::ConnectorProfile profile;
+    const std::string other = wanted.component + "." + wanted.port;
+    profile.name = corba_text(ours.port().is_in ? other + "_" + wanted.path : wanted.path + "_" + other);
+    profile.connector_id = corba_text("");
+    profile.ports.length(2);
+    profile.ports[0] = RTC::PortService::_duplicate(self);
+    profile.ports[1] = RTC::PortService::_duplicate(theirs);
+    add_text(profile.properties, "dataport.data_type", "IDL:RTC/" + ours.port().type + ":1.0");
+    add_text(profile.properties, "dataport.interface_type", "corba_cdr");
+    add_text(profile.properties, "dataport.dataflow_type", "push");
+    add_text(profile.properties, "dataport.subscription_type", "flush");
+    add_text(profile.properties, "dataport.marshaling_type", "cdr");
+    add_text(profile.properties, "dataport.serializer.cdr.endian", "little,big");
+    return std::string(reason_for(ours.connect(profile)));
+}
+
+}  // namespace
+
+std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RTC::PortService_var& theirs) {
+    RTC::RTObject_var rtc;
+    try {
+        rtc = names.find(wanted.component);
+    } catch (const CORBA::Exception&) {
+        return "no name service answers at " + names.address();
+    }
+    if (CORBA::is_nil(rtc)) return "there is no RTC '" + wanted.component + "' in the name service";
+    try {
+        RTC::PortServiceList_var ports = rtc->get_ports();
+        for (CORBA::ULong i = 0; i < ports->length(); ++i) {
+            const RTC::PortProfile_var profile = ports[i]->get_port_profile();
+            if (!is_called(profile->name.in(), wanted.port)) continue;
+            std::string problem = misfit(ours, profile.in());
+            if (problem.empty()) problem = connect(ours, wanted, ports[i]);
+            if (problem.empty()) theirs = RTC::PortService::_duplicate(ports[i]);
+            return problem;
+        }
+    } catch (const CORBA::TIMEOUT&) {
+        return "the RTC does not answer";
+    } catch (const CORBA::Exception&) {
+        return "what the name service has is stale: the RTC is not there";
+    }
+    return "the RTC has no port '" + wanted.port + "'";
+}
+
+}  // namespace nezumi::openrtm

@@ -1,0 +1,75 @@
+// omniORB: begins with what its options say, and ends with all that is under way.
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bindings/openrtm/orb.hpp"
+#include "bindings/openrtm/orb/keeper.hpp"
+#include "bindings/openrtm/orb/threads.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+class OmniOrb final : public Orb {
+public:
+    OmniOrb(CORBA::ORB_ptr orb, RtcSite& site, const OrbOptions& options)
+        : orb_(CORBA::ORB::_duplicate(orb)), keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)) {}
+    ~OmniOrb() override {
+        keeper_.reset();
+        try {
+            orb_->destroy();  // waits for calls that are under way: none lasts longer than a second
+        } catch (const CORBA::Exception&) {
+            return;
+        }
+    }
+    OmniOrb(const OmniOrb&) = delete;
+    OmniOrb& operator=(const OmniOrb&) = delete;
+
+    void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) override {
+        keeper_->show(std::move(profiles), std::move(links));
+    }
+    WantedOrders wanted(std::string_view path) override { return keeper_->wanted(path); }
+    void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) override {
+        keeper_->publish(path, bytes, order);
+    }
+
+private:
+    CORBA::ORB_var orb_;
+    std::unique_ptr<Keeper> keeper_;
+};
+
+CORBA::ORB_ptr begin(const OrbOptions& options) {
+    // Of each side: a call, and the connection before it [ms]; the longest message [bytes]; threads that serve peers.
+    const std::string end_point = "giop:tcp:" + options.interface + ":";
+    const char* settings[][2] = {{"clientCallTimeOutPeriod", "1000"},
+                                 {"clientConnectTimeOutPeriod", "1000"},
+                                 {"giopMaxMsgSize", "16777216"},
+                                 {"maxServerThreadPoolSize", "32"},
+                                 {"threadPerConnectionUpperLimit", "32"},
+                                 {"endPoint", end_point.c_str()},
+                                 {nullptr, nullptr}};
+    int count = 0;
+    const CORBA::ORB_var orb = CORBA::ORB_init(count, nullptr, "omniORB4", settings);
+    const CORBA::Object_var object = orb->resolve_initial_references("RootPOA");
+    const PortableServer::POA_var poa = PortableServer::POA::_narrow(object);
+    const PortableServer::POAManager_var manager = poa->the_POAManager();
+    manager->activate();
+    return CORBA::ORB::_duplicate(orb);
+}
+
+}  // namespace
+}  // namespace nezumi::openrtm
+
+extern "C" __attribute__((visibility("default"))) nezumi::openrtm::Orb* nezumi_open_orb(
+    const nezumi::openrtm::OrbOptions& options, nezumi::openrtm::RtcSite& site, std::string& problem) {
+    const nezumi::openrtm::WithoutSignals without_signals;
+    try {
+        const CORBA::ORB_var orb = nezumi::openrtm::begin(options);
+        return std::make_unique<nezumi::openrtm::OmniOrb>(orb.in(), site, options).release();
+    } catch (const CORBA::Exception& error) {
+        problem = "CORBA can't begin at " + options.interface + ": " + error._name();
+    } catch (const std::exception& error) {
+        problem = std::string("CORBA can't begin: ") + error.what();
+    }
+    return nullptr;
+}

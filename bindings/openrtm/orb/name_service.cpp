@@ -1,0 +1,127 @@
+// Names are contexts and, at last, an object of the kind "rtc".
+#include "bindings/openrtm/orb/name_service.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <utility>
+
+#include "bindings/openrtm/orb/properties.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+constexpr const char* kind_of_hosts = "host_cxt";
+constexpr const char* kind_of_rtcs = "rtc";
+// Contexts of computers that are looked through.
+constexpr CORBA::ULong most_contexts = 256;
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? name.data() : "localhost";
+}
+
+// "pc.host_cxt": what is behind the last dot is the kind. What has none, and is the last, is an RTC.
+void append(CosNaming::Name& name, std::string_view part, bool is_last) {
+    const std::size_t dot = part.rfind('.');
+    const bool has_kind = dot != std::string_view::npos && dot > 0;
+    name.length(name.length() + 1);
+    CosNaming::NameComponent& component = name[name.length() - 1];
+    component.id = corba_text(has_kind ? part.substr(0, dot) : part);
+    component.kind = corba_text(has_kind ? part.substr(dot + 1) : is_last ? kind_of_rtcs : "");
+}
+
+CosNaming::Name name_of(std::string_view path) {
+    CosNaming::Name name;
+    for (;;) {
+        const std::size_t slash = path.find('/');
+        append(name, path.substr(0, slash), slash == std::string_view::npos);
+        if (slash == std::string_view::npos) return name;
+        path = path.substr(slash + 1);
+    }
+}
+
+CosNaming::Name with(const CosNaming::NameComponent& context, const CosNaming::Name& rest) {
+    CosNaming::Name name;
+    name.length(rest.length() + 1);
+    name[0] = context;
+    for (CORBA::ULong i = 0; i < rest.length(); ++i) name[i + 1] = rest[i];
+    return name;
+}
+
+}  // namespace
+
+NameService::NameService(CORBA::ORB_ptr orb, std::string address)
+    : orb_(CORBA::ORB::_duplicate(orb)),
+      address_(std::move(address)),
+      own_context_(host_name() + "." + kind_of_hosts) {}
+
+CosNaming::NamingContext_ptr NameService::root() {
+    if (CORBA::is_nil(root_)) {
+        const CORBA::Object_var object = orb_->string_to_object(("corbaloc:iiop:" + address_ + "/NameService").c_str());
+        root_ = CosNaming::NamingContext::_unchecked_narrow(object);
+    }
+    return root_.in();
+}
+
+CORBA::Object_ptr NameService::resolve(CosNaming::NamingContext_ptr from, const CosNaming::Name& name) {
+    try {
+        return from->resolve(name);
+    } catch (const CosNaming::NamingContext::NotFound&) {
+        return CORBA::Object::_nil();
+    } catch (const CosNaming::NamingContext::CannotProceed&) {
+        return CORBA::Object::_nil();
+    } catch (const CosNaming::NamingContext::InvalidName&) {
+        return CORBA::Object::_nil();
+    }
+}
+
+NameService::Bound NameService::bound(const std::string& name, CORBA::Object_ptr ours) {
+    const CORBA::Object_var object = resolve(root(), name_of(own_context_ + "/" + name));
+    if (CORBA::is_nil(object)) return Bound::nothing;
+    if (!CORBA::is_nil(ours) && ours->_is_equivalent(object)) return Bound::ours;
+    try {
+        return object->_non_existent() ? Bound::stale : Bound::other;
+    } catch (const CORBA::Exception&) {
+        return Bound::stale;  // nobody is there, or somebody who does not answer
+    }
+}
+
+void NameService::rebind(const std::string& name, CORBA::Object_ptr object) {
+    const CosNaming::Name whole = name_of(own_context_ + "/" + name);
+    CosNaming::Name context;
+    context.length(1);
+    context[0] = whole[0];
+    try {
+        const CosNaming::NamingContext_var made = root()->bind_new_context(context);
+    } catch (const CosNaming::NamingContext::AlreadyBound&) {
+        // As on every computer that has had an RTC.
+        root()->rebind(whole, object);
+        return;
+    }
+    root()->rebind(whole, object);
+}
+
+void NameService::unbind(const std::string& name, CORBA::Object_ptr object) {
+    if (bound(name, object) == Bound::ours) root()->unbind(name_of(own_context_ + "/" + name));
+}
+
+RTC::RTObject_ptr NameService::find(const std::string& component) {
+    const CosNaming::Name name = name_of(component);
+    CORBA::Object_var object = resolve(root(), name);
+    if (CORBA::is_nil(object) && name.length() == 1) {
+        object = resolve(root(), name_of(own_context_ + "/" + component));
+        CosNaming::BindingList_var list;
+        CosNaming::BindingIterator_var more;
+        if (CORBA::is_nil(object)) root()->list(most_contexts, list.out(), more.out());
+        if (!CORBA::is_nil(more)) more->destroy();
+        for (CORBA::ULong i = 0; CORBA::is_nil(object) && i < list->length(); ++i) {
+            const CosNaming::Binding& binding = list[i];
+            if (binding.binding_type == CosNaming::ncontext && binding.binding_name.length() == 1)
+                object = resolve(root(), with(binding.binding_name[0], name));
+        }
+    }
+    return RTC::RTObject::_unchecked_narrow(object);
+}
+
+}  // namespace nezumi::openrtm

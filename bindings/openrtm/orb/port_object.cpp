@@ -1,0 +1,314 @@
+// Connecting goes round: each port tells the others what it offers, passes the connection on to the next one, and takes
+// up on the way back what the others have told.
+#include "bindings/openrtm/orb/port_object.hpp"
+
+#include <sys/random.h>
+
+#include <array>
+#include <utility>
+
+#include "bindings/openrtm/orb/properties.hpp"
+#include "bindings/openrtm/orb/servants.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+// 128 random bits in the form of a UUID.
+std::string new_id() {
+    std::array<unsigned char, 16> bytes{};
+    if (getrandom(bytes.data(), bytes.size(), 0) < 0) return "";
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string id;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (i == 4 || i == 6 || i == 8 || i == 10) id += '-';
+        id += digits[bytes[i] >> 4];
+        id += digits[bytes[i] & 15U];
+    }
+    return id;
+}
+
+SDOPackage::NVList properties_of(const RtcPort& port) {
+    SDOPackage::NVList list;
+    add_text(list, "port.port_type", port.is_in ? "DataInPort" : "DataOutPort");
+    add_text(list, "dataport.data_type", "IDL:RTC/" + port.type + ":1.0");
+    add_text(list, "dataport.interface_type", "corba_cdr");
+    add_text(list, "dataport.dataflow_type", "push,pull");
+    add_text(list, "dataport.subscription_type", port.is_in ? "Any" : "flush,new,periodic");
+    add_text(list, "dataport.marshaling_type", "cdr");
+    add_text(list, "dataport.serializer.cdr.endian", "little,big");
+    return list;
+}
+
+// What a call of a peer comes to; one that is not there, or hangs, is an error.
+template <class Call>
+RTC::ReturnCode_t ask(const Call& call) {
+    try {
+        return call();
+    } catch (const CORBA::Exception&) {
+        return RTC::RTC_ERROR;
+    }
+}
+
+// Only somebody who answers can say that an object is gone; who does not answer in time may hang.
+bool is_gone(RTC::PortService_ptr port) {
+    try {
+        return port->_non_existent();
+    } catch (const CORBA::TIMEOUT&) {
+        return false;
+    } catch (const CORBA::Exception&) {
+        return true;
+    }
+}
+
+}  // namespace
+
+PortObject::PortObject(const Home& home, RtcPort port)
+    : home_(home), port_(std::move(port)), properties_(properties_of(port_)) {}
+
+RTC::PortService_ptr PortObject::begin(RTC::RTObject_ptr owner, const std::string& instance) {
+    owner_ = RTC::RTObject::_duplicate(owner);
+    name_ = instance + "." + port_.name;
+    self_ = _this();
+    return RTC::PortService::_duplicate(self_);
+}
+
+void PortObject::withdraw() {
+    static_cast<void>(disconnect_all());
+    deactivate(*this);
+}
+
+bool PortObject::is_self(RTC::PortService_ptr other) const {
+    return !CORBA::is_nil(other) && self_->_is_equivalent(other);
+}
+
+WantedOrders PortObject::wanted() {
+    const std::lock_guard lock(mutex_);
+    WantedOrders orders;
+    for (const auto& [id, connection] : connections_) {
+        if (connection.connector == nullptr) continue;
+        (connection.terms.order == std::endian::big ? orders.big : orders.little) = true;
+    }
+    return orders;
+}
+
+void PortObject::publish(std::span<const std::uint8_t> bytes, std::endian order) {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, connection] : connections_) {
+        if (connection.connector != nullptr && connection.terms.order == order) connection.connector->publish(bytes);
+    }
+}
+
+std::vector<std::string> PortObject::ids() {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::string> all;
+    for (const auto& [id, connection] : connections_) all.push_back(id);
+    return all;
+}
+
+PortObject::Connection PortObject::take_away(const std::string& id) {
+    const std::lock_guard lock(mutex_);
+    const auto found = connections_.find(id);
+    if (found == connections_.end()) return {};
+    Connection connection = std::move(found->second);
+    connections_.erase(found);
+    return connection;
+}
+
+// Without the lock: its thread may wait for a peer that hangs.
+void PortObject::end(Connection connection) {
+    if (connection.connector == nullptr) return;
+    connection.connector.reset();
+    if (port_.is_in) home_.site.left(port_.path, inlet_of(connection.profile).from);
+}
+
+std::size_t PortObject::drop_lost() {
+    std::vector<std::string> lost;
+    {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [id, connection] : connections_) {
+            if (connection.connector != nullptr && connection.connector->is_lost()) lost.push_back(id);
+        }
+    }
+    for (const std::string& id : lost) end(take_away(id));
+    return lost.size();
+}
+
+void PortObject::ask_peers() {
+    for (const std::string& id : ids()) {
+        RTC::PortServiceList ports;
+        {
+            const std::lock_guard lock(mutex_);
+            const auto found = connections_.find(id);
+            if (found == connections_.end() || found->second.connector == nullptr) continue;
+            ports = found->second.profile.ports;
+        }
+        bool gone = false;
+        for (CORBA::ULong i = 0; i < ports.length() && !gone; ++i) gone = !is_self(ports[i]) && is_gone(ports[i]);
+        if (gone) end(take_away(id));
+    }
+}
+
+bool PortObject::is_connected_to(RTC::PortService_ptr other) {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, connection] : connections_) {
+        const RTC::PortServiceList& ports = connection.profile.ports;
+        for (CORBA::ULong i = 0; i < ports.length(); ++i) {
+            if (!CORBA::is_nil(ports[i]) && ports[i]->_is_equivalent(other)) return true;
+        }
+    }
+    return false;
+}
+
+RTC::PortProfile* PortObject::get_port_profile() {
+    RTC::PortProfile_var profile = new RTC::PortProfile;
+    profile->port_ref = RTC::PortService::_duplicate(self_);
+    profile->properties = properties_;
+    const RTC::ConnectorProfileList_var connectors = get_connector_profiles();
+    profile->connector_profiles = connectors.in();
+    profile->name = corba_text(name_);
+    profile->owner = RTC::RTObject::_duplicate(owner_);
+    return profile._retn();
+}
+
+RTC::ConnectorProfileList* PortObject::get_connector_profiles() {
+    RTC::ConnectorProfileList_var list = new RTC::ConnectorProfileList;
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, connection] : connections_) {
+        if (connection.connector == nullptr) continue;
+        list->length(list->length() + 1);
+        list[list->length() - 1] = connection.profile;
+    }
+    return list._retn();
+}
+
+RTC::ConnectorProfile* PortObject::get_connector_profile(const char* id) {
+    RTC::ConnectorProfile_var profile = new RTC::ConnectorProfile;
+    const std::lock_guard lock(mutex_);
+    const auto found = connections_.find(id);
+    if (found != connections_.end()) profile = new RTC::ConnectorProfile(found->second.profile);
+    return profile._retn();
+}
+
+RTC::ReturnCode_t PortObject::connect(RTC::ConnectorProfile& connector) {
+    if (connector.ports.length() == 0) return RTC::BAD_PARAMETER;
+    if (connector.connector_id.in()[0] == '\0') connector.connector_id = corba_text(new_id());
+    const std::string id = connector.connector_id.in();
+    const RTC::PortService_var first = RTC::PortService::_duplicate(connector.ports[0]);
+    if (CORBA::is_nil(first)) return RTC::BAD_PARAMETER;
+    const RTC::ReturnCode_t connected =
+        is_self(first) ? notify_connect(connector) : ask([&] { return first->notify_connect(connector); });
+    return connected;
+}
+
+RTC::ReturnCode_t PortObject::disconnect(const char* id) {
+    RTC::PortServiceList ports;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = connections_.find(id);
+        if (found == connections_.end()) return RTC::BAD_PARAMETER;
+        ports = found->second.profile.ports;
+    }
+    // Whoever is first passes it on; who is gone can't, and then each is told.
+    const std::string own_copy = id;
+    RTC::ReturnCode_t told = RTC::RTC_ERROR;
+    for (CORBA::ULong i = 0; i < ports.length() && told != RTC::RTC_OK; ++i) {
+        if (CORBA::is_nil(ports[i])) continue;
+        told = is_self(ports[i]) ? notify_disconnect(own_copy.c_str())
+                                 : ask([&] { return ports[i]->notify_disconnect(own_copy.c_str()); });
+    }
+    end(take_away(own_copy));
+    return told;
+}
+
+RTC::ReturnCode_t PortObject::disconnect_all() {
+    RTC::ReturnCode_t all = RTC::RTC_OK;
+    for (const std::string& id : ids()) {
+        if (const auto done = disconnect(id.c_str()); done != RTC::RTC_OK) all = done;
+    }
+    return all;
+}
+
+// Takes the connection's place, so that a second one between the same ports is refused while this one is being made.
+RTC::ReturnCode_t PortObject::reserve(const RTC::ConnectorProfile& profile, const Terms& terms) {
+    bool is_of_this = false;
+    for (CORBA::ULong i = 0; i < profile.ports.length(); ++i) {
+        if (is_self(profile.ports[i])) {
+            is_of_this = true;
+        } else if (CORBA::is_nil(profile.ports[i])) {
+            return RTC::BAD_PARAMETER;
+        } else if (is_connected_to(profile.ports[i])) {
+            return RTC::PRECONDITION_NOT_MET;
+        }
+    }
+    if (!is_of_this || profile.ports.length() < 2) return RTC::BAD_PARAMETER;
+    const std::lock_guard lock(mutex_);
+    if (connections_.size() >= most_connections) return RTC::OUT_OF_RESOURCES;
+    if (!connections_.try_emplace(profile.connector_id.in(), Connection{profile, terms, nullptr}).second)
+        return RTC::PRECONDITION_NOT_MET;
+    return RTC::RTC_OK;
+}
+
+Inlet PortObject::inlet_of(const RTC::ConnectorProfile& profile) const {
+    const std::string name = profile.name.in();
+    return {home_.site, port_.path, name.empty() ? std::string(profile.connector_id.in()) : name};
+}
+
+RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
+    if (connector.connector_id.in()[0] == '\0') return RTC::BAD_PARAMETER;
+    const std::string type = text_of(connector.properties, "dataport.data_type");
+    if (!type.empty() && type != port_.type && type != "IDL:RTC/" + port_.type + ":1.0") return RTC::BAD_PARAMETER;
+    const auto terms = terms_of(connector.properties);
+    if (!terms) return RTC::BAD_PARAMETER;
+    if (const auto reserved = reserve(connector, *terms); reserved != RTC::RTC_OK) return reserved;
+    const RTC::ReturnCode_t made = ask([&] { return make(connector, *terms); });
+    if (made != RTC::RTC_OK) end(take_away(connector.connector_id.in()));
+    return made;
+}
+
+// From here on every error takes back what was done.
+RTC::ReturnCode_t PortObject::make(RTC::ConnectorProfile& profile, const Terms& terms) {
+    // Where the other side calls, it is told where.
+    std::unique_ptr<Connector> connector;
+    const bool is_called = port_.is_in == terms.push;
+    if (is_called) {
+        connector =
+            port_.is_in ? make_push_inlet(home_.orb, inlet_of(profile), terms) : make_pull_outlet(home_.orb, terms);
+        set_text(profile.properties, port_.is_in ? in_port_reference : out_port_reference, connector->reference());
+    }
+    if (const auto told = notify_next(profile); told != RTC::RTC_OK) return told;
+    if (!is_called) {
+        const std::string reference = text_of(profile.properties, port_.is_in ? out_port_reference : in_port_reference);
+        connector = port_.is_in ? make_pull_inlet(home_.orb, reference, inlet_of(profile), terms)
+                                : make_push_outlet(home_.orb, reference, terms);
+        if (connector == nullptr) return RTC::BAD_PARAMETER;
+    }
+    const std::lock_guard lock(mutex_);
+    const auto found = connections_.find(profile.connector_id.in());
+    if (found == connections_.end()) return RTC::RTC_ERROR;  // somebody took it away meanwhile
+    found->second.profile = profile;
+    found->second.connector = std::move(connector);
+    return RTC::RTC_OK;
+}
+
+RTC::ReturnCode_t PortObject::notify_next(RTC::ConnectorProfile& profile) {
+    for (CORBA::ULong i = 0; i + 1 < profile.ports.length(); ++i) {
+        if (!is_self(profile.ports[i])) continue;
+        const RTC::PortService_var next = RTC::PortService::_duplicate(profile.ports[i + 1]);
+        return next->notify_connect(profile);
+    }
+    return RTC::RTC_OK;
+}
+
+RTC::ReturnCode_t PortObject::notify_disconnect(const char* id) {
+    const std::string own_copy = id;
+    Connection connection = take_away(own_copy);
+    if (connection.profile.ports.length() == 0) return RTC::BAD_PARAMETER;
+    const RTC::PortServiceList ports = connection.profile.ports;
+    end(std::move(connection));
+    for (CORBA::ULong i = 0; i + 1 < ports.length(); ++i) {
+        if (is_self(ports[i])) return ask([&] { return ports[i + 1]->notify_disconnect(own_copy.c_str()); });
+    }
+    return RTC::RTC_OK;
+}
+
+}  // namespace nezumi::openrtm

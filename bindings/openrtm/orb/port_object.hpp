@@ -1,0 +1,85 @@
+// A data port of an RTC: its profile, and its connections.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <rtm.hh>
+#include "bindings/openrtm/orb/connector.hpp"
+#include "engine/base/mutex.hpp"
+
+namespace nezumi::openrtm {
+
+/// Where ports and RTCs live.
+struct Home {
+    CORBA::ORB_ptr orb;
+    RtcSite& site;
+};
+
+class PortObject final : public POA_RTC::PortService {
+public:
+    /// Connections at once.
+    static constexpr std::size_t most_connections = 32;
+
+    PortObject(const Home& home, RtcPort port);
+
+    const RtcPort& port() const { return port_; }
+    /// Begins, as a port of this RTC, which is called so. Nobody knows the port before.
+    RTC::PortService_ptr begin(RTC::RTObject_ptr owner, const std::string& instance);
+    /// Nobody reaches it any more. Its connections are ended first.
+    void withdraw();
+
+    // From the thread that ticks: waits for nobody.
+    WantedOrders wanted();
+    void publish(std::span<const std::uint8_t> bytes, std::endian order);
+
+    /// Takes away the connections whose peer is gone. Returns how many.
+    std::size_t drop_lost();
+    /// Asks the ports at the other ends whether they are there; takes away the connections of those that are not.
+    void ask_peers();
+    bool is_connected_to(RTC::PortService_ptr other);
+
+    RTC::PortProfile* get_port_profile() override;
+    RTC::ConnectorProfileList* get_connector_profiles() override;
+    RTC::ConnectorProfile* get_connector_profile(const char* id) override;
+    RTC::ReturnCode_t connect(RTC::ConnectorProfile& connector) override;
+    RTC::ReturnCode_t disconnect(const char* id) override;
+    RTC::ReturnCode_t disconnect_all() override;
+    RTC::ReturnCode_t notify_connect(RTC::ConnectorProfile& connector) override;
+    RTC::ReturnCode_t notify_disconnect(const char* id) override;
+
+private:
+    // A connection; being made as long as it has no connector.
+    struct Connection {
+        RTC::ConnectorProfile profile{};
+        Terms terms{};
+        std::unique_ptr<Connector> connector{};
+    };
+    using Connections = std::map<std::string, Connection>;
+
+    RTC::ReturnCode_t reserve(const RTC::ConnectorProfile& profile, const Terms& terms);
+    RTC::ReturnCode_t make(RTC::ConnectorProfile& profile, const Terms& terms);
+    RTC::ReturnCode_t notify_next(RTC::ConnectorProfile& profile);
+    Inlet inlet_of(const RTC::ConnectorProfile& profile) const;
+    Connection take_away(const std::string& id);
+    void end(Connection connection);
+    std::vector<std::string> ids();
+    bool is_self(RTC::PortService_ptr other) const;
+
+    const Home home_;
+    const RtcPort port_;
+    SDOPackage::NVList properties_;
+    RTC::PortService_var self_;  // from here to the name as `begin` has set them
+    RTC::RTObject_var owner_;
+    std::string name_;
+
+    Mutex mutex_;  // of the connections; never held while a peer is called
+    Connections connections_;
+};
+
+}  // namespace nezumi::openrtm
