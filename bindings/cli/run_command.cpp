@@ -24,6 +24,7 @@
 #include "bindings/cli/run_journal.hpp"
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
+#include "bindings/cli/run_rtm.hpp"
 #include "bindings/cli/run_web.hpp"
 #include "bindings/cli/screen.hpp"
 #include "bindings/cli/status_line.hpp"
@@ -116,8 +117,6 @@ public:
         auto live = journal_.load(options_, live_options());
         if (!live) return Unexpected(why_no_system(live.error()));
         live_ = std::move(*live);
-        if (live_->spec().rtm && options_.replay.empty())
-            return failure("rtm: this nezumi has no part for OpenRTM's components", live_->spec().rtm->place);
         StopSignals stop_signals;
         live_->trace().remember_ports();
         if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
@@ -137,6 +136,7 @@ public:
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
         if (screen_.is_live()) loop.add(status_line);
+        if (auto open = open_rtm(); !open) return Unexpected(open.error());
         if (auto open = options_.replay.empty() ? open_console() : Expected<void>(); !open)
             return Unexpected(open.error());
         if (recorder_ || !options_.picture.empty()) loop.after_tick([this, &loop] { keep_trace(loop); });
@@ -164,6 +164,7 @@ public:
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
         if (!of_given_length) take_results();
         if (auto told = journal_.finish(of_given_length, hash_); !told) return give_up(told.error());
+        rtm_.reset();
         web_.reset();
         if (console_) console_->close();
         return finish(how);
@@ -219,6 +220,16 @@ private:
         loop_->add(*web_);
         if (isatty(STDERR_FILENO) != 0) put_text(stderr, web_->picture());
         return web_->where();
+    }
+
+    // A replay has what RTCs did in its journal.
+    Expected<void> open_rtm() {
+        if (!live_->spec().rtm || !options_.replay.empty()) return {};
+        auto rtm = RunRtm::open(*loop_, live_->options().build.log);
+        if (!rtm) return Unexpected(rtm.error());
+        rtm_ = std::move(*rtm);
+        loop_->add(*rtm_);
+        return {};
     }
 
     Expected<void> prepare_files() {
@@ -299,6 +310,7 @@ private:
     std::optional<RunLoop> loop_;
     std::optional<RunConsole> console_;
     std::unique_ptr<RunWeb> web_;  // before the console that it relays goes
+    std::unique_ptr<RunRtm> rtm_;
     std::optional<RealTime> real_time_;
 };
 

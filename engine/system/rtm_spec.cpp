@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 
 namespace nezumi {
 namespace {
@@ -38,8 +38,8 @@ Expected<RtmPath> rtm_path(std::string_view end) {
     const bool is_whole = dot != std::string_view::npos && (slash == std::string_view::npos || slash < dot) &&
                           is_component(path.substr(0, dot)) && is_component(path.substr(dot + 1));
     if (!is_rtm_path(end) || !is_whole) {
-        return failure(fmt::format("expected \"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got '{}'",
-                                   shown(end)));
+        return failure(
+            fmt::format("expected \"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got '{}'", shown(end)));
     }
     return RtmPath{std::string(path.substr(0, dot)), std::string(path.substr(dot + 1))};
 }

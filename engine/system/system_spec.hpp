@@ -138,6 +138,9 @@ struct SystemSpec {
     std::optional<RtmSpec> rtm;                    ///< none: no RTC sees the system
     std::vector<ConnectionSpec> rtm_connections;   ///< those that have an RTC's port at one end
     std::vector<std::string> files;  ///< every file it was read from: system, models, maps
+    std::optional<RtmSpec> rtm;                   ///< none: no RTC sees the system
+    std::vector<ConnectionSpec> rtm_connections;  ///< those that have an RTC's port at one end
+    std::vector<std::string> files;               ///< every file it was read from: system, models, maps
 };
 
 }  // namespace nezumi

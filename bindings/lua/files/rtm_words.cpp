@@ -73,9 +73,8 @@ Expected<void> SystemWords::check_rtm() const {
                 fmt::format("connect: there is no component '{}'{}", component, did_you_mean(component, names)),
                 connection.place);
         }
-        const bool is_exported =
-            spec_.rtm && std::find(spec_.rtm->exported.begin(), spec_.rtm->exported.end(), component) !=
-                             spec_.rtm->exported.end();
+        const bool is_exported = spec_.rtm && std::find(spec_.rtm->exported.begin(), spec_.rtm->exported.end(),
+                                                        component) != spec_.rtm->exported.end();
         if (is_exported) continue;
         return failure(fmt::format("connect: {} is a port of another program, which sees only what is exported: write "
                                    "rtm {{ export = {{ \"{}\" }} }}",

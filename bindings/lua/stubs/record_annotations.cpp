@@ -60,7 +60,8 @@ struct Word {
 };
 constexpr Word words[] = {
     {"connect", "Connects an out-port to an in-port of the same type.",
-     "---@param from string|Port \"name.port\", \"rtm:NAME.port\", or in a scenario the port itself\n---@param to string|Port\n",
+     "---@param from string|Port \"name.port\", \"rtm:NAME.port\", or in a scenario the port itself\n---@param to "
+     "string|Port\n",
      "from, to"},
     {"csv", "Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.", "---@param file string\n---@return Thing\n",
      "file"},
@@ -141,6 +142,7 @@ std::string system_word_annotations(bool methods) {
             record.name == "ros")
         if (is_entry || is_thing || record.name == "arena" || record.name == "physics" ||
             record.name == "rtm")
+        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" || record.name == "rtm")
             text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
     }
     for (const Word& each : words) {

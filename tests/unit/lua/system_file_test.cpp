@@ -335,8 +335,7 @@ TEST_CASE("a system says which RTCs see it, and where its ports lead", "[lua][sy
     CHECK(spec.connections.empty());
     REQUIRE(spec.rtm_connections.size() == 2);
     CHECK(spec.rtm_connections[0].to == "c.in");
-    CHECK(rtm_path(spec.rtm_connections[1].to) ==
-          RtmPath{"pc.host_cxt/RaspberryPiMouse0", "target_velocity_in"});
+    CHECK(rtm_path(spec.rtm_connections[1].to) == RtmPath{"pc.host_cxt/RaspberryPiMouse0", "target_velocity_in"});
 
     const auto plain = system_of("behavior 'c' { script = 'robot_controller' }");
     CHECK_FALSE(plain.rtm);

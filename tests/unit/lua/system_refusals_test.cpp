@@ -337,8 +337,7 @@ TEST_CASE("what RTCs see is said once, by names that there are", "[lua][system_f
     CHECK(error(c + "rtm { export = { 'c', 'd' } }") ==
           "s.lua:2: rtm: field 'export' names no component: there is none 'd' (did you mean 'c'?)");
     CHECK(error(c + "rtm { export = { 'c', 'c' } }") == "s.lua:2:7: rtm: field 'export' has 'c' twice");
-    CHECK(error(c + "rtm { export = 'c' }\nrtm {}") ==
-          "s.lua:3: rtm: is set already, at behaviors/systems/s.lua:2");
+    CHECK(error(c + "rtm { export = 'c' }\nrtm {}") == "s.lua:3: rtm: is set already, at behaviors/systems/s.lua:2");
     CHECK(error(c + "rtm { nameserver = 'localhost:0' }") ==
           "s.lua:2:7: rtm: field 'nameserver' expected \"HOST:PORT\", got 'localhost:0'");
     CHECK(error(c + "rtm { nameserver = 'corbaloc::localhost' }").find("expected \"HOST:PORT\"") != std::string::npos);
@@ -366,8 +365,8 @@ TEST_CASE("one end of a connection may be another program's port, and the other 
           "s.lua:3: connect: there is no component 'd' (did you mean 'c'?)");
     CHECK(error(exported + "connect('rtm:Out0.out', 'rtm:In0.in')") ==
           "s.lua:3: connect: both ends are ports of other programs: one of them must be of this system");
-    for (const std::string slip : {"rtm:", "rtm:out", "rtm:.out", "rtm:Out0.", "rtm:/Out0.out", "rtm:a//b.out",
-                                   "rtm:a.b/c", "rtm:Out 0.out"}) {
+    for (const std::string slip :
+         {"rtm:", "rtm:out", "rtm:.out", "rtm:Out0.", "rtm:/Out0.out", "rtm:a//b.out", "rtm:a.b/c", "rtm:Out 0.out"}) {
         CHECK(error(exported + "connect('" + slip + "', 'c.in')") ==
               "s.lua:3: connect: expected \"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got '" + slip + "'");
     }

@@ -1,0 +1,50 @@
+// RTCs act through the live system's one door.
+#include "bindings/cli/run_rtm.hpp"
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace nezumi::cli {
+
+Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void(const LogLine&)> log) {
+    FileHandle bell(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
+    if (!bell) return failure(std::string("rtm: ") + std::strerror(errno));
+    const int rings = bell.get();
+    std::unique_ptr<RunRtm> rtm(new RunRtm(std::move(bell)));
+    LiveSystem& live = loop.live();
+    auto server =
+        openrtm::RtmServer::open({.system = [&live]() -> const System& { return live.system(); },
+                                  .spec = [&live]() -> const SystemSpec& { return live.spec(); },
+                                  .starts = [&live] { return live.starts(); },
+                                  .act = [&live](const Act& act, const Actor& who) { return live.act(act, who); },
+                                  .say =
+                                      [&live, log = std::move(log)](bool is_problem, const std::string& text) {
+                                          const LogLevel level = is_problem ? LogLevel::warn : LogLevel::info;
+                                          log({level, live.system().now().seconds, "", text, live.starts()});
+                                      },
+                                  .wake =
+                                      [rings] {
+                                          const std::uint64_t one = 1;
+                                          // Full, it is readable as well.
+                                          if (write(rings, &one, sizeof one) < 0) return;
+                                      }});
+    if (!server) return Unexpected(server.error());
+    rtm->server_ = std::move(*server);
+    loop.before_tick([its = rtm.get()] { its->server_->before_tick(); });
+    loop.after_tick([its = rtm.get()] { its->server_->after_tick(); });
+    return rtm;
+}
+
+bool RunRtm::serve(Pacer::Clock::time_point /*until*/) {
+    std::uint64_t rings = 0;
+    if (read(bell_.get(), &rings, sizeof rings) < 0 && errno != EAGAIN) return false;
+    server_->serve();
+    return false;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,30 @@
+// The RTCs of `nezumi run`: what a system's file exports to OpenRTM's components.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/cli/run_loop.hpp"
+#include "bindings/console/file_handle.hpp"
+#include "bindings/openrtm/rtm_server.hpp"
+
+namespace nezumi::cli {
+
+class RunRtm final : public Attendant {
+public:
+    /// Begins to export. The loop must outlive it; `log` takes what is to be said. The error says why it can't.
+    static Expected<std::unique_ptr<RunRtm>> open(RunLoop& loop, std::function<void(const LogLine&)> log);
+
+    bool serve(Pacer::Clock::time_point until) override;
+    void add_files(std::vector<int>& files) const override { files.push_back(bell_.get()); }
+
+private:
+    explicit RunRtm(FileHandle bell) : bell_(std::move(bell)) {}
+
+    FileHandle bell_;  // an eventfd: readable when an RTC wants something
+    std::unique_ptr<openrtm::RtmServer> server_;
+};
+
+}  // namespace nezumi::cli

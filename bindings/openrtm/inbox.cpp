@@ -1,0 +1,131 @@
+// Messages are decoded in the thread that brought them.
+#include "bindings/openrtm/inbox.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "engine/ports/cdr.hpp"
+#include "engine/ports/payload.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+std::size_t bytes_of(const Arrival& arrival) {
+    return sizeof(Arrival) + std::visit([](const auto& payload) { return heap_bytes(payload); }, arrival.value);
+}
+
+}  // namespace
+
+void Inbox::open_to(std::map<std::string, std::size_t, std::less<>> ports) {
+    const std::lock_guard lock(mutex_);
+    std::map<std::string, Waiting, std::less<>> open;
+    for (const auto& [path, type] : ports) {
+        const auto before = ports_.find(path);
+        const bool stays = before != ports_.end() && before->second.type == type;
+        open.emplace(path, stays ? std::move(before->second) : Waiting{.type = type});
+    }
+    ports_ = std::move(open);
+}
+
+PutAnswer Inbox::put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
+                     std::endian order, std::string& problem) {
+    std::size_t type = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto port = ports_.find(path);
+        if (port == ports_.end()) return PutAnswer::unknown;
+        type = port->second.type;
+    }
+    Arrival arrival{std::string(path), std::string(from),
+                    with_payload_type(type, []<class T>() { return AnyPayload(T{}); })};
+    double tm = 0;
+    const auto read = read_cdr_message(bytes, arrival.value, tm, {.order = order});
+    const bool is_fit = read && is_finite(arrival.value);
+    if (!read) problem = read.error().message;
+    if (read && !is_fit) problem = "expected finite numbers";
+    const std::lock_guard lock(mutex_);
+    if (!is_fit) {
+        ++malformed_;
+        return PutAnswer::malformed;
+    }
+    const auto port = ports_.find(path);
+    if (port == ports_.end() || port->second.type != type) return PutAnswer::unknown;
+    keep(port->second, std::move(arrival));
+    return PutAnswer::taken;
+}
+
+void Inbox::put_zero(std::string_view path, std::string_view from) {
+    const std::lock_guard lock(mutex_);
+    const auto port = ports_.find(path);
+    if (port == ports_.end() || port->second.type != type_index<Velocity2D>()) return;
+    keep(port->second, {std::string(path), std::string(from), Velocity2D{}});
+}
+
+void Inbox::keep(Waiting& waiting, Arrival arrival) {
+    waiting.bytes += bytes_of(arrival);
+    waiting.arrivals.push_back(std::move(arrival));
+    while (waiting.arrivals.size() > 1 && (waiting.arrivals.size() > most_waiting || waiting.bytes > most_bytes)) {
+        waiting.bytes -= bytes_of(waiting.arrivals.front());
+        waiting.arrivals.pop_front();
+        ++dropped_;
+    }
+}
+
+std::vector<Arrival> Inbox::take() {
+    const std::lock_guard lock(mutex_);
+    std::vector<Arrival> all;
+    for (auto& [path, waiting] : ports_) {
+        std::move(waiting.arrivals.begin(), waiting.arrivals.end(), std::back_inserter(all));
+        waiting.arrivals.clear();
+        waiting.bytes = 0;
+    }
+    return all;
+}
+
+RtcAnswer Inbox::ask(const RtcRequest& request, std::chrono::milliseconds patience) {
+    Asked asked{request};
+    Lock lock(mutex_);
+    asked_.push_back(&asked);
+    const auto was_done = [&] { return asked.state == Asked::State::done; };
+    if (answered_.wait_for(lock, patience, was_done)) return asked.answer;
+    if (asked.state == Asked::State::begun) {
+        answered_.wait(lock, was_done);  // it is being done: soon
+    } else {
+        std::erase(asked_, &asked);
+    }
+    return asked.answer;
+}
+
+Inbox::Asked* Inbox::next_asked() {
+    const std::lock_guard lock(mutex_);
+    if (asked_.empty()) return nullptr;
+    Asked* asked = asked_.front();
+    asked_.pop_front();
+    asked->state = Asked::State::begun;
+    return asked;
+}
+
+void Inbox::finish(Asked& asked, RtcAnswer answer) {
+    const std::lock_guard lock(mutex_);
+    asked.answer = answer;
+    asked.state = Asked::State::done;
+    answered_.notify_all();  // with the lock: who asks may go as soon as it has it
+}
+
+bool Inbox::has_requests() {
+    const std::lock_guard lock(mutex_);
+    return !asked_.empty();
+}
+
+std::uint64_t Inbox::dropped() {
+    const std::lock_guard lock(mutex_);
+    return dropped_;
+}
+
+std::uint64_t Inbox::malformed() {
+    const std::lock_guard lock(mutex_);
+    return malformed_;
+}
+
+}  // namespace nezumi::openrtm

@@ -1,0 +1,214 @@
+// Acts of RTCs go through the one door; what is wrong with one of them is said once.
+#include "bindings/openrtm/rtm_server.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/ports/cdr.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+// Lines that wait to be said; what comes beyond them is lost.
+constexpr std::size_t most_lines = 100;
+// Connections of which malformed messages are told.
+constexpr std::size_t most_told = 100;
+
+// Encodes each message of the port's latest publication.
+template <class Send>
+void for_each_message(const OutPortBase& port, std::endian order, std::vector<std::uint8_t>& buffer, const Send& send) {
+    with_payload_type(port.type(), [&]<class T>() {
+        for (const Message<T>& message : static_cast<const OutPort<T>&>(port).messages()) {
+            write_cdr_message(buffer, message.data, message.tm, {.order = order});
+            send();
+        }
+    });
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<RtmServer>> RtmServer::open(RtmHost host, const OrbMaker& make_orb) {
+    std::unique_ptr<RtmServer> server(new RtmServer(std::move(host)));
+    const RtmSpec& rtm = *server->host_.spec().rtm;
+    // What is wrong with the file is said before anything begins.
+    if (auto fits = profiles_of(server->host_.system(), rtm); !fits) return Unexpected(fits.error());
+    if (auto fits = links_of(server->host_.system(), server->host_.spec().rtm_connections); !fits)
+        return Unexpected(fits.error());
+    auto orb = make_orb({.nameserver = rtm.nameserver, .interface = rtm.interface}, *server);
+    if (!orb) return failure("rtm: " + orb.error().message, rtm.place);
+    server->orb_ = std::move(*orb);
+    if (auto shown = server->show(); !shown) return Unexpected(shown.error());
+    return server;
+}
+
+RtmServer::~RtmServer() = default;
+
+Expected<void> RtmServer::show() {
+    const System& system = host_.system();
+    layout_ = system.layout();
+    starts_ = host_.starts();
+    outlets_.clear();
+    exported_.clear();
+    const auto& rtm = host_.spec().rtm;
+    auto profiles = rtm ? profiles_of(system, *rtm) : Expected<std::vector<RtcProfile>>();
+    auto links = profiles ? links_of(system, host_.spec().rtm_connections)
+                          : Expected<std::vector<RtcLink>>(Unexpected(profiles.error()));
+    std::map<std::string, std::size_t, std::less<>> in_ports;
+    if (links) {
+        for (const RtcProfile& profile : *profiles) {
+            exported_.push_back(profile.component);
+            const Component& component = *system.find(profile.component);
+            for (const RtcPort& port : profile.ports) {
+                const std::string name = port.path.substr(profile.component.size() + 1);
+                if (port.is_in) {
+                    in_ports.emplace(port.path, component.find_in_port(name)->type());
+                } else if (const OutPortBase* out = component.find_out_port(name)) {
+                    outlets_.push_back({port.path, out, out->sequence()});
+                }
+            }
+        }
+    }
+    inbox_.open_to(std::move(in_ports));
+    take_looks();
+    // Where something is wrong nobody sees anything, rather than half of it.
+    orb_->show(links ? std::move(*profiles) : std::vector<RtcProfile>{},
+               links ? std::move(*links) : std::vector<RtcLink>{});
+    if (!links) return Unexpected(links.error());
+    return {};
+}
+
+void RtmServer::follow_changes() {
+    if (starts_ == host_.starts() && layout_ == host_.system().layout()) return;
+    if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported any more: " + describe(shown.error()));
+}
+
+void RtmServer::take_looks() {
+    std::map<std::string, RtcLook, std::less<>> looks;
+    for (const std::string& name : exported_) {
+        if (const Component* component = host_.system().find(name)) looks.emplace(name, look_at(*component));
+    }
+    looked_ = std::chrono::steady_clock::now();
+    const std::lock_guard lock(mutex_);
+    looks_ = std::move(looks);
+}
+
+void RtmServer::before_tick() {
+    serve();
+    for (Arrival& arrival : inbox_.take()) {
+        const Actor who{Actor::Kind::network, shown(arrival.from)};
+        const auto sent = host_.act(Inject{arrival.path, std::move(arrival.value)}, who);
+        const std::string problem = sent ? "" : sent.error().message;
+        if (std::exchange(refused_[arrival.path], problem) == problem || problem.empty()) continue;
+        host_.say(true, fmt::format("rtm: {} refuses what {} sends: {}", arrival.path, who.name, problem));
+    }
+}
+
+void RtmServer::after_tick() {
+    follow_changes();
+    for (Outlet& outlet : outlets_) {
+        if (outlet.port->sequence() == outlet.seen) continue;
+        outlet.seen = outlet.port->sequence();
+        const WantedOrders wanted = orb_->wanted(outlet.path);
+        for (const auto& [is_wanted, order] :
+             {std::pair{wanted.little, std::endian::little}, std::pair{wanted.big, std::endian::big}}) {
+            if (!is_wanted) continue;
+            for_each_message(*outlet.port, order, buffer_,
+                             [&, order_ = order] { orb_->publish(outlet.path, buffer_, order_); });
+        }
+    }
+}
+
+void RtmServer::serve() {
+    follow_changes();
+    std::vector<Line> lines;
+    {
+        const std::lock_guard lock(mutex_);
+        std::swap(lines, lines_);
+    }
+    for (const Line& line : lines) host_.say(line.is_problem, line.text);
+    bool acted = false;
+    inbox_.answer([&](const RtcRequest& request) {
+        acted = true;
+        const RtcAnswer answer = perform_now(request);
+        take_looks();  // who asks next sees what was done
+        return answer;
+    });
+    if (!acted && std::chrono::steady_clock::now() - looked_ >= look_period) take_looks();
+}
+
+RtcAnswer RtmServer::done(const Act& act) {
+    return host_.act(act, {Actor::Kind::network, "rtm"}) ? RtcAnswer::done : RtcAnswer::refused;
+}
+
+RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
+    const Component* component = host_.system().find(request.component);
+    if (component == nullptr) return RtcAnswer::unknown;
+    switch (request.what) {
+        case RtcRequest::What::activate: return done(Activate{request.component});
+        case RtcRequest::What::deactivate: return done(Deactivate{request.component});
+        case RtcRequest::What::reset: return done(Reset{request.component});
+        case RtcRequest::What::use:
+            // "default" is what a component without a set in use has: it is no set that could be chosen.
+            if (component->sets.contains(request.set)) return done(Use{request.component, request.set});
+            return component->set_in_use().empty() && request.set == "default" ? RtcAnswer::done : RtcAnswer::refused;
+        case RtcRequest::What::set: return set_values(*component, request);
+    }
+    return RtcAnswer::refused;
+}
+
+// All values or none. Those of a set that is not in use are the file's.
+RtcAnswer RtmServer::set_values(const Component& component, const RtcRequest& request) {
+    const std::string in_use = component.set_in_use().empty() ? "default" : component.set_in_use();
+    if (request.set != in_use) return RtcAnswer::refused;
+    std::vector<SetParameter> acts;
+    for (const auto& [name, text] : request.values) {
+        const auto* parameter = component.parameters().find(name);
+        if (parameter == nullptr) return RtcAnswer::unknown;
+        const auto value = from_rtc_text(text, parameter->spec.initial);
+        if (!value || !check_value(parameter->spec, *value)) return RtcAnswer::refused;
+        if (*value != parameter->value) acts.push_back({request.component, name, *value});
+    }
+    for (const SetParameter& act : acts) {
+        if (const RtcAnswer answer = done(act); answer != RtcAnswer::done) return answer;
+    }
+    return RtcAnswer::done;
+}
+
+RtcLook RtmServer::look(std::string_view component) {
+    const std::lock_guard lock(mutex_);
+    const auto found = looks_.find(component);
+    return found != looks_.end() ? found->second : RtcLook{};
+}
+
+RtcAnswer RtmServer::perform(const RtcRequest& request) {
+    if (host_.wake) host_.wake();
+    return inbox_.ask(request, patience);
+}
+
+PutAnswer RtmServer::put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
+                         std::endian order) {
+    std::string problem;
+    const PutAnswer answer = inbox_.put(path, from, bytes, order, problem);
+    if (answer != PutAnswer::malformed) return answer;
+    bool is_new = false;
+    {
+        const std::lock_guard lock(mutex_);
+        is_new = malformed_.size() < most_told && malformed_.emplace(fmt::format("{} {}", path, from), problem).second;
+    }
+    if (is_new) tell(true, fmt::format("rtm: {} refuses a malformed message of {}: {}", path, shown(from), problem));
+    return answer;
+}
+
+void RtmServer::left(std::string_view path, std::string_view from) { inbox_.put_zero(path, from); }
+
+void RtmServer::tell(bool is_problem, std::string text) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (lines_.size() < most_lines) lines_.push_back({is_problem, std::move(text)});
+    }
+    if (host_.wake) host_.wake();
+}
+
+}  // namespace nezumi::openrtm
