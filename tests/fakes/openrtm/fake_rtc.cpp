@@ -1,0 +1,261 @@
+// An RTC with one data port, as a program of its own: fake_rtc NAMESERVER NAME PORT TYPE in|out. It reads commands, a
+// line each, and prints what happens; on the end of its input it leaves the name service.
+//   send HEX, fetch, hang SECONDS
+//   connect RTC PORT [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t
+//   ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set RTC SET NAME VALUE, use RTC SET
+//   flood COUNT HEX: sends so often, prints the seconds that it took
+#include <omniORB4/Naming.hh>
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+#include "tests/fakes/openrtm/fake_port.hpp"
+
+using namespace nezumi::fakes;
+
+namespace {
+
+// As much of an RTC as others ask of it.
+class FakeRtc final : public POA_OpenRTM::DataFlowComponent {
+public:
+    FakeRtc(std::string name, RTC::PortService_ptr port) : name_(std::move(name)), port_(port) {}
+
+    RTC::PortServiceList* get_ports() override {
+        auto* list = new RTC::PortServiceList;
+        list->length(1);
+        (*list)[0] = RTC::PortService::_duplicate(port_);
+        return list;
+    }
+    RTC::ComponentProfile* get_component_profile() override {
+        auto* profile = new RTC::ComponentProfile;
+        profile->instance_name = name_.c_str();
+        return profile;
+    }
+    CORBA::Boolean is_alive(RTC::ExecutionContext_ptr) override { return true; }
+    RTC::ExecutionContext_ptr get_context(RTC::ExecutionContextHandle_t) override {
+        return RTC::ExecutionContext::_nil();
+    }
+    RTC::ExecutionContextList* get_owned_contexts() override { return new RTC::ExecutionContextList; }
+    RTC::ExecutionContextList* get_participating_contexts() override { return new RTC::ExecutionContextList; }
+    RTC::ExecutionContextHandle_t get_context_handle(RTC::ExecutionContext_ptr) override { return 0; }
+    RTC::ExecutionContextHandle_t attach_context(RTC::ExecutionContext_ptr) override { return 0; }
+    RTC::ReturnCode_t detach_context(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t initialize() override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t finalize() override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t exit() override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_initialize() override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_finalize() override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_startup(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_shutdown(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_activated(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_deactivated(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_aborting(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_error(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_reset(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_execute(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_state_update(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    RTC::ReturnCode_t on_rate_changed(RTC::ExecutionContextHandle_t) override { return RTC::UNSUPPORTED; }
+    char* get_sdo_id() override { return CORBA::string_dup(name_.c_str()); }
+    char* get_sdo_type() override { return CORBA::string_dup("fake"); }
+    SDOPackage::DeviceProfile* get_device_profile() override { return new SDOPackage::DeviceProfile; }
+    SDOPackage::ServiceProfileList* get_service_profiles() override { return new SDOPackage::ServiceProfileList; }
+    SDOPackage::ServiceProfile* get_service_profile(const char*) override { throw SDOPackage::NotAvailable("none"); }
+    SDOPackage::SDOService_ptr get_sdo_service(const char*) override { throw SDOPackage::NotAvailable("none"); }
+    SDOPackage::Configuration_ptr get_configuration() override { return SDOPackage::Configuration::_nil(); }
+    SDOPackage::Monitoring_ptr get_monitoring() override { return SDOPackage::Monitoring::_nil(); }
+    SDOPackage::OrganizationList* get_organizations() override { return new SDOPackage::OrganizationList; }
+    SDOPackage::OrganizationList* get_owned_organizations() override { return new SDOPackage::OrganizationList; }
+    SDOPackage::NVList* get_status_list() override { return new SDOPackage::NVList; }
+    CORBA::Any* get_status(const char*) override { return new CORBA::Any; }
+
+private:
+    const std::string name_;
+    RTC::PortService_ptr port_;
+};
+
+class Commands {
+public:
+    Commands(CORBA::ORB_ptr orb, const std::string& nameserver, FakePort& port) : port_(port) {
+        const CORBA::Object_var object =
+            orb->string_to_object(("corbaloc:iiop:" + nameserver + "/NameService").c_str());
+        root_ = CosNaming::NamingContext::_narrow(object);
+    }
+
+    static CosNaming::Name name_of(const std::string& rtc) {
+        char host[256] = {};
+        gethostname(host, sizeof host - 1);
+        CosNaming::Name name;
+        name.length(rtc.empty() ? 1 : 2);
+        name[0].id = static_cast<const char*>(host);
+        name[0].kind = "host_cxt";
+        if (!rtc.empty()) {
+            name[1].id = rtc.c_str();
+            name[1].kind = "rtc";
+        }
+        return name;
+    }
+    void bind(const std::string& rtc, CORBA::Object_ptr object) {
+        try {
+            const CosNaming::NamingContext_var made = root_->bind_new_context(name_of(""));
+        } catch (const CosNaming::NamingContext::AlreadyBound&) {
+            root_->rebind(name_of(rtc), object);
+            return;
+        }
+        root_->rebind(name_of(rtc), object);
+    }
+    void unbind(const std::string& rtc) { root_->unbind(name_of(rtc)); }
+
+    void run(const std::string& line) {
+        std::istringstream words(line);
+        std::string command, rtc;
+        words >> command;
+        if (command == "send") {
+            std::string hex;
+            words >> hex;
+            port_.send(from_hex(hex));
+        } else if (command == "flood") {
+            int count = 0;
+            std::string hex;
+            words >> count >> hex;
+            flood(count, from_hex(hex));
+        } else if (command == "fetch") {
+            port_.fetch();
+        } else if (command == "hang") {
+            double seconds = 0;
+            words >> seconds;
+            port_.hang(seconds);
+        } else if (command == "disconnect") {
+            print("disconnected " + std::to_string(port_.disconnect_first()));
+        } else if (words >> rtc) {
+            of_rtc(command, find(rtc), words);
+        }
+    }
+
+private:
+    RTC::RTObject_ptr find(const std::string& rtc) {
+        const CORBA::Object_var object = root_->resolve(name_of(rtc));
+        return RTC::RTObject::_narrow(object);
+    }
+    void flood(int count, const Bytes& bytes) {
+        const auto begin = std::chrono::steady_clock::now();
+        for (int i = 0; i < count; ++i) port_.send(bytes);
+        const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begin;
+        print("lasted " + std::to_string(lasted.count()));
+    }
+    void of_rtc(const std::string& command, RTC::RTObject_ptr found, std::istringstream& words) {
+        const RTC::RTObject_var rtc = found;
+        if (command == "connect") return connect(rtc, words);
+        if (command == "ports") return ports(rtc);
+        if (command == "sets") return sets(rtc);
+        if (command == "set" || command == "use") return configure(command, rtc, words);
+        RTC::ExecutionContextList_var contexts = rtc->get_owned_contexts();
+        const RTC::ExecutionContext_var context = RTC::ExecutionContext::_duplicate(contexts[0]);
+        if (command == "state") print("state " + std::to_string(context->get_component_state(rtc)));
+        if (command == "activate") print("done " + std::to_string(context->activate_component(rtc)));
+        if (command == "deactivate") print("done " + std::to_string(context->deactivate_component(rtc)));
+        if (command == "reset") print("done " + std::to_string(context->reset_component(rtc)));
+    }
+    void connect(RTC::RTObject_ptr rtc, std::istringstream& words) {
+        std::string wanted, word;
+        words >> wanted;
+        SDOPackage::NVList properties;
+        while (words >> word) {
+            const std::size_t equals = word.find('=');
+            add_property(properties, "dataport." + word.substr(0, equals), word.substr(equals + 1));
+        }
+        RTC::PortServiceList_var list = rtc->get_ports();
+        for (CORBA::ULong i = 0; i < list->length(); ++i) {
+            const RTC::PortProfile_var profile = list[i]->get_port_profile();
+            const std::string name = profile->name.in();
+            if (name.substr(name.rfind('.') + 1) == wanted)
+                return print("connected " + std::to_string(port_.connect_to(list[i], properties)));
+        }
+        print("connected to nobody");
+    }
+    static void ports(RTC::RTObject_ptr rtc) {
+        const RTC::ComponentProfile_var profile = rtc->get_component_profile();
+        std::string line = "ports " + std::string(profile->instance_name.in());
+        for (CORBA::ULong i = 0; i < profile->port_profiles.length(); ++i) {
+            const RTC::PortProfile& port = profile->port_profiles[i];
+            line += " " + std::string(port.name.in()) + " " + property(port.properties, "port.port_type") + " " +
+                    property(port.properties, "dataport.data_type");
+        }
+        print(line);
+    }
+    static void sets(RTC::RTObject_ptr rtc) {
+        const SDOPackage::Configuration_var configuration = rtc->get_configuration();
+        const SDOPackage::ConfigurationSet_var active = configuration->get_active_configuration_set();
+        std::string line = "sets " + std::string(active->id.in());
+        SDOPackage::ConfigurationSetList_var list = configuration->get_configuration_sets();
+        for (CORBA::ULong i = 0; i < list->length(); ++i) {
+            line += " | " + std::string(list[i].id.in());
+            const SDOPackage::NVList& values = list[i].configuration_data;
+            for (CORBA::ULong j = 0; j < values.length(); ++j)
+                line += " " + std::string(values[j].name.in()) + "=" + property(values, values[j].name.in());
+        }
+        print(line);
+    }
+    static void configure(const std::string& command, RTC::RTObject_ptr rtc, std::istringstream& words) {
+        const SDOPackage::Configuration_var configuration = rtc->get_configuration();
+        std::string set, name, value;
+        words >> set >> name >> value;
+        try {
+            if (command == "use")
+                return print("done " + std::to_string(configuration->activate_configuration_set(set.c_str())));
+            SDOPackage::ConfigurationSet values;
+            values.id = set.c_str();
+            values.description = "";
+            add_property(values.configuration_data, name, value);
+            print("done " + std::to_string(configuration->set_configuration_set_values(values)));
+        } catch (const SDOPackage::InvalidParameter& error) {
+            print("invalid " + std::string(error.description.in()));
+        }
+    }
+
+    FakePort& port_;
+    CosNaming::NamingContext_var root_;
+};
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 6) {
+        std::cerr << "fake_rtc NAMESERVER NAME PORT TYPE in|out\n";
+        return 2;
+    }
+    const std::string nameserver = arguments[1], name = arguments[2], port_name = arguments[3];
+    try {
+        int none = 0;
+        const char* settings[][2] = {
+            {"clientCallTimeOutPeriod", "3000"}, {"endPoint", "giop:tcp:127.0.0.1:"}, {nullptr, nullptr}};
+        const CORBA::ORB_var orb = CORBA::ORB_init(none, nullptr, "omniORB4", settings);
+        const CORBA::Object_var root = orb->resolve_initial_references("RootPOA");
+        const PortableServer::POA_var poa = PortableServer::POA::_narrow(root);
+        const PortableServer::POAManager_var manager = poa->the_POAManager();
+        manager->activate();
+
+        auto* port = new FakePort(orb, name + "." + port_name, arguments[4], std::string(arguments[5]) == "in");
+        const RTC::PortService_var port_reference = port->_this();
+        auto* rtc = new FakeRtc(name, port_reference);
+        const OpenRTM::DataFlowComponent_var reference = rtc->_this();
+        Commands commands(orb, nameserver, *port);
+        commands.bind(name, reference);
+        print("ready");
+        std::string line;
+        while (std::getline(std::cin, line)) {
+            try {
+                commands.run(line);
+            } catch (const CORBA::Exception& error) {
+                print(std::string("failed ") + error._name());
+            }
+        }
+        commands.unbind(name);
+    } catch (const CORBA::Exception& error) {
+        std::cerr << "fake_rtc: " << error._name() << "\n";
+        return 1;
+    }
+    std::_Exit(0);
+}

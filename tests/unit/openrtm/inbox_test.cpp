@@ -1,0 +1,136 @@
+// What comes from RTCs: decoded, bounded, and answered in time.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <limits>
+#include <thread>
+
+#include "bindings/openrtm/inbox.hpp"
+#include "engine/ports/cdr.hpp"
+#include "tests/unit/openrtm/samples.hpp"
+
+using namespace nezumi;
+using namespace nezumi::openrtm;
+
+namespace {
+
+using namespace std::chrono_literals;
+
+std::vector<std::uint8_t> bytes_of(const AnyPayload& value, std::endian order = std::endian::little) {
+    std::vector<std::uint8_t> bytes;
+    write_cdr_message(bytes, value, 1.5, {.order = order});
+    return bytes;
+}
+
+struct InboxRig {
+    explicit InboxRig(std::size_t type) { inbox.open_to({{"c.in", type}}); }
+    PutAnswer put(const std::vector<std::uint8_t>& bytes, std::endian order = std::endian::little) {
+        return inbox.put("c.in", "peer", bytes, order, problem);
+    }
+    Inbox inbox;
+    std::string problem;
+};
+
+}  // namespace
+
+TEST_CASE("a message of every type arrives as it was sent, in both byte orders", "[openrtm][inbox]") {
+    for (const AnyPayload& sample : samples()) {
+        for (const std::endian order : {std::endian::little, std::endian::big}) {
+            CAPTURE(message_type_names[sample.index()], order == std::endian::little);
+            InboxRig rig(sample.index());
+            CHECK(rig.put(bytes_of(sample, order), order) == PutAnswer::taken);
+            const auto arrivals = rig.inbox.take();
+            REQUIRE(arrivals.size() == 1);
+            CHECK(arrivals[0].path == "c.in");
+            CHECK(arrivals[0].from == "peer");
+            CHECK(arrivals[0].value == sample);
+            CHECK(rig.inbox.take().empty());
+        }
+    }
+}
+
+TEST_CASE("a malformed message is refused and counted", "[openrtm][inbox]") {
+    for (const AnyPayload& sample : samples()) {
+        CAPTURE(message_type_names[sample.index()]);
+        InboxRig rig(sample.index());
+        auto bytes = bytes_of(sample);
+        bytes.pop_back();
+        CHECK(rig.put(bytes) == PutAnswer::malformed);
+        CHECK(rig.put({}) == PutAnswer::malformed);
+        CHECK_FALSE(rig.problem.empty());
+        CHECK(rig.inbox.malformed() == 2);
+        CHECK(rig.inbox.take().empty());
+    }
+    InboxRig rig(type_index<Velocity2D>());
+    CHECK(rig.put(bytes_of(Velocity2D{.vx = std::numeric_limits<double>::quiet_NaN()})) == PutAnswer::malformed);
+    CHECK(rig.problem == "expected finite numbers");
+}
+
+TEST_CASE("of a port that does not read, the latest messages wait, and the oldest are dropped", "[openrtm][inbox]") {
+    InboxRig rig(type_index<std::int32_t>());
+    const int sent = static_cast<int>(Inbox::most_waiting) + 10;
+    for (int i = 0; i < sent; ++i) CHECK(rig.put(bytes_of(std::int32_t{i})) == PutAnswer::taken);
+    const auto arrivals = rig.inbox.take();
+    REQUIRE(arrivals.size() == Inbox::most_waiting);
+    CHECK(arrivals.front().value == AnyPayload(std::int32_t{10}));
+    CHECK(arrivals.back().value == AnyPayload(std::int32_t{sent - 1}));
+    CHECK(rig.inbox.dropped() == 10);
+}
+
+TEST_CASE("pictures that wait are no more than some bytes", "[openrtm][inbox]") {
+    InboxRig rig(type_index<CameraImage>());
+    const CameraImage picture{.width = 1000, .height = 1000, .bpp = 24, .format = "rgb8", .pixels = Octets(3'000'000)};
+    const auto bytes = bytes_of(picture);
+    for (int i = 0; i < 20; ++i) CHECK(rig.put(bytes) == PutAnswer::taken);
+    const auto arrivals = rig.inbox.take();
+    CHECK(arrivals.size() == Inbox::most_bytes / 3'000'000);
+    CHECK(rig.inbox.dropped() == 20 - arrivals.size());
+}
+
+TEST_CASE("what is not open takes nothing, and loses what waited", "[openrtm][inbox]") {
+    InboxRig rig(type_index<bool>());
+    CHECK(rig.inbox.put("c.other", "peer", bytes_of(true), std::endian::little, rig.problem) == PutAnswer::unknown);
+    CHECK(rig.put(bytes_of(true)) == PutAnswer::taken);
+    rig.inbox.open_to({{"c.in", type_index<bool>()}});
+    CHECK(rig.inbox.take().size() == 1);
+    CHECK(rig.put(bytes_of(true)) == PutAnswer::taken);
+    rig.inbox.open_to({{"c.in", type_index<double>()}});
+    CHECK(rig.inbox.take().empty());
+}
+
+TEST_CASE("who commanded a velocity and is gone leaves a zero behind", "[openrtm][inbox]") {
+    InboxRig velocity(type_index<Velocity2D>());
+    CHECK(velocity.put(bytes_of(Velocity2D{.vx = 0.2})) == PutAnswer::taken);
+    velocity.inbox.put_zero("c.in", "peer");
+    const auto arrivals = velocity.inbox.take();
+    REQUIRE(arrivals.size() == 2);
+    CHECK(arrivals[1].value == AnyPayload(Velocity2D{}));
+    InboxRig other(type_index<double>());
+    other.inbox.put_zero("c.in", "peer");
+    CHECK(other.inbox.take().empty());
+}
+
+TEST_CASE("a request gets its answer from the thread that ticks", "[openrtm][inbox]") {
+    Inbox inbox;
+    RtcAnswer answer = RtcAnswer::busy;
+    std::thread asks([&] { answer = inbox.ask({.component = "c"}, 10s); });
+    while (!inbox.has_requests()) std::this_thread::yield();
+    std::string asked;
+    inbox.answer([&](const RtcRequest& request) {
+        asked = request.component;
+        return RtcAnswer::refused;
+    });
+    asks.join();
+    CHECK(asked == "c");
+    CHECK(answer == RtcAnswer::refused);
+}
+
+TEST_CASE("a request whose time is over is not done any more", "[openrtm][inbox]") {
+    Inbox inbox;
+    CHECK(inbox.ask({.component = "c"}, 1ms) == RtcAnswer::busy);
+    bool done = false;
+    inbox.answer([&](const RtcRequest&) {
+        done = true;
+        return RtcAnswer::done;
+    });
+    CHECK_FALSE(done);
+}

@@ -1,0 +1,165 @@
+// What RTCs see of a system's components.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "bindings/openrtm/rtc_profiles.hpp"
+#include "tests/unit/live_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::openrtm;
+
+namespace {
+
+const std::string all_kinds = R"(
+input("in", "TimedShortSeq", "numbers")
+input("lens", "CameraIntrinsics", "OpenRTM has none")
+output("out", "TimedVelocity2D", "velocity")
+param("speed_x", 0.25, { min = -1.5, max = 1.5, step = 0.01, widget = "slider" })
+param("count", 30, { min = 0 })
+param("on", true)
+param("text", "a, b")
+param("mode", "slow", { choices = { "slow", "fast" }, widget = "radio" })
+param("gains", { 1.0, 0.5 })
+)";
+
+const Texts& set_of(const RtcLook& look, const std::string& name) {
+    for (const auto& [id, texts] : look.sets) {
+        if (id == name) return texts;
+    }
+    FAIL("there is no set " << name);
+    return look.sets.front().second;
+}
+
+std::string error_of(const LiveRig& rig) {
+    const SystemSpec& spec = rig.live->spec();
+    const auto profiles = profiles_of(rig.live->system(), *spec.rtm);
+    if (!profiles) return profiles.error().message;
+    const auto links = links_of(rig.live->system(), spec.rtm_connections);
+    return links ? "no error" : links.error().message;
+}
+
+std::string error_of(const std::string& more) {
+    return error_of(LiveRig("behavior \"c\" { script = \"all\" }\n" + more, {{"all", all_kinds}}));
+}
+
+}  // namespace
+
+TEST_CASE("a component is exported with its ports, whose types OpenRTM knows", "[openrtm][profiles]") {
+    const LiveRig rig(
+        "behavior \"c\" { script = \"all\", rate = 50 }\nrtm { export = \"c\", rename = { [\"c.in\"] = \"ir\" } }",
+        {{"all", all_kinds}});
+    const auto profiles = profiles_of(rig.live->system(), *rig.live->spec().rtm);
+    REQUIRE(profiles);
+    CHECK(*profiles == std::vector<RtcProfile>{{.component = "c",
+                                                .type = "All",
+                                                .rate = 50,
+                                                .ports = {{"c.in", "ir", "TimedShortSeq", true},
+                                                          {"c.out", "out", "TimedVelocity2D", false}}}});
+}
+
+TEST_CASE("a robot is exported as a component", "[openrtm][profiles]") {
+    const LiveRig rig("robot \"mouse\" { model = \"raspimouse\" }\nrtm { export = \"mouse\" }");
+    const auto profiles = profiles_of(rig.live->system(), *rig.live->spec().rtm);
+    REQUIRE(profiles);
+    REQUIRE(profiles->size() == 1);
+    CHECK(profiles->front().rate == 100);
+    const auto& ports = profiles->front().ports;
+    CHECK(std::find(ports.begin(), ports.end(),
+                    RtcPort{"mouse.target_velocity_in", "target_velocity_in", "TimedVelocity2D", true}) != ports.end());
+}
+
+TEST_CASE("parameters are a configuration set, with widgets, bounds and types as tools know them",
+          "[openrtm][profiles]") {
+    const LiveRig rig("behavior \"c\" { script = \"all\" }", {{"all", all_kinds}});
+    const RtcLook look = look_at(*rig.live->system().find("c"));
+    CHECK(look.state == RtcState::active);
+    CHECK(look.set == "default");
+    CHECK(set_of(look, "default") == Texts{{"speed_x", "0.25"},
+                                           {"count", "30"},
+                                           {"on", "true"},
+                                           {"text", "a, b"},
+                                           {"mode", "slow"},
+                                           {"gains", "1,0.5"}});
+    CHECK(set_of(look, "__widget__") == Texts{{"speed_x", "slider.0.01"}, {"mode", "radio"}});
+    CHECK(set_of(look, "__constraints__") ==
+          Texts{{"speed_x", "-1.5<=x<=1.5"}, {"count", "0<=x"}, {"mode", "(slow,fast)"}});
+    CHECK(set_of(look, "__type__") == Texts{{"speed_x", "double"},
+                                            {"count", "long"},
+                                            {"on", "bool"},
+                                            {"text", "string"},
+                                            {"mode", "string"},
+                                            {"gains", "vector<double>"}});
+}
+
+TEST_CASE("named sets are configuration sets, and the one in use has the present values", "[openrtm][profiles]") {
+    LiveRig rig(
+        "behavior \"c\" { script = \"all\", config = { count = 5 }, sets = { fast = { speed_x = 1.0 }, slow = { "
+        "speed_x "
+        "= 0.1 } }, set = \"slow\" }",
+        {{"all", all_kinds}});
+    REQUIRE(rig.live->act(SetParameter{"c", "speed_x", 0.125}, {Actor::Kind::console}));
+    rig.tick();
+    const RtcLook look = look_at(*rig.live->system().find("c"));
+    CHECK(look.set == "slow");
+    CHECK(set_of(look, "slow")[0].second == "0.125");
+    CHECK(set_of(look, "slow")[1].second == "5");
+    CHECK(set_of(look, "fast")[0].second == "1");
+    CHECK(set_of(look, "fast")[1].second == "5");
+    CHECK(set_of(look, "default")[0].second == "0.25");
+}
+
+TEST_CASE("a state is that of the life cycle", "[openrtm][profiles]") {
+    LiveRig rig("behavior \"c\" { script = \"all\" }", {{"all", all_kinds + "function on_execute() error('x') end"}});
+    REQUIRE(rig.live->act(Deactivate{"c"}, {Actor::Kind::console}));
+    CHECK(look_at(*rig.live->system().find("c")).state == RtcState::inactive);
+    REQUIRE(rig.live->act(Activate{"c"}, {Actor::Kind::console}));
+    rig.tick(2);
+    CHECK(look_at(*rig.live->system().find("c")).state == RtcState::error);
+}
+
+TEST_CASE("a value of every type is the text that stands for it", "[openrtm][profiles]") {
+    const std::vector<ParameterValue> values{true,
+                                             std::int64_t{-30},
+                                             0.1,
+                                             std::string("a, b"),
+                                             std::vector<bool>{true, false},
+                                             std::vector<std::int64_t>{1, -2},
+                                             std::vector<double>{0.5, 1e-9},
+                                             std::vector<std::string>{"a", "b c"}};
+    for (const ParameterValue& value : values) {
+        CAPTURE(to_text(value));
+        CHECK(from_rtc_text(to_rtc_text(value), value) == value);
+    }
+    CHECK(from_rtc_text(" 0.5 ", 1.0) == ParameterValue(0.5));
+    CHECK(from_rtc_text("1", false) == ParameterValue(true));
+    CHECK(from_rtc_text("1, 2", std::vector<double>{}) == ParameterValue(std::vector<double>{1, 2}));
+    CHECK(from_rtc_text("", std::vector<double>{1}) == ParameterValue(std::vector<double>{}));
+}
+
+TEST_CASE("a text that stands for no value of the type is none", "[openrtm][profiles]") {
+    CHECK_FALSE(from_rtc_text("fast", 1.0));
+    CHECK_FALSE(from_rtc_text("0.5x", 1.0));
+    CHECK_FALSE(from_rtc_text("", 1.0));
+    CHECK_FALSE(from_rtc_text("0.5", std::int64_t{1}));
+    CHECK_FALSE(from_rtc_text("99999999999999999999", std::int64_t{1}));
+    CHECK_FALSE(from_rtc_text("yes please", true));
+    CHECK_FALSE(from_rtc_text("1,,2", std::vector<double>{}));
+}
+
+TEST_CASE("a connection to an RTC needs a port of ours that fits", "[openrtm][profiles]") {
+    const std::string exported = "rtm { export = \"c\" }\n";
+    CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.in\") connect(\"c.out\", \"rtm:In0.in\")") == "no error");
+    CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.out\")") == "connect: c.out is an out-port");
+    CHECK(error_of(exported + "connect(\"c.in\", \"rtm:In0.in\")") == "connect: c.in is an in-port");
+    CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.lens\")") ==
+          "connect: c.lens is a CameraIntrinsics, which OpenRTM does not know");
+    CHECK(error_of(exported + "connect(\"rtm:Out0.out\", \"c.inn\")").find("(did you mean 'in'?)") !=
+          std::string::npos);
+}
+
+TEST_CASE("another name is that of a port that is exported, and of one alone", "[openrtm][profiles]") {
+    CHECK(error_of("rtm { export = \"c\", rename = { [\"c.inn\"] = \"x\" } }") ==
+          "rtm: field 'rename' names no port that is exported: there is none 'c.inn' (did you mean 'c.in'?)");
+    CHECK(error_of("rtm { export = \"c\", rename = { [\"c.in\"] = \"out\" } }") ==
+          "rtm: two ports of c are called 'out'");
+}

@@ -1,0 +1,258 @@
+// A live system among RTCs, as the part with CORBA sees it: without one.
+#include "bindings/openrtm/rtm_server.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <map>
+#include <thread>
+
+#include "engine/ports/cdr.hpp"
+#include "tests/unit/live_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::openrtm;
+
+namespace {
+
+const std::string exported_system = R"(
+robot    "mouse"      { model = "raspimouse" }
+behavior "controller" { script = "counter", sets = { fast = { speed_x = 0.5 } } }
+rtm { export = { "mouse", "controller" } }
+connect("controller.out", "rtm:Mouse0.target_velocity_in")
+)";
+
+// What is told to the other side.
+struct Told {
+    std::vector<RtcProfile> profiles{};
+    std::vector<RtcLink> links{};
+    std::map<std::string, WantedOrders, std::less<>> wanted{};
+    std::vector<std::pair<std::string, std::vector<std::uint8_t>>> sent{};
+    OrbOptions options{};
+    int shown = 0;
+    bool ended = false;
+};
+
+class TellingOrb final : public Orb {
+public:
+    explicit TellingOrb(Told& told) : told_(told) {}
+    ~TellingOrb() override { told_.ended = true; }
+    TellingOrb(const TellingOrb&) = delete;
+    TellingOrb& operator=(const TellingOrb&) = delete;
+    void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) override {
+        told_.profiles = std::move(profiles);
+        told_.links = std::move(links);
+        ++told_.shown;
+    }
+    WantedOrders wanted(std::string_view path) override {
+        const auto found = told_.wanted.find(path);
+        return found != told_.wanted.end() ? found->second : WantedOrders{};
+    }
+    void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) override {
+        const std::string name = std::string(path) + (order == std::endian::little ? " little" : " big");
+        told_.sent.emplace_back(name, std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+    }
+
+private:
+    Told& told_;
+};
+
+// Remembers who did what.
+struct Acts final : ActObserver {
+    void acted(const ActTime& /*when*/, const Act& act, const Actor& who, const Expected<ActResult>& result) override {
+        lines.push_back(std::string(name_of(act)) + " by " + to_text(who) +
+                        (result ? "" : ": " + result.error().message));
+    }
+    void ran_out_of_time(const ActTime& /*when*/, const std::string& /*component*/,
+                         const Component::OutOfTime& /*call*/) override {}
+    std::vector<std::string> lines;
+};
+
+struct ServerRig : LiveRig {
+    explicit ServerRig(const std::string& system = exported_system) : LiveRig(system, {{"counter", counter_behavior}}) {
+        live->observe_acts(&acts);
+        auto opened = RtmServer::open(host(), [this](const OrbOptions& options, RtcSite&) {
+            told.options = options;
+            return Expected<std::unique_ptr<Orb>>(std::make_unique<TellingOrb>(told));
+        });
+        if (!opened) FAIL(describe(opened.error()));
+        server = std::move(*opened);
+    }
+    RtmHost host() {
+        return {.system = [this]() -> const System& { return live->system(); },
+                .spec = [this]() -> const SystemSpec& { return live->spec(); },
+                .starts = [this] { return live->starts(); },
+                .act = [this](const Act& act, const Actor& who) { return live->act(act, who); },
+                .say = [this](bool, const std::string& line) { said_lines.push_back(line); }};
+    }
+    void turn(int ticks = 1) {
+        for (; ticks > 0; --ticks) {
+            server->before_tick();
+            live->tick();
+            server->after_tick();
+        }
+    }
+    template <class T>
+    PutAnswer put(const std::string& path, const T& value) {
+        std::vector<std::uint8_t> bytes;
+        write_cdr_message(bytes, value, 0);
+        return server->put(path, "Peer0.out_x", bytes, std::endian::little);
+    }
+    // What an RTC asks, in a thread as CORBA's are.
+    RtcAnswer ask(const RtcRequest& request) {
+        RtcAnswer answer = RtcAnswer::busy;
+        std::atomic<bool> answered = false;
+        std::thread asks([&] {
+            answer = server->perform(request);
+            answered = true;
+        });
+        while (!answered) {
+            server->serve();
+            std::this_thread::yield();
+        }
+        asks.join();
+        return answer;
+    }
+
+    Acts acts;
+    Told told;
+    std::vector<std::string> said_lines;
+    std::unique_ptr<RtmServer> server;
+};
+
+}  // namespace
+
+TEST_CASE("a system is shown with its connections", "[openrtm][server]") {
+    const ServerRig rig;
+    REQUIRE(rig.told.profiles.size() == 2);
+    CHECK(rig.told.profiles[0].component == "mouse");
+    CHECK(rig.told.profiles[1].component == "controller");
+    CHECK(rig.told.links == std::vector<RtcLink>{{"controller.out", "Mouse0", "target_velocity_in"}});
+    CHECK(rig.told.options.nameserver == "localhost:2809");
+    CHECK(rig.told.options.interface == "127.0.0.1");
+}
+
+TEST_CASE("what an RTC sends is injected before a tick, by a network peer", "[openrtm][server]") {
+    ServerRig rig;
+    CHECK(rig.put("mouse.target_velocity_in", Velocity2D{.vx = 0.2}) == PutAnswer::taken);
+    CHECK(rig.acts.lines.empty());
+    rig.turn();
+    CHECK(rig.acts.lines == std::vector<std::string>{"Inject by network Peer0.out_x"});
+    CHECK(rig.component("mouse").find_in_port("target_velocity_in")->value() == AnyPayload(Velocity2D{.vx = 0.2}));
+}
+
+TEST_CASE("a robot that an RTC drives stops half a second after its last word", "[openrtm][server]") {
+    ServerRig rig;
+    for (int i = 0; i < 50; ++i) {
+        REQUIRE(rig.put("mouse.target_velocity_in", Velocity2D{.vx = 0.1}) == PutAnswer::taken);
+        rig.turn();
+    }
+    const Robot& mouse = *rig.live->system().find_robot("mouse");
+    CHECK(mouse.guard().current().vx > 0.05);
+    rig.turn(100);
+    CHECK(mouse.guard().current() == Velocity2D{});
+}
+
+TEST_CASE("a connection to a velocity that ends lets the robot stop at once", "[openrtm][server]") {
+    ServerRig rig;
+    for (int i = 0; i < 50; ++i) {
+        REQUIRE(rig.put("mouse.target_velocity_in", Velocity2D{.vx = 0.1}) == PutAnswer::taken);
+        rig.turn();
+    }
+    rig.server->left("mouse.target_velocity_in", "Peer0.out_x");
+    rig.turn(20);
+    CHECK(rig.live->system().find_robot("mouse")->guard().current() == Velocity2D{});
+}
+
+TEST_CASE("what a port publishes is sent in the orders that are wanted, once", "[openrtm][server]") {
+    ServerRig rig;
+    rig.turn();
+    CHECK(rig.told.sent.empty());
+    rig.told.wanted["controller.out"] = {.little = true, .big = true};
+    rig.turn();
+    REQUIRE(rig.told.sent.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::endian order = i == 0 ? std::endian::little : std::endian::big;
+        CHECK(rig.told.sent[i].first == (i == 0 ? "controller.out little" : "controller.out big"));
+        AnyPayload value{Velocity2D{}};
+        double tm = 0;
+        REQUIRE(read_cdr_message(rig.told.sent[i].second, value, tm, {.order = order}));
+        CHECK(value == AnyPayload(Velocity2D{.vx = 0.25}));
+    }
+    rig.server->after_tick();
+    CHECK(rig.told.sent.size() == 2);
+}
+
+TEST_CASE("life cycle and sets act through the one door, and are checked", "[openrtm][server]") {
+    using What = RtcRequest::What;
+    ServerRig rig;
+    CHECK(rig.ask({.what = What::deactivate, .component = "controller"}) == RtcAnswer::done);
+    CHECK(rig.server->look("controller").state == RtcState::inactive);
+    CHECK(rig.ask({.what = What::activate, .component = "controller"}) == RtcAnswer::done);
+    CHECK(rig.ask({.what = What::activate, .component = "nobody"}) == RtcAnswer::unknown);
+    CHECK(rig.ask({.what = What::reset, .component = "controller"}) == RtcAnswer::refused);
+    CHECK(rig.ask({.what = What::set, .component = "controller", .set = "default", .values = {{"speed_x", "0.5"}}}) ==
+          RtcAnswer::done);
+    rig.turn();
+    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.5);
+    CHECK(rig.ask({.what = What::use, .component = "controller", .set = "fast"}) == RtcAnswer::done);
+    CHECK(rig.server->look("controller").set == "fast");
+    CHECK(rig.ask({.what = What::use, .component = "controller", .set = "default"}) == RtcAnswer::refused);
+    for (const std::string& line : rig.acts.lines) CHECK(line.find(" by network rtm") != std::string::npos);
+}
+
+TEST_CASE("values of a set are taken all together or not at all", "[openrtm][server]") {
+    ServerRig rig;
+    const auto set = [&](const std::string& id, Texts values) {
+        return rig.ask(
+            {.what = RtcRequest::What::set, .component = "controller", .set = id, .values = std::move(values)});
+    };
+    CHECK(set("default", {{"speed_x", "0.5"}, {"stop_d", "many"}}) == RtcAnswer::refused);
+    CHECK(set("default", {{"speed_x", "0.5"}, {"speed_y", "1"}}) == RtcAnswer::unknown);
+    CHECK(set("default", {{"speed_x", "9"}}) == RtcAnswer::refused);
+    CHECK(set("default", {{"speed_x", "nan"}}) == RtcAnswer::refused);
+    CHECK(set("fast", {{"speed_x", "0.3"}}) == RtcAnswer::refused);
+    rig.turn();
+    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.25);
+    CHECK(rig.acts.lines.empty());
+}
+
+TEST_CASE("a restart keeps what is exported, and what was removed is exported no more", "[openrtm][server]") {
+    ServerRig rig;
+    const auto profiles = rig.told.profiles;
+    REQUIRE(rig.live->act(Restart{}, {Actor::Kind::console}));
+    rig.told.wanted["controller.out"] = {.little = true};
+    rig.turn(2);
+    CHECK(rig.told.profiles == profiles);
+    CHECK_FALSE(rig.told.sent.empty());
+    REQUIRE(rig.live->act(Remove{"controller"}, {Actor::Kind::console}));
+    rig.turn();
+    REQUIRE(rig.told.profiles.size() == 1);
+    CHECK(rig.told.links.empty());
+    CHECK(rig.put("controller.in", std::vector<std::int16_t>{1}) == PutAnswer::unknown);
+}
+
+TEST_CASE("a connection's malformed messages are told once", "[openrtm][server]") {
+    ServerRig rig;
+    const std::vector<std::uint8_t> half{1, 2, 3};
+    for (int i = 0; i < 3; ++i)
+        CHECK(rig.server->put("controller.in", "Peer0", half, std::endian::little) == PutAnswer::malformed);
+    rig.turn(2);
+    REQUIRE(rig.said_lines.size() == 1);
+    CHECK(rig.said_lines[0].starts_with("rtm: controller.in refuses a malformed message of Peer0: "));
+    CHECK(rig.server->malformed() == 3);
+}
+
+TEST_CASE("without the part for CORBA the run says why, at the word", "[openrtm][server]") {
+    ServerRig rig;
+    const auto opened = RtmServer::open(
+        rig.host(), [](const OrbOptions&, RtcSite&) -> Expected<std::unique_ptr<Orb>> { return failure("not here"); });
+    REQUIRE_FALSE(opened);
+    CHECK(opened.error().message == "rtm: not here");
+    CHECK(opened.error().place.line == 4);
+}
+
+TEST_CASE("the end of a server ends what RTCs see", "[openrtm][server]") {
+    ServerRig rig;
+    rig.server.reset();
+    CHECK(rig.told.ended);
+}

@@ -1,0 +1,167 @@
+// A live system that is exported for real: a name service of its own, and RTCs that are other programs.
+#pragma once
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bindings/openrtm/rtm_server.hpp"
+#include "engine/ports/cdr.hpp"
+#include "tests/unit/live_rig.hpp"
+#include "tests/unit/openrtm/peer.hpp"
+
+namespace nezumi {
+
+/// Omits a test where what it needs is not installed.
+inline void need_omniorb() {
+    if (std::system("command -v omniNames > /dev/null 2>&1") != 0)
+        throw std::runtime_error("SKIPPED: omniNames is not installed: sudo apt install omniorb-nameserver");
+}
+
+inline int free_port() {
+    const int file = socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    int port = 0;
+    if (bind(file, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
+        getsockname(file, reinterpret_cast<sockaddr*>(&address), &size) == 0)
+        port = ntohs(address.sin_port);
+    close(file);
+    return port;
+}
+
+/// A name service, which may go and come back.
+class Names {
+public:
+    Names() : port_((need_omniorb(), free_port())) { start(); }
+    std::string address() const { return "localhost:" + std::to_string(port_); }
+    void start() {
+        const std::string port = std::to_string(port_);
+        std::vector<std::string> words{"omniNames", "-datadir", folder_.path().string(), "-ORBendPoint",
+                                       "giop:tcp:127.0.0.1:" + port};
+        // What it has begun with once it must not be told again.
+        if (std::filesystem::is_empty(folder_.path())) words.insert(words.begin() + 1, {"-start", port});
+        service_ = std::make_unique<Peer>(std::move(words));
+        while (service_->heard("", {}, 10).find("Checkpointing completed") == std::string::npos) {
+            if (service_->text().find("Checkpointing completed") != std::string::npos) break;
+            REQUIRE_FALSE(service_->text().empty());
+        }
+    }
+    void kill() { service_.reset(); }
+    /// One that begins anew has no names.
+    void forget() {
+        for (const auto& file : std::filesystem::directory_iterator(folder_.path()))
+            std::filesystem::remove(file.path());
+    }
+
+private:
+    Scratch folder_;
+    int port_;
+    std::unique_ptr<Peer> service_;
+};
+
+/// A behaviour that has ports, and does nothing: tests write and look at them.
+inline std::string relay_behavior(std::string_view type) {
+    return fmt::format(
+        "input(\"in\", \"{0}\", \"\")\noutput(\"out\", \"{0}\", \"\")\n"
+        "param(\"speed\", 0.5, {{ min = 0, max = 1 }})\nfunction on_execute() end\n",
+        type);
+}
+
+struct WireRig : Names, LiveRig {
+    explicit WireRig(std::string_view type = "TimedLong", const std::string& more = "")
+        : LiveRig(
+              "robot \"mouse\" { model = \"raspimouse\" }\nbehavior \"relay\" { script = \"relay\" }\n"
+              "rtm { export = { \"mouse\", \"relay\" }, nameserver = \"" +
+                  address() + "\" }\n" + more,
+              {{"relay", relay_behavior(type)}}) {
+        auto opened =
+            openrtm::RtmServer::open({.system = [this]() -> const System& { return live->system(); },
+                                      .spec = [this]() -> const SystemSpec& { return live->spec(); },
+                                      .starts = [this] { return live->starts(); },
+                                      .act = [this](const Act& act, const Actor& who) { return live->act(act, who); },
+                                      .say = [this](bool, const std::string& line) { told += line + "\n"; }});
+        if (!opened && opened.error().message.find("was built without") != std::string::npos)
+            throw std::runtime_error("SKIPPED: " + opened.error().message);
+        if (!opened) FAIL(describe(opened.error()));
+        server = std::move(*opened);
+    }
+
+    void turn() {
+        server->before_tick();
+        live->tick();
+        server->after_tick();
+    }
+    template <class Condition>
+    bool until(const Condition& condition, double seconds = 20) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+        while (!condition()) {
+            if (std::chrono::steady_clock::now() > end) return false;
+            turn();
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return true;
+    }
+    bool tells(const std::string& text) {
+        return until([&] { return told.find(text) != std::string::npos; });
+    }
+    /// An RTC with one port; ready, and so are we.
+    std::unique_ptr<Peer> rtc(const std::string& name, const std::string& port, std::string_view type,
+                              const std::string& direction) {
+        auto peer = std::make_unique<Peer>(
+            std::vector<std::string>{fake_rtc(), address(), name, port, std::string(type), direction});
+        REQUIRE(hears(*peer, "ready") == "ready");
+        REQUIRE(tells("relay is "));
+        return peer;
+    }
+    std::string hears(Peer& peer, const std::string& begin) {
+        return peer.heard(begin, [this] { turn(); });
+    }
+    std::string answer(Peer& peer, const std::string& line, const std::string& begin) {
+        peer.say(line);
+        return hears(peer, begin);
+    }
+    void publish(const AnyPayload& value) { REQUIRE(live->act(Write{"relay.out", value}, {Actor::Kind::console})); }
+    AnyPayload arrived() { return component("relay").find_in_port("in")->value(); }
+
+    static std::string fake_rtc() {
+        return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "fake_rtc").string();
+    }
+
+    std::string told;
+    std::unique_ptr<openrtm::RtmServer> server;
+};
+
+inline std::string hex_of(const AnyPayload& value, std::endian order) {
+    std::vector<std::uint8_t> bytes;
+    write_cdr_message(bytes, value, 1.5, {.order = order});
+    std::string text;
+    for (const std::uint8_t byte : bytes) text += fmt::format("{:02x}", byte);
+    return text;
+}
+
+/// The payload of "got HEX"; the zero of the type where there is none.
+inline AnyPayload payload_of(const std::string& line, std::size_t type, std::endian order) {
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t i = 4; i + 1 < line.size(); i += 2)
+        bytes.push_back(static_cast<std::uint8_t>(std::stoi(line.substr(i, 2), nullptr, 16)));
+    auto value = with_payload_type(type, []<class T>() { return AnyPayload(T{}); });
+    double tm = 0;
+    INFO(line);
+    CHECK(read_cdr_message(bytes, value, tm, {.order = order}));
+    return value;
+}
+
+}  // namespace nezumi
