@@ -18,6 +18,7 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "bindings/openrtm/rtc_profiles.hpp"
 #include "bindings/scenario/scenario_file.hpp"
 #include "engine/base/whole_file.hpp"
 
@@ -106,6 +107,15 @@ void leave_out_bodies(SystemSpec& spec, Makers& makers) {
     }
 }
 
+// What RTCs would be shown of a system.
+void check_rtm(const System& system, const SystemSpec& spec, std::vector<Error>& errors) {
+    if (!spec.rtm) return;
+    if (const auto profiles = openrtm::profiles_of(system, *spec.rtm); !profiles) errors.push_back(profiles.error());
+    for (const ConnectionSpec& connection : spec.rtm_connections) {
+        if (const auto link = openrtm::links_of(system, {connection}); !link) errors.push_back(link.error());
+    }
+}
+
 std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,
                                 const LiveOptions& options) {
     if (auto errors = check_system_text(text, shown, project); !errors.empty()) return errors;
@@ -132,7 +142,10 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     std::vector<Error> errors;
     for (int i = 0; i < most_errors; ++i) {
         const auto built = build_system(*spec, makers, options.build);
-        if (built) break;
+        if (built) {
+            check_rtm(**built, *spec, errors);
+            break;
+        }
         errors.push_back(built.error());
         if (!leave_out(*spec, project, built.error().place)) break;
     }

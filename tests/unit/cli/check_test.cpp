@@ -210,3 +210,19 @@ TEST_CASE("texts become JSON whatever bytes they have", "[cli][check]") {
           "e \xf0\x9f\x90\xad\"");
     CHECK(json_text("\xff \xc3 \xed\xa0\x80") == R"("\ufffd \ufffd \ufffd\ufffd\ufffd")");
 }
+
+TEST_CASE("ports of ours that lead to RTCs are checked without any", "[cli][check][rtm]") {
+    const std::string system =
+        "robot 'mouse' { model = 'raspimouse' }\n"
+        "rtm { export = 'mouse', rename = { ['mouse.pose_updat'] = 'pose_update_in' } }\n"
+        "connect('rtm:Out0.out', 'mouse.current_pose_out')\n"
+        "connect('rtm:Out0.out', 'mouse.target_velocity_inn')\n"
+        "connect('rtm:Out0.out', 'mouse.target_velocity_in')\n";
+    CHECK(
+        wrong("systems/s.lua", system) ==
+        Lines{
+            "systems/s.lua:2: rtm: field 'rename' names no port that is exported: there is none 'mouse.pose_updat' "
+            "(did you mean 'mouse.pose_update'?)",
+            "systems/s.lua:3: connect: mouse.current_pose_out is an out-port",
+            "systems/s.lua:4: connect: mouse has no port 'target_velocity_inn' (did you mean 'target_velocity_in'?)"});
+}

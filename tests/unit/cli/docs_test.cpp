@@ -216,6 +216,8 @@ TEST_CASE("the page about behaviours does what it says", "[cli][docs][watchdog]"
 
 TEST_CASE("the page about the examples does what it says", "[cli][docs]") { follow("examples.md", source_root()); }
 
+TEST_CASE("the page about OpenRTM's components does what it says", "[cli][docs]") { follow("openrtm.md"); }
+
 TEST_CASE("the page about Python does what it says", "[cli][docs]") { follow("python.md"); }
 
 TEST_CASE("the page for those who come from elsewhere does what it says", "[cli][docs]") { follow("coming_from.md"); }

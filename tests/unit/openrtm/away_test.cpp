@@ -65,8 +65,8 @@ TEST_CASE("a name service that comes back is told of the RTCs again, and connect
     rig.forget();
     rig.start();
     CHECK(rig.until([&] {
-        const auto peer = std::make_unique<Peer>(
-            std::vector<std::string>{WireRig::fake_rtc(), rig.address(), "In0", "in", "TimedLong", "in"});
+        const auto peer =
+            std::make_unique<Peer>(std::vector<std::string>{fake_rtc(), rig.address(), "In0", "in", "TimedLong", "in"});
         peer->say("state relay0");
         return peer->heard(
                    "state ", [&] { rig.turn(); }, 1) == "state 2";

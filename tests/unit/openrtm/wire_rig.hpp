@@ -1,13 +1,8 @@
 // A live system that is exported for real: a name service of its own, and RTCs that are other programs.
 #pragma once
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-
 #include <catch2/catch.hpp>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -18,59 +13,10 @@
 #include "bindings/openrtm/rtm_server.hpp"
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/live_rig.hpp"
+#include "tests/unit/openrtm/names.hpp"
 #include "tests/unit/openrtm/peer.hpp"
 
 namespace nezumi {
-
-/// Omits a test where what it needs is not installed.
-inline void need_omniorb() {
-    if (std::system("command -v omniNames > /dev/null 2>&1") != 0)
-        throw std::runtime_error("SKIPPED: omniNames is not installed: sudo apt install omniorb-nameserver");
-}
-
-inline int free_port() {
-    const int file = socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    int port = 0;
-    if (bind(file, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
-        getsockname(file, reinterpret_cast<sockaddr*>(&address), &size) == 0)
-        port = ntohs(address.sin_port);
-    close(file);
-    return port;
-}
-
-/// A name service, which may go and come back.
-class Names {
-public:
-    Names() : port_((need_omniorb(), free_port())) { start(); }
-    std::string address() const { return "localhost:" + std::to_string(port_); }
-    void start() {
-        const std::string port = std::to_string(port_);
-        std::vector<std::string> words{"omniNames", "-datadir", folder_.path().string(), "-ORBendPoint",
-                                       "giop:tcp:127.0.0.1:" + port};
-        // What it has begun with once it must not be told again.
-        if (std::filesystem::is_empty(folder_.path())) words.insert(words.begin() + 1, {"-start", port});
-        service_ = std::make_unique<Peer>(std::move(words));
-        while (service_->heard("", {}, 10).find("Checkpointing completed") == std::string::npos) {
-            if (service_->text().find("Checkpointing completed") != std::string::npos) break;
-            REQUIRE_FALSE(service_->text().empty());
-        }
-    }
-    void kill() { service_.reset(); }
-    /// One that begins anew has no names.
-    void forget() {
-        for (const auto& file : std::filesystem::directory_iterator(folder_.path()))
-            std::filesystem::remove(file.path());
-    }
-
-private:
-    Scratch folder_;
-    int port_;
-    std::unique_ptr<Peer> service_;
-};
 
 /// A behaviour that has ports, and does nothing: tests write and look at them.
 inline std::string relay_behavior(std::string_view type) {
@@ -93,8 +39,6 @@ struct WireRig : Names, LiveRig {
                                       .starts = [this] { return live->starts(); },
                                       .act = [this](const Act& act, const Actor& who) { return live->act(act, who); },
                                       .say = [this](bool, const std::string& line) { told += line + "\n"; }});
-        if (!opened && opened.error().message.find("was built without") != std::string::npos)
-            throw std::runtime_error("SKIPPED: " + opened.error().message);
         if (!opened) FAIL(describe(opened.error()));
         server = std::move(*opened);
     }
@@ -135,10 +79,6 @@ struct WireRig : Names, LiveRig {
     }
     void publish(const AnyPayload& value) { REQUIRE(live->act(Write{"relay.out", value}, {Actor::Kind::console})); }
     AnyPayload arrived() { return component("relay").find_in_port("in")->value(); }
-
-    static std::string fake_rtc() {
-        return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "fake_rtc").string();
-    }
 
     std::string told;
     std::unique_ptr<openrtm::RtmServer> server;
