@@ -58,10 +58,12 @@ public:
         // What it has begun with once it must not be told again.
         if (std::filesystem::is_empty(folder_.path())) words.insert(words.begin() + 1, {"-start", port});
         service_ = std::make_unique<Peer>(std::move(words));
-        while (service_->heard("", {}, 10).find("Checkpointing completed") == std::string::npos) {
-            if (service_->text().find("Checkpointing completed") != std::string::npos) break;
-            REQUIRE_FALSE(service_->text().empty());
-        }
+        // It serves when it has written its names.
+        std::string line;
+        do {
+            line = service_->heard("omniNames");
+            REQUIRE_FALSE(line.empty());
+        } while (line.find("Checkpointing completed") == std::string::npos);
     }
     void kill() { service_.reset(); }
     /// One that begins anew has no names.
