@@ -39,7 +39,9 @@ TEST_CASE("a connection to an RTC carries what a port publishes", "[openrtm][awa
     WireRig rig("TimedLong", "connect(\"relay.out\", \"rtm:In0.in\")");
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
     REQUIRE(rig.hears(*in, "joined ") == "joined relay.out_In0.in");
+    REQUIRE(rig.tells("connected: relay.out to rtm:In0.in"));  // here as well
     rig.publish(seven);
+    rig.turn();
     CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) == AnyPayload(seven));
 }
 
