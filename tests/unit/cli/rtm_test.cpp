@@ -1,5 +1,8 @@
 // `nezumi run` among RTCs.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <string>
 
 #include "engine/ports/cdr.hpp"

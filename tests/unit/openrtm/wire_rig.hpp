@@ -1,6 +1,8 @@
 // A live system that is exported for real: a name service of its own, and RTCs that are other programs.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
