@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -238,8 +239,11 @@ typename Interface::_ptr_type peer_of(CORBA::ORB_ptr orb, const std::string& ref
 }  // namespace
 
 std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
+    // In small letters: who writes "Push" means the same.
     const auto said = [&](const char* name, const char* fallback) {
-        const std::string text = text_of(properties, name);
+        std::string text = text_of(properties, name);
+        std::transform(text.begin(), text.end(), text.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
         return text.empty() ? std::string(fallback) : text;
     };
     Terms terms;
@@ -251,7 +255,7 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     const std::string subscription = said("dataport.subscription_type", "flush");
     if (has(subscription, "periodic")) {
         terms.subscription = Terms::Subscription::periodic;
-        std::string rate = text_of(properties, "dataport.publisher.push_rate");
+        std::string rate = said("dataport.publisher.push_rate", "");
         if (rate.empty()) rate = said("dataport.push_rate", "10");
         terms.rate = std::strtod(rate.c_str(), nullptr);
         if (!(terms.rate > 0)) return std::nullopt;
@@ -261,8 +265,8 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     } else if (!has(subscription, "flush")) {
         return std::nullopt;
     }
-    std::string policy = text_of(properties, "dataport.publisher.push_policy");
-    if (policy.empty()) policy = text_of(properties, "dataport.push_policy");
+    std::string policy = said("dataport.publisher.push_policy", "");
+    if (policy.empty()) policy = said("dataport.push_policy", "");
     terms.keeps_all = policy == "all" || policy == "fifo";
     // The first that is named counts, on both sides.
     const std::string orders = said("dataport.serializer.cdr.endian", "little");

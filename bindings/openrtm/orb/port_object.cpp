@@ -34,7 +34,7 @@ SDOPackage::NVList properties_of(const RtcPort& port) {
     add_text(list, "dataport.interface_type", "corba_cdr");
     add_text(list, "dataport.dataflow_type", "push,pull");
     add_text(list, "dataport.subscription_type", port.is_in ? "Any" : "flush,new,periodic");
-    add_text(list, "dataport.marshaling_type", "cdr");
+    add_text(list, "dataport.marshaling_types", "cdr");
     add_text(list, "dataport.serializer.cdr.endian", "little,big");
     return list;
 }

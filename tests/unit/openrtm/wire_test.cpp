@@ -92,6 +92,16 @@ TEST_CASE("what can't be connected is refused", "[openrtm][wire][wallclock]") {
     }
 }
 
+TEST_CASE("properties are understood in any case, and the first byte order counts", "[openrtm][wire][wallclock]") {
+    WireRig rig;
+    const auto in = rig.rtc("In0", "in", "TimedLong", "in");
+    REQUIRE(rig.answer(*in,
+                       "connect relay0 out interface_type=CORBA_CDR dataflow_type=Push subscription_type=New "
+                       "serializer.cdr.endian=Big,Little",
+                       "connected ") == "connected 0");
+    CHECK(received(rig, *in, std::int32_t{7}, std::endian::big) == AnyPayload(std::int32_t{7}));
+}
+
 TEST_CASE("a message that is none is refused, and the connection lives", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
