@@ -248,7 +248,9 @@ std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
     };
     Terms terms;
     if (!has(said("dataport.interface_type", "corba_cdr"), "corba_cdr")) return std::nullopt;
-    if (!has(said("dataport.marshaling_type", "cdr"), "cdr")) return std::nullopt;
+    // Both are names of the same in OpenRTM-aist 2.
+    const std::string serializer = said("dataport.marshaling_type", "cdr");
+    if (!has(serializer, "cdr") && !has(serializer, "corba")) return std::nullopt;
     const std::string dataflow = said("dataport.dataflow_type", "push");
     terms.push = has(dataflow, "push");
     if (!terms.push && !has(dataflow, "pull")) return std::nullopt;

@@ -97,6 +97,26 @@ void FakePort::send(const Bytes& bytes) {
     if (peers.empty()) print(pull ? "kept" : "sent to nobody");
 }
 
+std::vector<double> FakePort::time_sends(int count, const Bytes& bytes) {
+    OpenRTM::InPortCdr_var peer;
+    {
+        const std::lock_guard lock(mutex_);
+        for (auto& [id, connection] : connections_) {
+            if (!connection.pull) peer = connection.peer_in;
+        }
+    }
+    OpenRTM::CdrData data;
+    data.length(static_cast<CORBA::ULong>(bytes.size()));
+    for (CORBA::ULong i = 0; i < data.length(); ++i) data[i] = bytes[i];
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i) {
+        const auto begin = std::chrono::steady_clock::now();
+        static_cast<void>(peer->put(data));
+        times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    return times;
+}
+
 void FakePort::fetch() {
     std::vector<OpenRTM::OutPortCdr_var> peers;
     {

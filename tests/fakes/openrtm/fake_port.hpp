@@ -54,6 +54,8 @@ public:
 
     /// Sends to every connection: by its peer's `put`, or for its `get`. Prints "sent STATUS" of each that is pushed.
     void send(const Bytes& bytes);
+    /// Sends so often to the first peer that is pushed to, and says how long [s] each took.
+    std::vector<double> time_sends(int count, const Bytes& bytes);
     /// Asks the peer of every pull connection; prints "got HEX" or "empty".
     void fetch();
     void hang(double seconds) { cdr_->hang(seconds); }
