@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <chrono>
-#include <cstdlib>
 #include <thread>
 
 #include <data_port.hh>
 #include "bindings/openrtm/orb/message_queue.hpp"
-#include "bindings/openrtm/orb/properties.hpp"
 #include "bindings/openrtm/orb/servants.hpp"
 #include "bindings/openrtm/orb/threads.hpp"
 
@@ -19,23 +16,11 @@ namespace {
 
 // As many messages wait for a peer as in a buffer of OpenRTM-aist.
 constexpr std::size_t most_waiting = 8;
-// How often [Hz] a peer is asked for a message, and at most is sent one.
+// How often [Hz] a peer is asked for a message.
 constexpr double fetch_rate = 100;
-constexpr double most_rate = 1000;
 
 std::size_t capacity_for(const Terms& terms) {
     return terms.subscription == Terms::Subscription::flush || terms.keeps_all || !terms.push ? most_waiting : 1;
-}
-
-bool has(const std::string& list, std::string_view word) {
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        const std::size_t first = list.find_first_not_of(' ', begin);
-        const std::size_t last = list.find_last_not_of(' ', end == 0 ? 0 : end - 1);
-        if (first < end && list.substr(first, last - first + 1) == word) return true;
-        begin = end + 1;
-    }
-    return false;
 }
 
 class InPortObject final : public POA_OpenRTM::InPortCdr {
@@ -237,49 +222,6 @@ typename Interface::_ptr_type peer_of(CORBA::ORB_ptr orb, const std::string& ref
 }
 
 }  // namespace
-
-std::optional<Terms> terms_of(const SDOPackage::NVList& properties) {
-    // In small letters: who writes "Push" means the same.
-    const auto said = [&](const char* name, const char* fallback) {
-        std::string text = text_of(properties, name);
-        std::transform(text.begin(), text.end(), text.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        return text.empty() ? std::string(fallback) : text;
-    };
-    Terms terms;
-    if (!has(said("dataport.interface_type", "corba_cdr"), "corba_cdr")) return std::nullopt;
-    // Both are names of the same in OpenRTM-aist 2.
-    const std::string serializer = said("dataport.marshaling_type", "cdr");
-    if (!has(serializer, "cdr") && !has(serializer, "corba")) return std::nullopt;
-    const std::string dataflow = said("dataport.dataflow_type", "push");
-    terms.push = has(dataflow, "push");
-    if (!terms.push && !has(dataflow, "pull")) return std::nullopt;
-    const std::string subscription = said("dataport.subscription_type", "flush");
-    if (has(subscription, "periodic")) {
-        terms.subscription = Terms::Subscription::periodic;
-        std::string rate = said("dataport.publisher.push_rate", "");
-        if (rate.empty()) rate = said("dataport.push_rate", "10");
-        terms.rate = std::strtod(rate.c_str(), nullptr);
-        if (!(terms.rate > 0)) return std::nullopt;
-        terms.rate = std::min(terms.rate, most_rate);
-    } else if (has(subscription, "new")) {
-        terms.subscription = Terms::Subscription::newest;
-    } else if (!has(subscription, "flush")) {
-        return std::nullopt;
-    }
-    std::string policy = said("dataport.publisher.push_policy", "");
-    if (policy.empty()) policy = said("dataport.push_policy", "");
-    terms.keeps_all = policy == "all" || policy == "fifo";
-    // The first that is named counts, on both sides.
-    const std::string orders = said("dataport.serializer.cdr.endian", "little");
-    const std::string first = orders.substr(0, orders.find(','));
-    if (has(first, "big")) {
-        terms.order = std::endian::big;
-    } else if (!has(first, "little")) {
-        return std::nullopt;
-    }
-    return terms;
-}
 
 std::unique_ptr<Connector> make_push_inlet(CORBA::ORB_ptr orb, const Inlet& inlet, const Terms& terms) {
     return std::make_unique<PushInlet>(orb, inlet, terms);

@@ -1,33 +1,16 @@
 // One connection of a data port: how its messages go, in a thread of its own where it calls the peer.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 
 #include <rtm.hh>
 #include "bindings/openrtm/orb.hpp"
+#include "bindings/openrtm/orb/terms.hpp"
 
 namespace nezumi::openrtm {
-
-/// What the properties of a connection ask for.
-struct Terms {
-    /// When an out-port sends: each message at once, the latest as soon as the peer has taken the one before, or the
-    /// latest so often.
-    enum class Subscription { flush, newest, periodic };
-
-    bool push = true;  ///< else the in-port fetches
-    Subscription subscription = Subscription::flush;
-    bool keeps_all = false;  ///< messages that came between are sent as well
-    double rate = 0;         ///< [Hz] of `periodic`
-    std::endian order = std::endian::little;
-};
-
-/// Nothing where they ask for what is not there: another interface or serializer than CORBA's CDR.
-std::optional<Terms> terms_of(const SDOPackage::NVList& properties);
 
 /// What is told of the in-port's side in a connection's properties, and what of the out-port's.
 inline constexpr const char* in_port_reference = "dataport.corba_cdr.inport_ior";
