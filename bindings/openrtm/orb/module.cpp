@@ -48,8 +48,13 @@ CORBA::ORB_ptr begin(const OrbOptions& options) {
                                  {"threadPerConnectionUpperLimit", "32"},
                                  {"endPoint", end_point.c_str()},
                                  {nullptr, nullptr}};
-    int count = 0;
-    const CORBA::ORB_var orb = CORBA::ORB_init(count, nullptr, "omniORB4", settings);
+    // No file of this computer's may add an end point that others reach.
+    std::string program = "nezumi";
+    std::string option = "-ORBconfigFile";
+    std::string no_file = "/dev/null";
+    char* arguments[] = {program.data(), option.data(), no_file.data(), nullptr};
+    int count = 3;
+    const CORBA::ORB_var orb = CORBA::ORB_init(count, arguments, "omniORB4", settings);
     const CORBA::Object_var object = orb->resolve_initial_references("RootPOA");
     const PortableServer::POA_var poa = PortableServer::POA::_narrow(object);
     const PortableServer::POAManager_var manager = poa->the_POAManager();
