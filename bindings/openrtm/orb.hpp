@@ -40,7 +40,8 @@ enum class RtcState { inactive, active, error };
 /// What changes of a component.
 struct RtcLook {
     RtcState state = RtcState::inactive;
-    std::string set = "default";  ///< the configuration set in use
+    std::string set = "default";                                 ///< the configuration set in use
+    std::string description{}, version{}, vendor{}, category{};  ///< "" for what it does not say
     /// The values of each set, the widgets, bounds and types of parameters: "default", "__widget__" ...
     std::vector<std::pair<std::string, Texts>> sets{};
 };

@@ -177,6 +177,11 @@ RtcLook look_at(const Component& component) {
     look.state = component.state() == LifeState::active     ? RtcState::active
                  : component.state() == LifeState::inactive ? RtcState::inactive
                                                             : RtcState::error;
+    const ComponentAbout about = component.about();
+    look.description = about.description;
+    look.version = about.version;
+    look.vendor = about.vendor;
+    look.category = about.category;
     if (!component.set_in_use().empty()) look.set = component.set_in_use();
     if (!component.sets.contains("default")) look.sets.emplace_back("default", values_of(component, ""));
     for (const auto& [name, values] : component.sets) look.sets.emplace_back(name, values_of(component, name));

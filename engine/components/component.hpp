@@ -31,6 +31,11 @@ enum class Hook { none, on_activated, on_execute, on_deactivated, on_aborting, o
 /// Every hook's name as scripts spell it; Hook::none and Hook::command have none.
 std::string_view to_text(Hook hook);
 
+/// What a component says of itself; "" for what it does not say.
+struct ComponentAbout {
+    std::string description{}, version{}, vendor{}, category{};
+};
+
 class Component {
 public:
     Component(std::string name, std::string type) : name_(std::move(name)), type_(std::move(type)) {}
@@ -44,6 +49,7 @@ public:
     LifeState state() const { return state_; }
     /// Counts the versions of a script; 1 for a native component.
     virtual int version() const { return 1; }
+    virtual ComponentAbout about() const { return {}; }
     /// What sent it to ERROR, or went wrong last.
     const Error& last_error() const { return last_error_; }
     /// The error of the latest hook or command that ran out of time; none if all were in time. What came after it

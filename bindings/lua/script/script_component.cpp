@@ -112,6 +112,12 @@ Expected<PlainData> ScriptComponent::copy_state() const {
     return script_->take_state(dropped);
 }
 
+ComponentAbout ScriptComponent::about() const {
+    const ScriptAbout& about = script_->about();
+    return {
+        .description = script_->doc(), .version = about.version, .vendor = about.vendor, .category = about.category};
+}
+
 bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& visit) const {
     if (member == "tasks") visit_plain(describe_tasks(), visit);
     if (member == "probes") visit_plain(script_->probes().values(), visit);

@@ -22,6 +22,8 @@ public:
                                                            ScriptContext context);
 
     int version() const override { return version_; }
+    /// The first comment of its file, and what `about` says.
+    ComponentAbout about() const override;
     Script& script() { return *script_; }
     const Script& script() const { return *script_; }
 

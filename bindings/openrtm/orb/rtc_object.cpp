@@ -9,6 +9,7 @@
 namespace nezumi::openrtm {
 namespace {
 
+// Of a component that does not say.
 constexpr const char* vendor = "nezumi";
 constexpr const char* version = "1.0";
 constexpr const char* category = "nezumi";
@@ -63,7 +64,8 @@ RTC::ExecutionContextProfile* ContextObject::get_profile() {
 }
 
 RtcObject::RtcObject(const Home& home, RtcProfile profile, std::string instance)
-    : profile_(std::move(profile)),
+    : site_(home.site),
+      profile_(std::move(profile)),
       instance_(std::move(instance)),
       context_(new ContextObject(home.site, profile_)),
       configuration_(new ConfigurationObject(home.site, profile_.component)) {
@@ -100,10 +102,11 @@ RTC::ComponentProfile* RtcObject::get_component_profile() {
     RTC::ComponentProfile_var profile = new RTC::ComponentProfile;
     profile->instance_name = corba_string(instance_);
     profile->type_name = corba_string(profile_.type);
-    profile->description = corba_string(profile_.type);
-    profile->version = CORBA::string_dup(version);
-    profile->vendor = CORBA::string_dup(vendor);
-    profile->category = CORBA::string_dup(category);
+    const RtcLook look = site_.look(profile_.component);
+    profile->description = corba_string(look.description.empty() ? profile_.type : look.description);
+    profile->version = corba_string(look.version.empty() ? version : look.version);
+    profile->vendor = corba_string(look.vendor.empty() ? vendor : look.vendor);
+    profile->category = corba_string(look.category.empty() ? category : look.category);
     profile->port_profiles.length(static_cast<CORBA::ULong>(ports_.size()));
     for (CORBA::ULong i = 0; i < profile->port_profiles.length(); ++i) {
         const RTC::PortProfile_var port = ports_[i]->get_port_profile();

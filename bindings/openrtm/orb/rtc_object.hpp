@@ -102,6 +102,7 @@ public:
 private:
     static char* corba_string(const std::string& text) { return CORBA::string_dup(text.c_str()); }
 
+    RtcSite& site_;
     const RtcProfile profile_;
     const std::string instance_;
     std::vector<PortableServer::Servant_var<PortObject>> ports_;

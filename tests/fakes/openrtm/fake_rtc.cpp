@@ -2,8 +2,8 @@
 // line each, and prints what happens; on the end of its input it leaves the name service.
 //   send HEX, fetch, hang SECONDS
 //   connect RTC PORT [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t
-//   ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set RTC SET NAME VALUE, use RTC SET
-//   flood COUNT HEX: sends so often, prints how long it took in all, and one of them
+//   about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set RTC SET NAME VALUE, use RTC
+//   SET flood COUNT HEX: sends so often, prints how long it took in all, and one of them
 #include <omniORB4/Naming.hh>
 #include <unistd.h>
 
@@ -153,6 +153,7 @@ private:
         const RTC::RTObject_var rtc = found;
         if (command == "connect") return connect(rtc, words);
         if (command == "ports") return ports(rtc);
+        if (command == "about") return about(rtc);
         if (command == "sets") return sets(rtc);
         if (command == "set" || command == "use") return configure(command, rtc, words);
         RTC::ExecutionContextList_var contexts = rtc->get_owned_contexts();
@@ -188,6 +189,11 @@ private:
                     property(port.properties, "dataport.data_type");
         }
         print(line);
+    }
+    static void about(RTC::RTObject_ptr rtc) {
+        const RTC::ComponentProfile_var profile = rtc->get_component_profile();
+        print("about " + std::string(profile->type_name.in()) + ", " + profile->description.in() + ", " +
+              profile->version.in() + ", " + profile->vendor.in() + ", " + profile->category.in());
     }
     static void sets(RTC::RTObject_ptr rtc) {
         const SDOPackage::Configuration_var configuration = rtc->get_configuration();

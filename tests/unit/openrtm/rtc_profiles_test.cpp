@@ -108,6 +108,19 @@ TEST_CASE("named sets are configuration sets, and the one in use has the present
     CHECK(set_of(look, "default")[0].second == "0.25");
 }
 
+TEST_CASE("a component says what its file says of it", "[openrtm][profiles]") {
+    const LiveRig rig(
+        "behavior \"c\" { script = \"all\" }\nrobot \"mouse\" { model = \"raspimouse\" }",
+        {{"all",
+          "--- Turns and turns.\nabout { version = \"2.1\", vendor = \"us\", category = \"toys\" }" + all_kinds}});
+    const RtcLook look = look_at(*rig.live->system().find("c"));
+    CHECK(look.description == "Turns and turns.");
+    CHECK(look.version == "2.1");
+    CHECK(look.vendor == "us");
+    CHECK(look.category == "toys");
+    CHECK(look_at(*rig.live->system().find("mouse")).description.empty());
+}
+
 TEST_CASE("a state is that of the life cycle", "[openrtm][profiles]") {
     LiveRig rig("behavior \"c\" { script = \"all\" }", {{"all", all_kinds + "function on_execute() error('x') end"}});
     REQUIRE(rig.live->act(Deactivate{"c"}, {Actor::Kind::console}));

@@ -137,6 +137,7 @@ TEST_CASE("an RTC sees profile, life cycle and configuration, and changes them",
     const auto peer = rig.rtc("In0", "in", "TimedLong", "in");
     CHECK(rig.answer(*peer, "ports relay0", "ports ") ==
           "ports relay0 relay0.in DataInPort IDL:RTC/TimedLong:1.0 relay0.out DataOutPort IDL:RTC/TimedLong:1.0");
+    CHECK(rig.answer(*peer, "about relay0", "about ") == "about Relay, Relay, 1.0, nezumi, nezumi");
     CHECK(rig.answer(*peer, "state relay0", "state ") == "state 2");
     CHECK(rig.answer(*peer, "deactivate relay0", "done ") == "done 0");
     CHECK(rig.component("relay").state() == LifeState::inactive);
