@@ -160,6 +160,9 @@ struct Describe<RosSpec> {
         Internal{&RosSpec::publish},
         Internal{&RosSpec::subscribe},
         Internal{&RosSpec::place},
+    };
+};
+
 template <>
 struct Describe<RtmSpec> {
     static constexpr std::string_view name = "rtm";

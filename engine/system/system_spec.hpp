@@ -135,9 +135,6 @@ struct SystemSpec {
     std::vector<ConnectionSpec> connections;
     std::optional<NetworkSpec> network{};
     std::optional<RosSpec> ros{};
-    std::optional<RtmSpec> rtm;                    ///< none: no RTC sees the system
-    std::vector<ConnectionSpec> rtm_connections;   ///< those that have an RTC's port at one end
-    std::vector<std::string> files;  ///< every file it was read from: system, models, maps
     std::optional<RtmSpec> rtm;                   ///< none: no RTC sees the system
     std::vector<ConnectionSpec> rtm_connections;  ///< those that have an RTC's port at one end
     std::vector<std::string> files;               ///< every file it was read from: system, models, maps

@@ -636,6 +636,7 @@ function output(name, type, doc, options) end
 ---@field port? string of `subscribe`: the in-port, "name.port"
 ---@field type? string the message's type, for example "geometry_msgs/msg/TwistStamped"
 ---@field frame? string of the message's header
+
 ---@class (exact) RtmFields
 ---@field nameserver? string "HOST:PORT" of the CORBA name service
 ---@field export? string|string[] the components that appear there
@@ -930,6 +931,7 @@ function network(fields) end
 ---This system is a node among those of ROS 2.
 ---@param fields RosFields
 function ros(fields) end
+
 ---Components that OpenRTM-aist's see, and may be connected to.
 ---@param fields RtmFields
 function rtm(fields) end
@@ -1242,6 +1244,7 @@ function s:network(fields) end
 ---This system is a node among those of ROS 2.
 ---@param fields RosFields
 function s:ros(fields) end
+
 ---Components that OpenRTM-aist's see, and may be connected to.
 ---@param fields RtmFields
 function s:rtm(fields) end

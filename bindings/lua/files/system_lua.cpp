@@ -180,10 +180,7 @@ int take_table(lua_State* lua) {
 const std::vector<const char*>& system_word_names() {
     static const std::vector<const char*> names{
         "arena",  "behavior", "box",     "component", "connect", "csv",   "cylinder", "floor", "line", "map",
-        "marker", "maze",     "network", "physics",   "rate",    "robot", "ros",      "seed",  "wall"};
-    static const std::vector<const char*> names{"arena",    "behavior", "box",   "component", "connect", "csv",
-                                                "cylinder", "floor",    "line",  "map",       "marker",  "maze",
-                                                "physics",  "rate",     "robot", "rtm",       "seed",    "wall"};
+        "marker", "maze",     "network", "physics",   "rate",    "robot", "ros",      "rtm",   "seed", "wall"};
     return names;
 }
 

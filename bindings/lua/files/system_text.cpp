@@ -84,6 +84,8 @@ std::string place_in_domain(const T& spec) {
 std::string ros(const RosSpec& spec) {
     return fmt::format("ros {{\n  {},\n{}{}}}\n", place_in_domain(spec), topics("publish", spec.publish),
                        topics("subscribe", spec.subscribe));
+}
+
 std::string rtm(const RtmSpec& rtm) {
     std::string names;
     for (const std::string& name : rtm.exported) names += (names.empty() ? "{ " : ", ") + quoted(name);

@@ -139,10 +139,7 @@ std::string system_word_annotations(bool methods) {
                               record.name == "marker" || record.name == "maze" || record.name == "floor" ||
                               record.name == "line";
         if (is_entry || is_thing || record.name == "arena" || record.name == "physics" || record.name == "network" ||
-            record.name == "ros")
-        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" ||
-            record.name == "rtm")
-        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" || record.name == "rtm")
+            record.name == "ros" || record.name == "rtm")
             text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
     }
     for (const Word& each : words) {

@@ -123,10 +123,7 @@ TEST_CASE("every word of a system file refuses an argument too many and one of a
                        word + ": expected a name, got number: write " + word + " \"NAME\" { ... }"};
     }
     for (const std::string word :
-         {"arena", "box", "cylinder", "floor", "line", "marker", "maze", "network", "physics", "ros", "wall"})
-    for (const std::string word : {"arena", "box", "cylinder", "floor", "line", "marker", "maze", "physics",
-                                   "rtm", "wall"})
-         {"arena", "box", "cylinder", "floor", "line", "marker", "maze", "physics", "rtm", "wall"})
+         {"arena", "box", "cylinder", "floor", "line", "marker", "maze", "network", "physics", "ros", "rtm", "wall"})
         table[word] = {word + "({}, 2)", word + fields + word + " { ... }", word + " 'x'",
                        word + ": expected a table, got string"};
     check_covered(table, system_word_names(), {});
