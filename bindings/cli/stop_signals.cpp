@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "engine/base/thread.hpp"
+
 namespace nezumi::cli {
 namespace {
 
@@ -57,18 +59,13 @@ StopSignals::StopSignals() {
 
 void StopSignals::at_second(std::function<void()> action) {
     // Signals are for the thread that runs the loop: they end its waiting.
-    sigset_t all;
-    sigset_t before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    hurry_ = std::thread([action = std::move(action)] {
+    hurry_ = start_thread([action = std::move(action)] {
         while (sem_wait(&hurried) != 0) {
         }
         if (second_signal == 0) return;
         action();
         end_by(second_signal);
     });
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
     second_is_awaited = 1;
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cstddef>
 #include <cstring>
 #include <memory>
@@ -19,6 +18,7 @@
 #include "bindings/dds/cyclone.hpp"
 #include "bindings/dds/octet_type.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/base/thread.hpp"
 
 namespace nezumi::dds {
 namespace {
@@ -143,22 +143,6 @@ private:
 
     mutable Mutex mutex_;
     std::string text_;
-};
-
-// The threads that are made meanwhile take no signals: these are for the threads that wait for them.
-class WithoutSignals {
-public:
-    WithoutSignals() {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_SETMASK, &all, &before_);
-    }
-    ~WithoutSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    WithoutSignals(const WithoutSignals&) = delete;
-    WithoutSignals& operator=(const WithoutSignals&) = delete;
-
-private:
-    sigset_t before_{};
 };
 
 class Cyclone final : public Transport {

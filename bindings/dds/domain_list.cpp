@@ -16,7 +16,7 @@ namespace {
 std::string ros_type(std::string_view type) {
     std::string text(type);
     if (const std::size_t inner = text.find("dds_::"); inner != std::string::npos) text.erase(inner, 6);
-    for (std::size_t at = 0; (at = text.find("::", at)) != std::string::npos;) text.replace(at, 2, "/");
+    for (std::size_t at = 0; (at = text.find("::", at)) != std::string::npos;) text.replace(at, 2, 1, '/');
     if (!text.empty() && text.back() == '_') text.pop_back();
     return text;
 }

@@ -63,7 +63,8 @@ private:
 class SealedTransport final : public Transport {
 public:
     SealedTransport(Transport& inner, const Secret& secret) : inner_(inner), secret_(secret) {
-        static_cast<void>(sodium_init());  // fails where there is no randomness: then so does each nonce, and it aborts
+        // It fails where there is no randomness: then so does each nonce, and it aborts.
+        [[maybe_unused]] const int begun = sodium_init();
     }
     ~SealedTransport() override { sodium_memzero(secret_.data(), secret_.size()); }
     SealedTransport(const SealedTransport&) = delete;

@@ -1,15 +1,13 @@
 // The thread begins with the first picture.
 #include "bindings/web/pictures.hpp"
 
-#include <pthread.h>
-
 #include <algorithm>
-#include <csignal>
 #include <system_error>
 #include <utility>
 
 #include "bindings/web/jpeg.hpp"
 #include "bindings/web/web_frame.hpp"
+#include "engine/base/thread.hpp"
 #include "engine/ports/cdr.hpp"
 
 namespace nezumi::web {
@@ -37,16 +35,11 @@ void Pictures::look(const System& system, const std::vector<std::string>& ports,
         const std::lock_guard lock(mutex_);
         waiting_.insert_or_assign(path, std::move(taken));
         if (!thread_.joinable()) {
-            sigset_t all;
-            sigset_t before;
-            sigfillset(&all);
-            pthread_sigmask(SIG_SETMASK, &all, &before);
             try {
-                thread_ = std::thread([this] { work(); });
+                thread_ = start_thread([this] { work(); });
             } catch (const std::system_error&) {
                 waiting_.clear();  // the next picture tries again
             }
-            pthread_sigmask(SIG_SETMASK, &before, nullptr);
         }
         news_.notify_one();
     }

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
-#include <csignal>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -18,6 +17,7 @@
 
 #include "bindings/web/sockets.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/base/thread.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -140,17 +140,12 @@ std::string WebSockets::open(const SocketOptions& options) {
         if (options.ports > 1) where += " to " + std::to_string(options.first_port + options.ports - 1);
         return "nothing can listen on " + where + ": " + std::strerror(problem != 0 ? problem : EADDRINUSE);
     }
-    sigset_t all;
-    sigset_t before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
     std::string failed;
     try {
-        thread_ = std::thread([this] { serve(); });
+        thread_ = start_thread([this] { serve(); });
     } catch (const std::system_error& none) {
         failed = std::string("there is no thread for browsers: ") + none.what();
     }
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
     return failed;
 }
 

@@ -4,21 +4,16 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <csignal>
 #include <utility>
 
+#include "engine/base/thread.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 
 FileWriter::FileWriter(int file, std::size_t most_waiting) : most_waiting_(most_waiting), file_(file) {
     // Signals are for the thread that runs the loop: they end its waiting.
-    sigset_t all;
-    sigset_t before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    thread_ = std::thread([this] { run(); });
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    thread_ = start_thread([this] { run(); });
 }
 
 FileWriter::~FileWriter() { close(); }

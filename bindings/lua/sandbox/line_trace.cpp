@@ -21,8 +21,9 @@ constexpr int most_elements = 6;
 constinit thread_local LineTrace* current_trace = nullptr;
 
 std::string cut(std::string text) {
-    if (text.size() > LineTrace::longest_value) text = text.substr(0, LineTrace::longest_value - 3) + "...";
-    return text;
+    if (text.size() <= LineTrace::longest_value) return text;
+    text.resize(LineTrace::longest_value - 3);
+    return text.append("...");
 }
 
 std::string text_of_string(std::string_view text) {

@@ -9,7 +9,7 @@
 #include <data_port.hh>
 #include "bindings/openrtm/orb/message_queue.hpp"
 #include "bindings/openrtm/orb/servants.hpp"
-#include "bindings/openrtm/orb/threads.hpp"
+#include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bindings/openrtm/orb/linker.hpp"
-#include "bindings/openrtm/orb/threads.hpp"
+#include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
 namespace {

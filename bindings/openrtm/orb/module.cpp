@@ -5,7 +5,7 @@
 
 #include "bindings/openrtm/orb.hpp"
 #include "bindings/openrtm/orb/keeper.hpp"
-#include "bindings/openrtm/orb/threads.hpp"
+#include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
 namespace {
@@ -67,7 +67,7 @@ CORBA::ORB_ptr begin(const OrbOptions& options) {
 
 extern "C" __attribute__((visibility("default"))) nezumi::openrtm::Orb* nezumi_open_orb(
     const nezumi::openrtm::OrbOptions& options, nezumi::openrtm::RtcSite& site, std::string& problem) {
-    const nezumi::openrtm::WithoutSignals without_signals;
+    const nezumi::WithoutSignals without_signals;
     try {
         const CORBA::ORB_var orb = nezumi::openrtm::begin(options);
         return std::make_unique<nezumi::openrtm::OmniOrb>(orb.in(), site, options).release();

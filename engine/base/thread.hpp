@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace nezumi::openrtm {
+namespace nezumi {
 
 /// While it lives, threads that are started are left alone by signals: these belong to the thread that ticks.
 class WithoutSignals {
@@ -25,10 +25,11 @@ private:
     sigset_t before_{};
 };
 
+/// @throws std::system_error  where the system gives no further thread
 template <class Run>
 std::thread start_thread(Run run) {
     const WithoutSignals without_signals;
     return std::thread(std::move(run));
 }
 
-}  // namespace nezumi::openrtm
+}  // namespace nezumi
