@@ -37,6 +37,13 @@ bool contains(std::string_view whole, std::string_view part) {
     return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();
 }
 
+// How many characters both begin with, case not counted.
+std::size_t begins_alike(std::string_view a, std::string_view b) {
+    std::size_t count = 0;
+    while (count < std::min(a.size(), b.size()) && lower(a[count]) == lower(b[count])) ++count;
+    return count;
+}
+
 }  // namespace
 
 std::string describe(const Error& error) {
@@ -67,8 +74,11 @@ std::string_view nearest(std::string_view name, const std::vector<std::string_vi
     std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
         const std::size_t d = distance(name, candidate);
-        // A name that keeps no character is no misspelling.
-        if (d < best_distance && d < std::max(name.size(), candidate.size())) {
+        // A name that keeps no character is no misspelling. Of two that are as near it is the one that begins alike for
+        // longer.
+        const bool nearer = d < best_distance || (d == best_distance && !best.empty() &&
+                                                  begins_alike(name, candidate) > begins_alike(name, best));
+        if (nearer && d < std::max(name.size(), candidate.size())) {
             best_distance = d;
             best = candidate;
         }

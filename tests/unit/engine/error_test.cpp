@@ -36,6 +36,7 @@ TEST_CASE("the nearest name is one slip away", "[engine][error]") {
     CHECK(nearest("on_exeute", names) == "on_execute");    // left out
     CHECK(nearest("on_exxecute", names) == "on_execute");  // too many
     CHECK(nearest("on_exceute", names) == "on_execute");   // swapped
+    CHECK(nearest("rum", {"rtm", "run"}) == "run");        // of two that are as near, the one that begins alike
     CHECK(nearest("ON_Execute", names) == "on_execute");   // case is not counted
     CHECK(nearest("on_activate", names) == "on_activated");
 }
