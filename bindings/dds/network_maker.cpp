@@ -51,7 +51,8 @@ private:
 };
 
 double wall_clock() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    const auto now = std::chrono::system_clock::now();  // the wall clock: ROS stamps what real robots measure by it
+    return std::chrono::duration<double>(now.time_since_epoch()).count();
 }
 
 // Another number at each start, on every host.
