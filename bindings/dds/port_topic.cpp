@@ -26,7 +26,9 @@ constexpr int most_pictures = 2;
 
 Topic topic_of(std::string_view host, std::string_view port, std::size_t type) {
     const bool picture = type == type_index<CameraImage>();
-    return {.name = fmt::format("nezumi/{}/{}", host, port),
+    // Names of topics have letters, digits, '_' and '/' (DDS 1.4, annex B).
+    const std::size_t dot = port.find('.');
+    return {.name = fmt::format("nezumi/{}/{}/{}", host, port.substr(0, dot), port.substr(dot + 1)),
             .type = fmt::format("nezumi::{}", message_type_names[type]),
             .reliable = !is_velocity(type),
             .depth = is_velocity(type) ? 1

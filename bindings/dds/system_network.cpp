@@ -224,8 +224,11 @@ void SystemNetwork::open_topics(const std::vector<Ends>& present) {
         const auto port = std::as_const(system_).port(path);
         if (outlets_.contains(path) || !port) continue;
         const auto& out = static_cast<const OutPortBase&>(**port);
-        if (auto writer = transport_.write(topic_of(settings_.name, path, out.type())))
+        if (auto writer = transport_.write(topic_of(settings_.name, path, out.type()))) {
             outlets_.try_emplace(path, out, std::move(writer), numbers_[path]);
+        } else {
+            tell_problem(path);
+        }
     }
     for (const auto& component : system_.components()) {
         auto* remote = dynamic_cast<RemoteComponent*>(component.get());
@@ -234,10 +237,17 @@ void SystemNetwork::open_topics(const std::vector<Ends>& present) {
             const std::string path = nezumi::path(*remote, *port);
             const bool wanted = received.contains(path);
             if (wanted == remote->receives(*port)) continue;
-            remote->receive(
-                *port, wanted ? transport_.read(topic_of(host_of(path), without_host(path), port->type())) : nullptr);
+            auto reader = wanted ? transport_.read(topic_of(host_of(path), without_host(path), port->type())) : nullptr;
+            if (wanted && reader == nullptr) tell_problem(path);
+            remote->receive(*port, std::move(reader));
         }
     }
+}
+
+// A port whose messages don't travel, once.
+void SystemNetwork::tell_problem(const std::string& path) {
+    if (problems_.insert(path).second)
+        system_.log(LogLevel::error, fmt::format("network: {}: {}", path, transport_.problem()));
 }
 
 std::vector<AnnouncedPort> SystemNetwork::own_ports() const {

@@ -56,6 +56,7 @@ private:
     void end_what_is_refused(const std::vector<Ends>& present, const ActDoor& act);
     void open_topics(const std::vector<Ends>& present);
     void announce(const std::vector<Ends>& present);
+    void tell_problem(const std::string& path);
     std::vector<AnnouncedPort> own_ports() const;
     void note_waiting();
     std::string whole(std::string_view path) const;
@@ -74,6 +75,7 @@ private:
     bool failed_ = false;                                        // there is no announcing; told
     std::map<Ends, std::string> brought_;                        // by which host
     std::map<Ends, std::string> refusals_;                       // of what others want: why
+    std::set<std::string> problems_;                             // ports that could not be carried; told
     std::map<std::string, std::uint64_t, std::less<>> numbers_;  // of the messages last sent, by topic
     std::map<std::string, Outlet, std::less<>> outlets_;         // by "name.port"
     std::uint64_t layout_ = 0;

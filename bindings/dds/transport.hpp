@@ -14,7 +14,7 @@ namespace nezumi::dds {
 
 /// A topic, and how it is carried. Both ends compare name, type and what they promise.
 struct Topic {
-    std::string name;  ///< on the wire: "nezumi/mouse_pi/controller.out", "rt/cmd_vel"
+    std::string name;  ///< on the wire: "nezumi/mouse_pi/controller/out", "rt/cmd_vel"
     std::string type;  ///< name of its type, as peers compare it
     bool reliable = false;
     bool keeps_last = false;  ///< who comes late is given the last message (reliable only)

@@ -6,6 +6,7 @@
 
 #include "bindings/dds/cyclone.hpp"
 #include "bindings/dds/domain_xml.hpp"
+#include "bindings/dds/port_topic.hpp"
 
 using namespace nezumi;
 using namespace nezumi::dds;
@@ -42,7 +43,8 @@ Octets cdr(std::size_t size) {
 
 TEST_CASE("octets arrive as they were written, whatever their number", "[dds][cyclone][wallclock]") {
     const auto place = join(211);
-    const Topic topic{.name = "nezumi/a/b.c", .type = "nezumi::TimedString", .reliable = true, .depth = 16};
+    Topic topic = topic_of("a", "b.c", type_index<std::string>());
+    topic.depth = 16;
     const auto reader = place->read(topic);
     const auto writer = place->write(topic);
     REQUIRE(reader != nullptr);

@@ -39,7 +39,7 @@ struct Line {
 
 TEST_CASE("a velocity goes as the newest alone, a picture as one of the newest, all else is delivered", "[dds]") {
     const Topic velocity = topic_of("ev3", "a.b", type_index<Velocity2D>());
-    CHECK(velocity.name == "nezumi/ev3/a.b");
+    CHECK(velocity.name == "nezumi/ev3/a/b");
     CHECK(velocity.type == "nezumi::TimedVelocity2D");
     CHECK_FALSE(velocity.reliable);
     CHECK(velocity.depth == 1);
