@@ -13,6 +13,7 @@ Expected<std::vector<std::string>> write_new_behavior(const std::filesystem::pat
                                        .inputs = wish.inputs,
                                        .outputs = wish.outputs,
                                        .parameters = wish.parameters,
+                                       .callbacks = wish.callbacks,
                                        .doc = wish.doc});
     if (!texts) return Unexpected(texts.error());
     std::error_code none;

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "bindings/lua/files/system_words.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
@@ -91,8 +93,67 @@ void add_declarations(std::string& text, std::string_view word, const std::vecto
     }
 }
 
+Expected<std::vector<std::string>> read_callbacks(const std::vector<std::string>& given) {
+    std::vector<std::string> callbacks;
+    for (const std::string& name : given) {
+        const auto& known = hook_names();
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            return failure(fmt::format("--callback '{}': there is no such callback{}; known are {}", shown(name),
+                                       did_you_mean(name, known), fmt::join(known, ", ")));
+        }
+        if (auto ok = take_new_name("--callback", name, callbacks); !ok) return Unexpected(ok.error());
+    }
+    return callbacks;
+}
+
+// When it is called, for its empty body.
+std::string_view occasion_of(std::string_view callback) {
+    constexpr std::pair<Hook, std::string_view> occasions[] = {
+        {Hook::on_activated, "Before its first execution."},
+        {Hook::on_deactivated, "When it is deactivated or removed, or the run ends."},
+        {Hook::on_aborting, "Once, when an error has stopped it. No velocities are written here."},
+        {Hook::on_error, "In every tick while it is in ERROR. No velocities are written here."},
+        {Hook::on_reset, "When somebody resets it after an error."},
+        {Hook::on_reload, "When a new version of this file takes over from version old_version."},
+    };
+    const auto found = std::find_if(std::begin(occasions), std::end(occasions),
+                                    [&](const auto& each) { return to_text(each.first) == callback; });
+    return found == std::end(occasions) ? "" : found->second;
+}
+
+std::string execution_text(const std::vector<NewPort>& inputs, const std::vector<NewPort>& outputs) {
+    std::string text = "function on_execute()\n";
+    for (const NewPort& port : inputs) {
+        text += fmt::format("  local {}_now = {}:read()\n", port.name, port.local);
+    }
+    if (outputs.empty() && inputs.empty()) text += "  -- What it does, 100 times a second.\n";
+    for (const NewPort& port : outputs) {
+        const std::string value = sample(port.message.shape);
+        text += value.starts_with('{') ? fmt::format("  {}:write {}\n", port.local, value)
+                                       : fmt::format("  {}:write({})\n", port.local, value);
+    }
+    return text + "end\n";
+}
+
+// In the order in which they are called.
+std::string callbacks_text(const std::vector<NewPort>& inputs, const std::vector<NewPort>& outputs,
+                           const std::vector<std::string>& wanted) {
+    std::string text;
+    for (const std::string_view callback : hook_names()) {
+        const bool executes = callback == to_text(Hook::on_execute);
+        if (!executes && std::find(wanted.begin(), wanted.end(), callback) == wanted.end()) continue;
+        if (!text.empty()) text += "\n";
+        text += executes
+                    ? execution_text(inputs, outputs)
+                    : fmt::format("function {}({})\n  -- {}\nend\n", callback,
+                                  callback == to_text(Hook::on_reload) ? "old_version" : "", occasion_of(callback));
+    }
+    return text;
+}
+
 std::string behavior_text(const std::string& name, const std::string& doc, const std::vector<NewPort>& inputs,
-                          const std::vector<NewPort>& outputs, const std::vector<NewParameter>& parameters) {
+                          const std::vector<NewPort>& outputs, const std::vector<NewParameter>& parameters,
+                          const std::vector<std::string>& callbacks) {
     std::string text = doc.empty()
                            ? fmt::format("--- {}: say in a sentence what it does.\n\n", type_of_file(name + ".lua"))
                            : fmt::format("--- {}\n\n", doc);
@@ -107,17 +168,7 @@ std::string behavior_text(const std::string& name, const std::string& doc, const
         text += fmt::format("param(\"{}\", {}, {{ {} }})\n", parameter.name, parameter.initial, parameter.options);
     }
     if (!parameters.empty()) text += "\n";
-    text += "function on_execute()\n";
-    for (const NewPort& port : inputs) {
-        text += fmt::format("  local {}_now = {}:read()\n", port.name, port.local);
-    }
-    if (outputs.empty() && inputs.empty()) text += "  -- What it does, 100 times a second.\n";
-    for (const NewPort& port : outputs) {
-        const std::string value = sample(port.message.shape);
-        text += value.starts_with('{') ? fmt::format("  {}:write {}\n", port.local, value)
-                                       : fmt::format("  {}:write({})\n", port.local, value);
-    }
-    return text + "end\n";
+    return text + callbacks_text(inputs, outputs, callbacks);
 }
 
 std::string scenario_text(const std::string& name, const std::vector<NewPort>& inputs,
@@ -161,7 +212,9 @@ Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
         if (auto ok = take_new_name("--param", parameter->name, taken_parameters); !ok) return Unexpected(ok.error());
         parameters.push_back(std::move(*parameter));
     }
-    BehaviorTexts texts{*name, behavior_text(*name, wanted.doc, *inputs, *outputs, parameters),
+    const auto callbacks = read_callbacks(wanted.callbacks);
+    if (!callbacks) return Unexpected(callbacks.error());
+    BehaviorTexts texts{*name, behavior_text(*name, wanted.doc, *inputs, *outputs, parameters, *callbacks),
                         scenario_text(*name, *inputs, *outputs)};
     // What remains to be refused are words that mean something else; the script's own loading knows them.
     const auto errors = check_behavior({*name + ".lua", *name + ".lua", texts.behavior}, {.component = *name});

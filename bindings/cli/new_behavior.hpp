@@ -11,11 +11,12 @@ namespace nezumi::cli {
 
 /// What the command line says of it.
 struct NewBehavior {
-    std::string name;                     ///< as it was given: line_follower or LineFollower
-    std::vector<std::string> inputs;      ///< "name:Type" or "name:Type:doc"
-    std::vector<std::string> outputs;     ///< the same
-    std::vector<std::string> parameters;  ///< as `read_new_parameter` reads them
-    std::string doc{};                    ///< what it does, a sentence; "": a place for one
+    std::string name;                      ///< as it was given: line_follower or LineFollower
+    std::vector<std::string> inputs;       ///< "name:Type" or "name:Type:doc"
+    std::vector<std::string> outputs;      ///< the same
+    std::vector<std::string> parameters;   ///< as `read_new_parameter` reads them
+    std::vector<std::string> callbacks{};  ///< beside on_execute: "on_activated", ...
+    std::string doc{};                     ///< what it does, a sentence; "": a place for one
 };
 
 struct BehaviorTexts {

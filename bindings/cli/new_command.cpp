@@ -158,6 +158,8 @@ Command new_command() {
                      "a parameter, for example speed=0.1 or 'gain=0.01,min=0,max=1,unit=1/s,doc=of the error'; may be "
                      "repeated",
                      "name=default[,min=...]"},
+                    {"--callback", &wanted->callbacks,
+                     "a callback beside on_execute, for example on_activated; may be repeated", "on_..."},
                     {"--doc", &wanted->doc, "what it does, in a sentence", "TEXT"}},
         .run = [wanted] { return new_behavior(*wanted); },
         .footer =

@@ -56,6 +56,7 @@ struct BehaviorWish {
     std::vector<std::string> inputs{};      ///< "name:Type" or "name:Type:doc"
     std::vector<std::string> outputs{};     ///< the same
     std::vector<std::string> parameters{};  ///< "gain=0.5"
+    std::vector<std::string> callbacks{};   ///< beside on_execute: "on_activated", ...
     std::string doc{};                      ///< what it does, a sentence
 };
 /// Writes its files below a folder, never over others, and returns their names; from any thread.

@@ -130,7 +130,7 @@ const std::vector<Word>& console_words() {
          word_log_level},
         {"save", "save \"system.lua\"", "writes the present wiring and configuration as a system file", 1, word_save,
          true},
-        {"new", "new \"NAME\" { inputs = ..., outputs = ..., params = ..., doc = ... }",
+        {"new", "new \"NAME\" { inputs = ..., outputs = ..., params = ..., callbacks = ..., doc = ... }",
          "writes a new behaviour and a scenario for it into the project, as nezumi new does", 2, word_new, true},
         {"picture", "picture \"x.png\"", "draws the arena and the robots from above, as .png or .svg", 1, word_picture,
          true},

@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-constexpr std::array<std::string_view, 4> fields{"inputs", "outputs", "params", "doc"};
+constexpr std::array<std::string_view, 5> fields{"inputs", "outputs", "params", "callbacks", "doc"};
 
 Expected<std::vector<std::string>> read_texts(const FileTable& table, std::string_view field) {
     std::vector<std::string> texts;
@@ -42,8 +42,9 @@ Expected<BehaviorWish> read_wish(const std::string& name, const FileTable& table
         if (doc->text() == nullptr) return failure("doc: expected a text");
         wish.doc = *doc->text();
     }
-    for (const auto& [field, texts] : {std::pair{"inputs", &wish.inputs}, std::pair{"outputs", &wish.outputs},
-                                       std::pair{"params", &wish.parameters}}) {
+    for (const auto& [field, texts] :
+         {std::pair{"inputs", &wish.inputs}, std::pair{"outputs", &wish.outputs}, std::pair{"params", &wish.parameters},
+          std::pair{"callbacks", &wish.callbacks}}) {
         auto read = read_texts(table, field);
         if (!read) return Unexpected(read.error());
         *texts = std::move(*read);

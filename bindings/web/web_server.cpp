@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bindings/lua/script/script_words.hpp"
 #include "bindings/web/explain_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
@@ -29,6 +30,7 @@ std::string hello(const LiveSystem& live, const WebOptions& options) {
     const Json json{{"version", options.version},
                     {"real", live.system().settings().real_time},
                     {"frame", "WebFrame"},
+                    {"callbacks", hook_names()},
                     {"types", types_to_json()}};
     return dump(json).substr(1);
 }

@@ -77,6 +77,6 @@ same(place(components, connections, { alone: [500, 600] }).get("alone").x, 500, 
 same(curve([0, 0], [100, 0]), "M0 0C50 0 50 0 100 0", "a line");
 same(lua_text('a "b"\\\n'), '"a \\034b\\034\\092\\010"', "a text as Lua reads it");
 same(lines_of({ name: "x", script: "y", is_new: false }), ['behavior "x" { script = "y" }'], "a behaviour that is there");
-same(lines_of({ name: "x", is_new: true, doc: "Does.", inputs: ["in:TimedDouble"], outputs: [], params: ["gain=1"] }),
-  ['new "x" { inputs = { "in:TimedDouble" }, params = { "gain=1" }, doc = "Does." }', 'behavior "x" { script = "x" }'], "a new behaviour");
+same(lines_of({ name: "x", is_new: true, doc: "Does.", inputs: ["in:TimedDouble"], outputs: [], params: ["gain=1"], callbacks: ["on_reset"] }),
+  ['new "x" { inputs = { "in:TimedDouble" }, params = { "gain=1" }, callbacks = { "on_reset" }, doc = "Does." }', 'behavior "x" { script = "x" }'], "a new behaviour");
 return count;

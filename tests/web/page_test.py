@@ -92,9 +92,11 @@ class Wiring(rig.PageCase):
         page.find(".add-form input[aria-label='name']").send_keys("follower")
         page.press("+ in-port")
         page.find(".add-form fieldset .row input").send_keys("light")
+        page.js("[...document.querySelectorAll('.add-form label')].find((each) => each.textContent === 'on_activated').click()")
         page.press("Add")
         page.until("document.querySelector('.node[data-component=follower]') !== null", "it is in the diagram")
-        self.assertTrue(os.path.exists(os.path.join(system.folder, "behaviors", "follower.lua")))
+        with open(os.path.join(system.folder, "behaviors", "follower.lua")) as file:
+            self.assertRegex(file.read(), r'input\("light", "\w+", [^\n]*\)\n\nfunction on_activated\(\)')
         page.press("Add…")
         page.press("Add")
         page.until("document.querySelector('.add-form .error').textContent.length > 0", "it can't be there twice")
@@ -225,6 +227,23 @@ class Words(rig.PageCase):
         page.press("SVG")
         self.assertTrue(page.until("window.saved", "the drawing is saved").startswith("<svg"))
         self.assertEqual(page.errors(), [])
+
+
+class Listening(rig.PageCase):
+    """The page by TLS, as other computers get it."""
+
+    def test_a_browser_that_was_warned_of_the_certificate_and_goes_on_sees_and_steers(self):
+        system = self.system(WALL, options=("--listen", "127.0.0.1"))
+        self.assertTrue(system.url.startswith("https://"))
+        self.addCleanup(self.page.driver.get, "about:blank")
+        page = self.page
+        page.driver.get(system.url)
+        self.assertIn("ERR_CERT_AUTHORITY_INVALID", page.text("body"))
+        page.find("#details-button").click()
+        page.find("#proceed-link").click()
+        page.ready()
+        page.find("body").send_keys(" ")
+        page.until("document.body.classList.contains('stopped')", "the page says that it is stopped")
 
 
 class Systems(rig.PageCase):

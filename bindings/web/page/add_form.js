@@ -8,11 +8,11 @@ export const lua_text = (text) =>
   `"${text.replace(/[\\"\x00-\x1f\x7f]/g, (each) => `\\${String(each.charCodeAt(0)).padStart(3, "0")}`)}"`;
 const lua_list = (texts) => `{ ${texts.map(lua_text).join(", ")} }`;
 
-/// The lines that make and add it. `wish`: { name, script, is_new, doc, inputs, outputs, params } of texts.
-export function lines_of({ name, script, is_new, doc, inputs, outputs, params }) {
+/// The lines that make and add it. `wish`: { name, script, is_new, doc, inputs, outputs, params, callbacks } of texts.
+export function lines_of({ name, script, is_new, doc, inputs, outputs, params, callbacks }) {
   const add = `behavior ${lua_text(name)} { script = ${lua_text(is_new ? name : script)} }`;
   if (!is_new) return [add];
-  const fields = [["inputs", inputs], ["outputs", outputs], ["params", params]].filter(([, texts]) => texts.length > 0)
+  const fields = [["inputs", inputs], ["outputs", outputs], ["params", params], ["callbacks", callbacks]].filter(([, texts]) => texts.length > 0)
     .map(([field, texts]) => `${field} = ${lua_list(texts)}`);
   if (doc) fields.push(`doc = ${lua_text(doc)}`);
   return [`new ${lua_text(name)} { ${fields.join(", ")} }`, add];
@@ -36,6 +36,14 @@ function make_rows(label, make_row) {
   return { node: el("fieldset", {}, el("legend", { text: label }), box, add), texts: () => rows.map((row) => row.text()).filter(Boolean) };
 }
 
+/// What a behaviour does beside its executions: a switch for each callback.
+function make_callbacks(names) {
+  const chosen = names.filter((name) => name !== "on_execute").map((name) => ({ name, box: el("input", { type: "checkbox" }) }));
+  return { node: el("fieldset", {}, el("legend", { text: T.add.callbacks }), el("div", { class: "row switches" },
+    ...chosen.map(({ name, box }) => el("label", { class: "switch" }, box, el("span", { text: name }))))),
+  texts: () => chosen.filter(({ box }) => box.checked).map(({ name }) => name) };
+}
+
 const field = (label, props = {}) => el("input", { type: "text", placeholder: label, "aria-label": label, autocomplete: "off", ...props });
 
 export function make_add_form(parts) {
@@ -56,8 +64,9 @@ export function make_add_form(parts) {
     return { nodes: [text], text: () => text.value };
   };
   const [inputs, outputs, params] = [make_rows(T.add.input, port_row), make_rows(T.add.output, port_row), make_rows(T.add.param, param_row)];
+  const callbacks = make_callbacks(model.hello.callbacks);
   const wrong = el("p", { class: "error", role: "alert" });
-  const of_new = el("div", {}, doc, inputs.node, outputs.node, params.node);
+  const of_new = el("div", {}, doc, inputs.node, outputs.node, params.node, callbacks.node);
   const form = el("form", { method: "dialog" }, el("h2", { text: T.add.title }), name,
     el("label", { class: "switch" }, is_new, el("span", { text: T.add.is_new })), script, of_new, wrong,
     el("div", { class: "row" }, el("button", { type: "submit", class: "primary", text: T.add.add }),
@@ -73,7 +82,7 @@ export function make_add_form(parts) {
     event.preventDefault();
     wrong.textContent = "";
     const wish = { name: name.value, script: script.value, is_new: is_new.checked, doc: doc.value,
-      inputs: inputs.texts(), outputs: outputs.texts(), params: params.texts() };
+      inputs: inputs.texts(), outputs: outputs.texts(), params: params.texts(), callbacks: callbacks.texts() };
     for (const line of lines_of(wish)) {
       const { ok, text } = await parts.run_line(line);
       if (ok) continue;

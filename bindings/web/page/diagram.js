@@ -289,7 +289,7 @@ export function make_diagram(parts) {
     for (const { name, state: now } of model.system?.components ?? []) if (now === state) work(name);
   };
   const button = (text, onclick, kind = "") => el("button", { class: kind, text, onclick });
-  const form = make_add_form(parts);
+  let form = null;  // made when the engine has said what there is
   const save = async () => {
     const name = prompt(T.diagram.save_as, `${model.system.name}_changed.lua`);
     if (!name) return;
@@ -297,7 +297,7 @@ export function make_diagram(parts) {
     parts.notices.say(ok ? T.diagram.saved(name) : text, ok ? "info" : "error");
   };
   const tools = el("div", { class: "tools", role: "toolbar", "aria-label": T.views.diagram },
-    button(T.diagram.add, () => form.open(), "acts"), button(T.diagram.save, save, "acts"),
+    button(T.diagram.add, () => (form ??= make_add_form(parts)).open(), "acts"), button(T.diagram.save, save, "acts"),
     el("span", { class: "acts label", text: T.diagram.all }),
     button(T.diagram.activate, all("INACTIVE", acts.activate), "acts"), button(T.diagram.deactivate, all("ACTIVE", acts.deactivate), "acts"),
     button(T.diagram.reset, all("ERROR", acts.reset), "acts"), el("span", { class: "gap" }),

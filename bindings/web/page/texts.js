@@ -80,7 +80,7 @@ const EN = {
   },
   add: { title: "Add a behaviour", name: "name", name_hint: "small letters, digits and _", is_new: "write a new file for it", script: "script",
     script_hint: "the name of a behaviour of the project", doc: "what it does, a sentence", input: "in-port", output: "out-port", port: "port",
-    type: "message type", about: "what it carries", param: "parameter", param_hint: "name=default, as in gain=0.5", add: "Add" },
+    type: "message type", about: "what it carries", param: "parameter", callbacks: "callbacks beside on_execute", param_hint: "name=default, as in gain=0.5", add: "Add" },
   states: { INACTIVE: "inactive", ACTIVE: "active", ERROR: "error", CREATED: "created" },
 
   plots: { add: "Add a field", port: "Port", field: "Field", plot: "Plot", pause: "Pause", resume: "Go on", csv: "CSV",

@@ -10,6 +10,7 @@
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
 #include "bindings/cli/new_words.hpp"
+#include "bindings/lua/script/script_words.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -162,6 +163,36 @@ TEST_CASE("a new behaviour has the documentation, units and bounds of the comman
                                "second\" })\n"
                                "param(\"mode\", \"slow\", { choices = { \"slow\", \"fast\" }, doc = \"read as "
                                "config.mode\" })\n"));
+}
+
+TEST_CASE("a new behaviour has the callbacks of the command line, in the order in which they are called",
+          "[cli][new]") {
+    const auto texts = write_behavior({.name = "careful", .callbacks = {"on_reload", "on_execute", "on_activated"}});
+    REQUIRE(texts.has_value());
+    CHECK_THAT(texts->behavior, Catch::EndsWith(R"(function on_activated()
+  -- Before its first execution.
+end
+
+function on_execute()
+  -- What it does, 100 times a second.
+end
+
+function on_reload(old_version)
+  -- When a new version of this file takes over from version old_version.
+end
+)"));
+    const std::vector<std::string_view>& all = hook_names();
+    const auto every = write_behavior({.name = "careful", .callbacks = {all.begin(), all.end()}});
+    REQUIRE(every.has_value());
+    for (const std::string_view callback : all) {
+        CHECK_THAT(every->behavior, Catch::Contains("function " + std::string(callback) + "("));
+    }
+    CHECK(every->behavior.find("  -- \n") == std::string::npos);
+    CHECK(refusal({.name = "a", .callbacks = {"on_activate"}}) ==
+          "--callback 'on_activate': there is no such callback (did you mean 'on_activated'?); known are on_activated, "
+          "on_execute, on_deactivated, on_aborting, on_error, on_reset, on_reload");
+    CHECK(refusal({.name = "a", .callbacks = {"on_error", "on_error"}}) ==
+          "--callback 'on_error': the name is given twice");
 }
 
 TEST_CASE("what is said of a parameter is read in any order, and a slip is told", "[cli][new]") {

@@ -27,20 +27,22 @@ TEST_CASE("the console has a new behaviour written with its ports, parameters an
     Author author;
     SessionRig it(counter_system, {{"counter", counter_behavior}}, author.options());
     CHECK(it.type(R"(new "follower" { inputs = { "light:TimedShortSeq:sensors" }, outputs = { "out:TimedVelocity2D" },
-                                      params = { "gain=0.5" }, doc = "Follows." })") ==
+                                      params = { "gain=0.5" }, callbacks = { "on_activated" }, doc = "Follows." })") ==
           "wrote behaviors/follower.lua, tests/follower_test.lua");
     CHECK(author.wish.name == "follower");
     CHECK(author.wish.inputs == std::vector<std::string>{"light:TimedShortSeq:sensors"});
     CHECK(author.wish.outputs == std::vector<std::string>{"out:TimedVelocity2D"});
     CHECK(author.wish.parameters == std::vector<std::string>{"gain=0.5"});
+    CHECK(author.wish.callbacks == std::vector<std::string>{"on_activated"});
     CHECK(author.wish.doc == "Follows.");
 }
 
 TEST_CASE("the console says what is wrong with a new behaviour", "[console][new]") {
     Author author;
     SessionRig it(counter_system, {{"counter", counter_behavior}}, author.options());
-    CHECK(it.type("new 'x' { input = {} }") ==
-          "! new: there is no field 'input' (did you mean 'inputs'?); known are inputs, outputs, params, doc");
+    CHECK(
+        it.type("new 'x' { input = {} }") ==
+        "! new: there is no field 'input' (did you mean 'inputs'?); known are inputs, outputs, params, callbacks, doc");
     CHECK(it.type("new 'x' { inputs = 'light' }") ==
           "! new: inputs: expected a list of texts, as in { \"distance:TimedShortSeq\" }");
     CHECK(it.type("new 'taken' {}") == "! new: behaviors/taken.lua is there already");

@@ -1,6 +1,7 @@
 // What a browser is shown of a running system, and what it does to it.
 #include <catch2/catch.hpp>
 
+#include "bindings/lua/script/script_words.hpp"
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
@@ -41,6 +42,7 @@ TEST_CASE("a browser is told the system, its types and where everything is", "[w
     WebRig rig;
     RawBrowser browser = rig.open();
     const auto hello = Json::parse(browser.next_text("hello"));
+    CHECK(hello["callbacks"] == hook_names());
     CHECK(hello["types"]["TimedVelocity2D"][0]["type"] == "Time");
     CHECK(hello["types"]["TimedVelocity2D"][1]["type"] == "Velocity2D");
     CHECK(hello["types"]["Velocity2D"][2]["name"] == "va");
