@@ -38,10 +38,9 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
     dWorldSetContactMaxCorrectingVel(world_.get(), correcting_speed);
     dWorldSetQuickStepNumIterations(world_.get(), 20);
     add_border(arena);
-    int number = 0;
-    for (const BoxSpec& box : arena.boxes) add_box(box, fmt::format("box {}", ++number));
-    number = 0;
-    for (const CylinderSpec& cylinder : arena.cylinders) add_cylinder(cylinder, fmt::format("cylinder {}", ++number));
+    for (std::size_t i = 0; i < arena.boxes.size(); ++i) add_box(arena.boxes[i], thing_name("box", i));
+    for (std::size_t i = 0; i < arena.cylinders.size(); ++i)
+        add_cylinder(arena.cylinders[i], thing_name("cylinder", i));
     for (const MarkerSpec& marker : arena.markers) {
         markers_.push_back(pose_of(marker));
     }
@@ -244,6 +243,12 @@ void OdeWorld::disturb(RobotId id, const Push& push) {
     SimRobot& robot = this->robot(id);
     robot.constraint = {};  // ODE's order of joints is that of making them
     robot.constraint = VelocityConstraint(world_.get(), robot, push);
+}
+
+std::vector<Point3D> OdeWorld::contact_points(RobotId id) const {
+    std::vector<Point3D> points;
+    for (const Vec3& point : robot(id).contact_points) points.push_back(to_point(point));
+    return points;
 }
 
 std::string OdeWorld::name_of(const Obstacle& obstacle) const {

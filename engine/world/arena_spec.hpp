@@ -1,8 +1,10 @@
 // An arena as data: what stands in it when a system starts.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/error.hpp"
@@ -72,5 +74,11 @@ struct ArenaSpec {
     std::optional<FloorSpec> floor;
     std::vector<LineSpec> lines;  ///< over the floor's picture or, without one, over all of `size`
 };
+
+/// What the box or cylinder at this place of its list is called: "box 1", "cylinder 2".
+std::string thing_name(std::string_view shape, std::size_t index);
+
+/// Has a box or cylinder stand elsewhere; its height and pitch stay. Nothing happens when there is none of this name.
+void move_thing(ArenaSpec& arena, std::string_view name, const Pose2D& pose);
 
 }  // namespace nezumi

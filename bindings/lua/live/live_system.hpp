@@ -143,6 +143,8 @@ private:
     Expected<ActResult> perform(const Rollback& act, const Actor& who);
     Expected<ActResult> perform(const Add& act, const Actor& who);
     Expected<ActResult> perform(const Remove& act, const Actor& who);
+    Expected<ActResult> perform(const MoveMarker& act, const Actor& who);
+    Expected<ActResult> perform(const MoveThing& act, const Actor& who);
     Expected<ActResult> perform(const AddMarker& act, const Actor& who);
     Expected<ActResult> perform(const RemoveMarker& act, const Actor& who);
     Expected<ActResult> perform(const Restart& act, const Actor& who);

@@ -25,3 +25,21 @@ TEST_CASE("the console refuses to carry a box where it can't be", "[console]") {
     CHECK(it.type("teleport('box 1', { z = 1 })") == "! teleport: pose: a thing keeps its height: leave out z");
     CHECK(it.type("teleport('box 1')") == "! teleport: pose: expected a table { x =, y =, heading = }, got nothing");
 }
+
+TEST_CASE("save writes things and markers where a hand has put them, and restart puts them back", "[console]") {
+    SessionRig it;
+    it.type("marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
+    it.type("teleport('box 1', { x = 1.5, y = 0.25, heading = 0.5 }) teleport('target', { x = 2, heading = 3 })");
+    const std::string file = it.live->spec().file;
+    CHECK_THAT(it.type("save \"" + file + "\""), Catch::Matchers::StartsWith("saved "));
+    it.type("teleport('box 1', { x = 0.5, y = -1 }) teleport('target', { x = 0 }) restart()");
+    const Pose3D box = it.live->system().world()->things().front().pose;
+    CHECK(box.position.x == 1.5);
+    CHECK(box.position.y == 0.25);
+    CHECK(box.position.z == 0.15);
+    CHECK(box.orientation.y == Approx(0.5));
+    const Pose3D target = it.live->system().world()->markers().front().pose;
+    CHECK(target.position.x == 2);
+    CHECK(target.position.z == 0.1);
+    CHECK(target.orientation.y == Approx(3));
+}

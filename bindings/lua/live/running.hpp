@@ -1,0 +1,22 @@
+// What a live system holds from one start to the next.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "bindings/lua/live/live_system.hpp"
+
+namespace nezumi {
+
+/// All that a restart replaces. Declaration order is destruction order reversed.
+struct LiveSystem::Running {
+    SystemSpec spec;
+    ChunkCache chunks;
+    Makers makers;
+    std::unique_ptr<System> system;
+    TraceHash hash;
+    std::optional<Reloader> reloader;
+    std::optional<LiveReload> live_reload;
+};
+
+}  // namespace nezumi
