@@ -90,10 +90,11 @@ struct SimRobot {
     bool by_ode = true;        // ODE's solver moves it; otherwise it rolls freely
     bool kept_by_ode = false;  // always: for tests that compare the two
     bool coasting = false;
-    Wheels speeds;                    // [m/s]
-    Wheels angles;                    // [rad]
-    Motion rolling{};                 // of one that rolls freely, after the step
-    std::optional<Obstacle> touched;  // first in this call of `step`
+    Wheels speeds;                     // [m/s]
+    Wheels angles;                     // [rad]
+    Motion rolling{};                  // of one that rolls freely, after the step
+    std::optional<Obstacle> touched;   // first in this call of `step`
+    std::vector<Vec3> contact_points;  // of the latest step of this call in which it touched something
     Neighbours near;
     std::string name;
     VelocityConstraint constraint;

@@ -22,6 +22,7 @@ Contacts::Contacts(dWorldID world, double step, const Scene& scene, Movers& move
 
 void Contacts::find() {
     count_ = 0;
+    points_.clear();
     any_by_ode_ = false;
     for (SimRobot& robot : movers_.robots) {
         if (robot.has_neighbours) touch_neighbours(robot);
@@ -50,7 +51,9 @@ bool Contacts::rolls_freely(SimRobot& robot) const {
     return motion.has_value();
 }
 
-void Contacts::meet(SimRobot& robot, const Obstacle& obstacle) {
+void Contacts::meet(SimRobot& robot, const Obstacle& obstacle) const {
+    if (!robot.meets) robot.contact_points.clear();
+    robot.contact_points.insert(robot.contact_points.end(), points_.begin(), points_.end());
     robot.meets = true;
     if (!robot.touched) robot.touched = obstacle;
 }
@@ -63,6 +66,7 @@ Spring Contacts::spring_of(const Thing& thing) const {
 
 void Contacts::attach(const dContact& contact, dBodyID a, dBodyID b) {
     ++count_;
+    points_.emplace_back(Eigen::Map<const Vec3>(contact.geom.pos));
     dJointAttach(dJointCreateContact(world_, joints_.get(), &contact), a, b);
 }
 
@@ -154,6 +158,7 @@ void Contacts::touch_neighbours(SimRobot& robot) {
 }
 
 void Contacts::touch_fixed(SimRobot& robot, Scene::Index index) {
+    points_.clear();
     const Shape& shape = scene_.fixed()[index];
     if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
     bool touches = roll_over(robot, shape, nullptr);
@@ -167,6 +172,7 @@ void Contacts::touch_fixed(SimRobot& robot, Scene::Index index) {
 }
 
 void Contacts::touch_thing(SimRobot& robot, Scene::Index index) {
+    points_.clear();
     Thing& thing = movers_.things[index];
     const Shape& shape = scene_.movers()[index];
     if (distance_from_above(shape, robot.body.p[0], robot.body.p[1]) > robot.model->reach) return;
@@ -185,6 +191,7 @@ void Contacts::touch_thing(SimRobot& robot, Scene::Index index) {
 }
 
 void Contacts::touch_robot(SimRobot& robot, SimRobot& other) {
+    points_.clear();
     const double dx = robot.body.p[0] - other.body.p[0], dy = robot.body.p[1] - other.body.p[1];
     const double far = robot.model->reach + other.model->reach;
     if (dx * dx + dy * dy > far * far) return;

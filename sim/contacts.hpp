@@ -1,6 +1,8 @@
 // The contacts of a step: robots and things with the floor and with each other, as joints of ODE.
 #pragma once
 
+#include <vector>
+
 #include "sim/bodies.hpp"
 #include "sim/islands.hpp"
 #include "sim/narrow_phase.hpp"
@@ -34,7 +36,8 @@ private:
     bool rolls_freely(SimRobot& robot) const;
     void touch_floor(SimRobot& robot);
     void touch_neighbours(SimRobot& robot);
-    static void meet(SimRobot& robot, const Obstacle& obstacle);
+    // Notes that it touches this, where the latest contacts are.
+    void meet(SimRobot& robot, const Obstacle& obstacle) const;
     void touch_fixed(SimRobot& robot, Scene::Index fixed);
     void touch_thing(SimRobot& robot, Scene::Index thing);
     void touch_robot(SimRobot& robot, SimRobot& other);
@@ -57,6 +60,7 @@ private:
     Islands& islands_;
     JointGroupHandle joints_;
     std::size_t count_ = 0;
+    std::vector<Vec3> points_;  // of the contacts of the pair that is looked at
     bool any_by_ode_ = false;
     NarrowPhase narrow_;
 };

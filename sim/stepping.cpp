@@ -18,7 +18,10 @@ constexpr int steps_to_sleep = 60;
 void OdeWorld::step(int count) {
     OdeLibrary::use_on_this_thread();
     const OdeMessages messages(warn_);
-    for (SimRobot& robot : movers_.robots) robot.touched.reset();
+    for (SimRobot& robot : movers_.robots) {
+        robot.touched.reset();
+        robot.contact_points.clear();
+    }
     if (breakdown_) return;
     try {
         for (int i = 0; i < count; ++i) step_once();

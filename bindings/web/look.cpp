@@ -30,7 +30,8 @@ void add_robots(WebFrame& frame, const System& system, const Watch& wanted) {
                         .roll = orientation.r,
                         .is_truth = true,
                         .collided = world->collided(robot->id()),
-                        .touches = world->collided_with(robot->id())};
+                        .touches = world->collided_with(robot->id()),
+                        .contacts = world->contact_points(robot->id())};
             } else {
                 const Pose2D& pose = robot->odometry().pose();
                 seen.x = pose.position.x;

@@ -18,6 +18,7 @@ struct WebRobot {
     bool is_truth = false;
     bool collided = false;
     std::string touches{};
+    std::vector<Point3D> contacts{};
     bool operator==(const WebRobot&) const = default;
 };
 struct WebThing {
@@ -100,6 +101,7 @@ struct Describe<web::WebRobot> {
         Field{"is_truth", &T::is_truth, "", "the world's truth; else its odometry"},
         Field{"collided", &T::collided, "", "it touches something but the floor"},
         Field{"touches", &T::touches, "", "what that is"},
+        Field{"contacts", &T::contacts, "m", "where"},
     };
 };
 template <>

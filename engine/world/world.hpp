@@ -174,6 +174,9 @@ public:
     virtual bool collided(RobotId robot) const = 0;
     /// What the robot touched during the last `step` call: a robot's name, "wall", "box 2", ...; empty when nothing.
     virtual std::string collided_with(RobotId robot) const = 0;
+    /// Where it touched that and whatever else [m], in the latest physics step of the last `step` call in which it did.
+    /// Empty when it touched nothing, and in a world that does not know.
+    virtual std::vector<Point3D> contact_points(RobotId /*robot*/) const { return {}; }
 
     /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken, or outside of an
     /// arena with a border.

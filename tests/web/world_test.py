@@ -79,6 +79,30 @@ class Hands(rig.PageCase):
         self.page.until("[...document.querySelectorAll('.labels .ray')].some((each) => / cm · \\d/.test(each.textContent))", "a value is shown")
 
 
+    def test_the_points_where_a_robot_touches_a_wall_are_drawn(self):
+        self.open(text=STANDING + """
+            behavior "controller" { script = "pusher" }
+            connect("controller.out", "mouse.target_velocity_in")""",
+                  scripts={"pusher": """local out = output("out", "TimedVelocity2D")
+                      function on_execute() out:write { vx = 0.2 } end"""})
+        self.page.choose(".world select", "robot 0")
+        self.page.until("Number(document.querySelector('canvas').dataset.contacts) > 0", "points are drawn")
+        self.assertIn("touching box 1", self.page.text(".world .readout"))
+
+    def test_what_a_hand_has_moved_is_saved_where_it_is(self):
+        system = self.open(text=STANDING)
+        self.page.choose(".world select", "thing 0")
+        self.page.find(".world canvas").send_keys("\ue014" * 2)  # to the right
+        rig.wait_until(lambda: abs(self.page.pose()[0] - 0.54) < 0.005, "it is 4 cm farther")
+        self.page.view("diagram")
+        self.page.js("window.prompt = () => 'kept.lua'")
+        self.page.press("Save…")
+        kept = os.path.join(system.folder, "kept.lua")
+        rig.wait_until(lambda: os.path.exists(kept), "the system is saved")
+        with open(kept) as file:
+            self.assertRegex(file.read(), r"box \{[^\n]*at = \{ 0\.54")
+
+
 class Explain(rig.PageCase):
     """One execution, from the sensor to the wheels."""
 

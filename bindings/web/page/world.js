@@ -229,6 +229,7 @@ class World {
     this.#renderer?.render(this.scene.three, this.eye.camera);
     const pose = this.chosen && this.pose_of(this.chosen);
     this.canvas.dataset.chosen = (pose && this.eye.pixel(pose.x, pose.y, pose.z ?? 0)) || "";
+    this.canvas.dataset.contacts = this.scene.contact_count;
     this.canvas.dataset.calls = this.#renderer?.info.render.calls ?? 0;
     this.#label(model);
   }

@@ -4,6 +4,7 @@ import { marker_atlas, matrix_of, merge, painted_lines, robot_geometry, solids_o
 import { Trails } from "./world_trails.js";
 
 const MOST_RAYS = 8192;
+const MOST_CONTACTS = 1024;
 /// What the engine calls the walls around an arena, which stay where they are.
 export const BORDER = "wall";
 const shaded = () => new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors });
@@ -49,13 +50,18 @@ export class Scene {
       new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors, transparent: true, opacity: 0.85 }));
     for (const name of ["position", "color"])
       this.rays.geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(MOST_RAYS * 6), 3));
-    this.rays.frustumCulled = false;
-    this.three.add(this.sky, sun, this.rays, this.trails.lines);
+    this.contacts = new THREE.Points(new THREE.BufferGeometry(),
+      new THREE.PointsMaterial({ size: 7, sizeAttenuation: false, depthTest: false, transparent: true }));
+    this.contacts.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(MOST_CONTACTS * 3), 3));
+    this.rays.frustumCulled = this.contacts.frustumCulled = false;
+    this.contacts.renderOrder = 2;
+    this.three.add(this.sky, sun, this.rays, this.contacts, this.trails.lines);
   }
 
   paint(colors) {
     this.#colors = colors;
     this.three.background = new THREE.Color(colors.background);
+    this.contacts.material.color.set(colors.error);
   }
 
   #add(object) {
@@ -206,6 +212,7 @@ export class Scene {
     }
     this.#update_markers(markers, carried);
     this.#update_rays(shows_rays ? rays.flat() : []);
+    this.#update_contacts(robots.flatMap((each) => each?.contacts ?? []));
   }
 
   /// Where a thing is: { x, y, z, yaw, pitch, roll }; undefined when that is not known yet.
@@ -232,6 +239,17 @@ export class Scene {
       });
     });
     position.needsUpdate = true;
+  }
+
+  /// Where robots touch something.
+  #update_contacts(points) {
+    const { position } = this.contacts.geometry.attributes;
+    const count = Math.min(points.length, MOST_CONTACTS);
+    for (let i = 0; i < count; ++i) position.setXYZ(i, points[i].x, points[i].y, points[i].z);
+    this.contacts.geometry.setDrawRange(0, count);
+    this.contacts.visible = count > 0;
+    this.contact_count = count;
+    position.needsUpdate = count > 0;
   }
 
   #update_rays(rays) {

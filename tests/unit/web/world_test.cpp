@@ -1,5 +1,7 @@
 // The world as a browser is shown it, and carried about by it.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
@@ -62,6 +64,10 @@ robot "mouse" { model = "raspimouse", pose = { x = 0.1, y = 0, heading = 0 } }
     while (!robot.collided || robot.touches.find("box 2") == std::string::npos) robot = next_robot(browser);
     CHECK(robot.pitch < -0.05);
     CHECK(robot.z > 0);
+    REQUIRE_FALSE(robot.contacts.empty());
+    const bool is_at_the_wall = std::any_of(robot.contacts.begin(), robot.contacts.end(),
+                                            [](const Point3D& at) { return std::abs(at.x - 0.27) < 0.01; });
+    CHECK(is_at_the_wall);
 }
 
 TEST_CASE("a browser is told which port carries the value behind each ray", "[web]") {
