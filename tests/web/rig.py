@@ -58,7 +58,7 @@ class System:
             for name, script in (scripts or {}).items():
                 with open(os.path.join(self.folder, "behaviors", name + ".lua"), "w") as out:
                     out.write(script)
-        environment = dict(os.environ, XDG_RUNTIME_DIR=runtime or self.folder)
+        environment = dict(os.environ, XDG_RUNTIME_DIR=runtime or self.folder, XDG_STATE_HOME=self.folder)
         self.reader = None
         self.process = subprocess.Popen([nezumi, "run", file, *options], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -67,7 +67,7 @@ class System:
         said = []
         for line in self.process.stdout:
             said.append(line)
-            found = re.search(r"http://127\.0\.0\.1:(\d+)/#\S+", line)
+            found = re.search(r"https?://127\.0\.0\.1:(\d+)/#\S+", line)
             if found:
                 self.url, self.port = found.group(0), int(found.group(1))
             if found or "no page" in line:
