@@ -160,6 +160,7 @@ bool WebSockets::listen(const SocketOptions& options, int port) {
         info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
         info.ssl_cert_filepath = options.certificate.c_str();
         info.ssl_private_key_filepath = options.key.c_str();
+        info.alpn = "http/1.1";  // WebSockets begin there, and who is asked for is the header Host
     }
     info.keepalive_timeout = idle_timeout;
     info.timeout_secs = request_timeout;

@@ -153,6 +153,7 @@ TEST_CASE("other computers are let in by TLS alone, with a certificate whose fin
         "import hashlib, socket, ssl\n"
         "context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)\n"
         "context.check_hostname, context.verify_mode = True, ssl.CERT_REQUIRED\n"
+        "context.set_alpn_protocols(['h2', 'http/1.1'])\n"  // as browsers do
         "context.load_verify_locations('" +
         state +
         "/nezumi/page_certificate.pem')\n"
