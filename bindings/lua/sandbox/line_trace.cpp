@@ -95,15 +95,20 @@ std::string text_of(lua_State* lua, bool within) {
     }
 }
 
+void put(std::vector<LineTrace::Value>& values, LineTrace::Value value) {
+    const auto same =
+        std::find_if(values.begin(), values.end(), [&](const auto& each) { return each.name == value.name; });
+    if (same != values.end()) {
+        same->text = std::move(value.text);
+    } else if (values.size() < LineTrace::most_values) {
+        values.push_back(std::move(value));
+    }
+}
+
+// Of two of one name the later one counts: the inner one is meant.
 void add_value(std::vector<LineTrace::Value>& values, lua_State* lua, const char* name) {
     std::string text = text_of(lua);
-    if (text.empty()) return;
-    const auto same = std::find_if(values.begin(), values.end(), [&](const auto& each) { return each.name == name; });
-    if (same != values.end()) {
-        same->text = std::move(text);  // the inner one is meant
-    } else if (values.size() < LineTrace::most_values) {
-        values.push_back({name, std::move(text)});
-    }
+    if (!text.empty()) put(values, {name, std::move(text)});
 }
 
 // Of the table on top of the stack: "state.count" and so on.
@@ -173,7 +178,8 @@ void LineTrace::note(lua_State* lua, lua_Debug* event) {
             if (seen_.lines.size() < most_lines) {
                 const char* const file = *event->source == '@' ? event->source + 1 : event->short_src;
                 frames_.push_back({lua, depth, function, seen_.lines.size()});
-                seen_.lines.push_back({.file = file, .line = event->currentline, .depth = depth});
+                seen_.lines.push_back(
+                    {.file = file, .line = event->currentline, .depth = depth, .values = values_in_sight(lua, event)});
             } else {
                 seen_.is_cut = true;
             }
@@ -207,7 +213,10 @@ void LineTrace::end_line(lua_State* lua, lua_Debug* event, int depth, const void
     const auto frame = std::find_if(frames_.begin(), frames_.end(),
                                     [&](const Frame& each) { return each.lua == lua && each.depth == depth; });
     if (frame == frames_.end()) return;
-    if (frame->function == function) seen_.lines[frame->line].values = values_in_sight(lua, event);
+    if (frame->function == function) {
+        // What was in sight before and is no more, as a loop's variables, stays as it was.
+        for (Value& value : values_in_sight(lua, event)) put(seen_.lines[frame->line].values, std::move(value));
+    }
     frames_.erase(frame);
 }
 

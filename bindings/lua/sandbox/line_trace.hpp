@@ -28,7 +28,7 @@ public:
         std::string file;  ///< as messages call it
         int line = 0;
         int depth = 0;                ///< calls within the outermost function
-        std::vector<Value> values{};  ///< of the variables in sight, once it had run
+        std::vector<Value> values{};  ///< of the variables in sight once it had run, and of those that ended with it
     };
     struct Seen {
         std::vector<Line> lines{};

@@ -155,6 +155,7 @@ TEST_CASE("a run that is looked at all the time has the hash of one that nobody 
     const std::string behavior = R"(
 local range = input("in", "TimedShortSeq", "")
 local target = output("out", "TimedVelocity2D", "")
+param("speed_x", 0.1)
 state.count = 0
 task("wink", function() while true do state.count = state.count + math.random(3) wait(0.05) end end)
 function on_execute()
