@@ -75,7 +75,7 @@ class World(rig.PageCase):
             for i = 0, 999 do
               robot("mouse_" .. i, { model = "raspimouse", pose = { x = (i % 40) * 0.3, y = (i // 40) * 0.3, heading = i } })
             end""")
-        self.page.until("Number(document.querySelector('canvas').dataset.calls) > 5", "the robots are drawn")
+        self.page.until("Number(document.querySelector('canvas').dataset.calls) > 3", "the robots are drawn")
         calls = int(self.page.js("return document.querySelector('canvas').dataset.calls"))
         self.assertLess(calls, 20)
 

@@ -4,6 +4,7 @@ const { curve, place, route } = await import("/diagram_layout.js");
 const { ticks, to_csv } = await import("/plot_files.js");
 const { what_is_wrong } = await import("/widgets.js");
 const { lines_of, lua_text } = await import("/add_form.js");
+const { Trails } = await import("/world_trails.js");
 const { number_text, value_text } = await import("/value_text.js");
 
 let count = 0;
@@ -79,4 +80,20 @@ same(lua_text('a "b"\\\n'), '"a \\034b\\034\\092\\010"', "a text as Lua reads it
 same(lines_of({ name: "x", script: "y", is_new: false }), ['behavior "x" { script = "y" }'], "a behaviour that is there");
 same(lines_of({ name: "x", is_new: true, doc: "Does.", inputs: ["in:TimedDouble"], outputs: [], params: ["gain=1"], callbacks: ["on_reset"] }),
   ['new "x" { inputs = { "in:TimedDouble" }, params = { "gain=1" }, callbacks = { "on_reset" }, doc = "Does." }', 'behavior "x" { script = "x" }'], "a new behaviour");
+
+const trails = new Trails();
+const pieces = () => (trails.draw(), trails.lines.geometry.drawRange.count / 2);
+const last = () => [...trails.lines.geometry.attributes.position.array.slice(0, 6)].map((each) => Number(each.toFixed(3)));
+trails.reset(1, ["#ff0000"]);
+trails.follow([{ x: 0, y: 0 }]);
+trails.follow([{ x: 0.005, y: 0 }]);
+same(pieces(), 0, "a robot that has hardly moved leaves no trail");
+trails.follow([{ x: 0.01, y: 0 }]);
+same([pieces(), last()], [1, [0, 0, 0.003, 0.01, 0, 0.003]], "a trail's first piece");
+trails.follow([{ x: 1, y: 0 }]);
+same(pieces(), 1, "who is put elsewhere leaves no trail on the way");
+for (let i = 1; i <= 600; ++i) trails.follow([{ x: 1 + 0.01 * i, y: 0 }]);
+same([pieces(), last()], [600, [6.99, 0, 0.003, 7, 0, 0.003]], "the newest piece takes the place of the oldest");
+trails.forget();
+same(pieces(), 0, "a forgotten trail");
 return count;

@@ -37,8 +37,10 @@ function make_renderer(canvas) {
 class Labels {
   node = el("div", { class: "labels", "aria-hidden": "true" });
   #used = 0;
+  #width = 0;
 
-  begin() {
+  begin(width) {
+    this.#width = width;
     this.#used = 0;
   }
 
@@ -46,9 +48,10 @@ class Labels {
     if (!pixel) return;
     const node = this.node.children[this.#used++] ?? this.node.appendChild(el("span"));
     if (node.textContent !== text) node.textContent = text;
-    node.className = kind;
-    node.hidden = false;
-    node.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
+    if (node.className !== kind) node.className = kind;
+    if (node.hidden) node.hidden = false;
+    const back = pixel[0] > 0.8 * this.#width ? " translateX(-100%)" : "";  // not over the edge
+    node.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)${back}`;
   }
 
   end() {
@@ -93,7 +96,10 @@ class World {
       this.canvas.dataset.floor = "shown";
       this.draw();
     };
-    new ResizeObserver(() => this.draw()).observe(this.stage);
+    new ResizeObserver(() => {
+      this.#resize();
+      this.draw();
+    }).observe(this.stage);
     put_hands_on(this.canvas, {
       eye: this.eye, scene: this.scene, model,
       may_move: () => model.may_act && !model.hello.real,
@@ -218,7 +224,6 @@ class World {
   #draw() {
     const { model } = this.#parts;
     if (this.#layout === "" || !this.#is_shown) return;
-    this.#resize();
     const followed = this.follows && this.chosen && this.pose_of(this.chosen);
     if (followed) this.eye.target.set(followed.x, followed.y, 0);
     this.eye.update();
@@ -252,7 +257,7 @@ class World {
   #label(model) {
     const { labels, eye, chosen } = this;
     const robots = model.system.robots;
-    labels.begin();
+    labels.begin(this.width);
     robots.forEach(({ name }, i) => {
       const pose = model.robots[i];
       const is_chosen = chosen?.kind === "robot" && chosen.index === i;

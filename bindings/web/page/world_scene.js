@@ -37,6 +37,7 @@ export class Scene {
   bounds = { x0: -1, x1: 1, y0: -1, y1: 1 };
   trails = new Trails();
   #colors = {};
+  #tints = {};  // of rays
   #made = [];  // of this system
   #groups = [];  // robots of one model: { mesh, members }
   #solids = [];  // of one shape and colour: { mesh, members }
@@ -62,6 +63,7 @@ export class Scene {
     this.#colors = colors;
     this.three.background = new THREE.Color(colors.background);
     this.contacts.material.color.set(colors.error);
+    this.#tints = { near: new THREE.Color(colors.ray_near).toArray(), far: new THREE.Color(colors.ray).toArray() };
   }
 
   #add(object) {
@@ -141,7 +143,7 @@ export class Scene {
     solids.forEach((solid, index) => {
       const key = `${solid.geometry.uuid} ${solid.color}`;
       if (!kinds.has(key)) kinds.set(key, []);
-      kinds.get(key).push({ ...solid, index });
+      kinds.get(key).push({ ...solid, index, placed: null });
     });
     this.#solids = [...kinds.values()].map((members) => {
       const material = new THREE.MeshLambertMaterial({ color: members[0].color });
@@ -194,25 +196,41 @@ export class Scene {
       members.forEach(({ index }, i) => mesh.setMatrixAt(i, at(index) ? matrix_of(at(index), undefined, scratch) : hidden));
       mesh.instanceMatrix.needsUpdate = true;
     }
-    const lay = (mesh, when, scale) => {
+    const lay = (mesh, scale, when) => {
+      const { array } = mesh.instanceMatrix;
+      array.fill(0);
       for (let i = 0; i < mesh.count; ++i) {
         const pose = at(i);
-        mesh.setMatrixAt(i, pose && when(i, pose) ? matrix_of({ x: pose.x, y: pose.y, z: 0 }, Array(3).fill(this.sizes[i] * scale), scratch) : hidden);
+        if (!pose || !when(i, pose)) continue;
+        array[16 * i] = array[16 * i + 5] = array[16 * i + 10] = this.sizes[i] * scale;
+        array[16 * i + 12] = pose.x;
+        array[16 * i + 13] = pose.y;
+        array[16 * i + 15] = 1;
       }
       mesh.instanceMatrix.needsUpdate = true;
     };
-    lay(this.#discs.shadow, () => true, 1.45);
-    lay(this.#discs.chosen, (i) => i === chosen, 1.5);
-    lay(this.#discs.touching, (_, pose) => pose.collided, 1.25);
+    lay(this.#discs.shadow, 1.45, () => true);
     this.#discs.chosen.visible = chosen !== null;
     this.#discs.touching.visible = robots.some((each) => each?.collided);
-    for (const { mesh, members } of this.#solids) {
-      members.forEach((each, i) => mesh.setMatrixAt(i, things[each.index] ? matrix_of(this.thing_pose(things, each.index, carried), each.scale, scratch) : hidden));
-      mesh.instanceMatrix.needsUpdate = true;
-    }
+    if (this.#discs.chosen.visible) lay(this.#discs.chosen, 1.5, (i) => i === chosen);
+    if (this.#discs.touching.visible) lay(this.#discs.touching, 1.25, (_, pose) => pose.collided);
+    this.#move_solids(things, carried);
     this.#update_markers(markers, carried);
     this.#update_rays(shows_rays ? rays.flat() : []);
     this.#update_contacts(robots.flatMap((each) => each?.contacts ?? []));
+  }
+
+  /// Most things stand still: only those are placed that are elsewhere than they were.
+  #move_solids(things, carried) {
+    for (const { mesh, members } of this.#solids) {
+      members.forEach((each, i) => {
+        const now = carried?.kind === "thing" && carried.index === each.index ? carried.pose : things[each.index];
+        if (each.placed === now) return;
+        each.placed = now;
+        mesh.setMatrixAt(i, now ? matrix_of(this.thing_pose(things, each.index, carried), each.scale, scratch) : hidden);
+        mesh.instanceMatrix.needsUpdate = true;
+      });
+    }
   }
 
   /// Where a thing is: { x, y, z, yaw, pitch, roll }; undefined when that is not known yet.
@@ -255,15 +273,13 @@ export class Scene {
   #update_rays(rays) {
     const { position, color } = this.rays.geometry.attributes;
     const count = Math.min(rays.length, MOST_RAYS);
-    const [near, far] = [new THREE.Color(this.#colors.ray_near), new THREE.Color(this.#colors.ray)];
     for (let i = 0; i < count; ++i) {
       const { from, to, hit } = rays[i];
-      position.setXYZ(2 * i, from.x, from.y, from.z);
-      position.setXYZ(2 * i + 1, to.x, to.y, to.z);
-      const tint = hit ? near : far;
-      color.setXYZ(2 * i, tint.r, tint.g, tint.b);
-      color.setXYZ(2 * i + 1, tint.r, tint.g, tint.b);
+      const tint = hit ? this.#tints.near : this.#tints.far;
+      position.array.set([from.x, from.y, from.z, to.x, to.y, to.z], 6 * i);
+      color.array.set([...tint, ...tint], 6 * i);
     }
+    for (const attribute of [position, color]) attribute.updateRange = { offset: 0, count: 6 * count };
     this.rays.geometry.setDrawRange(0, 2 * count);
     position.needsUpdate = color.needsUpdate = true;
   }

@@ -1,70 +1,70 @@
-// Where robots were: the last seconds of each, in one drawing.
+// Where robots were: the latest pieces of their ways, in one drawing.
 import * as THREE from "/lib/three/three.module.js";
 
-const MOST_POINTS = 40000;  // of all together
-const LONGEST = 600;  // points of one
-const STEP = 0.008;  // m between two points
+const MOST = 40000;  // pieces of all together
+const EACH = 600;  // pieces for each robot
+const STEP = 0.008;  // m of a piece
+const JUMP = 0.25;  // m: put elsewhere
 
+/// A ring of pieces: a new one takes the oldest one's place, so that no more is written and uploaded than is new.
 export class Trails {
   lines = new THREE.LineSegments(new THREE.BufferGeometry(),
     new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors, transparent: true, opacity: 0.75 }));
-  #of = [];
-  #length = LONGEST;
+  #ends = [];  // of each robot's way, so far
+  #tints = [];
+  #room = 0;
+  #count = 0;  // pieces since the beginning
+  #drawn = 0;
 
   constructor() {
     this.lines.frustumCulled = false;
   }
 
   reset(count, palette) {
-    this.#length = Math.max(2, Math.min(LONGEST, Math.floor(MOST_POINTS / Math.max(1, count))));
-    this.#of = Array.from({ length: count }, () => ({ points: [], is_changed: true }));
-    const room = count * this.#length * 2 * 3;
+    this.#tints = Array.from({ length: count }, (_, i) => new THREE.Color(palette[i % palette.length]).toArray());
+    this.#room = Math.min(MOST, EACH * count);
     const { geometry } = this.lines;
-    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(room), 3));
-    const color = new THREE.BufferAttribute(new Float32Array(room), 3);
-    for (let i = 0; i < count; ++i) {
-      const tint = new THREE.Color(palette[i % palette.length]);
-      for (let k = 0; k < 2 * this.#length; ++k) color.setXYZ(i * 2 * this.#length + k, tint.r, tint.g, tint.b);
-    }
-    geometry.setAttribute("color", color);
+    geometry.dispose();
+    for (const name of ["position", "color"])
+      geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(this.#room * 6), 3));
+    this.forget();
   }
 
   forget() {
-    for (const each of this.#of) Object.assign(each, { points: [], is_changed: true });
+    this.#ends = this.#tints.map(() => null);
+    this.#count = this.#drawn = 0;
+    this.lines.geometry.setDrawRange(0, 0);
   }
 
-  /// Takes where the robots are now. Returns whether anything is longer.
+  /// Takes where the robots are now.
   follow(robots) {
-    let is_longer = false;
-    this.#of.forEach((trail, i) => {
+    this.#ends.forEach((end, i) => {
       const pose = robots[i];
       if (!pose) return;
-      const last = trail.points[trail.points.length - 1];
-      const far = last ? Math.hypot(pose.x - last[0], pose.y - last[1]) : Infinity;
+      const far = end ? Math.hypot(pose.x - end[0], pose.y - end[1]) : Infinity;
       if (far < STEP) return;
-      if (last && far > 0.25) trail.points.length = 0;  // put elsewhere
-      trail.points.push([pose.x, pose.y]);
-      if (trail.points.length > this.#length) trail.points.shift();
-      trail.is_changed = is_longer = true;
+      if (far < JUMP) this.#add(end, pose, this.#tints[i]);
+      this.#ends[i] = [pose.x, pose.y];
     });
-    return is_longer;
+  }
+
+  #add([x, y], to, tint) {
+    const { position, color } = this.lines.geometry.attributes;
+    const first = (this.#count++ % this.#room) * 6;
+    position.array.set([x, y, 0.003, to.x, to.y, 0.003], first);
+    color.array.set([...tint, ...tint], first);
   }
 
   draw() {
-    const { position } = this.lines.geometry.attributes;
-    if (!position) return;
-    this.#of.forEach((trail, i) => {
-      if (!trail.is_changed) return;
-      trail.is_changed = false;
-      const first = i * 2 * this.#length;
-      for (let k = 0; k < this.#length; ++k) {
-        const [a, b] = [trail.points[k - 1], trail.points[k]];
-        const [ax, ay] = a && b ? a : [0, 0];
-        const [bx, by] = a && b ? b : [0, 0];
-        position.setXYZ(first + 2 * k, ax, ay, 0.003);
-        position.setXYZ(first + 2 * k + 1, bx, by, 0.003);
-      }
-      position.needsUpdate = true;
-    });
+    const fresh = this.#count - this.#drawn;
+    if (fresh === 0) return;
+    const begin = this.#drawn % this.#room;
+    const range = begin + fresh <= this.#room ? { offset: begin * 6, count: fresh * 6 } : { offset: 0, count: -1 };
+    for (const attribute of Object.values(this.lines.geometry.attributes)) {
+      attribute.updateRange = { ...range };  // the renderer empties it
+      attribute.needsUpdate = true;
+    }
+    this.lines.geometry.setDrawRange(0, 2 * Math.min(this.#count, this.#room));
+    this.#drawn = this.#count;
   }
 }
