@@ -64,9 +64,9 @@ class System:
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         too_late = threading.Timer(PATIENCE, self.process.kill)
         too_late.start()
-        said = []
+        self.said = []
         for line in self.process.stdout:
-            said.append(line)
+            self.said.append(line)
             found = re.search(r"https?://127\.0\.0\.1:(\d+)/#\S+", line)
             if found:
                 self.url, self.port = found.group(0), int(found.group(1))
@@ -75,8 +75,9 @@ class System:
         too_late.cancel()
         if not hasattr(self, "url"):
             self.end()
-            raise AssertionError("it said no address, but: " + "".join(said))
-        self.reader = subprocess.Popen(["cat"], stdin=self.process.stdout, stdout=subprocess.DEVNULL)
+            raise AssertionError("it said no address, but: " + "".join(self.said))
+        self.reader = threading.Thread(target=self.said.extend, args=[self.process.stdout])
+        self.reader.start()
 
     def end(self):
         if self.process.poll() is None:
@@ -86,9 +87,9 @@ class System:
             except subprocess.TimeoutExpired:
                 self.process.kill()
                 self.process.wait()
-        self.process.stdout.close()
         if self.reader:
-            self.reader.wait()
+            self.reader.join()
+        self.process.stdout.close()
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
@@ -168,6 +169,11 @@ class Page:
         """Waits until what was asked for before is on the screen."""
         self.driver.execute_async_script("const done = arguments[0];"
                                          "requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    def choose_text(self, selector, text):
+        from selenium.webdriver.support.ui import Select
+
+        Select(self.find(selector)).select_by_visible_text(text)
 
     def keys(self):
         from selenium.webdriver.common.action_chains import ActionChains
