@@ -101,7 +101,7 @@ class Wiring(rig.PageCase):
         page.press("Add")
         page.until("document.querySelector('.add-form .error').textContent.length > 0", "it can't be there twice")
         page.press("Close")
-        page.js("window.prompt = () => 'kept.lua'")
+        page.js("window.prompt = (about, offered) => offered.replace('tried_changed', 'kept')")
         page.press("Save…")
         rig.wait_until(lambda: os.path.exists(os.path.join(system.folder, "kept.lua")), "the system is saved")
 

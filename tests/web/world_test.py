@@ -56,7 +56,7 @@ class Hands(rig.PageCase):
 
     def test_a_box_is_dragged_elsewhere(self):
         self.open(text=STANDING)
-        self.page.choose(".world select", "thing 0")
+        self.page.choose_text(".world select", "box 1")
         self.assertAlmostEqual(self.page.pose()[0], 0.5, delta=0.001)
         self.drag_box((0, 100))
         rig.wait_until(lambda: self.page.pose()[1] < -0.1, "the box is farther south")
@@ -65,7 +65,7 @@ class Hands(rig.PageCase):
 
     def test_a_box_is_moved_by_keys_and_no_farther_than_it_can_be(self):
         self.open(text=STANDING)
-        self.page.choose(".world select", "thing 0")
+        self.page.choose_text(".world select", "box 1")
         canvas = self.page.find(".world canvas")
         canvas.send_keys("\ue012" * 3)  # to the left
         rig.wait_until(lambda: abs(self.page.pose()[0] - 0.44) < 0.005, "it is 6 cm nearer")
@@ -91,11 +91,11 @@ class Hands(rig.PageCase):
 
     def test_what_a_hand_has_moved_is_saved_where_it_is(self):
         system = self.open(text=STANDING)
-        self.page.choose(".world select", "thing 0")
+        self.page.choose_text(".world select", "box 1")
         self.page.find(".world canvas").send_keys("\ue014" * 2)  # to the right
         rig.wait_until(lambda: abs(self.page.pose()[0] - 0.54) < 0.005, "it is 4 cm farther")
         self.page.view("diagram")
-        self.page.js("window.prompt = () => 'kept.lua'")
+        self.page.js("window.prompt = (about, offered) => offered.replace('tried_changed', 'kept')")
         self.page.press("Save…")
         kept = os.path.join(system.folder, "kept.lua")
         rig.wait_until(lambda: os.path.exists(kept), "the system is saved")
@@ -113,7 +113,7 @@ class Explain(rig.PageCase):
         page.choose(".world select", "robot 0")
         page.until("document.querySelectorAll('.explain .step').length === 5", "the chain is shown")
         self.assertIn("mouse.ir_sensor_out", page.text(".explain .inputs"))
-        self.assertIn("robot_controller.lua", page.text(".explain .lua .place"))
+        self.assertIn("robot_controller.lua", page.text(".explain .lua .file"))
         self.assertIn("mouse.target_velocity_in", page.text(".explain .outputs"))
         self.assertIn("left", page.text(".explain .wheels"))
         before = page.text(".explain .when")

@@ -52,7 +52,11 @@ export function make_add_form(parts) {
   const script = field(T.add.script, { title: T.add.script_hint });
   const doc = field(T.add.doc);
   const is_new = el("input", { type: "checkbox", checked: true });
-  const types = () => Object.entries(model.hello.types).filter(([, fields]) => fields[0]?.name === "tm").map(([type]) => type).sort();
+  // Those of the system's ports first: a new port is for one of them.
+  const types = () => {
+    const all = Object.entries(model.hello.types).filter(([, fields]) => fields[0]?.name === "tm").map(([type]) => type).sort();
+    return [...new Set([...model.all_ports().map(([, { type }]) => type).filter((type) => all.includes(type)).sort(), ...all])];
+  };
   const port_row = () => {
     const port = field(T.add.port, { pattern: "[A-Za-z_][A-Za-z0-9_]*" });
     const type = el("select", { "aria-label": T.add.type }, ...types().map((each) => el("option", { value: each, text: each })));
@@ -78,6 +82,7 @@ export function make_add_form(parts) {
     script.required = !is_new.checked;
   };
   is_new.onchange = show;
+  dialog.addEventListener("keydown", ({ key }) => key === "Escape" && dialog.close());
   form.onsubmit = async (event) => {
     event.preventDefault();
     wrong.textContent = "";
@@ -95,7 +100,7 @@ export function make_add_form(parts) {
   document.body.append(dialog);
   return { open: () => {
     wrong.textContent = "";
-    dialog.showModal();
+    dialog.show();  // not modal: the emergency stop stays in reach
     name.focus();
   } };
 }

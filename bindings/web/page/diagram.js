@@ -291,7 +291,7 @@ export function make_diagram(parts) {
   const button = (text, onclick, kind = "") => el("button", { class: kind, text, onclick });
   let form = null;  // made when the engine has said what there is
   const save = async () => {
-    const name = prompt(T.diagram.save_as, `${model.system.name}_changed.lua`);
+    const name = prompt(T.diagram.save_as, model.system.file.replace(/(\.lua)?$/, "_changed.lua"));
     if (!name) return;
     const { ok, text } = await parts.run_line(`save ${lua_text(name)}`);
     parts.notices.say(ok ? T.diagram.saved(name) : text, ok ? "info" : "error");

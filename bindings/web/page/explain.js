@@ -27,10 +27,12 @@ function ports_of(ports, arrow) {
 
 function lines_of({ lines, is_cut }) {
   if (lines.length === 0) return [el("p", { class: "hint", text: T.explain.no_lines })];
-  const rows = lines.map(({ file, line, text, depth, values }, i) => el("li", {},
-    el("span", { class: "place", title: file, text: i === 0 || lines[i - 1].file !== file ? `${file}:${line}` : String(line) }),
-    el("code", { text, style: { paddingLeft: `${Math.max(0, depth - lines[0].depth) * 1.2}em` } }),
-    el("span", { class: "values" }, ...values.map(([name, value]) => el("span", { class: "value" }, el("i", { text: name }), ` = ${value}`)))));
+  const rows = lines.flatMap(({ file, line, text, depth, values }, i) => [
+    (i === 0 || lines[i - 1].file !== file) && el("li", { class: "file", text: file }),
+    el("li", {}, el("span", { class: "place", text: String(line) }),
+      el("code", { text: text.trim(), style: { paddingLeft: `${Math.max(0, depth - lines[0].depth) * 1.2}em` } }),
+      el("span", { class: "values" }, ...values.map(([name, value]) => el("span", { class: "value" }, el("i", { text: name }), ` = ${value}`)))),
+  ]).filter(Boolean);
   return [el("ol", {}, ...rows), is_cut && el("p", { class: "hint", text: T.explain.cut })];
 }
 

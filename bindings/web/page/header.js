@@ -1,5 +1,5 @@
 // The bar that is always in sight: what runs, time, and the emergency stop.
-import { at_most_every, el, is_typing } from "./dom.js";
+import { at_most_every, el, is_typing, svg } from "./dom.js";
 import { T } from "./texts.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, "max"];
@@ -98,7 +98,9 @@ function make_systems({ model, link }) {
 
 /// Copies the address at which somebody may look and no more.
 function make_share({ model, notices }) {
-  const button = el("button", { class: "quiet share acts", text: "⧉", title: T.share.hint, "aria-label": T.share.hint });
+  const sign = svg("svg", { class: "icon", viewBox: "0 0 16 16", "aria-hidden": "true" },
+    svg("path", { d: "M6 5.5V3q0-1 1-1h6q1 0 1 1v6q0 1-1 1h-2.5M3 6h6q1 0 1 1v6q0 1-1 1H3q-1 0-1-1V7q0-1 1-1z" }));
+  const button = el("button", { class: "quiet share acts", title: T.share.hint, "aria-label": T.share.hint }, sign);
   button.onclick = async () => {
     const address = `${location.origin}/#${model.hello.view_token}`;
     try {

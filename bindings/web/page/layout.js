@@ -4,8 +4,8 @@ import { T } from "./texts.js";
 
 const GROUPS = {
   stage: ["world", "diagram", "plots"],
-  side: ["drive", "parameters", "cameras"],
-  dock: ["console", "explain", "log"],
+  side: ["drive", "parameters", "cameras", "explain"],
+  dock: ["console", "log"],
 };
 const ICONS = { world: "◎", diagram: "⇄", plots: "∿", drive: "✛", parameters: "≡", cameras: "▣", console: "❯", explain: "?", log: "☰" };
 
