@@ -17,8 +17,8 @@ TEST_CASE("a new behaviour is written beside the others, with a scenario, and ne
     CHECK(*written == std::vector<std::string>{"behaviors/follower.lua", "tests/scenarios/follower_test.lua"});
     for (const std::string& file : *written) CHECK(std::filesystem::exists(scratch.path(file)));
     CHECK_FALSE(cli::write_new_behavior(scratch.path(), wish));
-    const auto wrong = cli::write_new_behavior(scratch.path(), {.name = "other", .inputs = {"light:TimedShort"}});
+    const auto wrong = cli::write_new_behavior(scratch.path(), {.name = "other", .inputs = {"light:TimedShrt"}});
     REQUIRE_FALSE(wrong);
-    CHECK(wrong.error().message.find("TimedShort") != std::string::npos);
+    CHECK(wrong.error().message.find("did you mean 'TimedShort'") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(scratch.path("behaviors/other.lua")));
 }

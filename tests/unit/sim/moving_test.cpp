@@ -113,10 +113,11 @@ TEST_CASE("the same hands at the same steps give the same bits", "[sim][moving]"
 
 TEST_CASE("the pose of a robot on a ramp is pitched up", "[sim][moving]") {
     ArenaSpec arena;
-    arena.boxes.push_back({.at = {0, 0, 0}, .size = {2, 2, 0.1}, .pitch = -0.1});
+    arena.boxes.push_back({.at = {0.4, 0, -0.02}, .size = {0.8, 1, 0.1}, .pitch = -0.1});
     TryWorld w(arena);
-    w.add(mouse_spec(), 0.2, 0);
-    w.run(0.5);
+    w.add(mouse_spec(), -0.1, 0);
+    w.bodies.front()->set_wheel_speeds({0.2, 0.2});
+    w.run(2);
     const Pose3D pose = w.world->pose(0);
     CHECK(pose.orientation.p == Approx(-0.1).margin(0.02));
     CHECK(pose.orientation.r == Approx(0).margin(0.02));

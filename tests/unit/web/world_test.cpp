@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
@@ -49,25 +51,28 @@ TEST_CASE("a browser carries a wall elsewhere, and is told why not where it can'
     CHECK(rig.live->system().world()->things().front().pose.position.x == 0.8);
 }
 
-TEST_CASE("a browser is told how a robot is tilted and what it touches", "[web]") {
+TEST_CASE("a browser is told how a robot is tilted, what it touches and where", "[web]") {
     WebRig rig(R"(
-arena { box { at = { 0, 0, 0 }, size = { 2, 2, 0.1 }, pitch = -0.1 },
-        box { at = { 0.28, 0, 0.15 }, size = { 0.02, 1, 0.3 } } }
-robot "mouse" { model = "raspimouse", pose = { x = 0.1, y = 0, heading = 0 } }
+arena { box { at = { 0.4, 0, -0.02 }, size = { 0.8, 1, 0.1 }, pitch = -0.1 },
+        box { at = { 0.5, 0, 0.3 }, size = { 0.02, 1, 0.6 } } }
+robot "mouse" { model = "raspimouse", pose = { x = -0.1, y = 0, heading = 0 } }
 )",
                {});
     rig.paused = false;
     REQUIRE(rig.live->act(Hold{"mouse.target_velocity_in", Velocity2D{.vx = 0.2}}, {}));
     RawBrowser browser = rig.open();
     REQUIRE(browser.send_frame(R"({"do":"watch","truth":true})"));
+    const auto is_at_the_wall = [](const WebRobot& robot) {
+        return std::any_of(robot.contacts.begin(), robot.contacts.end(),
+                           [](const Point3D& at) { return std::abs(at.x - 0.49) < 0.01; });
+    };
     WebRobot robot = next_robot(browser);
-    while (!robot.collided || robot.touches.find("box 2") == std::string::npos) robot = next_robot(browser);
-    CHECK(robot.pitch < -0.05);
-    CHECK(robot.z > 0);
-    REQUIRE_FALSE(robot.contacts.empty());
-    const bool is_at_the_wall = std::any_of(robot.contacts.begin(), robot.contacts.end(),
-                                            [](const Point3D& at) { return std::abs(at.x - 0.27) < 0.01; });
-    CHECK(is_at_the_wall);
+    CHECK(robot.contacts.empty());
+    while (!is_at_the_wall(robot)) robot = next_robot(browser);
+    CHECK(robot.collided);
+    CHECK(robot.touches == "box 1");
+    CHECK(robot.pitch == Approx(-0.1).margin(0.03));
+    CHECK(robot.z > 0.01);
 }
 
 TEST_CASE("a browser is told which port carries the value behind each ray", "[web]") {
@@ -75,8 +80,11 @@ TEST_CASE("a browser is told which port carries the value behind each ray", "[we
     RawBrowser browser = rig.open();
     const auto robot = Json::parse(browser.next_text("\"is\":\"system\""))["robots"][0];
     REQUIRE(robot["distances"].size() == 4);
+    std::map<std::string, int> places;  // in the port's message
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(robot["distances"][i]["port"] == "ir_sensor_out");
-        CHECK(robot["distances"][i]["index"] == i);
+        places[robot["sensors"][i]["name"]] = robot["distances"][i]["index"];
     }
+    CHECK(places ==
+          std::map<std::string, int>{{"right_front", 0}, {"right_side", 1}, {"left_side", 2}, {"left_front", 3}});
 }
