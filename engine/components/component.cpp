@@ -4,6 +4,12 @@
 #include <fmt/format.h>
 
 namespace nezumi {
+namespace {
+
+// What it is called to have no set in use, unless a set is called so.
+constexpr std::string_view no_set = "default";
+
+}  // namespace
 
 std::string_view to_text(LogLevel level) {
     constexpr std::string_view names[] = {"debug", "info", "warn", "error"};
@@ -42,12 +48,14 @@ const Port* Component::find_port(std::string_view name) const {
 
 Expected<void> Component::use(std::string_view set) {
     const auto found = sets.find(set);
-    if (found == sets.end()) {
+    const bool is_none = found == sets.end() && set == no_set;
+    if (found == sets.end() && !is_none) {
         std::vector<std::string_view> names;
         for (const auto& [name, values] : sets) names.push_back(name);
+        if (!sets.contains(no_set)) names.push_back(no_set);
         return failure(fmt::format("{} has no parameter set '{}'{}", name_, shown(set), did_you_mean(set, names)));
     }
-    ParameterValues values = found->second;
+    ParameterValues values = is_none ? ParameterValues() : found->second;
     values.insert(configured.begin(), configured.end());
     if (auto ok = parameters_.set_all(values); !ok)
         return failure(fmt::format("set '{}': {}", shown(set), ok.error().message));
@@ -56,7 +64,7 @@ Expected<void> Component::use(std::string_view set) {
             if (!values.contains(parameter)) parameters_.follow_default(parameter);
         }
     }
-    set_in_use_ = found->first;
+    set_in_use_ = is_none ? "" : found->first;
     return {};
 }
 
