@@ -132,13 +132,6 @@ void leave_out_rtm(SystemSpec& spec) {
         return std::none_of(spec.entries.begin(), spec.entries.end(),
                             [&](const Entry& entry) { return name_of(entry) == name; });
     });
-    const auto is_exported = [&](const std::string& end) {
-        const auto& names = spec.rtm->exported;
-        return is_rtm_path(end) || std::find(names.begin(), names.end(), end.substr(0, end.find('.'))) != names.end();
-    };
-    std::erase_if(spec.rtm_connections, [&](const ConnectionSpec& connection) {
-        return !is_exported(connection.from) || !is_exported(connection.to);
-    });
 }
 
 }  // namespace

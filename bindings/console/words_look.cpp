@@ -95,11 +95,12 @@ Expected<std::string> path_asked(Session::Parts& parts, const Arguments& argumen
 }  // namespace
 
 Expected<WordEnd> word_ls(Session::Parts& parts, const Arguments& arguments) {
+    if (auto peer = peer_named(arguments, 1)) return ask_peers(parts, {.name = std::move(*peer)});
     if (arguments.has(1)) {
         const auto text = parts.at_system([&]() -> Expected<std::string> {
             const auto at = parts.objects->to_component(arguments.lua, 1);
             if (!at) return Unexpected(at.error());
-            return component_text(parts.live.system(), *at->component);
+            return component_text(parts.live, *at->component);
         });
         if (!text) return Unexpected(text.error());
         parts.show(*text);
@@ -114,9 +115,8 @@ Expected<WordEnd> word_ls(Session::Parts& parts, const Arguments& arguments) {
             break;
         }
         text += (text.empty() ? "" : "\n") + parts.at_system([&]() -> std::string {
-            const System& system = parts.live.system();
-            const Component* component = system.find(name);
-            return component != nullptr ? component_text(system, *component) : "";
+            const Component* component = parts.live.system().find(name);
+            return component != nullptr ? component_text(parts.live, *component) : "";
         });
     }
     parts.show(text.empty() ? "the system is empty" : text);

@@ -3,7 +3,9 @@
 
 #include <bit>
 #include <cstdint>
+#include <future>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,6 +60,14 @@ struct RtcRequest {
 enum class RtcAnswer { done, refused, unknown, busy };
 enum class PutAnswer { taken, malformed, unknown };
 
+/// A connection that is wanted: made as soon as the other RTC is there, and made again when it was away.
+struct RtcLink {
+    std::string path{};       ///< "controller.in"
+    std::string component{};  ///< "ConsoleOut0" or "pc.host_cxt/ConsoleOut0"
+    std::string port{};       ///< "out"
+    bool operator==(const RtcLink&) const = default;
+};
+
 /// The system, as CORBA's threads ask for it. None of it waits for a tick for longer than a second.
 class RtcSite {
 public:
@@ -70,17 +80,53 @@ public:
                           std::endian order) = 0;
     /// A connection to an in-port is gone.
     virtual void left(std::string_view path, std::string_view from) = 0;
+    /// Somebody has ended a connection that is wanted, and the RTC at its other end lives on.
+    virtual void ended(const RtcLink& link) = 0;
     /// Something that a person should know.
     virtual void tell(bool is_problem, std::string text) = 0;
 };
 
-/// A connection that is wanted: made as soon as the other RTC is there, and made again when it was away.
-struct RtcLink {
-    std::string path{};       ///< "controller.in"
-    std::string component{};  ///< "ConsoleOut0" or "pc.host_cxt/ConsoleOut0"
-    std::string port{};       ///< "out"
-    bool operator==(const RtcLink&) const = default;
+/// An RTC of another program, or of ours, as the name service has it and as it answers.
+struct PeerLook {
+    enum class State {
+        inactive,
+        active,
+        error,
+        created,  ///< not initialized yet
+        unknown,  ///< it has no execution context
+        silent,   ///< it does not answer
+        gone,     ///< nobody is there any more: its program crashed, or its computer is off
+        unasked,  ///< too many others did not answer
+    };
+    struct Port {
+        std::string name{};  ///< "out"
+        std::string type{};  ///< "TimedLong"; "" of one that carries no data
+        bool is_in = false;
+        int connections = 0;
+    };
+    std::string name{};  ///< "pc.host_cxt/ConsoleOut0"
+    std::string type{};
+    State state = State::unknown;
+    std::vector<Port> ports{};
+    std::string set{};                                  ///< the configuration set in use; "" where there is none
+    std::vector<std::pair<std::string, Texts>> sets{};  ///< not where all RTCs are listed
 };
+
+/// What somebody wants to know of RTCs, or of one of them.
+struct PeerQuestion {
+    std::string name{};                   ///< as in connections; "": all of them are looked at
+    std::optional<RtcRequest> request{};  ///< what it is to do, without its `component`; "" is the set in use
+};
+
+struct PeerAnswer {
+    std::string problem{};             ///< why it could not be done; "" when it could
+    std::string missing{};             ///< the name that there is none of,
+    std::vector<std::string> known{};  ///< among these
+    std::vector<PeerLook> peers{};
+};
+
+/// Makes of an answer what is told to a person. Called in a thread of CORBA's side.
+using TellPeers = Expected<std::string>(const PeerQuestion& question, const PeerAnswer& answer);
 
 /// The byte orders in which connections want an out-port's messages.
 struct WantedOrders {
@@ -97,6 +143,8 @@ public:
     /// These are RTCs from now on, and no others; who stays as it was keeps its connections.
     virtual void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) = 0;
     virtual WantedOrders wanted(std::string_view path) = 0;
+    /// Asks RTCs of other programs, in a thread for this: every question is answered, at the end of the ORB at last.
+    virtual std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) = 0;
     /// Hands a message to the connections of an out-port that want it in this order.
     virtual void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) = 0;
 };

@@ -8,18 +8,15 @@
 #include <charconv>
 #include <set>
 
+#include "engine/system/rtm_wiring.hpp"
+
 namespace nezumi::openrtm {
 namespace {
-
-// What was added to the types that OpenRTM-aist has.
-constexpr std::array<std::string_view, 2> own_types{"CameraIntrinsics", "SeenMarkerSeq"};
-
-bool is_known(std::string_view type) { return std::find(own_types.begin(), own_types.end(), type) == own_types.end(); }
 
 std::string path_of(const Component& component, const Port& port) { return component.name() + "." + port.name(); }
 
 void add_port(RtcProfile& profile, const Component& component, const Port& port, const ParameterValues& rename) {
-    if (!is_known(port.type_name())) return;
+    if (!is_rtm_type(port.type_name())) return;
     RtcPort added{.path = path_of(component, port),
                   .name = port.name(),
                   .type = std::string(port.type_name()),
@@ -155,19 +152,9 @@ Expected<std::vector<RtcProfile>> profiles_of(const System& system, const RtmSpe
 Expected<std::vector<RtcLink>> links_of(const System& system, const std::vector<ConnectionSpec>& connections) {
     std::vector<RtcLink> links;
     for (const ConnectionSpec& connection : connections) {
-        const bool is_from = is_rtm_path(connection.from);
-        const std::string& ours = is_from ? connection.to : connection.from;
-        const auto refuse = [&](const std::string& why) { return failure("connect: " + why, connection.place); };
-        const auto theirs = rtm_path(is_from ? connection.from : connection.to);
-        if (!theirs) return refuse(theirs.error().message);
-        if (system.find(ours.substr(0, ours.find('.'))) == nullptr) continue;  // it was removed
-        const auto port = system.port(ours);
-        if (!port) return refuse(port.error().message);
-        if (((*port)->direction() == Direction::in) != is_from)
-            return refuse(fmt::format("{} is an {}-port", ours, is_from ? "out" : "in"));
-        if (!is_known((*port)->type_name()))
-            return refuse(fmt::format("{} is a {}, which OpenRTM does not know", ours, (*port)->type_name()));
-        links.push_back({ours, theirs->component, theirs->port});
+        const auto ends = rtm_ends(system, connection);
+        if (!ends) return failure("connect: " + ends.error().message, connection.place);
+        links.push_back({ends->ours, ends->theirs.component, ends->theirs.port});
     }
     return links;
 }

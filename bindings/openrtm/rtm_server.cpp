@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bindings/openrtm/peer_text.hpp"
 #include "engine/ports/cdr.hpp"
 
 namespace nezumi::openrtm {
@@ -15,6 +16,10 @@ namespace {
 constexpr std::size_t most_lines = 100;
 // Connections of which malformed messages are told.
 constexpr std::size_t most_told = 100;
+
+std::string set_in_use(const Component& component) {
+    return component.set_in_use().empty() ? "default" : component.set_in_use();
+}
 
 // Encodes each message of the port's latest publication.
 template <class Send>
@@ -49,14 +54,14 @@ Expected<void> RtmServer::show() {
     const System& system = host_.system();
     layout_ = system.layout();
     starts_ = host_.starts();
+    wanted_ = host_.spec().rtm_connections;
     outlets_.clear();
     exported_.clear();
     const auto& rtm = host_.spec().rtm;
     auto profiles = rtm ? profiles_of(system, *rtm) : Expected<std::vector<RtcProfile>>();
-    auto links = profiles ? links_of(system, host_.spec().rtm_connections)
-                          : Expected<std::vector<RtcLink>>(Unexpected(profiles.error()));
+    std::vector<RtcLink> links;
     std::map<std::string, std::size_t, std::less<>> in_ports;
-    if (links) {
+    if (profiles) {
         for (const RtcProfile& profile : *profiles) {
             exported_.push_back(profile.component);
             const Component& component = *system.find(profile.component);
@@ -69,18 +74,33 @@ Expected<void> RtmServer::show() {
                 }
             }
         }
+        links = fitting_links();
     }
     inbox_.open_to(std::move(in_ports));
     take_looks();
     // Where something is wrong nobody sees anything, rather than half of it.
-    orb_->show(links ? std::move(*profiles) : std::vector<RtcProfile>{},
-               links ? std::move(*links) : std::vector<RtcLink>{});
-    if (!links) return Unexpected(links.error());
+    orb_->show(profiles ? std::move(*profiles) : std::vector<RtcProfile>{}, std::move(links));
+    if (!profiles) return Unexpected(profiles.error());
     return {};
 }
 
+// A port may have gone with another version of its script.
+std::vector<RtcLink> RtmServer::fitting_links() {
+    std::vector<RtcLink> all;
+    for (const ConnectionSpec& wanted : wanted_) {
+        if (auto links = links_of(host_.system(), {wanted})) {
+            all.insert(all.end(), links->begin(), links->end());
+        } else {
+            host_.say(true, fmt::format("rtm: {} is no longer connected to {}: {}", wanted.from, wanted.to,
+                                        links.error().message));
+        }
+    }
+    return all;
+}
+
 void RtmServer::follow_changes() {
-    if (starts_ == host_.starts() && layout_ == host_.system().layout()) return;
+    if (starts_ == host_.starts() && layout_ == host_.system().layout() && wanted_ == host_.spec().rtm_connections)
+        return;
     if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported any more: " + describe(shown.error()));
 }
 
@@ -123,11 +143,14 @@ void RtmServer::after_tick() {
 void RtmServer::serve() {
     follow_changes();
     std::vector<Line> lines;
+    std::vector<RtcLink> ended;
     {
         const std::lock_guard lock(mutex_);
         std::swap(lines, lines_);
+        std::swap(ended, ended_);
     }
     for (const Line& line : lines) host_.say(line.is_problem, line.text);
+    take_away(ended);
     bool acted = false;
     inbox_.answer([&](const RtcRequest& request) {
         acted = true;
@@ -136,6 +159,23 @@ void RtmServer::serve() {
         return answer;
     });
     if (!acted && std::chrono::steady_clock::now() - looked_ >= look_period) take_looks();
+}
+
+// What a tool takes away is wanted no more, as if somebody had said so at a console.
+void RtmServer::take_away(const std::vector<RtcLink>& ended) {
+    for (const RtcLink& link : ended) {
+        const std::string theirs = fmt::format("rtm:{}.{}", link.component, link.port);
+        const auto wanted = std::find_if(wanted_.begin(), wanted_.end(), [&](const ConnectionSpec& each) {
+            return (each.from == theirs && each.to == link.path) || (each.from == link.path && each.to == theirs);
+        });
+        if (wanted == wanted_.end()) continue;
+        const ConnectionSpec gone = *wanted;
+        if (done(Disconnect{gone.from, gone.to}) != RtcAnswer::done) continue;
+        host_.say(false, fmt::format("disconnected by an RTC or a tool: {} to {}; connect(\"{}\", \"{}\") makes it "
+                                     "again",
+                                     gone.from, gone.to, gone.from, gone.to));
+    }
+    follow_changes();
 }
 
 RtcAnswer RtmServer::done(const Act& act) {
@@ -150,9 +190,9 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
         case RtcRequest::What::deactivate: return done(Deactivate{request.component});
         case RtcRequest::What::reset: return done(Reset{request.component});
         case RtcRequest::What::use:
-            // "default" is what a component without a set in use has: it is no set that could be chosen.
-            if (component->sets.contains(request.set)) return done(Use{request.component, request.set});
-            return component->set_in_use().empty() && request.set == "default" ? RtcAnswer::done : RtcAnswer::refused;
+            // Tools that have changed the set in use choose it again: that takes nothing back.
+            if (request.set == set_in_use(*component)) return RtcAnswer::done;
+            return done(Use{request.component, request.set});
         case RtcRequest::What::set: return set_values(*component, request);
     }
     return RtcAnswer::refused;
@@ -160,8 +200,7 @@ RtcAnswer RtmServer::perform_now(const RtcRequest& request) {
 
 // All values or none. Those of a set that is not in use are the file's.
 RtcAnswer RtmServer::set_values(const Component& component, const RtcRequest& request) {
-    const std::string in_use = component.set_in_use().empty() ? "default" : component.set_in_use();
-    if (request.set != in_use) return RtcAnswer::refused;
+    if (request.set != set_in_use(component)) return RtcAnswer::refused;
     std::vector<SetParameter> acts;
     for (const auto& [name, text] : request.values) {
         const auto* parameter = component.parameters().find(name);
@@ -202,6 +241,18 @@ PutAnswer RtmServer::put(std::string_view path, std::string_view from, std::span
 }
 
 void RtmServer::left(std::string_view path, std::string_view from) { inbox_.put_zero(path, from); }
+
+std::future<Expected<std::string>> RtmServer::ask(PeerQuestion question) {
+    return orb_->ask(std::move(question), &told_of_peers);
+}
+
+void RtmServer::ended(const RtcLink& link) {
+    {
+        const std::lock_guard lock(mutex_);
+        ended_.push_back(link);
+    }
+    if (host_.wake) host_.wake();
+}
 
 void RtmServer::tell(bool is_problem, std::string text) {
     {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <string>
@@ -55,6 +56,9 @@ public:
     void after_tick();
     /// Does what RTCs want, says what is to be said: also while no tick comes.
     void serve();
+    /// Asks about RTCs of other programs, or for something of one; the answer is what to tell a person. Waits for
+    /// nobody, nor does the end of the server leave it without an answer.
+    std::future<Expected<std::string>> ask(PeerQuestion question);
 
     std::uint64_t malformed() { return inbox_.malformed(); }
     std::uint64_t dropped() { return inbox_.dropped(); }
@@ -65,6 +69,7 @@ public:
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
                   std::endian order) override;
     void left(std::string_view path, std::string_view from) override;
+    void ended(const RtcLink& link) override;
     void tell(bool is_problem, std::string text) override;
 
 private:
@@ -81,7 +86,9 @@ private:
     };
 
     Expected<void> show();
+    std::vector<RtcLink> fitting_links();
     void follow_changes();
+    void take_away(const std::vector<RtcLink>& ended);
     void take_looks();
     RtcAnswer perform_now(const RtcRequest& request);
     RtcAnswer set_values(const Component& component, const RtcRequest& request);
@@ -90,6 +97,7 @@ private:
     const RtmHost host_;
     std::vector<Outlet> outlets_;
     std::vector<std::string> exported_;
+    std::vector<ConnectionSpec> wanted_;  // connections, as they were shown
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::chrono::steady_clock::time_point looked_{};
@@ -97,9 +105,10 @@ private:
     std::vector<std::uint8_t> buffer_;
 
     Inbox inbox_;
-    Mutex mutex_;  // of the next three
+    Mutex mutex_;  // of the next four
     std::map<std::string, RtcLook, std::less<>> looks_;
     std::vector<Line> lines_;
+    std::vector<RtcLink> ended_;
     std::map<std::string, std::string> malformed_;  // what was said last, by connection
     std::unique_ptr<Orb> orb_;                      // first to go: its threads ask the rest
 };

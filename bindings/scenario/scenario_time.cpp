@@ -123,22 +123,22 @@ void ScenarioRun::fail(const CallError& error, const Watched& watched) {
 
 void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
     std::vector<const Port*> told;
-    const auto tell = [&](const System& system, const Component& component, const Port& port) {
+    const auto tell = [&](const LiveSystem& live, const Component& component, const Port& port) {
         constexpr std::size_t most = 12;
         for (const Port* other : told) {
             if (other == &port) return;
         }
         if (told.size() == most) return;
         told.push_back(&port);
-        result_.facts.push_back("  " + port_text(system, component, port));
+        result_.facts.push_back("  " + port_text(live, component, port));
     };
-    for (const PortAt& at : ports) tell(at.live->system(), *at.component, *at.port);
+    for (const PortAt& at : ports) tell(*at.live, *at.component, *at.port);
     if (!told.empty()) return;
     // It looked at no port: then all that is published says most.
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
-        const System& system = worlds_[i].system();
-        for (const auto& component : system.components()) {
-            for (const auto& port : component->out_ports()) tell(system, *component, *port);
+        const LiveSystem& live = worlds_[i];
+        for (const auto& component : live.system().components()) {
+            for (const auto& port : component->out_ports()) tell(live, *component, *port);
         }
     }
 }

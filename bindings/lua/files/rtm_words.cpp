@@ -5,6 +5,7 @@
 
 #include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/system_words.hpp"
+#include "engine/system/rtm_wiring.hpp"
 #include "engine/system/system_fields.hpp"
 
 namespace nezumi {
@@ -76,9 +77,7 @@ Expected<void> SystemWords::check_rtm() const {
         const bool is_exported = spec_.rtm && std::find(spec_.rtm->exported.begin(), spec_.rtm->exported.end(),
                                                         component) != spec_.rtm->exported.end();
         if (is_exported) continue;
-        return failure(fmt::format("connect: {} is a port of another program, which sees only what is exported: write "
-                                   "rtm {{ export = {{ \"{}\" }} }}",
-                                   is_from ? connection.from : connection.to, component),
+        return failure("connect: " + needs_export(is_from ? connection.from : connection.to, component),
                        connection.place);
     }
     return {};

@@ -305,7 +305,7 @@ int component_tostring(lua_State* L) {
         const ObjectRef& ref = *to_object(L, 1);
         const auto at = find_component(ref);
         if (!at) return Answer{fmt::format("{} (there is no such component now)", ref.component())};
-        return Answer{component_text(at->live->system(), *at->component)};
+        return Answer{component_text(*at->live, *at->component)};
     });
 }
 

@@ -8,8 +8,11 @@
 #include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/live/rewire.hpp"
 #include "bindings/lua/live/running.hpp"
 #include "engine/system/perform.hpp"
+#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
 namespace {
@@ -48,6 +51,8 @@ Expected<ActResult> LiveSystem::act(const Act& act, const Actor& who) {
 
 template <class EngineAct>
 Expected<ActResult> LiveSystem::perform(const EngineAct& act, const Actor& who) {
+    if constexpr (std::is_same_v<EngineAct, Connect> || std::is_same_v<EngineAct, Disconnect>)
+        return rewire(*running_->system, running_->spec, act, who);
     return nezumi::perform(*running_->system, act, who);
 }
 
@@ -112,7 +117,7 @@ Expected<ActResult> LiveSystem::perform(const Remove& act, const Actor& /*who*/)
     ActResult result;
     const auto note = [&](const auto& ports) {
         for (const auto& port : ports) {
-            const auto peers = system.peers(*port);
+            const auto peers = peers_of(*this, **component, *port);
             if (!peers.empty())
                 result.notes.push_back(
                     fmt::format("{}.{} was connected to {}", act.component, port->name(), fmt::join(peers, ", ")));
@@ -122,6 +127,7 @@ Expected<ActResult> LiveSystem::perform(const Remove& act, const Actor& /*who*/)
     note((*component)->out_ports());
     if (auto gone = system.remove(act.component); !gone) return Unexpected(gone.error());
     std::erase_if(running_->spec.entries, [&](const Entry& entry) { return name_of(entry) == act.component; });
+    forget_rtm(running_->spec, act.component);
     watch_again();
     return result;
 }

@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "bindings/lua/live/live_system.hpp"
 #include "bindings/lua/script/script_component.hpp"
 #include "engine/base/names.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
 namespace {
 
-std::string quoted(std::string_view text) { return to_text(ParameterValue(std::string(text))); }
+std::string quoted_text(std::string_view text) { return to_text(ParameterValue(std::string(text))); }
 
 template <class T>
 void append(std::string& out, const T& value, std::size_t most) {
@@ -38,7 +40,7 @@ void append(std::string& out, const T& value, std::size_t most) {
         }
         out += out.size() >= most ? " ..." : value.empty() ? "}" : " }";
     } else if constexpr (std::is_same_v<T, std::string>) {
-        out += value.size() > most ? quoted(value.substr(0, most)) + "..." : quoted(value);
+        out += value.size() > most ? quoted_text(value.substr(0, most)) + "..." : quoted_text(value);
     } else if constexpr (std::is_floating_point_v<T>) {
         out += fmt::format("{:.6g}", value == 0 ? T{0} : value);
     } else {
@@ -47,9 +49,9 @@ void append(std::string& out, const T& value, std::size_t most) {
 }
 
 // "-> controller.in, plotter.in" or "not connected".
-std::string peers_text(const System& system, const Port& port) {
+std::string peers_text(const LiveSystem& live, const Component& component, const Port& port) {
     constexpr std::size_t most = 4;
-    const std::vector<std::string> peers = system.peers(port);
+    const std::vector<std::string> peers = peers_of(live, component, port);
     if (peers.empty()) return "not connected";
     const std::size_t count = std::min(most, peers.size());
     std::string text = fmt::format("{} {}", port.direction() == Direction::in ? "<-" : "->",
@@ -118,6 +120,13 @@ std::string probe_text(const PlainData& probe) { return plain_text(probe, probe.
 
 }  // namespace
 
+std::vector<std::string> peers_of(const LiveSystem& live, const Component& component, const Port& port) {
+    std::vector<std::string> peers = live.system().peers(port);
+    for (std::string& peer : rtm_peers(live.spec(), component.name() + "." + port.name()))
+        peers.push_back(std::move(peer));
+    return peers;
+}
+
 double port_age(const System& system, const Port& port) {
     return port.count() == 0 ? std::numeric_limits<double>::infinity() : system.now().seconds - port.tm();
 }
@@ -139,9 +148,10 @@ std::string payload_text(const AnyPayload& value, std::size_t width) {
     return text;
 }
 
-std::string port_text(const System& system, const Component& component, const Port& port) {
+std::string port_text(const LiveSystem& live, const Component& component, const Port& port) {
+    const System& system = live.system();
     return fmt::format("{}.{}  {}  {}  {}  {}{}{}", component.name(), port.name(), port.type_name(),
-                       payload_text(port.value()), age_text(port_age(system, port)), peers_text(system, port),
+                       payload_text(port.value()), age_text(port_age(system, port)), peers_text(live, component, port),
                        override_text(system, component, port), note_text(port));
 }
 
@@ -154,7 +164,8 @@ std::string component_title(const Component& component) {
     return text;
 }
 
-std::string component_text(const System& system, const Component& component) {
+std::string component_text(const LiveSystem& live, const Component& component) {
+    const System& system = live.system();
     std::string text = fmt::format("{}  {}", component.name(), component_title(component));
     if (component.state() == LifeState::error) text += "\n  " + first_line(describe(component.last_error()));
     text += about_text(component);
@@ -168,7 +179,7 @@ std::string component_text(const System& system, const Component& component) {
     for (const auto& port : component.out_ports()) measure(*port);
     const auto line = [&](const Port& port) {
         text += fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port.direction() == Direction::in ? "in" : "out",
-                            port.name(), name_width, port.type_name(), type_width, peers_text(system, port),
+                            port.name(), name_width, port.type_name(), type_width, peers_text(live, component, port),
                             override_text(system, component, port));
         if (port.override() == Override::held || port.override() == Override::frozen)
             text += " at " + payload_text(port.override_value(), 60);

@@ -75,7 +75,7 @@ int ports_tostring(lua_State* L) {
         std::string text;
         for (const std::string& name : port_names(*at.component)) {
             if (!text.empty()) text += "\n";
-            text += port_text(at.live->system(), *at.component, *at.component->find_port(name));
+            text += port_text(*at.live, *at.component, *at.component->find_port(name));
         }
         return text.empty() ? at.component->name() + " has no ports" : text;
     });

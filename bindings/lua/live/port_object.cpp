@@ -48,8 +48,8 @@ Answer property(const PortAt& at, std::string_view name) {
     if (name == "age") return port_age(system, port);
     if (name == "stale") return is_stale(system, port);
     if (name == "type") return std::string(port.type_name());
-    if (name == "peers") return system.peers(port);
-    if (name == "connected") return !system.peers(port).empty();
+    if (name == "peers") return peers_of(*at.live, *at.component, port);
+    if (name == "connected") return !peers_of(*at.live, *at.component, port).empty();
     if (name == "name") return port.name();
     if (name == "path") return at.path();
     if (name == "direction") return std::string(port.direction() == Direction::in ? "in" : "out");
@@ -199,7 +199,7 @@ int port_tostring(lua_State* L) {
         const ObjectRef& ref = *to_object(L, 1);
         const auto at = find_port(ref);
         if (!at) return Answer{fmt::format("{}.{} (there is no such port now)", ref.component(), ref.port())};
-        return Answer{port_text(at->live->system(), *at->component, *at->port)};
+        return Answer{port_text(*at->live, *at->component, *at->port)};
     });
 }
 

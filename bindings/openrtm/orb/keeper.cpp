@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "bindings/openrtm/orb/life.hpp"
 #include "bindings/openrtm/orb/linker.hpp"
 #include "engine/base/thread.hpp"
 
@@ -15,8 +16,13 @@ namespace {
 constexpr std::chrono::milliseconds pause{200};
 constexpr int rounds_of_peers = 5;
 constexpr int rounds_of_links = 2;
+// An RTC that ends takes its connections with it: so long after it has ended one it is asked whether it lives.
+constexpr std::chrono::seconds last_words{3};
 // Instances of one name on a computer.
 constexpr int most_instances = 100;
+
+// What the connection is called in `told_`.
+std::string about(const RtcLink& link) { return link.path + " rtm:" + link.component + "." + link.port; }
 
 }  // namespace
 
@@ -83,8 +89,7 @@ void Keeper::run() {
 }
 
 void Keeper::take_wanted(const Wanted& wanted) {
-    links_.clear();
-    for (const RtcLink& link : wanted.links) links_.push_back({link, {}});
+    take_links(wanted.links);
     std::vector<Rtc> gone;
     std::vector<RtcProfile> fresh;
     {
@@ -100,13 +105,37 @@ void Keeper::take_wanted(const Wanted& wanted) {
             if (std::none_of(rtcs_.begin(), rtcs_.end(), is_it)) fresh.push_back(profile);
         }
     }
-    for (const Rtc& rtc : gone) withdraw(*rtc.in());
+    for (const Rtc& rtc : gone) {
+        withdraw(*rtc.in());
+        for (Link& link : links_) {
+            if (rtc->find_port(link.wanted.path) != nullptr) link = {link.wanted};
+        }
+    }
     for (const RtcProfile& profile : fresh) {
         const Rtc rtc(new RtcObject(home_, profile, free_instance(profile.component)));
         rtc->begin();
         const std::lock_guard lock(mutex_);
         rtcs_.push_back(rtc);
     }
+}
+
+// Those that stay are left alone, those that go are disconnected.
+void Keeper::take_links(const std::vector<RtcLink>& wanted) {
+    std::vector<Link> links;
+    for (const RtcLink& each : wanted) {
+        const auto same = [&](const Link& link) { return link.wanted == each && !link.is_ended; };
+        const auto before = std::find_if(links_.begin(), links_.end(), same);
+        links.push_back(before != links_.end() ? *before : Link{each});
+    }
+    for (const Link& link : links_) {
+        PortObject* port = find_port(link.wanted.path);
+        const bool stays = std::find(wanted.begin(), wanted.end(), link.wanted) != wanted.end();
+        if (!stays) told_.erase(about(link.wanted));
+        if (stays || port == nullptr || CORBA::is_nil(link.theirs)) continue;
+        const std::string id = port->connection_with(link.theirs);
+        if (!id.empty()) static_cast<void>(port->disconnect(id.c_str()));
+    }
+    links_ = std::move(links);
 }
 
 void Keeper::withdraw(RtcObject& rtc) {
@@ -159,21 +188,44 @@ void Keeper::register_all() {
 void Keeper::look_after_connections() {
     for (const Rtc& rtc : rtcs_) {
         for (const auto& port : rtc->ports()) {
-            port->drop_lost();
-            if (rounds_ % rounds_of_peers == 0) port->ask_peers();
+            std::vector<std::string> lost = port->drop_lost();
+            if (rounds_ % rounds_of_peers == 0) {
+                for (std::string& id : port->ask_peers()) lost.push_back(std::move(id));
+            }
+            // Nobody has ended these.
+            for (Link& link : links_) {
+                if (std::find(lost.begin(), lost.end(), link.id) != lost.end()) link = {link.wanted};
+            }
         }
     }
 }
 
+// A connection whose RTC has gone is made again when that is back. One that an RTC has ended that lives on was taken
+// away, by a tool or by itself.
+bool Keeper::is_to_be_made(Link& link, PortObject& port) {
+    if (CORBA::is_nil(link.theirs)) return !link.is_ended;
+    if (std::string id = port.connection_with(link.theirs); !id.empty()) {
+        link.id = std::move(id);
+        link.ended_at.reset();
+        return false;
+    }
+    if (!link.ended_at) link.ended_at = Clock::now();
+    if (Clock::now() - *link.ended_at < last_words) return false;
+    const Life life = life_of(link.theirs);
+    if (life == Life::lives) home_.site.ended(link.wanted);
+    if (life != Life::silent) link = {.wanted = link.wanted, .is_ended = life == Life::lives};
+    return life == Life::gone;
+}
+
 void Keeper::make_links() {
-    for (auto& [wanted, theirs] : links_) {
+    for (Link& each : links_) {
+        const RtcLink& wanted = each.wanted;
         PortObject* port = find_port(wanted.path);
-        if (port == nullptr) continue;
-        if (!CORBA::is_nil(theirs) && port->is_connected_to(theirs)) continue;
+        if (port == nullptr || !is_to_be_made(each, *port)) continue;
         const std::string other = "rtm:" + wanted.component + "." + wanted.port;
         const std::string between = port->port().is_in ? other + " to " + wanted.path : wanted.path + " to " + other;
-        const std::string problem = link(names_, *port, wanted, theirs);
-        tell_once(between, !problem.empty(),
+        const std::string problem = link(names_, *port, wanted, each.theirs);
+        tell_once(about(wanted), !problem.empty(),
                   problem.empty() ? "connected: " + between : "not connected: " + between + ": " + problem);
     }
 }

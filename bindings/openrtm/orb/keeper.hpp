@@ -1,8 +1,10 @@
 // The thread that keeps RTCs in the name service, and their connections alive.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -29,29 +31,35 @@ public:
     void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order);
 
 private:
+    using Clock = std::chrono::steady_clock;
     using Rtc = PortableServer::Servant_var<RtcObject>;
     struct Wanted {
         std::vector<RtcProfile> profiles{};
         std::vector<RtcLink> links{};
     };
 
+    struct Link {
+        RtcLink wanted{};
+        RTC::PortService_var theirs{};                ///< the other port, when it has been made
+        std::string id{};                             ///< of the connection that there was last
+        std::optional<Clock::time_point> ended_at{};  ///< when somebody was seen to have ended that
+        bool is_ended = false;                        ///< and meant it
+    };
+
     void run();
     void take_wanted(const Wanted& wanted);
+    void take_links(const std::vector<RtcLink>& wanted);
     void withdraw(RtcObject& rtc);
     std::string free_instance(const std::string& component);
     void register_all();
     void look_after_connections();
     void make_links();
+    bool is_to_be_made(Link& link, PortObject& port);
     void tell_once(const std::string& about, bool is_problem, const std::string& text);
     PortObject* find_port(std::string_view path);
 
     const Home home_;
     NameService names_;
-    // A connection that is wanted, and the other port when it was made last.
-    struct Link {
-        RtcLink wanted{};
-        RTC::PortService_var theirs{};
-    };
     std::vector<Link> links_;                  // of the thread alone, as the next two
     std::map<std::string, std::string> told_;  // what was said last, by what it was about
     int rounds_ = 0;

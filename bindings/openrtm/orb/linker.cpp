@@ -6,13 +6,6 @@
 namespace nezumi::openrtm {
 namespace {
 
-// "TimedLong" of "IDL:RTC/TimedLong:1.0" and of "TimedLong".
-std::string_view short_type(std::string_view type) {
-    const std::size_t slash = type.rfind('/');
-    if (slash != std::string_view::npos) type = type.substr(slash + 1);
-    return type.substr(0, type.find(':'));
-}
-
 // Ports of one RTC are called "ConsoleOut0.out".
 bool is_called(std::string_view name, std::string_view port) {
     return name == port ||
@@ -34,7 +27,7 @@ std::string_view reason_for(RTC::ReturnCode_t code) {
 // Why a port of this profile can't be the other end of ours; "" when it can.
 std::string misfit(const PortObject& ours, const RTC::PortProfile& theirs) {
     const bool is_in = text_of(theirs.properties, "port.port_type") == "DataInPort";
-    const std::string type(short_type(text_of(theirs.properties, "dataport.data_type")));
+    const std::string type = data_type_of(theirs);
     if (is_in == ours.port().is_in) return is_in ? "both are in-ports" : "both are out-ports";
     if (type != ours.port().type)
         return "it carries " + type + ", and " + ours.port().path + " carries " + ours.port().type;
@@ -42,7 +35,7 @@ std::string misfit(const PortObject& ours, const RTC::PortProfile& theirs) {
 }
 
 std::string connect(PortObject& ours, const RtcLink& wanted, RTC::PortService_ptr theirs) {
-    if (ours.is_connected_to(theirs)) return "";
+    if (!ours.connection_with(theirs).empty()) return "";
     const RTC::PortService_var self = ours._this();
     RTC::ConnectorProfile profile;
     const std::string other = wanted.component + "." + wanted.port;
@@ -63,15 +56,15 @@ std::string connect(PortObject& ours, const RtcLink& wanted, RTC::PortService_pt
 }  // namespace
 
 std::string link(NameService& names, PortObject& ours, const RtcLink& wanted, RTC::PortService_var& theirs) {
-    RTC::RTObject_var rtc;
+    Expected<NameService::Named> found;
     try {
-        rtc = names.find(wanted.component);
+        found = names.find(wanted.component);
     } catch (const CORBA::Exception&) {
         return "no name service answers at " + names.address();
     }
-    if (CORBA::is_nil(rtc)) return "there is no RTC '" + wanted.component + "' in the name service";
+    if (!found) return found.error().message;
     try {
-        RTC::PortServiceList_var ports = rtc->get_ports();
+        RTC::PortServiceList_var ports = found->rtc->get_ports();
         for (CORBA::ULong i = 0; i < ports->length(); ++i) {
             const RTC::PortProfile_var profile = ports[i]->get_port_profile();
             if (!is_called(profile->name.in(), wanted.port)) continue;

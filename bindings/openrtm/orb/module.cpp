@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bindings/openrtm/orb.hpp"
+#include "bindings/openrtm/orb/asker.hpp"
 #include "bindings/openrtm/orb/keeper.hpp"
 #include "engine/base/thread.hpp"
 
@@ -13,8 +14,11 @@ namespace {
 class OmniOrb final : public Orb {
 public:
     OmniOrb(CORBA::ORB_ptr orb, RtcSite& site, const OrbOptions& options)
-        : orb_(CORBA::ORB::_duplicate(orb)), keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)) {}
+        : orb_(CORBA::ORB::_duplicate(orb)),
+          asker_(std::make_unique<Asker>(orb_.in(), options.nameserver)),
+          keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)) {}
     ~OmniOrb() override {
+        asker_.reset();
         keeper_.reset();
         try {
             orb_->destroy();  // waits for calls that are under way: none lasts longer than a second
@@ -28,6 +32,9 @@ public:
     void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) override {
         keeper_->show(std::move(profiles), std::move(links));
     }
+    std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) override {
+        return asker_->ask(std::move(question), tell);
+    }
     WantedOrders wanted(std::string_view path) override { return keeper_->wanted(path); }
     void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) override {
         keeper_->publish(path, bytes, order);
@@ -35,6 +42,7 @@ public:
 
 private:
     CORBA::ORB_var orb_;
+    std::unique_ptr<Asker> asker_;
     std::unique_ptr<Keeper> keeper_;
 };
 

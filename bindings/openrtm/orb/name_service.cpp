@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -15,6 +16,9 @@ constexpr const char* kind_of_hosts = "host_cxt";
 constexpr const char* kind_of_rtcs = "rtc";
 // Contexts of computers that are looked through.
 constexpr CORBA::ULong most_contexts = 256;
+// Names that are listed, and contexts in contexts that are looked into.
+constexpr CORBA::ULong most_listed = 1000;
+constexpr int deepest = 4;
 
 std::string host_name() {
     std::array<char, 256> name{};
@@ -39,6 +43,12 @@ CosNaming::Name name_of(std::string_view path) {
         if (slash == std::string_view::npos) return name;
         path = path.substr(slash + 1);
     }
+}
+
+// "pc.host_cxt"
+std::string text_of(const CosNaming::NameComponent& component) {
+    const std::string kind = component.kind.in();
+    return component.id.in() + (kind.empty() ? "" : "." + kind);
 }
 
 CosNaming::Name with(const CosNaming::NameComponent& context, const CosNaming::Name& rest) {
@@ -106,22 +116,79 @@ void NameService::unbind(const std::string& name, CORBA::Object_ptr object) {
     if (bound(name, object) == Bound::ours) root()->unbind(name_of(own_context_ + "/" + name));
 }
 
-RTC::RTObject_ptr NameService::find(const std::string& component) {
+Expected<NameService::Named> NameService::find(const std::string& component) {
     const CosNaming::Name name = name_of(component);
-    CORBA::Object_var object = resolve(root(), name);
-    if (CORBA::is_nil(object) && name.length() == 1) {
-        object = resolve(root(), name_of(own_context_ + "/" + component));
-        CosNaming::BindingList_var list;
-        CosNaming::BindingIterator_var more;
-        if (CORBA::is_nil(object)) root()->list(most_contexts, list.out(), more.out());
-        if (!CORBA::is_nil(more)) more->destroy();
-        for (CORBA::ULong i = 0; CORBA::is_nil(object) && i < list->length(); ++i) {
-            const CosNaming::Binding& binding = list[i];
-            if (binding.binding_type == CosNaming::ncontext && binding.binding_name.length() == 1)
-                object = resolve(root(), with(binding.binding_name[0], name));
+    std::vector<Named> found;
+    const auto take = [&](const std::string& called, CORBA::Object_ptr bound) {
+        const CORBA::Object_var object = bound;
+        if (!CORBA::is_nil(object)) found.push_back({called, RTC::RTObject::_unchecked_narrow(object)});
+    };
+    take(component, resolve(root(), name));
+    const bool is_short = name.length() == 1;
+    if (found.empty() && is_short) {
+        const std::string own = own_context_ + "/" + component;
+        take(own, resolve(root(), name_of(own)));
+    }
+    if (found.empty() && is_short) {
+        for (const CosNaming::NameComponent& context : contexts())
+            take(text_of(context) + "/" + component, resolve(root(), with(context, name)));
+    }
+    if (found.empty()) return failure("there is no RTC '" + component + "' in the name service");
+    if (found.size() > 1) {
+        std::sort(found.begin(), found.end(), [](const Named& a, const Named& b) { return a.name < b.name; });
+        return failure("'" + component + "' could be rtm:" + found[0].name + " or rtm:" + found[1].name +
+                       ": write which");
+    }
+    return found.front();
+}
+
+std::vector<CosNaming::NameComponent> NameService::contexts() {
+    CosNaming::BindingList_var list;
+    CosNaming::BindingIterator_var more;
+    root()->list(most_contexts, list.out(), more.out());
+    if (!CORBA::is_nil(more)) more->destroy();
+    std::vector<CosNaming::NameComponent> found;
+    for (CORBA::ULong i = 0; i < list->length(); ++i) {
+        const CosNaming::Binding& binding = list[i];
+        if (binding.binding_type == CosNaming::ncontext && binding.binding_name.length() == 1)
+            found.push_back(binding.binding_name[0]);
+    }
+    return found;
+}
+
+std::vector<NameService::Named> NameService::all() {
+    std::vector<Named> found;
+    collect(root(), "", deepest, found);
+    return found;
+}
+
+void NameService::collect(CosNaming::NamingContext_ptr context, const std::string& path, int depth,
+                          std::vector<Named>& found) {
+    CosNaming::BindingList_var list;
+    CosNaming::BindingIterator_var more;
+    context->list(most_listed, list.out(), more.out());
+    if (!CORBA::is_nil(more)) more->destroy();
+    for (CORBA::ULong i = 0; i < list->length() && found.size() < most_listed; ++i) {
+        const CosNaming::Binding& binding = list[i];
+        if (binding.binding_name.length() != 1) continue;
+        const CosNaming::NameComponent& last = binding.binding_name[0];
+        if (binding.binding_type != CosNaming::ncontext) {
+            if (std::string_view(last.kind.in()) != kind_of_rtcs) continue;
+            // What is behind a dot would be taken for the kind.
+            const std::string id = last.id.in();
+            const std::string name = path + (id.find('.') == std::string::npos ? id : text_of(last));
+            const CORBA::Object_var object = resolve(context, binding.binding_name);
+            if (!CORBA::is_nil(object)) found.push_back({name, RTC::RTObject::_unchecked_narrow(object)});
+        } else if (depth > 0) {
+            try {
+                const CORBA::Object_var object = resolve(context, binding.binding_name);
+                const CosNaming::NamingContext_var inner = CosNaming::NamingContext::_unchecked_narrow(object);
+                if (!CORBA::is_nil(inner)) collect(inner, path + text_of(last) + "/", depth - 1, found);
+            } catch (const CORBA::Exception&) {
+                continue;  // it is another name service's, which is away
+            }
         }
     }
-    return RTC::RTObject::_unchecked_narrow(object);
 }
 
 }  // namespace nezumi::openrtm

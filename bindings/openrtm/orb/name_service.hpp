@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <rtm.hh>
+#include "engine/base/error.hpp"
 
 namespace nezumi::openrtm {
 
@@ -29,12 +30,21 @@ public:
     void rebind(const std::string& name, CORBA::Object_ptr object);
     /// Gives the name up, if it is bound to this.
     void unbind(const std::string& name, CORBA::Object_ptr object);
-    /// The RTC of a name, with its contexts or without: "pc.host_cxt/ConsoleOut0", "ConsoleOut0". Nil where there is
-    /// none; what is bound may be stale.
-    RTC::RTObject_ptr find(const std::string& component);
+    /// An RTC as it is bound, which may be stale.
+    struct Named {
+        std::string name{};  ///< "pc.host_cxt/ConsoleOut0"
+        RTC::RTObject_var rtc{};
+    };
+    /// The RTC of a name, with its contexts or without: "pc.host_cxt/ConsoleOut0", "ConsoleOut0". The error says that
+    /// there is none, or that it could be one of several.
+    Expected<Named> find(const std::string& component);
+    /// All RTCs, in the order of the name service: a thousand at most.
+    std::vector<Named> all();
 
 private:
+    void collect(CosNaming::NamingContext_ptr context, const std::string& path, int depth, std::vector<Named>& found);
     CosNaming::NamingContext_ptr root();
+    std::vector<CosNaming::NameComponent> contexts();
     CORBA::Object_ptr resolve(CosNaming::NamingContext_ptr from, const CosNaming::Name& name);
 
     CORBA::ORB_var orb_;

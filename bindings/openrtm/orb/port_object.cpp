@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "bindings/openrtm/orb/life.hpp"
 #include "bindings/openrtm/orb/properties.hpp"
 #include "bindings/openrtm/orb/servants.hpp"
 
@@ -46,17 +47,6 @@ RTC::ReturnCode_t ask(const Call& call) {
         return call();
     } catch (const CORBA::Exception&) {
         return RTC::RTC_ERROR;
-    }
-}
-
-// Only somebody who answers can say that an object is gone; who does not answer in time may hang.
-bool is_gone(RTC::PortService_ptr port) {
-    try {
-        return port->_non_existent();
-    } catch (const CORBA::TIMEOUT&) {
-        return false;
-    } catch (const CORBA::Exception&) {
-        return true;
     }
 }
 
@@ -121,7 +111,7 @@ void PortObject::end(Connection connection) {
     if (port_.is_in) home_.site.left(port_.path, inlet_of(connection.profile).from);
 }
 
-std::size_t PortObject::drop_lost() {
+std::vector<std::string> PortObject::drop_lost() {
     std::vector<std::string> lost;
     {
         const std::lock_guard lock(mutex_);
@@ -130,10 +120,11 @@ std::size_t PortObject::drop_lost() {
         }
     }
     for (const std::string& id : lost) end(take_away(id));
-    return lost.size();
+    return lost;
 }
 
-void PortObject::ask_peers() {
+std::vector<std::string> PortObject::ask_peers() {
+    std::vector<std::string> lost;
     for (const std::string& id : ids()) {
         RTC::PortServiceList ports;
         {
@@ -143,20 +134,24 @@ void PortObject::ask_peers() {
             ports = found->second.profile.ports;
         }
         bool gone = false;
-        for (CORBA::ULong i = 0; i < ports.length() && !gone; ++i) gone = !is_self(ports[i]) && is_gone(ports[i]);
-        if (gone) end(take_away(id));
+        for (CORBA::ULong i = 0; i < ports.length() && !gone; ++i)
+            gone = !is_self(ports[i]) && life_of(ports[i]) == Life::gone;
+        if (!gone) continue;
+        end(take_away(id));
+        lost.push_back(id);
     }
+    return lost;
 }
 
-bool PortObject::is_connected_to(RTC::PortService_ptr other) {
+std::string PortObject::connection_with(RTC::PortService_ptr other) {
     const std::lock_guard lock(mutex_);
     for (const auto& [id, connection] : connections_) {
         const RTC::PortServiceList& ports = connection.profile.ports;
         for (CORBA::ULong i = 0; i < ports.length(); ++i) {
-            if (!CORBA::is_nil(ports[i]) && ports[i]->_is_equivalent(other)) return true;
+            if (!CORBA::is_nil(ports[i]) && ports[i]->_is_equivalent(other)) return id;
         }
     }
-    return false;
+    return "";
 }
 
 RTC::PortProfile* PortObject::get_port_profile() {
@@ -236,7 +231,7 @@ RTC::ReturnCode_t PortObject::reserve(const RTC::ConnectorProfile& profile, cons
             is_of_this = true;
         } else if (CORBA::is_nil(profile.ports[i])) {
             return RTC::BAD_PARAMETER;
-        } else if (is_connected_to(profile.ports[i])) {
+        } else if (!connection_with(profile.ports[i]).empty()) {
             return RTC::PRECONDITION_NOT_MET;
         }
     }

@@ -38,11 +38,12 @@ public:
     WantedOrders wanted();
     void publish(std::span<const std::uint8_t> bytes, std::endian order);
 
-    /// Takes away the connections whose peer is gone. Returns how many.
-    std::size_t drop_lost();
-    /// Asks the ports at the other ends whether they are there; takes away the connections of those that are not.
-    void ask_peers();
-    bool is_connected_to(RTC::PortService_ptr other);
+    // Each takes away the connections whose peer is gone, and returns their names.
+    std::vector<std::string> drop_lost();
+    /// Asks the ports at the other ends whether they are there.
+    std::vector<std::string> ask_peers();
+    /// The name of the connection with another port; "" when there is none.
+    std::string connection_with(RTC::PortService_ptr other);
 
     RTC::PortProfile* get_port_profile() override;
     RTC::ConnectorProfileList* get_connector_profiles() override;

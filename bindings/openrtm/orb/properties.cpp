@@ -21,6 +21,12 @@ std::string text_of(const SDOPackage::NVList& list, std::string_view name) {
     return "";
 }
 
+std::string data_type_of(const RTC::PortProfile& port) {
+    std::string type = text_of(port.properties, "dataport.data_type");
+    type.erase(0, type.rfind('/') + 1);
+    return type.substr(0, type.find(':'));
+}
+
 void add_text(SDOPackage::NVList& list, std::string_view name, std::string_view text) {
     const CORBA::ULong at = list.length();
     list.length(at + 1);

@@ -1,6 +1,6 @@
 // An RTC with one data port, as a program of its own: fake_rtc NAMESERVER NAME PORT TYPE in|out. It reads commands, a
 // line each, and prints what happens; on the end of its input it leaves the name service.
-//   send HEX, fetch, hang SECONDS
+//   send HEX, fetch, hang SECONDS, fail: goes into ERROR
 //   connect RTC PORT [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t
 //   about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set RTC SET NAME VALUE, use RTC
 //   SET flood COUNT HEX: sends so often, prints how long it took in all, and one of them
@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <numeric>
 #include <sstream>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "tests/fakes/openrtm/fake_port.hpp"
+#include "tests/fakes/openrtm/fake_state.hpp"
 
 using namespace nezumi::fakes;
 
@@ -24,6 +26,7 @@ namespace {
 class FakeRtc final : public POA_OpenRTM::DataFlowComponent {
 public:
     FakeRtc(std::string name, RTC::PortService_ptr port) : name_(std::move(name)), port_(port) {}
+    void fail() { context_->fail(); }
 
     RTC::PortServiceList* get_ports() override {
         auto* list = new RTC::PortServiceList;
@@ -34,13 +37,17 @@ public:
     RTC::ComponentProfile* get_component_profile() override {
         auto* profile = new RTC::ComponentProfile;
         profile->instance_name = name_.c_str();
+        profile->type_name = "Fake";
         return profile;
     }
     CORBA::Boolean is_alive(RTC::ExecutionContext_ptr) override { return true; }
-    RTC::ExecutionContext_ptr get_context(RTC::ExecutionContextHandle_t) override {
-        return RTC::ExecutionContext::_nil();
+    RTC::ExecutionContext_ptr get_context(RTC::ExecutionContextHandle_t) override { return context_->_this(); }
+    RTC::ExecutionContextList* get_owned_contexts() override {
+        auto* list = new RTC::ExecutionContextList;
+        list->length(1);
+        (*list)[0] = context_->_this();
+        return list;
     }
-    RTC::ExecutionContextList* get_owned_contexts() override { return new RTC::ExecutionContextList; }
     RTC::ExecutionContextList* get_participating_contexts() override { return new RTC::ExecutionContextList; }
     RTC::ExecutionContextHandle_t get_context_handle(RTC::ExecutionContext_ptr) override { return 0; }
     RTC::ExecutionContextHandle_t attach_context(RTC::ExecutionContext_ptr) override { return 0; }
@@ -66,7 +73,7 @@ public:
     SDOPackage::ServiceProfileList* get_service_profiles() override { return new SDOPackage::ServiceProfileList; }
     SDOPackage::ServiceProfile* get_service_profile(const char*) override { throw SDOPackage::NotAvailable("none"); }
     SDOPackage::SDOService_ptr get_sdo_service(const char*) override { throw SDOPackage::NotAvailable("none"); }
-    SDOPackage::Configuration_ptr get_configuration() override { return SDOPackage::Configuration::_nil(); }
+    SDOPackage::Configuration_ptr get_configuration() override { return configuration_->_this(); }
     SDOPackage::Monitoring_ptr get_monitoring() override { return SDOPackage::Monitoring::_nil(); }
     SDOPackage::OrganizationList* get_organizations() override { return new SDOPackage::OrganizationList; }
     SDOPackage::OrganizationList* get_owned_organizations() override { return new SDOPackage::OrganizationList; }
@@ -76,32 +83,38 @@ public:
 private:
     const std::string name_;
     RTC::PortService_ptr port_;
+    PortableServer::Servant_var<FakeContext> context_{new FakeContext};
+    PortableServer::Servant_var<FakeConfiguration> configuration_{new FakeConfiguration};
 };
 
 class Commands {
 public:
-    Commands(CORBA::ORB_ptr orb, const std::string& nameserver, FakePort& port) : port_(port) {
+    Commands(CORBA::ORB_ptr orb, const std::string& nameserver, FakePort& port, FakeRtc& self)
+        : port_(port), self_(self) {
         const CORBA::Object_var object =
             orb->string_to_object(("corbaloc:iiop:" + nameserver + "/NameService").c_str());
         root_ = CosNaming::NamingContext::_narrow(object);
     }
 
+    // The whole name, of this computer unless it says another's ("pc.host_cxt/In0").
     static CosNaming::Name name_of(const std::string& rtc) {
-        char host[256] = {};
-        gethostname(host, sizeof host - 1);
+        std::array<char, 256> own{};
+        gethostname(own.data(), own.size() - 1);
+        const std::size_t slash = rtc.find('/');
+        const std::string host = slash == std::string::npos ? own.data() : rtc.substr(0, rtc.find('.'));
         CosNaming::Name name;
-        name.length(rtc.empty() ? 1 : 2);
-        name[0].id = static_cast<const char*>(host);
+        name.length(2);
+        name[0].id = host.c_str();
         name[0].kind = "host_cxt";
-        if (!rtc.empty()) {
-            name[1].id = rtc.c_str();
-            name[1].kind = "rtc";
-        }
+        name[1].id = rtc.substr(slash == std::string::npos ? 0 : slash + 1).c_str();
+        name[1].kind = "rtc";
         return name;
     }
     void bind(const std::string& rtc, CORBA::Object_ptr object) {
+        CosNaming::Name context = name_of(rtc);
+        context.length(1);
         try {
-            const CosNaming::NamingContext_var made = root_->bind_new_context(name_of(""));
+            const CosNaming::NamingContext_var made = root_->bind_new_context(context);
         } catch (const CosNaming::NamingContext::AlreadyBound&) {
             root_->rebind(name_of(rtc), object);
             return;
@@ -129,6 +142,8 @@ public:
             double seconds = 0;
             words >> seconds;
             port_.hang(seconds);
+        } else if (command == "fail") {
+            self_.fail();
         } else if (command == "disconnect") {
             print("disconnected " + std::to_string(port_.disconnect_first()));
         } else if (words >> rtc) {
@@ -226,6 +241,7 @@ private:
     }
 
     FakePort& port_;
+    FakeRtc& self_;
     CosNaming::NamingContext_var root_;
 };
 
@@ -251,7 +267,7 @@ int main(int count, char** arguments) {
         const RTC::PortService_var port_reference = port->_this();
         auto* rtc = new FakeRtc(name, port_reference);
         const OpenRTM::DataFlowComponent_var reference = rtc->_this();
-        Commands commands(orb, nameserver, *port);
+        Commands commands(orb, nameserver, *port, *rtc);
         commands.bind(name, reference);
         print("ready");
         std::string line;

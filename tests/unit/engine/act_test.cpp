@@ -65,17 +65,6 @@ TEST_CASE("an act that names what is not there says what is near", "[engine][act
     CHECK(error_of(run.system, Disconnect{"mouse.ir", ""}) == "mouse.ir is not connected");
 }
 
-TEST_CASE("connections to RTCs are the file's", "[engine][act][rtm]") {
-    FakeRun run;
-    const std::string refused =
-        "connections to RTCs are those of the system's file: change `connect` there and restart(), or use a tool of "
-        "OpenRTM's";
-    CHECK(error_of(run.system, Connect{"rtm:Out0.out", "mouse.velocity_in"}) == refused);
-    CHECK(error_of(run.system, Connect{"mouse.velocity_out", "rtm:In0.in"}) == refused);
-    CHECK(error_of(run.system, Disconnect{"rtm:Out0.out", "mouse.velocity_in"}) == refused);
-    CHECK(error_of(run.system, Disconnect{"rtm:Out0.out", ""}) == refused);
-}
-
 TEST_CASE("a value that does not fit the port, or is not finite, is refused", "[engine][act]") {
     FakeRun run;
     CHECK(error_of(run.system, Inject{"mouse.velocity_in", 1.0}) ==

@@ -23,10 +23,10 @@ TEST_CASE("a connection waits for its RTC, and is made again when that was kille
     WireRig rig("TimedLong", "connect(\"rtm:Out0.out\", \"relay.in\")");
     CHECK(rig.tells("not connected: rtm:Out0.out to relay.in: there is no RTC 'Out0' in the name service"));
     auto out = rig.rtc("Out0", "out", "TimedLong", "out");
-    CHECK(rig.tells("connected: rtm:Out0.out to relay.in"));
+    CHECK(rig.tells_line("connected: rtm:Out0.out to relay.in"));
     REQUIRE(rig.hears(*out, "joined ") == "joined Out0.out_relay.in");
     CHECK(gets(rig, *out, seven));
-    rig.told.clear();
+    rig.told = "\n";
     out->kill();
     CHECK(
         rig.tells("not connected: rtm:Out0.out to relay.in: what the name service has is stale: the RTC is not there"));
@@ -39,7 +39,7 @@ TEST_CASE("a connection to an RTC carries what a port publishes", "[openrtm][awa
     WireRig rig("TimedLong", "connect(\"relay.out\", \"rtm:In0.in\")");
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
     REQUIRE(rig.hears(*in, "joined ") == "joined relay.out_In0.in");
-    REQUIRE(rig.tells("connected: relay.out to rtm:In0.in"));  // here as well
+    REQUIRE(rig.tells_line("connected: relay.out to rtm:In0.in"));  // here as well
     rig.publish(seven);
     rig.turn();
     CHECK(payload_of(rig.hears(*in, "got "), type_index<std::int32_t>(), std::endian::little) == AnyPayload(seven));

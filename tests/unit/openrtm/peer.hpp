@@ -75,6 +75,8 @@ public:
         }
         return text_;
     }
+    /// From now on it does nothing, and is there.
+    void halt() const { ::kill(child_, SIGSTOP); }
     void kill() {
         if (child_ <= 0) return;
         ::kill(child_, SIGKILL);

@@ -28,6 +28,8 @@ struct Told {
     std::map<std::string, WantedOrders, std::less<>> wanted{};
     std::vector<std::pair<std::string, std::vector<std::uint8_t>>> sent{};
     OrbOptions options{};
+    std::vector<PeerQuestion> questions{};
+    PeerAnswer answer{};
     int shown = 0;
     bool ended = false;
 };
@@ -42,6 +44,12 @@ public:
         told_.profiles = std::move(profiles);
         told_.links = std::move(links);
         ++told_.shown;
+    }
+    std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) override {
+        told_.questions.push_back(question);
+        std::promise<Expected<std::string>> answer;
+        answer.set_value(tell(question, told_.answer));
+        return answer.get_future();
     }
     WantedOrders wanted(std::string_view path) override {
         const auto found = told_.wanted.find(path);
@@ -196,8 +204,26 @@ TEST_CASE("life cycle and sets act through the one door, and are checked", "[ope
     CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.5);
     CHECK(rig.ask({.what = What::use, .component = "controller", .set = "fast"}) == RtcAnswer::done);
     CHECK(rig.server->look("controller").set == "fast");
-    CHECK(rig.ask({.what = What::use, .component = "controller", .set = "default"}) == RtcAnswer::refused);
+    CHECK(rig.ask({.what = What::use, .component = "controller", .set = "slow"}) == RtcAnswer::refused);
+    CHECK(rig.ask({.what = What::use, .component = "controller", .set = "default"}) == RtcAnswer::done);
+    CHECK(rig.server->look("controller").set == "default");
+    rig.turn();
+    CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.25);
     for (const std::string& line : rig.acts.lines) CHECK(line.find(" by network rtm") != std::string::npos);
+}
+
+TEST_CASE("a set in use that is chosen again keeps the values that were set", "[openrtm][server]") {
+    using What = RtcRequest::What;
+    ServerRig rig;
+    for (const std::string set : {"default", "fast"}) {
+        CAPTURE(set);
+        REQUIRE(rig.ask({.what = What::use, .component = "controller", .set = set}) == RtcAnswer::done);
+        REQUIRE(rig.ask({.what = What::set, .component = "controller", .set = set, .values = {{"speed_x", "0.75"}}}) ==
+                RtcAnswer::done);
+        CHECK(rig.ask({.what = What::use, .component = "controller", .set = set}) == RtcAnswer::done);
+        rig.turn();
+        CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.75);
+    }
 }
 
 TEST_CASE("values of a set are taken all together or not at all", "[openrtm][server]") {
@@ -229,6 +255,85 @@ TEST_CASE("a restart keeps what is exported, and what was removed is exported no
     REQUIRE(rig.told.profiles.size() == 1);
     CHECK(rig.told.links.empty());
     CHECK(rig.put("controller.in", std::vector<std::int16_t>{1}) == PutAnswer::unknown);
+}
+
+TEST_CASE("connections to RTCs are made and ended while the system runs", "[openrtm][server]") {
+    ServerRig rig;
+    const Actor console{Actor::Kind::console};
+    const RtcLink first{"controller.out", "Mouse0", "target_velocity_in"};
+    REQUIRE(rig.live->act(Connect{"rtm:Out0.out", "controller.in"}, console));
+    rig.turn();
+    CHECK(rig.told.links == std::vector<RtcLink>{first, {"controller.in", "Out0", "out"}});
+    REQUIRE(rig.live->act(Disconnect{"rtm:Out0.out", "controller.in"}, console));
+    rig.turn();
+    CHECK(rig.told.links == std::vector<RtcLink>{first});
+    REQUIRE(rig.live->act(Connect{"controller.out", "rtm:Mouse1.target_velocity_in"}, console));
+    REQUIRE(rig.live->act(Connect{"controller.out", "mouse.target_velocity_in"}, console));
+    REQUIRE(rig.live->act(Disconnect{"controller.out", ""}, console));
+    rig.turn();
+    CHECK(rig.told.links.empty());
+    CHECK(rig.live->system().connections().empty());
+    REQUIRE(rig.live->act(Connect{"controller.out", "rtm:Mouse1.target_velocity_in"}, console));
+    REQUIRE(rig.live->act(Disconnect{"rtm:Mouse1.target_velocity_in", ""}, console));
+    CHECK(rig.live->spec().rtm_connections.empty());
+    REQUIRE(rig.live->act(Restart{}, console));
+    rig.turn();
+    CHECK(rig.told.links == std::vector<RtcLink>{first});
+}
+
+TEST_CASE("a connection to an RTC that can't be is refused with what is wrong", "[openrtm][server]") {
+    ServerRig rig(exported_system + "robot \"other\" { model = \"raspimouse\", pose = { y = 0.5 } }\n");
+    const auto error = [&](const Act& act) {
+        const auto done = rig.live->act(act, {Actor::Kind::console});
+        return done ? "no error" : done.error().message;
+    };
+    CHECK(error(Connect{"rtm:Out0.out", "controller.inn"}) == "controller has no port 'inn' (did you mean 'in'?)");
+    CHECK(error(Connect{"rtm:Out0.out", "controller.out"}) == "controller.out is an out-port");
+    CHECK(error(Connect{"rtm:Out0", "controller.in"}) ==
+          "expected \"rtm:NAME.port\" or \"rtm:HOST.host_cxt/NAME.port\", got 'rtm:Out0'");
+    CHECK(error(Connect{"rtm:Out0.out", "rtm:In0.in"}) ==
+          "both ends are ports of other programs: one of them must be of this system");
+    CHECK(error(Connect{"rtm:Out0.out", "other.target_velocity_in"}) ==
+          "rtm:Out0.out is a port of another program, which sees only what is exported: write rtm { export = { "
+          "\"other\" } }");
+    CHECK(error(Connect{"controller.out", "rtm:Mouse0.target_velocity_in"}) ==
+          "controller.out is connected to rtm:Mouse0.target_velocity_in already");
+    CHECK(error(Disconnect{"rtm:Out0.out", "controller.in"}) == "rtm:Out0.out is not connected to controller.in");
+    CHECK(error(Disconnect{"rtm:Out0.out", ""}) == "rtm:Out0.out is not connected");
+    CHECK(error(Disconnect{"controller.in", ""}) == "controller.in is not connected");
+    LiveRig alone;
+    CHECK_FALSE(alone.live->act(Connect{"rtm:Out0.out", "controller.in"}, {Actor::Kind::console}));
+}
+
+TEST_CASE("a connection that a tool takes away is wanted no more, as after disconnect", "[openrtm][server]") {
+    ServerRig rig;
+    rig.server->ended({"controller.out", "Mouse0", "target_velocity_in"});
+    rig.turn();
+    CHECK(rig.told.links.empty());
+    CHECK(rig.acts.lines == std::vector<std::string>{"Disconnect by network rtm"});
+    CHECK(rig.said_lines ==
+          std::vector<std::string>{"disconnected by an RTC or a tool: controller.out to rtm:Mouse0.target_velocity_in; "
+                                   "connect(\"controller.out\", \"rtm:Mouse0.target_velocity_in\") makes it again"});
+    rig.server->ended({"controller.out", "Mouse0", "target_velocity_in"});
+    rig.turn();
+    CHECK(rig.acts.lines.size() == 1);
+}
+
+TEST_CASE("a port that goes with another version of its script takes its connection to an RTC along",
+          "[openrtm][server]") {
+    ServerRig rig;
+    std::string text = counter_behavior;
+    text.replace(text.find("\"out\""), 5, "\"way\"");
+    rig.folder.write("behaviors/counter.lua", text);
+    REQUIRE(rig.live->act(Reload{.component = "controller", .text = text}, {Actor::Kind::console}));
+    rig.turn();
+    CHECK(rig.told.links.empty());
+    CHECK(rig.told.profiles.size() == 2);
+    REQUIRE_FALSE(rig.said_lines.empty());
+    CHECK(
+        rig.said_lines[0] ==
+        "rtm: controller.out is no longer connected to rtm:Mouse0.target_velocity_in: connect: controller has no port "
+        "'out'");
 }
 
 TEST_CASE("a connection's malformed messages are told once", "[openrtm][server]") {

@@ -63,6 +63,8 @@ struct WireRig : Names, LiveRig {
     bool tells(const std::string& text) {
         return until([&] { return told.find(text) != std::string::npos; });
     }
+    /// The same of a whole line: "connected: ..." is a part of "not connected: ..." as well.
+    bool tells_line(const std::string& line) { return tells("\n" + line + "\n"); }
     /// An RTC with one port; ready, and so are we.
     std::unique_ptr<Peer> rtc(const std::string& name, const std::string& port, std::string_view type,
                               const std::string& direction) {
@@ -83,7 +85,7 @@ struct WireRig : Names, LiveRig {
     void publish(const AnyPayload& value) { REQUIRE(live->act(Write{"relay.out", value}, {Actor::Kind::console})); }
     AnyPayload arrived() { return component("relay").find_in_port("in")->value(); }
 
-    std::string told;
+    std::string told = "\n";
     bool is_known = false;  // the name service has us
     std::unique_ptr<openrtm::RtmServer> server;
 };

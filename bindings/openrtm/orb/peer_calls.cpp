@@ -1,0 +1,153 @@
+// An RTC's first execution context is the one that runs it.
+#include "bindings/openrtm/orb/peer_calls.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bindings/openrtm/orb/properties.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+Texts texts_of(const SDOPackage::NVList& list) {
+    Texts texts;
+    for (CORBA::ULong i = 0; i < list.length(); ++i) texts.emplace_back(list[i].name.in(), text_of(list[i].value));
+    return texts;
+}
+
+// Nil where it has none.
+RTC::ExecutionContext_ptr context_of(RTC::RTObject_ptr rtc) {
+    RTC::ExecutionContextList_var contexts = rtc->get_owned_contexts();
+    if (contexts->length() == 0) return RTC::ExecutionContext::_nil();
+    return RTC::ExecutionContext::_duplicate(contexts[0]);
+}
+
+PeerLook::State state_of(RTC::RTObject_ptr rtc) {
+    const RTC::ExecutionContext_var context = context_of(rtc);
+    if (CORBA::is_nil(context)) return PeerLook::State::unknown;
+    switch (context->get_component_state(rtc)) {
+        case RTC::CREATED_STATE: return PeerLook::State::created;
+        case RTC::INACTIVE_STATE: return PeerLook::State::inactive;
+        case RTC::ACTIVE_STATE: return PeerLook::State::active;
+        case RTC::ERROR_STATE: return PeerLook::State::error;
+    }
+    return PeerLook::State::unknown;
+}
+
+PeerLook::Port look_at(const RTC::PortProfile& profile) {
+    std::string name = profile.name.in();
+    name.erase(0, name.rfind('.') + 1);  // "ConsoleOut0.out"
+    return {.name = std::move(name),
+            .type = data_type_of(profile),
+            .is_in = text_of(profile.properties, "port.port_type") == "DataInPort",
+            .connections = static_cast<int>(profile.connector_profiles.length())};
+}
+
+void look_at_sets(PeerLook& look, RTC::RTObject_ptr rtc) {
+    try {
+        const SDOPackage::Configuration_var configuration = rtc->get_configuration();
+        if (CORBA::is_nil(configuration)) return;
+        SDOPackage::ConfigurationSetList_var sets = configuration->get_configuration_sets();
+        for (CORBA::ULong i = 0; i < sets->length(); ++i)
+            look.sets.emplace_back(sets[i].id.in(), texts_of(sets[i].configuration_data));
+        const SDOPackage::ConfigurationSet_var active = configuration->get_active_configuration_set();
+        look.set = active->id.in();
+    } catch (const CORBA::UserException&) {
+        return;  // it has no configuration
+    }
+}
+
+std::string problem_of(RTC::ReturnCode_t code) {
+    switch (code) {
+        case RTC::RTC_OK: return "";
+        case RTC::PRECONDITION_NOT_MET: return "its state does not allow that (PRECONDITION_NOT_MET)";
+        case RTC::BAD_PARAMETER: return "its execution context does not run it (BAD_PARAMETER)";
+        case RTC::UNSUPPORTED: return "it can't do that (UNSUPPORTED)";
+        case RTC::OUT_OF_RESOURCES: return "it refuses that (OUT_OF_RESOURCES)";
+        case RTC::RTC_ERROR: break;
+    }
+    return "it refuses that (RTC_ERROR)";
+}
+
+std::string change_state(RTC::RTObject_ptr rtc, RtcRequest::What what) {
+    const RTC::ExecutionContext_var context = context_of(rtc);
+    if (CORBA::is_nil(context)) return "it has no execution context";
+    if (what == RtcRequest::What::activate) return problem_of(context->activate_component(rtc));
+    if (what == RtcRequest::What::deactivate) return problem_of(context->deactivate_component(rtc));
+    return problem_of(context->reset_component(rtc));
+}
+
+template <class Pairs>
+std::vector<std::string> names_of(const Pairs& pairs) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : pairs) names.push_back(name);
+    return names;
+}
+
+// What is changed in a set counts when that is chosen, or chosen again.
+PeerAnswer configure(RTC::RTObject_ptr rtc, const RtcRequest& request) {
+    PeerLook look;
+    look_at_sets(look, rtc);
+    const std::string set = request.set.empty() ? look.set : request.set;
+    const auto found =
+        std::find_if(look.sets.begin(), look.sets.end(), [&](const auto& each) { return each.first == set; });
+    if (look.sets.empty()) return {.problem = "it has no configuration"};
+    if (found == look.sets.end())
+        return {.problem = "it has no configuration set '" + set + "'", .missing = set, .known = names_of(look.sets)};
+    const SDOPackage::Configuration_var configuration = rtc->get_configuration();
+    if (request.what == RtcRequest::What::set) {
+        SDOPackage::ConfigurationSet values;
+        values.id = corba_text(set);
+        values.description = corba_text("");
+        const std::vector<std::string> names = names_of(found->second);
+        for (const auto& [name, text] : request.values) {
+            if (std::find(names.begin(), names.end(), name) == names.end())
+                return {.problem = "it has no parameter '" + name + "'", .missing = name, .known = names};
+            add_text(values.configuration_data, name, text);
+        }
+        if (!configuration->set_configuration_set_values(values)) return {.problem = "it refuses these values"};
+    }
+    if (!configuration->activate_configuration_set(set.c_str())) return {.problem = "it refuses the set '" + set + "'"};
+    return {};
+}
+
+}  // namespace
+
+PeerLook look_at(const NameService::Named& named, bool whole) {
+    PeerLook look{.name = named.name};
+    RTC::RTObject_ptr rtc = named.rtc.in();
+    try {
+        const RTC::ComponentProfile_var profile = rtc->get_component_profile();
+        look.type = profile->type_name.in();
+        RTC::PortServiceList_var ports = rtc->get_ports();
+        for (CORBA::ULong i = 0; i < ports->length(); ++i) {
+            const RTC::PortProfile_var port = ports[i]->get_port_profile();
+            look.ports.push_back(look_at(port.in()));
+        }
+        look.state = state_of(rtc);
+        if (whole) look_at_sets(look, rtc);
+    } catch (const CORBA::TIMEOUT&) {
+        look.state = PeerLook::State::silent;
+    } catch (const CORBA::Exception&) {
+        look.state = PeerLook::State::gone;
+    }
+    return look;
+}
+
+PeerAnswer perform(const NameService::Named& named, const RtcRequest& request) {
+    RTC::RTObject_ptr rtc = named.rtc.in();
+    PeerAnswer answer;
+    try {
+        if (request.what == RtcRequest::What::use || request.what == RtcRequest::What::set) {
+            answer = configure(rtc, request);
+        } else {
+            answer.problem = change_state(rtc, request.what);
+        }
+    } catch (const CORBA::UserException& error) {
+        answer.problem = std::string("it refuses that (") + error._name() + ")";
+    }
+    if (answer.problem.empty()) answer.peers.push_back(look_at(named, false));
+    return answer;
+}
+
+}  // namespace nezumi::openrtm

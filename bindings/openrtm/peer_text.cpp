@@ -1,0 +1,102 @@
+// As the console shows components of the system.
+#include "bindings/openrtm/peer_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/visible.hpp"
+
+namespace nezumi::openrtm {
+namespace {
+
+// A port that carries no data.
+constexpr std::string_view service = "service";
+
+std::string_view to_text(PeerLook::State state) {
+    constexpr std::array<std::string_view, 8> texts{"INACTIVE",
+                                                    "ACTIVE",
+                                                    "ERROR",
+                                                    "CREATED",
+                                                    "without a state",
+                                                    "does not answer",
+                                                    "is not there: a program that has crashed left its name",
+                                                    "was not asked: too many others do not answer"};
+    return texts[static_cast<std::size_t>(state)];
+}
+
+bool answers(const PeerLook& peer) { return peer.state < PeerLook::State::silent; }
+
+// What somebody else chose must not look like a line of ours.
+std::string one_line(std::string_view text) {
+    std::string line = visible(text);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    return line;
+}
+
+std::string port_lines(const PeerLook& peer) {
+    std::string text;
+    std::size_t name_width = 0;
+    std::size_t type_width = 0;
+    for (const PeerLook::Port& port : peer.ports) {
+        name_width = std::max(name_width, one_line(port.name).size());
+        type_width = std::max(type_width, port.type.empty() ? service.size() : port.type.size());
+    }
+    for (const PeerLook::Port& port : peer.ports) {
+        const std::string_view direction = port.type.empty() ? "" : port.is_in ? "in" : "out";
+        const std::string connected = port.connections == 0   ? "not connected"
+                                      : port.connections == 1 ? "1 connection"
+                                                              : fmt::format("{} connections", port.connections);
+        text += fmt::format("\n  {:3} {:{}}  {:{}}  {}", direction, one_line(port.name), name_width,
+                            port.type.empty() ? service : std::string_view(port.type), type_width, connected);
+    }
+    return text;
+}
+
+// Those that tools read have names as "__widget__".
+bool is_for_tools(const std::string& set) { return set.starts_with("__"); }
+
+std::string set_lines(const PeerLook& peer) {
+    std::string text;
+    std::vector<std::string_view> others;
+    for (const auto& [name, values] : peer.sets) {
+        if (is_for_tools(name)) continue;
+        if (name != peer.set) {
+            others.push_back(name);
+            continue;
+        }
+        for (const auto& [parameter, value] : values)
+            text += fmt::format("\n  config.{} = {}", one_line(parameter), one_line(value));
+    }
+    if (!others.empty()) text += "\n  other sets: " + one_line(fmt::format("{}", fmt::join(others, ", ")));
+    return text;
+}
+
+// "rtm:pc.host_cxt/ConsoleOut0  ConsoleOut, ACTIVE, set fast"
+std::string title(const PeerLook& peer) {
+    std::string text = "rtm:" + one_line(peer.name) + "  ";
+    if (!answers(peer)) return text + std::string(to_text(peer.state));
+    text += fmt::format("{}, {}", one_line(peer.type), to_text(peer.state));
+    if (!peer.set.empty() && peer.set != "default") text += ", set " + one_line(peer.set);
+    return text;
+}
+
+}  // namespace
+
+Expected<std::string> told_of_peers(const PeerQuestion& question, const PeerAnswer& answer) {
+    if (!answer.problem.empty()) {
+        std::vector<std::string_view> known(answer.known.begin(), answer.known.end());
+        return failure(one_line(answer.problem) + did_you_mean(answer.missing, known));
+    }
+    std::string text;
+    for (const PeerLook& peer : answer.peers) {
+        text += (text.empty() ? "" : "\n") + title(peer);
+        if (!question.request) text += port_lines(peer) + set_lines(peer);
+    }
+    return text.empty() ? "the name service has no RTCs" : text;
+}
+
+}  // namespace nezumi::openrtm

@@ -1,0 +1,67 @@
+// What people are told of other programs' RTCs.
+#include "bindings/openrtm/peer_text.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace nezumi;
+using namespace nezumi::openrtm;
+
+namespace {
+
+std::string told(const PeerQuestion& question, const PeerAnswer& answer) {
+    const auto text = told_of_peers(question, answer);
+    return text ? *text : "! " + text.error().message;
+}
+
+PeerLook out0() {
+    return {.name = "pc.host_cxt/Out0",
+            .type = "ConsoleOut",
+            .state = PeerLook::State::active,
+            .ports = {{"in", "TimedLong", true, 2}, {"service", "", false, 0}},
+            .set = "fast",
+            .sets = {{"default", {{"speed", "1"}}}, {"fast", {{"speed", "2"}}}, {"__widget__", {{"speed", "text"}}}}};
+}
+
+}  // namespace
+
+TEST_CASE("an RTC is shown with state, ports and the set in use", "[openrtm][peers]") {
+    CHECK(told({.name = "Out0"}, {.peers = {out0()}}) ==
+          "rtm:pc.host_cxt/Out0  ConsoleOut, ACTIVE, set fast\n"
+          "  in  in       TimedLong  2 connections\n"
+          "      service  service    not connected\n"
+          "  config.speed = 2\n"
+          "  other sets: default");
+}
+
+TEST_CASE("RTCs that are gone or hang are told as such", "[openrtm][peers]") {
+    const auto look = [](const std::string& name, PeerLook::State state) {
+        return PeerLook{.name = name, .state = state};
+    };
+    CHECK(told({}, {.peers = {look("a", PeerLook::State::gone), look("b", PeerLook::State::silent),
+                              look("c", PeerLook::State::unasked)}}) ==
+          "rtm:a  is not there: a program that has crashed left its name\n"
+          "rtm:b  does not answer\n"
+          "rtm:c  was not asked: too many others do not answer");
+    CHECK(told({}, {}) == "the name service has no RTCs");
+}
+
+TEST_CASE("what was done is told by the state that follows", "[openrtm][peers]") {
+    CHECK(told({.name = "Out0", .request = RtcRequest{}}, {.peers = {out0()}}) ==
+          "rtm:pc.host_cxt/Out0  ConsoleOut, ACTIVE, set fast");
+}
+
+TEST_CASE("what could not be done names the nearest", "[openrtm][peers]") {
+    CHECK(
+        told({.name = "Out"},
+             {.problem = "there is no RTC 'Out' in the name service", .missing = "Out", .known = {"Out0", "Mouse0"}}) ==
+        "! there is no RTC 'Out' in the name service (did you mean 'Out0'?)");
+}
+
+TEST_CASE("names that somebody else chose can't look like lines of ours", "[openrtm][peers]") {
+    PeerLook look = out0();
+    look.name = "a\nrtm:b  ACTIVE\x1b[2J";
+    look.ports.clear();
+    look.sets.clear();
+    look.set = "x\ny";
+    CHECK(told({}, {.peers = {look}}) == "rtm:a rtm:b  ACTIVE\\x1b[2J  ConsoleOut, ACTIVE, set x y");
+}

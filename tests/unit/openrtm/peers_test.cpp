@@ -1,0 +1,144 @@
+// RTCs that are other programs, as a console asks for them: by name, at work, hanging, killed.
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <chrono>
+
+#include "tests/unit/openrtm/wire_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::openrtm;
+using What = RtcRequest::What;
+
+namespace {
+
+std::string host() {
+    std::array<char, 256> name{};
+    REQUIRE(gethostname(name.data(), name.size() - 1) == 0);
+    return name.data();
+}
+
+// The answer, while ticks go on.
+std::string asked(WireRig& rig, PeerQuestion question) {
+    auto answer = rig.server->ask(std::move(question));
+    REQUIRE(rig.until([&] { return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }));
+    const auto text = answer.get();
+    return text ? *text : "! " + text.error().message;
+}
+
+std::string done(WireRig& rig, const std::string& name, RtcRequest request) {
+    return asked(rig, {.name = name, .request = std::move(request)});
+}
+
+}  // namespace
+
+TEST_CASE("a console lists the RTCs of the name service, those that are gone and those that hang",
+          "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto works = rig.rtc("Works0", "out", "TimedLong", "out");
+    const auto hangs = rig.rtc("Hangs0", "out", "TimedLong", "out");
+    const auto killed = rig.rtc("Killed0", "out", "TimedLong", "out");
+    hangs->halt();
+    killed->kill();
+    const std::string text = asked(rig, {});
+    const std::string begin = "rtm:" + host() + ".host_cxt/";
+    CHECK(text.find(begin + "Works0  Fake, INACTIVE\n  out out  TimedLong  not connected") != std::string::npos);
+    CHECK(text.find(begin + "Hangs0  does not answer") != std::string::npos);
+    CHECK(text.find(begin + "Killed0  is not there: a program that has crashed left its name") != std::string::npos);
+    CHECK(text.find(begin + "relay0  Relay, ACTIVE\n  in  in   TimedLong  not connected\n") != std::string::npos);
+}
+
+TEST_CASE("a console activates, deactivates and resets an RTC", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");
+    const std::string begin = "rtm:" + host() + ".host_cxt/Peer0  Fake, ";
+    const std::string full = host() + ".host_cxt/Peer0";
+    CHECK(done(rig, "Peer0", {.what = What::activate}) == begin + "ACTIVE");
+    CHECK(rig.hears(*peer, "activated") == "activated");
+    CHECK(done(rig, full, {.what = What::activate}) == "! its state does not allow that (PRECONDITION_NOT_MET)");
+    CHECK(done(rig, full, {.what = What::deactivate}) == begin + "INACTIVE");
+    peer->say("fail");
+    peer->say("fetch");
+    CHECK(rig.until([&] { return asked(rig, {.name = "Peer0"}).find("ERROR") != std::string::npos; }));
+    CHECK(done(rig, full, {.what = What::reset}) == begin + "INACTIVE");
+    CHECK(done(rig, "Pear0", {.what = What::activate}) ==
+          "! there is no RTC 'Pear0' in the name service (did you mean 'Peer0'?)");
+}
+
+TEST_CASE("a console reads and sets what an RTC is configured by", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");
+    const std::string begin = "rtm:" + host() + ".host_cxt/Peer0  Fake, ";
+    CHECK(asked(rig, {.name = "Peer0"}) ==
+          begin + "INACTIVE\n  out out  TimedLong  not connected\n  config.speed = 0.5\n  other sets: fast");
+    CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"speed", "0.75"}}}) == begin + "INACTIVE");
+    CHECK(rig.hears(*peer, "uses ") == "uses default speed=0.75");
+    CHECK(asked(rig, {.name = "Peer0"}).find("config.speed = 0.75") != std::string::npos);
+    CHECK(done(rig, "Peer0", {.what = What::use, .set = "fast"}) == begin + "INACTIVE");
+    CHECK(rig.hears(*peer, "uses ") == "uses fast speed=1");
+    CHECK(done(rig, "Peer0", {.what = What::use, .set = "fats"}) ==
+          "! it has no configuration set 'fats' (did you mean 'fast'?)");
+    CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"sped", "1"}}}) ==
+          "! it has no parameter 'sped' (did you mean 'speed'?)");
+    CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"speed", "-1"}}}) == "! it refuses these values");
+}
+
+TEST_CASE("a console is told of an RTC that hangs or is gone, and of a name service that is away",
+          "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto hangs = rig.rtc("Hangs0", "out", "TimedLong", "out");
+    const auto killed = rig.rtc("Killed0", "out", "TimedLong", "out");
+    hangs->halt();
+    killed->kill();
+    CHECK(done(rig, "Hangs0", {.what = What::activate}) == "! 'Hangs0' does not answer");
+    CHECK(done(rig, "Killed0", {.what = What::activate}) ==
+          "! 'Killed0' is not there: what the name service has is stale");
+    static_cast<Names&>(rig).kill();
+    CHECK(asked(rig, {}) == "! no name service answers at " + rig.address() + ": start one, as omniNames");
+}
+
+TEST_CASE("questions that wait at the end of a run are answered", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto hangs = rig.rtc("Hangs0", "out", "TimedLong", "out");
+    hangs->halt();
+    auto first = rig.server->ask({.name = "Hangs0"});
+    auto second = rig.server->ask({.name = "Hangs0"});
+    rig.server.reset();
+    REQUIRE(first.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+    REQUIRE(second.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+    const auto answer = second.get();
+    REQUIRE_FALSE(answer);
+    CHECK(answer.error().message == "the run ends");
+}
+
+TEST_CASE("a connection that an RTC ends and lives on is not made again", "[openrtm][peers][wallclock]") {
+    WireRig rig("TimedLong", "connect(\"rtm:Out0.out\", \"relay.in\")");
+    const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
+    REQUIRE(rig.hears(*out, "joined ") == "joined Out0.out_relay.in");
+    REQUIRE(rig.tells_line("connected: rtm:Out0.out to relay.in"));
+    CHECK(rig.answer(*out, "disconnect", "disconnected ") == "disconnected 0");
+    CHECK(rig.tells("disconnected by an RTC or a tool: rtm:Out0.out to relay.in"));
+    CHECK(rig.live->spec().rtm_connections.empty());
+    // What is said at a console brings it back.
+    rig.told = "\n";
+    REQUIRE(rig.live->act(Connect{"rtm:Out0.out", "relay.in"}, {Actor::Kind::console}));
+    CHECK(rig.hears(*out, "joined ") == "joined Out0.out_relay.in");
+    CHECK(rig.tells_line("connected: rtm:Out0.out to relay.in"));
+    // And takes it away.
+    REQUIRE(rig.live->act(Disconnect{"rtm:Out0.out", "relay.in"}, {Actor::Kind::console}));
+    CHECK(rig.hears(*out, "left ") == "left Out0.out_relay.in");
+}
+
+TEST_CASE("a name that two computers have is asked back", "[openrtm][peers][wallclock]") {
+    WireRig rig;
+    const auto first = std::make_unique<Peer>(
+        std::vector<std::string>{fake_rtc(), rig.address(), "a.host_cxt/Twin0", "out", "TimedLong", "out"});
+    const auto second = std::make_unique<Peer>(
+        std::vector<std::string>{fake_rtc(), rig.address(), "b.host_cxt/Twin0", "out", "TimedLong", "out"});
+    REQUIRE(rig.hears(*first, "ready") == "ready");
+    REQUIRE(rig.hears(*second, "ready") == "ready");
+    CHECK(asked(rig, {.name = "Twin0"}) ==
+          "! 'Twin0' could be rtm:a.host_cxt/Twin0 or rtm:b.host_cxt/Twin0: write which");
+    CHECK(asked(rig, {.name = "b.host_cxt/Twin0"}).starts_with("rtm:b.host_cxt/Twin0  Fake, INACTIVE"));
+}
