@@ -201,6 +201,8 @@ private:
     Expected<void> open_console() {
         console_.emplace(*loop_, std::filesystem::path(options_.file).stem().string());
         loop_->add(*console_);
+        console_->server().ask_peers_by(
+            [this](const PeerWish& wish) { return rtm_ ? rtm_->ask(wish) : refused_peers(); });
         loop_->after_tick([this] { console_->after_tick(); });
         // A run that nobody can attach to is better than none.
         if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);

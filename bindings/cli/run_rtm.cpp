@@ -40,6 +40,34 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
     return rtm;
 }
 
+std::future<Expected<std::string>> RunRtm::ask(const PeerWish& wish) {
+    using What = openrtm::RtcRequest::What;
+    const auto to_be_done = [&]() -> std::optional<What> {
+        switch (wish.what) {
+            case PeerWish::What::look: break;
+            case PeerWish::What::activate: return What::activate;
+            case PeerWish::What::deactivate: return What::deactivate;
+            case PeerWish::What::reset: return What::reset;
+            case PeerWish::What::use: return What::use;
+            case PeerWish::What::configure: return What::set;
+        }
+        return std::nullopt;
+    };
+    openrtm::PeerQuestion question{.name = wish.name};
+    if (const auto what = to_be_done()) {
+        question.request = openrtm::RtcRequest{.what = *what, .set = wish.set};
+        for (const auto& [name, value] : wish.values)
+            question.request->values.emplace_back(name, openrtm::to_rtc_text(value));
+    }
+    return server_->ask(std::move(question));
+}
+
+std::future<Expected<std::string>> refused_peers() {
+    std::promise<Expected<std::string>> refused;
+    refused.set_value(failure("this system is not among RTCs: write rtm { export = ... } in its file"));
+    return refused.get_future();
+}
+
 bool RunRtm::serve(Pacer::Clock::time_point /*until*/) {
     std::uint64_t rings = 0;
     if (read(bell_.get(), &rings, sizeof rings) < 0 && errno != EAGAIN) return false;

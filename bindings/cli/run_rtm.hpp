@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "bindings/cli/run_loop.hpp"
 #include "bindings/console/file_handle.hpp"
+#include "bindings/console/peers.hpp"
 #include "bindings/openrtm/rtm_server.hpp"
 
 namespace nezumi::cli {
@@ -16,6 +18,9 @@ class RunRtm final : public Attendant {
 public:
     /// Begins to export. The loop must outlive it; `log` takes what is to be said. The error says why it can't.
     static Expected<std::unique_ptr<RunRtm>> open(RunLoop& loop, std::function<void(const LogLine&)> log);
+
+    /// Asks RTCs of other programs what a console wants to know, or to have done.
+    std::future<Expected<std::string>> ask(const PeerWish& wish);
 
     bool serve(Pacer::Clock::time_point until) override;
     void add_files(std::vector<int>& files) const override { files.push_back(bell_.get()); }
@@ -26,5 +31,8 @@ private:
     FileHandle bell_;  // an eventfd: readable when an RTC wants something
     std::unique_ptr<openrtm::RtmServer> server_;
 };
+
+/// What a console is told where there is no `RunRtm`.
+std::future<Expected<std::string>> refused_peers();
 
 }  // namespace nezumi::cli

@@ -196,6 +196,7 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     options.who = console.who;
     options.draughtsman = draughtsman_;
     options.author = author_;
+    options.peers = peers_;
     options.bell = &bell_;
     options.output.show = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});

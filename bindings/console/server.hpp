@@ -42,6 +42,8 @@ public:
     void draw_by(Draughtsman draughtsman) { draughtsman_ = std::move(draughtsman); }
     /// Lends it what `new` writes with.
     void write_by(BehaviorAuthor author) { author_ = std::move(author); }
+    /// Lends it what asks components of other programs.
+    void ask_peers_by(PeerAsker peers) { peers_ = std::move(peers); }
     /// What a client in this process is for.
     enum class Use {
         prompt,  ///< somebody types, while time passes
@@ -90,6 +92,7 @@ private:
     ClockControl& clock_;
     Draughtsman draughtsman_;
     BehaviorAuthor author_;
+    PeerAsker peers_;
     Bell bell_;  // of all sessions
     std::map<ClientId, Console> consoles_;
     std::vector<std::unique_ptr<Session>> leaving_;  // closed: their clients are gone

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bindings/console/clock_control.hpp"
+#include "bindings/console/peers.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
@@ -75,6 +76,8 @@ struct SessionOptions {
     Draughtsman draughtsman{};
     /// Empty: `new` is refused.
     BehaviorAuthor author{};
+    /// Empty: nothing is known of other programs' components.
+    PeerAsker peers{};
     /// Is rung when `advance` has something to do; must outlive the session. Null: only `advance` itself waits for it.
     const Bell* bell = nullptr;
 };

@@ -83,7 +83,9 @@ const Word& word_of(lua_State* L, int index) {
 
 const std::vector<Word>& console_words() {
     static const std::vector<Word> words{
-        {"ls", "ls() or ls(component)", "lists what there is, how it is wired and what is held", 1, word_ls, true},
+        {"ls", "ls() or ls(component) or ls \"rtm:\"",
+         "lists what there is, how it is wired and what is held; with \"rtm:\" what OpenRTM's name service has", 1,
+         word_ls, true},
         {"find", "find \"vel\"", "lists ports, parameters and commands whose name or description has this", 1,
          word_find, true},
         {"watch", "watch(port)", "shows a port's value whenever it changes", 1, word_watch},
@@ -111,6 +113,9 @@ const std::vector<Word>& console_words() {
          true},
         {"deactivate", "deactivate() or deactivate(component)", "deactivates all that are ACTIVE, or one", 1,
          word_deactivate, true},
+        {"rtm", "rtm(name, \"activate\") or rtm(name, { speed = 0.5 })",
+         "another program's RTC: activate, deactivate, reset, use a set, set values; rtm(name) shows it", 3, word_rtm,
+         true},
         {"drive", "drive \"stick\"", "drives with the arrow keys, until Esc", 1, word_drive},
         {"teleport", "teleport(\"target\", { x = 1 })", "carries a marker, a robot, or \"box 2\" elsewhere", 2,
          word_teleport},

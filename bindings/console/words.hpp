@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lua.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,11 @@ Expected<WordEnd> done(const Expected<Result>& acted) {
     return WordEnd::done;
 }
 
+/// The name behind "rtm:", where the argument is such a text.
+std::optional<std::string> peer_named(const Arguments& arguments, int position);
+/// Asks components of other programs, waits for the answer and shows it. For words that run beside the ticks.
+Expected<WordEnd> ask_peers(Session::Parts& parts, const PeerWish& wish);
+
 // Each group in its own file.
 using WordFunction = Expected<WordEnd>(Session::Parts&, const Arguments&);
 WordFunction word_connect, word_disconnect;                                        // wiring
@@ -63,6 +69,7 @@ WordFunction word_inject, word_hold, word_release;                              
 WordFunction word_teleport, word_stop, word_rearm;
 WordFunction word_pause, word_step, word_run, word_speed, word_restart, word_quit;  // time
 WordFunction word_reload, word_rollback;                                            // versions
+WordFunction word_rtm;                                                              // other programs
 WordFunction word_save, word_new, word_picture, word_graph;                         // files
 
 }  // namespace nezumi

@@ -6,9 +6,13 @@
 namespace nezumi {
 namespace {
 
-Expected<PortAt> port(const Session::Parts& parts, const Arguments& arguments, int index) {
+// "name.port" of a port of the system, or of another program's "rtm:NAME.port" as it is.
+Expected<std::string> port(const Session::Parts& parts, const Arguments& arguments, int index) {
     if (index > arguments.count()) return failure("expected a port or \"name.port\", got nothing");
-    return parts.objects->to_port(arguments.lua, index);
+    if (peer_named(arguments, index)) return arguments.text(index, "a port");
+    const auto at = parts.objects->to_port(arguments.lua, index);
+    if (!at) return Unexpected(at.error());
+    return at->path();
 }
 
 }  // namespace
@@ -18,16 +22,16 @@ Expected<WordEnd> word_connect(Session::Parts& parts, const Arguments& arguments
     if (!from) return Unexpected(from.error());
     const auto to = port(parts, arguments, 2);
     if (!to) return Unexpected(to.error());
-    return done(parts.act(Connect{from->path(), to->path()}));
+    return done(parts.act(Connect{*from, *to}));
 }
 
 Expected<WordEnd> word_disconnect(Session::Parts& parts, const Arguments& arguments) {
     const auto first = port(parts, arguments, 1);
     if (!first) return Unexpected(first.error());
-    if (!arguments.has(2)) return done(parts.act(Disconnect{first->path(), ""}));
+    if (!arguments.has(2)) return done(parts.act(Disconnect{*first, ""}));
     const auto second = port(parts, arguments, 2);
     if (!second) return Unexpected(second.error());
-    return done(parts.act(Disconnect{first->path(), second->path()}));
+    return done(parts.act(Disconnect{*first, *second}));
 }
 
 }  // namespace nezumi
