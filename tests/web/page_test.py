@@ -101,8 +101,8 @@ class Wiring(rig.PageCase):
         page.press("Add")
         page.until("document.querySelector('.add-form .error').textContent.length > 0", "it can't be there twice")
         page.press("Close")
-        page.js("window.prompt = (about, offered) => offered.replace('tried_changed', 'kept')")
         page.press("Save…")
+        page.answer("Save", os.path.join(system.folder, "kept.lua"))
         rig.wait_until(lambda: os.path.exists(os.path.join(system.folder, "kept.lua")), "the system is saved")
 
     def test_a_component_is_deactivated_and_activated(self):
@@ -337,6 +337,21 @@ class Connection(rig.PageCase):
         page.until(stopped, "the robots are stopped")
         self.assertEqual(button.get_attribute("aria-pressed"), "false")
 
+    def test_the_emergency_stop_is_in_reach_whatever_is_asked(self):
+        self.open(WALL)
+        page = self.page
+        page.press("Restart")
+        page.until("document.querySelector('.ask')", "it asks")
+        page.find("button.stop").click()
+        page.until("document.body.classList.contains('stopped')", "the page says that it is stopped")
+        page.press("Cancel")
+        page.view("diagram")
+        page.press("Add…")
+        page.press("Re-arm")
+        page.until("!document.body.classList.contains('stopped')", "the robots may move again")
+        page.find("button.stop").click()
+        page.until("document.body.classList.contains('stopped')", "the page says that it is stopped, beside the form")
+
     def test_time_is_paused_stepped_and_begun_anew(self):
         self.open(WALL)
         page = self.page
@@ -349,8 +364,8 @@ class Connection(rig.PageCase):
         rig.wait_until(lambda: math.isclose(seconds(), before + 0.01, abs_tol=0.0051), lambda: "%g is one tick more than %g" % (seconds(), before))
         page.press("Run")
         rig.wait_until(lambda: seconds() > before + 0.2, "time passes")
-        page.js("window.confirm = () => true")
         page.press("Restart")
+        page.answer("Restart")
         rig.wait_until(lambda: seconds() < before + 0.2, "time begins anew")
 
     def test_colours_are_light_or_dark_as_the_computer_has_them_until_somebody_chooses(self):

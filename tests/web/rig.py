@@ -160,6 +160,17 @@ class Page:
                             "each.textContent.trim() === %r)" % name, "there is a button '%s'" % name)
         button.click()
 
+    def answer(self, yes, text=None):
+        """What the page asks for, over everything but the emergency stop."""
+        self.until("document.querySelector('.ask') !== null", "it asks")
+        if text is not None:
+            field = self.find(".ask input")
+            field.clear()
+            field.send_keys(text)
+        button = self.find(".ask button[type=submit]")
+        assert button.text == yes, button.text
+        button.click()
+
     def choose(self, selector, value):
         from selenium.webdriver.support.ui import Select
 

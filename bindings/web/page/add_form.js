@@ -75,7 +75,7 @@ export function make_add_form(parts) {
     el("label", { class: "switch" }, is_new, el("span", { text: T.add.is_new })), script, of_new, wrong,
     el("div", { class: "row" }, el("button", { type: "submit", class: "primary", text: T.add.add }),
       el("button", { type: "button", text: T.close, onclick: () => dialog.close() })));
-  const dialog = el("dialog", { class: "add-form" }, form);
+  const dialog = el("dialog", { class: "over add-form" }, form);
   const show = () => {
     of_new.hidden = !is_new.checked;
     script.hidden = is_new.checked;

@@ -1,5 +1,6 @@
 // The system as a diagram: components, their ports and connections, and what can be done to them.
 import { lua_text, make_add_form } from "./add_form.js";
+import { ask } from "./ask.js";
 import { at_most_every, el, svg } from "./dom.js";
 import { curve, place, port_at, route } from "./diagram_layout.js";
 import { Sheet } from "./diagram_view.js";
@@ -273,7 +274,7 @@ class Diagram {
         button(T.diagram.activate, () => acts.activate(name), state !== "INACTIVE"),
         button(T.diagram.deactivate, () => acts.deactivate(name), state !== "ACTIVE"),
         button(T.diagram.reset, () => acts.reset(name), state !== "ERROR"),
-        button(T.diagram.remove, () => confirm(T.diagram.remove_sure(name)) && acts.remove(name)),
+        button(T.diagram.remove, async () => (await ask(T.diagram.remove_sure(name), T.diagram.remove)) && acts.remove(name)),
         error ? el("code", { class: "error", text: error }) : about && typeof about === "string" ? el("small", { text: about }) : "");
     } else if (chosen?.from && model.system?.connections.some(({ from, to }) => from === chosen.from && to === chosen.to)) {
       this.bar.replaceChildren(el("b", { text: `${chosen.from} → ${chosen.to}` }),
@@ -291,7 +292,7 @@ export function make_diagram(parts) {
   const button = (text, onclick, kind = "") => el("button", { class: kind, text, onclick });
   let form = null;  // made when the engine has said what there is
   const save = async () => {
-    const name = prompt(T.diagram.save_as, model.system.file.replace(/(\.lua)?$/, "_changed.lua"));
+    const name = await ask(T.diagram.save_as, T.diagram.save_now, model.system.file.replace(/(\.lua)?$/, "_changed.lua"));
     if (!name) return;
     const { ok, text } = await parts.run_line(`save ${lua_text(name)}`);
     parts.notices.say(ok ? T.diagram.saved(name) : text, ok ? "info" : "error");

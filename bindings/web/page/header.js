@@ -1,4 +1,5 @@
 // The bar that is always in sight: what runs, time, and the emergency stop.
+import { ask } from "./ask.js";
 import { at_most_every, el, is_typing, svg } from "./dom.js";
 import { T } from "./texts.js";
 
@@ -37,7 +38,7 @@ function make_time({ model, acts }) {
     onchange: () => acts.time("speed", speed.value === "max" ? "max" : Number(speed.value)) },
   ...SPEEDS.map((each) => el("option", { value: String(each), text: each === "max" ? T.time.max : `${each}×` })));
   const restart = el("button", { class: "acts not-real wide", text: T.time.restart,
-    onclick: () => confirm(T.time.restart_sure) && acts.time("restart") });
+    onclick: async () => (await ask(T.time.restart_sure, T.time.restart)) && acts.time("restart") });
   run.onclick = () => acts.time(model.frame.running ? "pause" : "resume");
 
   const show = at_most_every(100, () => {

@@ -75,7 +75,7 @@ const EN = {
     connection: (from, to) => `Connection from ${from} to ${to}`,
     port: (name, way, type) => `${way === "in" ? "In-port" : "Out-port"} ${name}, ${type}`,
     nothing_yet: "nothing came yet", age: (s) => `${s} s ago`, rate: (n) => `${n} messages`,
-    in: "in", out: "out", add: "Add…", save: "Save…", save_as: "Save the system as it is now, within its project, as",
+    in: "in", out: "out", add: "Add…", save: "Save…", save_now: "Save", save_as: "Save the system as it is now, within its project, as",
     saved: (name) => `Saved as ${name}; the console says where.`,
   },
   add: { title: "Add a behaviour", name: "name", name_hint: "small letters, digits and _", is_new: "write a new file for it", script: "script",
@@ -110,6 +110,7 @@ const EN = {
   failed: (what, text) => (text ? text : `${what} failed.`),
   missing: (library) => `Debian's package ${library} is not installed where the engine runs: this view needs it.`,
   close: "Close",
+  cancel: "Cancel",
 };
 
 export const T = EN;
