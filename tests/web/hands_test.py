@@ -137,6 +137,14 @@ class Driving(rig.PageCase):
         page.until("document.querySelector('.who').textContent === 'Nobody drives.'", "nobody drives any more")
         self.release("\ue013")
 
+    def test_nobody_drives_once_the_connection_is_lost(self):
+        system = self.open(text=STANDING)
+        self.hold("\ue013")
+        self.page.until("document.querySelector('.who').textContent === 'You drive.'", "the page says who drives")
+        system.process.kill()
+        self.page.until("document.querySelector('.who').textContent === 'Nobody drives.'", "nobody drives any more")
+        self.release("\ue013")
+
     def test_a_gamepad_drives_while_its_stick_is_away_from_the_centre(self):
         self.open(text=STANDING)
         page = self.page

@@ -53,7 +53,8 @@ class Driver {
   }
 
   get who() {
-    return this.#parts.model.system?.drivers?.[this.port] ?? null;
+    const { link, model } = this.#parts;
+    return (link.is_open && model.system?.drivers?.[this.port]) || null;
   }
 
   get is_mine() {
@@ -185,6 +186,7 @@ export function make_drive(parts) {
         cell("theta", T.drive.theta, T.drive.deg), cell("v", T.drive.v, "m/s"), cell("w", T.drive.w, "rad/s"))),
     source, el("p", { class: "hint", text: T.drive.keys }), gamepad);
   model.on("system", at_most_every(50, fill));
+  parts.link.on("lost", show_who);
   model.on("chosen", (robot) => {  // in the world
     const own = drivable(model).find(([name]) => name.startsWith(`${robot}.`));
     if (!own || driver.is_mine) return;

@@ -86,7 +86,7 @@ class World {
     });
     model.on("frame", () => {
       if (this.#is_old) this.#rebuild();
-      this.scene.trails.follow(model.robots);
+      this.scene.trails.follow(model.robots, model.frame.time);
       this.draw();
     });
     model.on("restarted", () => this.scene.trails.forget());

@@ -32,6 +32,12 @@ const ring_texture = () => disc_texture((pen) => {
   pen.stroke();
 });
 
+const dot_texture = () => disc_texture((pen) => {
+  pen.fillStyle = "#fff";
+  pen.arc(64, 64, 62, 0, 2 * Math.PI);
+  pen.fill();
+});
+
 export class Scene {
   three = new THREE.Scene();
   bounds = { x0: -1, x1: 1, y0: -1, y1: 1 };
@@ -52,7 +58,7 @@ export class Scene {
     for (const name of ["position", "color"])
       this.rays.geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(MOST_RAYS * 6), 3));
     this.contacts = new THREE.Points(new THREE.BufferGeometry(),
-      new THREE.PointsMaterial({ size: 7, sizeAttenuation: false, depthTest: false, transparent: true }));
+      new THREE.PointsMaterial({ map: dot_texture(), size: 8, sizeAttenuation: false, depthTest: false, transparent: true }));
     this.contacts.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(MOST_CONTACTS * 3), 3));
     this.rays.frustumCulled = this.contacts.frustumCulled = false;
     this.contacts.renderOrder = 2;

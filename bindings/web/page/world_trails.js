@@ -4,13 +4,15 @@ import * as THREE from "/lib/three/three.module.js";
 const MOST = 40000;  // pieces of all together
 const EACH = 600;  // pieces for each robot
 const STEP = 0.008;  // m of a piece
-const JUMP = 0.25;  // m: put elsewhere
+const FASTEST = 2;  // m/s, with what a hand moves; who comes farther was put elsewhere
+const LONGEST = 2;  // s without looking: on which way they came is not known
 
 /// A ring of pieces: a new one takes the oldest one's place, so that no more is written and uploaded than is new.
 export class Trails {
   lines = new THREE.LineSegments(new THREE.BufferGeometry(),
     new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors, transparent: true, opacity: 0.75 }));
   #ends = [];  // of each robot's way, so far
+  #time = 0;
   #tints = [];
   #room = 0;
   #count = 0;  // pieces since the beginning
@@ -36,14 +38,17 @@ export class Trails {
     this.lines.geometry.setDrawRange(0, 0);
   }
 
-  /// Takes where the robots are now.
-  follow(robots) {
+  /// Takes where the robots are at a time [s].
+  follow(robots, time) {
+    const passed = time - this.#time;
+    const farthest = passed < LONGEST ? 2 * STEP + FASTEST * passed : 0;
+    this.#time = time;
     this.#ends.forEach((end, i) => {
       const pose = robots[i];
       if (!pose) return;
       const far = end ? Math.hypot(pose.x - end[0], pose.y - end[1]) : Infinity;
       if (far < STEP) return;
-      if (far < JUMP) this.#add(end, pose, this.#tints[i]);
+      if (far < farthest) this.#add(end, pose, this.#tints[i]);
       this.#ends[i] = [pose.x, pose.y];
     });
   }
