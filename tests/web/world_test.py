@@ -106,6 +106,21 @@ class Hands(rig.PageCase):
 class Explain(rig.PageCase):
     """One execution, from the sensor to the wheels."""
 
+    def test_what_is_in_error_is_not_explained_by_what_another_did(self):
+        self.open(text=STANDING + """
+            behavior "well" { script = "well" }
+            behavior "clumsy" { script = "clumsy" }""",
+                  scripts={"well": 'output("out", "TimedVelocity2D")\nfunction on_execute() end\n',
+                           "clumsy": 'input("in", "TimedShortSeq")\nfunction on_execute()\n  error("oh no")\nend\n'})
+        page = self.page
+        page.view("explain")
+        page.choose_text(".explain select", "well")
+        page.until("document.querySelectorAll('.explain .step').length >= 3", "the one that is well is explained")
+        page.choose_text(".explain select", "clumsy")
+        page.until("document.querySelectorAll('.explain .step').length === 0", "what the other did is gone")
+        self.assertIn("clumsy is ERROR: nothing of it is executed", page.text(".explain .chain"))
+        self.assertIn("clumsy.lua:3: oh no", page.text(".explain .chain"))
+
     def test_choosing_a_robot_explains_what_drives_it(self):
         self.open("behaviors/systems/stop_at_wall.lua")
         page = self.page

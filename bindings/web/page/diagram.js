@@ -117,8 +117,9 @@ class Diagram {
       svg("rect", { class: "body", width: box.w, height: box.h, rx: 8 }), title,
       ...ports.map((port) => this.#make_port(name, port, box.ports.get(port.name))));
     if (error) {
-      const most = Math.floor(box.w / 6.4);
-      node.append(svg("text", { class: "error", x: 10, y: box.h - 11, text: error.length > most ? `${error.slice(0, most - 1)}…` : error },
+      const most = Math.floor((box.w - 20) / 6.8);
+      const brief = error.replace(/^\S*\//, "");  // without the folders before the file
+      node.append(svg("text", { class: "error", x: 10, y: box.h - 11, text: brief.length > most ? `${brief.slice(0, most - 1)}…` : brief },
         svg("title", { text: error })));
     }
     this.#make_movable(title, node, name);

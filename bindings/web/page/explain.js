@@ -60,12 +60,17 @@ export function make_explain({ model, link, notices }) {
     waits = true;
     const { ok, text } = await link.ask({ do: "explain", component: which.value });
     if (!ok) {
-      waits = false;
-      stop_following();
-      notices.say(text || T.link.no_answer, "error");
+      refuse(text || T.link.no_answer);
     } else if (!model.frame.running) {
       notices.say(T.explain.paused);
     }
+  };
+  /// Says why there is nothing to be seen, in the place of what was seen of another.
+  const refuse = (why) => {
+    waits = false;
+    stop_following();
+    const { error } = model.component(which.value) ?? {};
+    body.replaceChildren(el("p", { class: "empty", text: why }), ...(error ? [el("code", { class: "error", text: error })] : []));
   };
   const stop_following = () => {
     follow.setAttribute("aria-pressed", false);
@@ -85,11 +90,7 @@ export function make_explain({ model, link, notices }) {
   model.on("explain", (seen) => {
     if (seen.component !== which.value) return;
     waits = false;
-    if (seen.problem) {
-      stop_following();
-      notices.say(seen.problem, "warn");
-      return;
-    }
+    if (seen.problem) return refuse(seen.problem);
     body.replaceChildren(
       el("p", { class: "when", text: T.explain.when(seen.component, seen.at.toFixed(2), seen.tick) }),
       stage(T.explain.inputs, "inputs", ...ports_of(seen.inputs, "←")),
