@@ -173,7 +173,7 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
     const std::string before = path.string() + "~";
     if (auto ok = replace_file(path, before, text); !ok) return failure(describe(ok.error()));
     return fmt::format("saved {}: {}, {}{}", path.string(), counted(spec.entries.size(), "component"),
-                       counted(spec.connections.size(), "connection"),
+                       counted(spec.connections.size() + spec.rtm_connections.size(), "connection"),
                        existed ? fmt::format("; what was there is now {}", before) : "");
 }
 

@@ -78,7 +78,11 @@ PeerAnswer Asker::answer(const PeerQuestion& question) {
             return none;
         }
         try {
-            if (question.request) return perform(*found, *question.request);
+            if (question.request) {
+                PeerAnswer answer = perform(*found, *question.request);
+                if (!answer.problem.empty()) answer.problem = "rtm:" + found->name + ": " + answer.problem;
+                return answer;
+            }
             return {.peers = {look_at(*found, true)}};
         } catch (const CORBA::TIMEOUT&) {
             return {.problem = "'" + question.name + "' does not answer"};

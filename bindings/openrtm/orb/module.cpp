@@ -49,7 +49,8 @@ private:
 CORBA::ORB_ptr begin(const OrbOptions& options) {
     // Of each side: a call, and the connection before it [ms]; the longest message [bytes]; threads that serve peers.
     const std::string end_point = "giop:tcp:" + options.interface + ":";
-    const char* settings[][2] = {{"clientCallTimeOutPeriod", "1000"},
+    const char* settings[][2] = {{"traceLevel", "0"},  // what went wrong is told as any other error
+                                 {"clientCallTimeOutPeriod", "1000"},
                                  {"clientConnectTimeOutPeriod", "1000"},
                                  {"giopMaxMsgSize", "16777216"},
                                  {"maxServerThreadPoolSize", "32"},
@@ -79,6 +80,8 @@ extern "C" __attribute__((visibility("default"))) nezumi::openrtm::Orb* nezumi_o
     try {
         const CORBA::ORB_var orb = nezumi::openrtm::begin(options);
         return std::make_unique<nezumi::openrtm::OmniOrb>(orb.in(), site, options).release();
+    } catch (const CORBA::INITIALIZE&) {
+        problem = "nothing can listen at " + options.interface + ": is that an address of this computer?";
     } catch (const CORBA::Exception& error) {
         problem = "CORBA can't begin at " + options.interface + ": " + error._name();
     } catch (const std::exception& error) {

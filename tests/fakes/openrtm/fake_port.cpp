@@ -159,6 +159,8 @@ RTC::PortProfile* FakePort::get_port_profile() {
     profile->port_ref = _this();
     add_property(profile->properties, "port.port_type", is_in_ ? "DataInPort" : "DataOutPort");
     add_property(profile->properties, "dataport.data_type", "IDL:RTC/" + type_ + ":1.0");
+    const RTC::ConnectorProfileList_var connectors = get_connector_profiles();
+    profile->connector_profiles = connectors.in();
     return profile._retn();
 }
 

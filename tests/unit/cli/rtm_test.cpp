@@ -7,6 +7,7 @@
 
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/openrtm/names.hpp"
 
@@ -75,4 +76,41 @@ TEST_CASE("a run without a name service says so once, and goes on", "[cli][rtm][
     const std::string said = "rtm: no name service answers at " + address + ": start one, as omniNames";
     CHECK(run.error.find(said) != std::string::npos);
     CHECK(run.error.find(said) == run.error.rfind(said));
+}
+
+TEST_CASE("an interface that is none of this computer's is refused in one line", "[cli][rtm][wallclock]") {
+    const Names names;
+    Scratch folder;
+    const std::string text = "robot \"mouse\" { model = \"raspimouse\" }\nrtm { export = \"mouse\", nameserver = \"" +
+                             names.address() + "\", interface = \"192.0.2.1\" }\n";
+    const std::string system = folder.write("system.lua", text).string();
+    Program run({"run", system, "--headless", "--duration", "1"});
+    CHECK(run.wait() == 2);
+    CHECK(run.error == system + ":2: rtm: nothing can listen at 192.0.2.1: is that an address of this computer?\n");
+}
+
+TEST_CASE("a console works with RTCs: it lists, configures, activates and connects them", "[cli][rtm][wallclock]") {
+    const Names names;
+    Scratch folder;
+    const std::string system = folder.write("system.lua", exported_mouse(names.address())).string();
+    const std::string commands = folder
+                                     .write("commands",
+                                            "ls \"rtm:Out0\"\nrtm(\"Out0\", { speed = 0.75 })\nactivate \"rtm:Out0\"\n"
+                                            "connect(\"rtm:Out0.out\", \"mouse.target_velocity_in\")\nrun(5)\n"
+                                            "mouse.target_velocity_in.peers\nls \"rtm:Out1\"\nsave \"saved.lua\"\n")
+                                     .string();
+    Peer out({fake_rtc(), names.address(), "Out0", "out", "TimedVelocity2D", "out"});
+    REQUIRE(out.heard("ready") == "ready");
+    Program run({"run", system, "--batch", "--speed", "1"}, folder.path().string(), commands);
+    CHECK(out.heard("uses ") == "uses default speed=0.75");
+    CHECK(out.heard("activated") == "activated");
+    CHECK(out.heard("joined ") == "joined Out0.out_mouse.target_velocity_in");
+    CHECK(run.wait() == 1);
+    CHECK(run.out.find("Out0  Fake, INACTIVE\n  out out  TimedVelocity2D  not connected\n  config.speed = 0.5\n") !=
+          std::string::npos);
+    CHECK(run.out.find("{ \"rtm:Out0.out\" }") != std::string::npos);
+    CHECK(run.error.find("line 7: ls: there is no RTC 'Out1' in the name service (did you mean 'Out0'?)") !=
+          std::string::npos);
+    CHECK(text_of_file(folder.path("saved.lua")).find("connect(\"rtm:Out0.out\", \"mouse.target_velocity_in\")") !=
+          std::string::npos);
 }

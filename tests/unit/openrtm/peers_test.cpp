@@ -56,7 +56,8 @@ TEST_CASE("a console activates, deactivates and resets an RTC", "[openrtm][peers
     const std::string full = host() + ".host_cxt/Peer0";
     CHECK(done(rig, "Peer0", {.what = What::activate}) == begin + "ACTIVE");
     CHECK(rig.hears(*peer, "activated") == "activated");
-    CHECK(done(rig, full, {.what = What::activate}) == "! its state does not allow that (PRECONDITION_NOT_MET)");
+    CHECK(done(rig, full, {.what = What::activate}) ==
+          "! rtm:" + full + ": its state does not allow that (PRECONDITION_NOT_MET)");
     CHECK(done(rig, full, {.what = What::deactivate}) == begin + "INACTIVE");
     peer->say("fail");
     peer->say("fetch");
@@ -70,6 +71,7 @@ TEST_CASE("a console reads and sets what an RTC is configured by", "[openrtm][pe
     WireRig rig;
     const auto peer = rig.rtc("Peer0", "out", "TimedLong", "out");
     const std::string begin = "rtm:" + host() + ".host_cxt/Peer0  Fake, ";
+    const std::string fault = "! rtm:" + host() + ".host_cxt/Peer0: ";
     CHECK(asked(rig, {.name = "Peer0"}) ==
           begin + "INACTIVE\n  out out  TimedLong  not connected\n  config.speed = 0.5\n  other sets: fast");
     CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"speed", "0.75"}}}) == begin + "INACTIVE");
@@ -78,10 +80,10 @@ TEST_CASE("a console reads and sets what an RTC is configured by", "[openrtm][pe
     CHECK(done(rig, "Peer0", {.what = What::use, .set = "fast"}) == begin + "INACTIVE");
     CHECK(rig.hears(*peer, "uses ") == "uses fast speed=1");
     CHECK(done(rig, "Peer0", {.what = What::use, .set = "fats"}) ==
-          "! it has no configuration set 'fats' (did you mean 'fast'?)");
+          fault + "it has no configuration set 'fats' (did you mean 'fast'?)");
     CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"sped", "1"}}}) ==
-          "! it has no parameter 'sped' (did you mean 'speed'?)");
-    CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"speed", "-1"}}}) == "! it refuses these values");
+          fault + "it has no parameter 'sped' (did you mean 'speed'?)");
+    CHECK(done(rig, "Peer0", {.what = What::set, .values = {{"speed", "-1"}}}) == fault + "it refuses these values");
 }
 
 TEST_CASE("a console is told of an RTC that hangs or is gone, and of a name service that is away",
@@ -117,6 +119,7 @@ TEST_CASE("a connection that an RTC ends and lives on is not made again", "[open
     const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
     REQUIRE(rig.hears(*out, "joined ") == "joined Out0.out_relay.in");
     REQUIRE(rig.tells_line("connected: rtm:Out0.out to relay.in"));
+    CHECK(asked(rig, {.name = "Out0"}).find("out out  TimedLong  1 connection") != std::string::npos);
     CHECK(rig.answer(*out, "disconnect", "disconnected ") == "disconnected 0");
     CHECK(rig.tells("disconnected by an RTC or a tool: rtm:Out0.out to relay.in"));
     CHECK(rig.live->spec().rtm_connections.empty());
