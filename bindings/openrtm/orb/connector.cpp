@@ -110,7 +110,7 @@ public:
 protected:
     template <class Call>
     void start(const Call& call) {
-        thread_ = start_thread([this, call] { call(); });
+        thread_ = start_thread(call);
     }
     void end() {
         queue_.end();

@@ -328,7 +328,6 @@ struct Matrix {
 namespace nezumi {
 template <>
 struct Describe<Matrix> {
-    static constexpr std::string_view name = "Matrix";
     static constexpr std::tuple fields{Field{"before", &Matrix::before, "", ""}, Field{"rows", &Matrix::rows, "", ""}};
 };
 }  // namespace nezumi
