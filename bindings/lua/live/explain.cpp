@@ -59,7 +59,12 @@ std::vector<LineTrace::Value> named_in(std::string_view text, const std::vector<
             is_field = path == "?";
             continue;
         }
-        path = is_field ? path + "." + std::string(token.text) : std::string(token.text);
+        if (is_field) {
+            path += '.';
+        } else {
+            path.clear();
+        }
+        path += token.text;
         is_field = false;
         const auto is_it = [&](const LineTrace::Value& each) { return each.name == path; };
         const auto value = std::find_if(values.begin(), values.end(), is_it);

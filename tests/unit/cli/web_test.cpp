@@ -1,7 +1,10 @@
 // Where `nezumi run` serves its page, and where it does not.
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -9,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -181,6 +185,39 @@ TEST_CASE("other computers are let in by TLS alone, with a certificate whose fin
     CHECK(run.error.find("\n" + fingerprint + "\n") != std::string::npos);
     CHECK(get(std::atoi(port.c_str()), "/").find("200") == std::string::npos);
     unsetenv("XDG_STATE_HOME");
+}
+
+TEST_CASE("--open shows the desktop's browser the page by a file, so that no command line has its token",
+          "[cli][web]") {
+    const System system;
+    const std::string told = system.scratch.path("told").string();
+    REQUIRE(mkfifo(told.c_str(), 0600) == 0);
+    const auto browser = system.scratch.write("bin/xdg-open", "#!/bin/sh\n(echo \"$1\"; cat \"$1\") > " + told + "\n");
+    std::filesystem::permissions(browser, std::filesystem::perms::owner_all);
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", (browser.parent_path().string() + ":" + path).c_str(), 1);
+    setenv("DISPLAY", ":77", 1);
+    const int file = open(told.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    Program run({"run", system.file, "--open"});
+    setenv("PATH", path.c_str(), 1);
+    unsetenv("DISPLAY");
+    REQUIRE(run.wait_for_error("\n"));
+    const std::string begin = "in a browser: ";
+    const std::string url = run.error.substr(begin.size(), run.error.find('\n') - begin.size());
+    std::string said;
+    pollfd waits{.fd = file, .events = POLLIN, .revents = 0};
+    for (char piece[4096]; said.find("</a>") == std::string::npos && poll(&waits, 1, 30'000) == 1;) {
+        const ssize_t got = read(file, piece, sizeof piece);
+        if (got <= 0) break;
+        said.append(piece, static_cast<std::size_t>(got));
+    }
+    close(file);
+    const std::string address = said.substr(0, said.find('\n'));
+    CHECK(address.rfind(".html") == address.size() - 5);
+    CHECK(address.find(url.substr(url.find('#') + 1)) == std::string::npos);
+    CHECK(said.find("url=" + url + "\"") != std::string::npos);
+    run.send(SIGINT);
+    CHECK(run.wait() == 0);
 }
 
 TEST_CASE("the prompt begins with the page's address", "[cli][web][prompt]") {
