@@ -15,7 +15,7 @@ namespace {
 // A host that counts, and one that says what it hears; both in a domain that no other test uses.
 struct TwoHosts {
     TwoHosts() {
-        scratch.write("behaviors/counter.lua", R"(
+        scratch.write("behaviors/counting.lua", R"(
 local out = output("out", "TimedLong")
 state.count = 0
 function on_execute()
@@ -23,7 +23,7 @@ function on_execute()
   out:write(state.count)
 end
 )");
-        scratch.write("behaviors/listener.lua", R"(
+        scratch.write("behaviors/listening.lua", R"(
 local heard = input("in", "TimedLong", "", { queue = 50 })
 local silent = 0
 function on_execute()
@@ -39,12 +39,12 @@ end
 )");
         counter = scratch
                       .write("counter.lua", R"(network { name = "one", domain = 221 }
-behavior "it" { script = "counter" }
+behavior "it" { script = "counting" }
 )")
                       .string();
         listener = scratch
                        .write("listener.lua", R"(network { name = "two", domain = 221 }
-behavior "it" { script = "listener" }
+behavior "it" { script = "listening" }
 connect("one/it.out", "it.in")
 )")
                        .string();
@@ -162,9 +162,9 @@ TEST_CASE("hosts of a secret find each other, and those without it do not", "[cl
             .string();
     };
     const std::string hears = "connect(\"one/it.out\", \"it.in\")\n";
-    Program one({"run", host("one", "counter", with, ""), "--headless"});
-    Program two({"run", host("two", "listener", with, hears), "--headless"});
-    Program three({"run", host("three", "listener", none, hears), "--headless"});
+    Program one({"run", host("one", "counting", with, ""), "--headless"});
+    Program two({"run", host("two", "listening", with, hears), "--headless"});
+    Program three({"run", host("three", "listening", none, hears), "--headless"});
     CHECK(two.wait_for_error("hears"));
     CHECK_FALSE(three.wait_for_error("hears", 3));
 }
