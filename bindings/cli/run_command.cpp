@@ -186,7 +186,7 @@ private:
         live.values = options_.values;
         live.budget = options_.headless ? headless_budget : paced_budget;
         live.watch = !options_.headless;
-        // What came over the network is not in a journal: its replay is alone.
+        // What came over the network is in the journal: its replay is alone.
         if (options_.replay.empty()) live.network = dds::make_networks(domains_, NEZUMI_VERSION);
         if (devices_) use_hardware(live, *options_.hardware, devices_->roots());
         live.print = [this](std::string_view line) { say(std::string(line)); };

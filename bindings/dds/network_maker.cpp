@@ -16,17 +16,18 @@
 #include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/system/questions.hpp"
 
 namespace nezumi::dds {
 namespace {
 
 constexpr std::string_view of_ros = "ros/";
 
-class BothNetworks final : public Network {
+class BothNetworks final : public Network, public HostQuestions {
 public:
     /// `own`: the transport that it alone uses, or nullptr.
-    BothNetworks(std::unique_ptr<Transport> own, std::unique_ptr<SystemNetwork> hosts)
-        : own_(std::move(own)), hosts_(std::move(hosts)) {}
+    BothNetworks(System& system, std::unique_ptr<Transport> own, std::unique_ptr<SystemNetwork> hosts, std::string node)
+        : system_(system), own_(std::move(own)), hosts_(std::move(hosts)), node_(std::move(node)) {}
 
     Expected<void> reach(std::string_view path, const Port& other) override {
         if (path.starts_with(of_ros))
@@ -38,6 +39,15 @@ public:
     }
     void between_ticks(const ActDoor& act) override {
         if (hosts_ != nullptr) hosts_->between_ticks(act);
+        if (node_.empty()) return;
+        if (auto* node = dynamic_cast<RosNode*>(system_.find(node_))) node->between_ticks(act);
+    }
+    Expected<std::uint64_t> ask(const Question& question) const override {
+        if (hosts_ != nullptr) return hosts_->ask(question);
+        return failure("there are no other hosts: the system's file has no word network");
+    }
+    std::optional<Expected<PlainData>> answer(std::uint64_t number) const override {
+        return hosts_ != nullptr ? hosts_->answer(number) : std::nullopt;
     }
     std::vector<Host> hosts() const override { return hosts_ != nullptr ? hosts_->hosts() : std::vector<Host>{}; }
     bool brought(const ConnectionSpec& connection) const override {
@@ -46,8 +56,10 @@ public:
     }
 
 private:
+    System& system_;
     std::unique_ptr<Transport> own_;  // of the components of other hosts too: these go before the network does
     std::unique_ptr<SystemNetwork> hosts_;
+    std::string node_;  // of ROS: its component; "": none
 };
 
 double wall_clock() {
@@ -117,14 +129,16 @@ Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& sys
         if (!made) return Unexpected(made.error());
         host = std::move(*made);
     }
+    std::string its_node;
     if (spec.ros) {
         const Expected<Transport*> transport = join(*spec.ros);
         if (!transport) return failure(fmt::format("ros: {}", transport.error().message), spec.ros->place);
         const auto node =
             RosNode::add(system, *spec.ros, **transport, {.clock = system.settings().clock, .wall_clock = wall_clock});
         if (!node) return Unexpected(node.error());
+        its_node = (*node)->name();
     }
-    return std::make_unique<BothNetworks>(std::move(own), std::move(host));
+    return std::make_unique<BothNetworks>(system, std::move(own), std::move(host), std::move(its_node));
 }
 
 }  // namespace

@@ -49,32 +49,30 @@ void Outlet::send(const Time& now, std::uint64_t run, double clock) {
     });
 }
 
-Inlet::Inlet(OutPortBase& port, std::unique_ptr<Reader> reader, Progress& progress)
-    : port_(port),
-      reader_(std::move(reader)),
-      progress_(progress),
-      payload_(with_payload_type(port.type(), []<class T>() { return AnyPayload(T{}); })) {}
+Inlet::Inlet(std::size_t type, std::unique_ptr<Reader> reader, Progress& progress)
+    : type_(type), reader_(std::move(reader)), progress_(progress) {}
 
-void Inlet::receive(const Time& now, std::optional<std::uint64_t> run, double clock) {
+void Inlet::receive(std::optional<std::uint64_t> run, double clock, const Give& give) {
     if (run && run != progress_.run) {
         progress_ = {.run = run};
         age_ = {};
     }
     for (const Sample& sample : reader_->take()) {
         if (run) {
-            take(sample.bytes, now, *run, clock);
+            take(sample.bytes, *run, clock, give);
         } else {
             ++counts_.wrong;
         }
     }
 }
 
-void Inlet::take(const Octets& bytes, const Time& now, std::uint64_t run, double clock) {
+void Inlet::take(const Octets& bytes, std::uint64_t run, double clock, const Give& give) {
     MessageHead head;
+    AnyPayload value = with_payload_type(type_, []<class T>() { return AnyPayload(T{}); });
     const Expected<void> read =
-        std::visit([&](auto& payload) { return read_cdr(bytes, on_the_wire, head, payload); }, payload_);
+        std::visit([&](auto& payload) { return read_cdr(bytes, on_the_wire, head, payload); }, value);
     const double sent = head.stamp + head.offset;
-    const bool fits = read && is_finite(payload_) && std::isfinite(sent) && head.run == run;
+    const bool fits = read && is_finite(value) && std::isfinite(sent) && head.run == run;
     // A number that was there already is a message that comes again.
     if (!fits || head.number <= progress_.number) {
         ++counts_.wrong;
@@ -83,13 +81,12 @@ void Inlet::take(const Octets& bytes, const Time& now, std::uint64_t run, double
     if (progress_.number > 0) counts_.missed += head.number - progress_.number - 1;
     progress_.number = head.number;
     const double age = age_.of(sent, clock);
-    if (is_velocity(port_.type()) && age > silence) {
+    if (is_velocity(type_) && age > silence) {
         ++counts_.late;
         return;
     }
     ++counts_.taken;
-    port_.write_any(payload_);
-    port_.stamp(std::max(0.0, now.seconds - age));
+    give(std::move(value));
 }
 
 }  // namespace nezumi::dds

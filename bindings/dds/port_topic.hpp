@@ -1,7 +1,9 @@
 // Messages of one port on their way between hosts: head, stamp and payload as CDR, one topic for each out-port.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,25 +60,25 @@ struct Progress {
     std::uint64_t number = 0;            ///< of the last message of it
 };
 
-/// Writes what comes from another host into an out-port of this one.
+/// Takes what comes from another host for an out-port of this one.
 class Inlet {
 public:
-    /// `port` and `progress`, which goes on where another inlet has ended, must outlive it.
-    Inlet(OutPortBase& port, std::unique_ptr<Reader> reader, Progress& progress);
+    using Give = std::function<void(AnyPayload value)>;
 
-    /// Takes what has come; only what is of this run of the other host counts.
-    void receive(const Time& now, std::optional<std::uint64_t> run, double clock);
+    /// `type`: of the port. `progress` goes on where another inlet has ended, and must outlive it.
+    Inlet(std::size_t type, std::unique_ptr<Reader> reader, Progress& progress);
+
+    /// Gives what has come; only what is of this run of the other host counts.
+    void receive(std::optional<std::uint64_t> run, double clock, const Give& give);
     const Counts& counts() const { return counts_; }
-    OutPortBase& port() { return port_; }
 
 private:
-    void take(const Octets& bytes, const Time& now, std::uint64_t run, double clock);
+    void take(const Octets& bytes, std::uint64_t run, double clock, const Give& give);
 
-    OutPortBase& port_;
+    std::size_t type_;
     std::unique_ptr<Reader> reader_;
     MessageAge age_;
     Progress& progress_;
-    AnyPayload payload_;  // keeps its memory
     Counts counts_;
 };
 

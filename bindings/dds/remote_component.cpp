@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "engine/system/wiring.hpp"
+
 namespace nezumi::dds {
 
 RemoteComponent::RemoteComponent(std::string_view host, std::string_view component, std::function<double()> clock)
@@ -19,7 +21,7 @@ Port& RemoteComponent::port(const std::string& name, std::size_t type, Direction
 
 void RemoteComponent::receive(OutPortBase& port, std::unique_ptr<Reader> reader) {
     inlets_.erase(&port);
-    if (reader != nullptr) inlets_.try_emplace(&port, port, std::move(reader), progress_[&port]);
+    if (reader != nullptr) inlets_.try_emplace(&port, port.type(), std::move(reader), progress_[&port]);
 }
 
 const Counts* RemoteComponent::counts(const OutPortBase& port) const {
@@ -27,11 +29,15 @@ const Counts* RemoteComponent::counts(const OutPortBase& port) const {
     return found != inlets_.end() ? &found->second.counts() : nullptr;
 }
 
-void RemoteComponent::sense(const Time& now) {
+void RemoteComponent::receive(const ActDoor& act) {
     const double clock = clock_();
-    for (auto& [port, inlet] : inlets_) {
-        inlet.receive(now, run_, clock);
-        if (state() != LifeState::active) inlet.port().discard();
+    for (const auto& port : out_ports_) {
+        const auto inlet = inlets_.find(port.get());
+        if (inlet == inlets_.end()) continue;
+        inlet->second.receive(run_, clock, [&](AnyPayload value) {
+            if (state() != LifeState::active) return;
+            static_cast<void>(act(Write{path(*this, *port), std::move(value)}, {Actor::Kind::network, host_}));
+        });
     }
 }
 

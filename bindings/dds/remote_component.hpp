@@ -11,6 +11,7 @@
 
 #include "bindings/dds/port_topic.hpp"
 #include "engine/components/component.hpp"
+#include "engine/system/network.hpp"
 
 namespace nezumi::dds {
 
@@ -31,7 +32,11 @@ public:
     /// What became of the messages of this port; nullptr when it receives nothing.
     const Counts* counts(const OutPortBase& port) const;
 
-    void sense(const Time& now) override;
+    /// Has what came since the last tick written, as acts of the other host; nothing while this is not ACTIVE.
+    void receive(const ActDoor& act);
+
+    /// What comes is there before the tick.
+    void sense(const Time& /*now*/) override {}
     /// What its in-ports take is sent where it is published: `Outlet`.
     void actuate(const Time& /*now*/) override {}
 

@@ -34,7 +34,8 @@ SystemNetwork::SystemNetwork(System& system, Transport& transport, HostSettings 
       transport_(transport),
       settings_(std::move(settings)),
       hosts_({.protocol = protocol, .host = settings_.name, .version = settings_.version}, settings_.run,
-             settings_.answered) {
+             settings_.answered),
+      requests_(transport, settings_.name, settings_.run) {
     system_.observe(*this);
 }
 
@@ -56,8 +57,16 @@ Expected<void> SystemNetwork::reach(std::string_view path, const Port& other) {
 
 void SystemNetwork::between_ticks(const ActDoor& act) {
     const double now = settings_.clock();
-    if (now < next_ || failed_ || !open()) return;
-    next_ = now + period;
+    if (failed_ || !open()) return;
+    requests_.serve(hosts_, system_, settings_.writable, act, now);
+    if (now >= next_) {
+        next_ = now + period;
+        look(act);
+    }
+    receive(act);
+}
+
+void SystemNetwork::look(const ActDoor& act) {
     listen();
     make_what_others_want(present(), act);
     end_what_they_no_longer_want(present(), act);
@@ -66,6 +75,22 @@ void SystemNetwork::between_ticks(const ActDoor& act) {
     open_topics(all);
     announce(all);
     note_waiting();
+}
+
+// Once for each tick: while time stands, what comes waits as the port's messages do.
+void SystemNetwork::receive(const ActDoor& act) {
+    if (std::exchange(received_, system_.now().tick) == system_.now().tick) return;
+    for (std::size_t i = 0; i < system_.components().size(); ++i) {
+        if (auto* remote = dynamic_cast<RemoteComponent*>(system_.components()[i].get())) remote->receive(act);
+    }
+}
+
+Expected<std::uint64_t> SystemNetwork::ask(const Question& question) const {
+    return requests_.ask(question, hosts_, settings_.clock());
+}
+
+std::optional<Expected<PlainData>> SystemNetwork::answer(std::uint64_t number) const {
+    return requests_.answer(number, settings_.clock());
 }
 
 bool SystemNetwork::open() {

@@ -11,11 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/dds/host_requests.hpp"
 #include "bindings/dds/host_table.hpp"
 #include "bindings/dds/port_topic.hpp"
 #include "bindings/dds/remote_component.hpp"
 #include "bindings/dds/transport.hpp"
 #include "engine/system/network.hpp"
+#include "engine/system/questions.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi::dds {
@@ -33,13 +35,15 @@ struct HostSettings {
 /// A connection with another host is an ordinary connection at both ends, to a component that stands for the other's:
 /// "ev3/vehicle". Who was asked for it announces it; the other makes it as an act of that host, or refuses it and says
 /// why. It ends when either end ends it, and outlives either end's absence.
-class SystemNetwork final : public Network, private PortObserver {
+class SystemNetwork final : public Network, public HostQuestions, private PortObserver {
 public:
     /// Both must outlive the network. Nothing is said or heard before the first `between_ticks`.
     SystemNetwork(System& system, Transport& transport, HostSettings settings);
 
     Expected<void> reach(std::string_view path, const Port& other) override;
     void between_ticks(const ActDoor& act) override;
+    Expected<std::uint64_t> ask(const Question& question) const override;
+    std::optional<Expected<PlainData>> answer(std::uint64_t number) const override;
     std::vector<Host> hosts() const override;
     bool brought(const ConnectionSpec& connection) const override;
 
@@ -48,7 +52,9 @@ private:
 
     void latched(const System& system) override;
     bool open();
+    void look(const ActDoor& act);
     void listen();
+    void receive(const ActDoor& act);
     std::vector<Ends> present() const;
     Expected<bool> can_be(const Ends& ends, const Announcement& host) const;
     void make_what_others_want(const std::vector<Ends>& present, const ActDoor& act);
@@ -68,6 +74,7 @@ private:
     Transport& transport_;
     HostSettings settings_;
     HostTable hosts_;
+    mutable HostRequests requests_;
     std::unique_ptr<Writer> announcer_;
     std::unique_ptr<Reader> listener_;
     Announcement said_;
@@ -79,6 +86,7 @@ private:
     std::map<std::string, std::uint64_t, std::less<>> numbers_;  // of the messages last sent, by topic
     std::map<std::string, Outlet, std::less<>> outlets_;         // by "name.port"
     std::uint64_t layout_ = 0;
+    std::int64_t received_ = -1;  // the tick for which messages were taken last
 };
 
 }  // namespace nezumi::dds

@@ -56,19 +56,19 @@ private:
 template <class T, class Message>
 class Taker final : public Subscription {
 public:
-    Taker(OutPort<T>& port, std::unique_ptr<dds::Reader> reader) : port_(port), reader_(std::move(reader)) {}
+    explicit Taker(std::unique_ptr<dds::Reader> reader) : reader_(std::move(reader)) {}
 
-    std::string receive(double clock) override {
+    std::string receive(double clock, const Give& give) override {
         std::string problem;
         for (const dds::Sample& sample : reader_->take()) {
-            Expected<void> read = take(sample.bytes, clock);
+            Expected<void> read = take(sample.bytes, clock, give);
             if (!read) problem = read.error().message;
         }
         return problem;
     }
 
 private:
-    Expected<void> take(const Octets& bytes, double clock) {
+    Expected<void> take(const Octets& bytes, double clock, const Give& give) {
         Expected<void> read = read_cdr(bytes, on_the_wire, message_);
         if constexpr (std::is_same_v<Message, Range>) {
             if (!read) read = read_without_variance(bytes);
@@ -80,7 +80,7 @@ private:
             const double stamp = to_seconds(message_.header.stamp);
             if (stamp > 0 && age_.of(stamp, clock) > silence) return {};  // of a link that was broken
         }
-        port_.write(payload_);
+        give(payload_);
         return {};
     }
     // As Humble has it.
@@ -90,7 +90,6 @@ private:
                         message_.min_range, message_.max_range, message_.range);
     }
 
-    OutPort<T>& port_;
     std::unique_ptr<dds::Reader> reader_;
     dds::MessageAge age_;
     Message message_;
@@ -111,8 +110,8 @@ constexpr Mapping pair(std::string_view frame, bool sensor_data) {
                                                     std::move(its_frame));
     };
     if constexpr (requires(const Message& from, T& to) { from_ros(from, to); }) {
-        made.subscribe = [](OutPortBase& port, std::unique_ptr<dds::Reader> reader) -> std::unique_ptr<Subscription> {
-            return std::make_unique<Taker<T, Message>>(static_cast<OutPort<T>&>(port), std::move(reader));
+        made.subscribe = [](std::unique_ptr<dds::Reader> reader) -> std::unique_ptr<Subscription> {
+            return std::make_unique<Taker<T, Message>>(std::move(reader));
         };
     }
     return made;

@@ -22,12 +22,14 @@ public:
     virtual void send(double offset) = 0;
 };
 
-/// Takes messages of a topic and writes them into an out-port of the node.
+/// Takes messages of a topic for an out-port of the node.
 class Subscription {
 public:
+    using Give = std::function<void(AnyPayload value)>;
+
     virtual ~Subscription() = default;
-    /// `clock` [s]: monotonic. Returns what was wrong with a message, "" when nothing was.
-    virtual std::string receive(double clock) = 0;
+    /// Gives what has come. `clock` [s]: monotonic. Returns what was wrong with a message, "" when nothing was.
+    virtual std::string receive(double clock, const Give& give) = 0;
 };
 
 struct Mapping {
@@ -39,7 +41,7 @@ struct Mapping {
     std::unique_ptr<Publication> (*publish)(InPortBase& port, std::unique_ptr<dds::Writer> writer,
                                             std::string frame) = nullptr;
     /// None where nothing of this type can be taken.
-    std::unique_ptr<Subscription> (*subscribe)(OutPortBase& port, std::unique_ptr<dds::Reader> reader) = nullptr;
+    std::unique_ptr<Subscription> (*subscribe)(std::unique_ptr<dds::Reader> reader) = nullptr;
 };
 
 /// For a port's type the first is the one that is meant where no type is said.

@@ -97,8 +97,7 @@ void RosNode::open() {
                 tell();
                 continue;
             }
-            subscriptions_.push_back(line.mapping->subscribe(static_cast<OutPortBase&>(*line.port), std::move(reader)));
-            told_.emplace_back();
+            subscriptions_.push_back({line.port, line.mapping->subscribe(std::move(reader))});
         }
     }
     if (system_.settings().real_time) return;
@@ -113,17 +112,19 @@ double RosNode::offset(const Time& now) const {
     return system_.settings().real_time ? settings_.wall_clock() - now.seconds : 0;
 }
 
-void RosNode::sense(const Time& /*now*/) {
+void RosNode::between_ticks(const ActDoor& act) {
+    if (std::exchange(received_, system_.now().tick) == system_.now().tick) return;
     if (!opened_) open();
     const double clock = settings_.clock();
-    for (std::size_t i = 0; i < subscriptions_.size(); ++i) {
-        const std::string problem = subscriptions_[i]->receive(clock);
-        if (problem.empty() || problem == told_[i]) continue;
-        told_[i] = problem;
+    for (Taken& taken : subscriptions_) {
+        const std::string problem = taken.subscription->receive(clock, [&](AnyPayload value) {
+            if (state() != LifeState::active) return;
+            static_cast<void>(act(Write{path(*this, *taken.port), std::move(value)}, {Actor::Kind::network, "ros"}));
+        });
+        if (problem.empty() || problem == taken.told) continue;
+        taken.told = problem;
         log(LogLevel::warn, fmt::format("a message is not taken: {}", problem));
     }
-    if (state() == LifeState::active) return;
-    for (const auto& port : out_ports_) port->discard();
 }
 
 void RosNode::actuate(const Time& now) {

@@ -10,6 +10,7 @@
 #include "bindings/dds/ros/mapping.hpp"
 #include "bindings/dds/transport.hpp"
 #include "engine/components/component.hpp"
+#include "engine/system/network.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi::dds {
@@ -26,7 +27,12 @@ public:
     /// it. The error has the place of the topic. Nothing is on the network before the first tick.
     static Expected<RosNode*> add(System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings);
 
-    void sense(const Time& now) override;
+    /// Between two ticks, any number of times: has what came since the last tick written, as acts of ROS; nothing while
+    /// this is not ACTIVE.
+    void between_ticks(const ActDoor& act);
+
+    /// What comes is there before the tick.
+    void sense(const Time& /*now*/) override {}
     void actuate(const Time& now) override;
 
 private:
@@ -47,9 +53,14 @@ private:
     RosNodeSettings settings_;
     std::vector<Line> lines_;
     bool opened_ = false;
+    std::int64_t received_ = -1;  // the tick for which messages were taken last
     std::vector<std::unique_ptr<ros::Publication>> publications_;
-    std::vector<std::unique_ptr<ros::Subscription>> subscriptions_;
-    std::vector<std::string> told_;  // what was wrong, for each subscription: once
+    struct Taken {
+        const Port* port;
+        std::unique_ptr<ros::Subscription> subscription;
+        std::string told{};  // what was wrong: once
+    };
+    std::vector<Taken> subscriptions_;
     std::unique_ptr<Writer> clock_;
     Octets bytes_;
 };

@@ -62,19 +62,36 @@ struct HostRig {
     HostRig(const HostRig&) = delete;
     HostRig& operator=(const HostRig&) = delete;
 
+    Expected<ActResult> act(const Act& act, const Actor& who) {
+        return std::visit(
+            [&](const auto& each) -> Expected<ActResult> {
+                if constexpr (requires { perform(system, each, who); }) {
+                    return perform(system, each, who);
+                } else {
+                    return failure("not here");
+                }
+            },
+            act);
+    }
     void look() {
-        system.network()->between_ticks([this](const Act& act, const Actor& who) {
-            acts.push_back(fmt::format("{} by {}", name_of(act), to_text(who)));
-            return std::visit(
-                [&](const auto& each) -> Expected<ActResult> {
-                    if constexpr (requires { perform(system, each, who); }) {
-                        return perform(system, each, who);
-                    } else {
-                        return failure("not here");
-                    }
-                },
-                act);
+        system.network()->between_ticks([this](const Act& each, const Actor& who) {
+            (std::holds_alternative<Write>(each) ? arrivals : acts)
+                .push_back(fmt::format("{} by {}", name_of(each), to_text(who)));
+            return act(each, who);
         });
+    }
+    const HostQuestions& questions() { return dynamic_cast<const HostQuestions&>(*system.network()); }
+    /// What another host answers, asked by this one.
+    template <class... Rig>
+    Expected<PlainData> ask(const Question& question, Rig&... others) {
+        const auto number = questions().ask(question);
+        if (!number) return Unexpected(number.error());
+        for (;;) {
+            if (auto answer = questions().answer(*number)) return std::move(*answer);
+            room.clock += 0.1;
+            (others.look(), ...);
+            look();
+        }
     }
     std::vector<std::string> connections() const {
         std::vector<std::string> all;
@@ -91,7 +108,8 @@ struct HostRig {
     Room& room;
     std::unique_ptr<Transport> transport;  // outlives the system
     std::vector<std::string> log;
-    std::vector<std::string> acts;
+    std::vector<std::string> acts;      // that others asked for
+    std::vector<std::string> arrivals;  // acts of what came for ports
     System system;
     Part* part = nullptr;
 };
@@ -101,8 +119,7 @@ template <class... Rig>
 void pass(Room& room, int times, Rig&... rigs) {
     for (int i = 0; i < times; ++i) {
         room.clock += 0.1;
-        (rigs.look(), ...);
-        (rigs.system.tick(), ...);
+        ((rigs.look(), rigs.system.tick()), ...);
     }
 }
 

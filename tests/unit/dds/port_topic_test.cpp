@@ -21,7 +21,7 @@ struct Line {
     Topic topic = topic_of("ev3", "part.speed", port.type());
     std::unique_ptr<Writer> writer = place->write(topic);
     Progress progress;
-    Inlet inlet{port, place->read(topic), progress};
+    Inlet inlet{port.type(), place->read(topic), progress};
 
     void send(const MessageHead& head, const Velocity2D& velocity) const {
         Octets bytes;
@@ -30,7 +30,7 @@ struct Line {
     }
     // Whether something is published at this time of ours [s].
     bool receive(double clock, std::optional<std::uint64_t> run = 7) {
-        inlet.receive({.tick = 1, .seconds = 50}, run, clock);
+        inlet.receive(run, clock, [this](const AnyPayload& value) { port.write_any(value); });
         return port.latch({.tick = 1, .seconds = 50});
     }
 };
@@ -54,7 +54,6 @@ TEST_CASE("a velocity older than 0.5 s is dropped, by clocks that are not set", 
     CHECK(line.receive(5000.0));
     line.send({.run = 7, .number = 2, .stamp = 2.1, .offset = 100.0}, {.vx = 0.2});
     CHECK(line.receive(5000.55));  // 0.45 s late
-    CHECK(line.port.tm() == Approx(50 - 0.45).margin(1e-3));
     line.send({.run = 7, .number = 3, .stamp = 2.2, .offset = 100.0}, {.vx = 0.3});
     CHECK_FALSE(line.receive(5000.71));
     CHECK(line.inlet.counts().late == 1);
@@ -142,9 +141,9 @@ TEST_CASE("what is opened anew does not take what came before", "[dds]") {
     Line line;
     line.send({.run = 7, .number = 5, .offset = 100}, {});
     CHECK(line.receive(1));
-    Inlet again(line.port, line.place->read(line.topic), line.progress);
+    Inlet again(line.port.type(), line.place->read(line.topic), line.progress);
     line.send({.run = 7, .number = 5, .offset = 100}, {});
-    again.receive({.tick = 2, .seconds = 51}, 7, 2);
+    again.receive(7, 2, [&](const AnyPayload& value) { line.port.write_any(value); });
     CHECK_FALSE(line.port.latch({.tick = 2, .seconds = 51}));
     CHECK(again.counts().wrong == 1);
 }

@@ -25,6 +25,8 @@ TEST_CASE("what a port of another host publishes arrives", "[dds][network]") {
     pass(room, 1, ev3, pi);
     REQUIRE(pi.part->targets.size() == 1);
     CHECK(pi.part->targets[0].data == Velocity2D{.vx = 0.25});
+    // By the one door, so that a journal has it.
+    CHECK(pi.arrivals == Lines{"Write by network ev3"});
 }
 
 TEST_CASE("a connection that the sending host is asked for is the same", "[dds][network]") {
@@ -93,7 +95,9 @@ TEST_CASE("either end ends a connection at both", "[dds][network]") {
         pass(room, 4, ev3, pi);
         CHECK(pi.connections().empty());
         CHECK(ev3.connections().empty());
-        CHECK(room.domain.topics() == Lines{"< nezumi/hosts", "< nezumi/hosts", "> nezumi/hosts", "> nezumi/hosts"});
+        CHECK(room.domain.topics() == Lines{"< nezumi/ev3/replies", "< nezumi/ev3/requests", "< nezumi/hosts",
+                                            "< nezumi/hosts", "< nezumi/pi/replies", "< nezumi/pi/requests",
+                                            "> nezumi/hosts", "> nezumi/hosts"});
         // And it can be made anew.
         REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
         pass(room, 4, ev3, pi);

@@ -1,0 +1,168 @@
+// Numbers tell a request that comes again from a new one.
+#include "bindings/dds/host_requests.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "bindings/dds/component_answer.hpp"
+#include "engine/base/names.hpp"
+#include "engine/base/visible.hpp"
+#include "engine/ports/cdr.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
+
+// What is done between two ticks for others must make none late.
+constexpr std::size_t most_bytes = std::size_t{1} << 20;
+constexpr std::size_t most_at_once = 16;
+// Of each run: who asks again does so before that many others were asked.
+constexpr std::size_t most_kept = 64;
+
+Octets reply_to(const Request& request, const Expected<PlainData>& answer) {
+    Reply reply{.to = request.from, .number = request.number, .well = answer.has_value()};
+    if (answer) {
+        reply.values = to_wire(*answer);
+    } else {
+        reply.problem = describe(answer.error());
+    }
+    Octets bytes;
+    write_cdr(bytes, on_the_wire, reply);
+    return bytes;
+}
+
+}  // namespace
+
+Writer* HostRequests::writer_for(const Topic& topic) {
+    auto& writer = writers_[topic.name];
+    if (writer == nullptr) writer = transport_.write(topic);
+    return writer.get();
+}
+
+Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTable& hosts, double now) {
+    if (question.host == host_)
+        return failure(fmt::format("{} is this host: its components have their own names", host_));
+    const Announcement* host = hosts.find(question.host);
+    if (host == nullptr) {
+        std::vector<std::string_view> names;
+        for (const Announcement* each : hosts.all()) names.push_back(each->head.host);
+        return failure(fmt::format("host {} is not there{}", shown(question.host), did_you_mean(question.host, names)));
+    }
+    Request request{.from = run_,
+                    .to = host->run,
+                    .number = ++last_,
+                    .what = static_cast<std::uint8_t>(question.what),
+                    .component = question.component,
+                    .name = question.name,
+                    .values = to_wire(question.values)};
+    Asked& asked = asked_[request.number];
+    asked.host = question.host;
+    asked.began = now;
+    write_cdr(asked.bytes, on_the_wire, request);
+    if (asked.bytes.size() > most_bytes) {
+        asked_.erase(request.number);
+        return failure(fmt::format("{}: what is sent is larger than 1 MiB", shown(question.name)));
+    }
+    Writer* writer = writer_for(request_topic(question.host));
+    if (writer == nullptr) {
+        asked_.erase(request.number);
+        return failure(transport_.problem());
+    }
+    asked.sent = now;
+    static_cast<void>(writer->write(asked.bytes));
+    return request.number;
+}
+
+std::optional<Expected<PlainData>> HostRequests::answer(std::uint64_t number, double now) {
+    const auto found = asked_.find(number);
+    if (found == asked_.end()) return Expected<PlainData>(failure("nothing was asked"));
+    Asked& asked = found->second;
+    if (!asked.answer && now - asked.began < patience) return std::nullopt;
+    Expected<PlainData> got = asked.answer ? std::move(*asked.answer)
+                                           : failure(fmt::format("host {} has not answered for {} s: it is not known "
+                                                                 "whether it was done",
+                                                                 asked.host, patience));
+    asked_.erase(found);
+    return got;
+}
+
+void HostRequests::serve(const HostTable& hosts, const System& system, bool writable, const ActDoor& act, double now) {
+    if (requests_ == nullptr) {
+        requests_ = transport_.read(request_topic(host_));
+        replies_ = transport_.read(reply_topic(host_));
+        if (requests_ == nullptr || replies_ == nullptr) return;
+    }
+    take_requests(hosts, system, writable, act);
+    take_replies();
+    for (auto each = asked_.begin(); each != asked_.end();) {
+        Asked& asked = each->second;
+        if (now - asked.began > 2 * patience) {  // nobody wants the answer any more
+            each = asked_.erase(each);
+            continue;
+        }
+        if (!asked.answer && now - asked.began < patience && now - asked.sent >= repetition) {
+            asked.sent = now;
+            if (Writer* writer = writer_for(request_topic(asked.host))) static_cast<void>(writer->write(asked.bytes));
+        }
+        ++each;
+    }
+}
+
+void HostRequests::take_requests(const HostTable& hosts, const System& system, bool writable, const ActDoor& act) {
+    std::vector<Sample> samples = requests_->take();
+    if (samples.empty()) return;
+    std::map<std::uint64_t, std::string> names;  // by run
+    for (const Announcement* host : hosts.all()) names.emplace(host->run, host->head.host);
+    std::erase_if(askers_, [&](const auto& each) { return !names.contains(each.first); });
+    std::size_t done = 0;
+    for (const Sample& sample : samples) {
+        Request request;
+        if (sample.bytes.size() > most_bytes || !read_cdr(sample.bytes, on_the_wire, request)) continue;
+        // Who is not heard of has not heard of this run either: it asks again.
+        const auto from = names.find(request.from);
+        if (request.to != run_ || from == names.end()) continue;
+        auto& replies = askers_[request.from].replies;
+        const bool is_old = replies.size() >= most_kept && request.number < replies.begin()->first;
+        if (is_old) continue;
+        Writer* writer = writer_for(reply_topic(from->second));
+        auto known = replies.find(request.number);
+        if (known == replies.end()) {
+            if (++done > most_at_once) continue;  // it comes again
+            const auto answered = [&]() -> Expected<PlainData> {
+                auto values = from_wire(std::move(request.values));
+                if (!values) return Unexpected(values.error());
+                return dds::answer({.host = host_,
+                                    .component = request.component,
+                                    .what = static_cast<Question::What>(request.what),
+                                    .name = request.name,
+                                    .values = std::move(*values)},
+                                   system, writable, act, {Actor::Kind::network, from->second});
+            }();
+            known = replies.emplace(request.number, reply_to(request, answered)).first;
+            if (replies.size() > most_kept) replies.erase(replies.begin());
+        }
+        if (writer != nullptr) static_cast<void>(writer->write(known->second));
+    }
+}
+
+void HostRequests::take_replies() {
+    for (const Sample& sample : replies_->take()) {
+        Reply reply;
+        if (!read_cdr(sample.bytes, on_the_wire, reply) || reply.to != run_) continue;
+        const auto asked = asked_.find(reply.number);
+        if (asked == asked_.end() || asked->second.answer) continue;
+        if (reply.well) {
+            asked->second.answer = from_wire(std::move(reply.values));
+        } else {
+            asked->second.answer =
+                Expected<PlainData>(failure(fmt::format("host {}: {}", asked->second.host, visible(reply.problem))));
+        }
+    }
+}
+
+}  // namespace nezumi::dds

@@ -1,0 +1,128 @@
+// What hosts ask of each other's components.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/dds/host_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::dds;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+using What = Question::What;
+
+Question question(What what, const std::string& name = "", PlainData values = {}) {
+    return {.host = "ev3", .component = "part", .what = what, .name = name, .values = std::move(values)};
+}
+
+// A value of the table of a look.
+PlainData::Value looked(const Expected<PlainData>& data, const std::string& key) {
+    REQUIRE(data.has_value());
+    for (const auto& [name, value] : data->tables.at(0)) {
+        if (name == PlainData::Value{key}) return value;
+    }
+    return {};
+}
+
+PlainData one(PlainData::Value value) {
+    PlainData data;
+    data.values.push_back(std::move(value));
+    return data;
+}
+
+std::string text(const Expected<PlainData>& answer) {
+    if (!answer) return "! " + answer.error().message;
+    return answer->values.empty() ? "" : std::get<std::string>(answer->values[0]);
+}
+
+}  // namespace
+
+TEST_CASE("a component of another host says what it is, and does what it is told", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(ev3.part->parameters().declare({.name = "speed", .initial = 0.5, .min = 0.0, .max = 1.0}));
+    REQUIRE(ev3.part->parameters().declare({.name = "list", .initial = std::vector<double>{1.0}}));
+    pass(room, 3, ev3, pi);
+    CHECK(looked(pi.ask(question(What::look), ev3), "status") == PlainData::Value{"ACTIVE"});
+    CHECK(looked(pi.ask(question(What::look), ev3), "type") == PlainData::Value{"Part"});
+    CHECK(ev3.acts.empty());  // to look is no act
+    CHECK(text(pi.ask(question(What::deactivate), ev3)) == "INACTIVE");
+    CHECK(ev3.part->state() == LifeState::inactive);
+    CHECK(text(pi.ask(question(What::activate), ev3)) == "ACTIVE");
+    CHECK(text(pi.ask(question(What::set, "speed", one(0.25)), ev3)) == "");
+    CHECK(ev3.part->parameters().find("speed")->value == ParameterValue{0.25});
+    PlainData list = one(PlainData::TableRef{0});
+    list.tables.push_back({{std::int64_t{1}, 2.5}, {std::int64_t{2}, std::int64_t{3}}});
+    CHECK(text(pi.ask(question(What::set, "list", list), ev3)) == "");
+    CHECK(ev3.part->parameters().find("list")->value == ParameterValue{std::vector<double>{2.5, 3.0}});
+    CHECK(ev3.acts == Lines{"Deactivate by network pi", "Activate by network pi", "SetParameter by network pi",
+                            "SetParameter by network pi"});
+}
+
+TEST_CASE("what another host refuses is told with its name", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(ev3.part->parameters().declare({.name = "speed", .initial = 0.5, .min = 0.0, .max = 1.0}));
+    pass(room, 3, ev3, pi);
+    CHECK(text(pi.ask(question(What::set, "speed", one(2.0)), ev3)) ==
+          "! host ev3: parameter 'speed' (number): 2.0 is above its maximum 1.0");
+    CHECK(text(pi.ask(question(What::set, "sped", one(1.0)), ev3)).find("! host ev3: unknown parameter 'sped'") == 0);
+    Question none = question(What::look);
+    none.component = "prt";
+    CHECK(text(pi.ask(none, ev3)).find("(did you mean 'part'?)") != std::string::npos);
+    none.host = "ev4";
+    CHECK(text(pi.ask(none, ev3)) == "! host ev4 is not there (did you mean 'ev3'?)");
+    none.host = "pi";
+    CHECK(text(pi.ask(none, ev3)) == "! pi is this host: its components have their own names");
+}
+
+TEST_CASE("where others may only look, they look at components and change nothing", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3", false), pi(room, "pi");
+    pass(room, 3, ev3, pi);
+    CHECK(looked(pi.ask(question(What::look), ev3), "status") == PlainData::Value{"ACTIVE"});
+    CHECK(text(pi.ask(question(What::deactivate), ev3)).find("! host ev3: others may only look") == 0);
+    CHECK(ev3.part->state() == LifeState::active);
+}
+
+TEST_CASE("a host that does not answer is told after 2 s, and what was asked then is not done later",
+          "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    pass(room, 3, ev3, pi);
+    room.domain.cut = true;
+    const double begin = room.clock;
+    CHECK(text(pi.ask(question(What::deactivate), ev3)) ==
+          "! host ev3 has not answered for 2 s: it is not known whether it was done");
+    CHECK(room.clock - begin < 2.2);
+    room.domain.cut = false;
+    pass(room, 10, ev3, pi);
+    CHECK(ev3.part->state() == LifeState::active);
+}
+
+TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    pass(room, 3, ev3, pi);
+    room.domain.cut = true;
+    const auto number = pi.questions().ask(question(What::deactivate));
+    REQUIRE(number.has_value());
+    room.domain.cut = false;
+    room.clock += 0.3;
+    pi.look();  // asks again
+    room.domain.cut = true;
+    ev3.look();  // its answer is lost
+    CHECK(ev3.part->state() == LifeState::inactive);
+    room.domain.cut = false;
+    REQUIRE(ev3.part->activate(ev3.system.now()));
+    for (int i = 0; i < 3; ++i) {
+        room.clock += 0.3;
+        pi.look();
+        ev3.look();
+    }
+    pi.look();
+    const auto answer = pi.questions().answer(*number);
+    REQUIRE(answer.has_value());
+    CHECK(text(*answer) == "INACTIVE");
+    CHECK(ev3.part->state() == LifeState::active);
+}
