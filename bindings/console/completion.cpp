@@ -8,6 +8,7 @@
 #include "bindings/console/cursor_text.hpp"
 #include "bindings/console/session_parts.hpp"
 #include "bindings/console/words.hpp"
+#include "bindings/lua/live/host_look.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
@@ -22,7 +23,9 @@ using Names = std::vector<std::string>;
 
 // What a chain of names leads to, if it is there.
 struct Place {
-    enum class Kind { nothing, system, component, ports, port, config, truth, value, data, table } kind = Kind::nothing;
+    // `remote`: a host, or a component of one, "ev3/vehicle".
+    enum class Kind { nothing, system, component, ports, port, config, truth, value, data, table, hosts, remote };
+    Kind kind = Kind::nothing;
     std::string component;
     std::string port;  // also of `value`; the member, as "state", of `data`
     Names fields{};    // below `value`, `truth` and `data`
@@ -133,6 +136,8 @@ private:
     Names names_in(const System& system, const Place& place, bool called) const {
         using Kind = Place::Kind;
         if (place.kind == Kind::system) return called ? Names{} : names_of(system);
+        if (place.kind == Kind::hosts) return called ? Names{} : host_names(system);
+        if (place.kind == Kind::remote) return host_members(system, place.component, called);
         const Component* component = system.find(place.component);
         if (component == nullptr) return {};
         const Port* port = component->find_port(place.port);
@@ -171,6 +176,10 @@ private:
             case ObjectKind::config: return {Place::Kind::config, owner};
             case ObjectKind::truth: return {Place::Kind::truth, owner};
             case ObjectKind::port: return {Place::Kind::port, owner, std::string(ref->port())};
+            case ObjectKind::hosts: return {Place::Kind::hosts};
+            case ObjectKind::host:
+            case ObjectKind::remote: return {Place::Kind::remote, owner};
+            case ObjectKind::remote_config: return {};
             default: return {Place::Kind::component, owner};
         }
     }
@@ -204,6 +213,10 @@ private:
         using Kind = Place::Kind;
         switch (place.kind) {
             case Kind::system: return {Kind::component, name};
+            case Kind::hosts: return {Kind::remote, name};
+            case Kind::remote:
+                if (place.component.find('/') != std::string::npos) return {};
+                return {Kind::remote, place.component + "/" + name};
             case Kind::component:
                 if (name == "ports") return {Kind::ports, place.component};
                 if (name == "config") return {Kind::config, place.component};
@@ -304,9 +317,14 @@ Names texts(const System& system, const TextAtCursor& text) {
     const std::string& word = text.word;
     if (text.callee.separator != 0 || !text.field.empty()) return {};
     if (word == "connect" || word == "disconnect") {
-        if (text.argument == 1) return port_paths(system, word == "disconnect", true);
-        const auto first = system.port(text.first);
-        return port_paths(system, true, false, first ? *first : nullptr);
+        const bool connects = word == "connect";
+        const auto first = text.argument == 1 ? Expected<const Port*>(nullptr) : system.port(text.first);
+        const Port* like = first ? *first : nullptr;
+        Names paths = text.argument == 1 ? port_paths(system, !connects, true) : port_paths(system, true, false, like);
+        const Direction wanted = text.argument == 1 ? Direction::out : Direction::in;
+        for (std::string& path : connects ? offered_ports(system, wanted, like) : Names{})
+            paths.push_back(std::move(path));
+        return paths;
     }
     if (text.argument > 1) return {};
     for (const char* each : {"inject", "hold", "release", "watch", "unwatch", "plot"}) {

@@ -5,6 +5,7 @@
 
 #include "bindings/console/session_parts.hpp"
 #include "bindings/console/words.hpp"
+#include "bindings/lua/live/host_look.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 
@@ -108,6 +109,8 @@ Expected<void> open_scope(Session::Parts& parts) {
         lua_pushvalue(L, -1);
         lua_setfield(L, -3, "world");
         lua_setfield(L, -2, "system");
+        push_hosts(L, *parts.objects, parts.live);
+        lua_setfield(L, -2, "hosts");
         lua_pushvalue(L, -1);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &words_key);
         const int words = lua_gettop(L);

@@ -81,6 +81,11 @@ Expected<std::string> path_asked(Session::Parts& parts, const Arguments& argumen
             case ObjectKind::ports: return fmt::format("{}.ports", ref->component());
             case ObjectKind::config: return fmt::format("{}.config", ref->component());
             case ObjectKind::truth: return fmt::format("{}.truth", ref->component());
+            case ObjectKind::hosts:
+            case ObjectKind::host:
+            case ObjectKind::remote:
+            case ObjectKind::remote_config:
+                return failure("what is of another host is explained there; its name alone shows it here");
         }
     }
     auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");

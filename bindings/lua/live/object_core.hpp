@@ -18,8 +18,19 @@
 
 namespace nezumi {
 
-enum class ObjectKind : unsigned char { system, component, ports, port, config, truth };
-inline constexpr std::size_t object_kinds = 6;
+enum class ObjectKind : unsigned char {
+    system,
+    component,
+    ports,
+    port,
+    config,
+    truth,
+    hosts,
+    host,           ///< its component's name is the host's
+    remote,         ///< a component of another host: "host/name"
+    remote_config,  ///< its parameters
+};
+inline constexpr std::size_t object_kinds = 10;
 
 /// The start of an object's userdata: it refers by name, so that it outlives reloads and restarts. The names follow it
 /// in the same block.
@@ -86,6 +97,8 @@ struct ObjectAccess {
         objects.visit_([&] { got = body(); });
         return got;
     }
+    /// Whether there are ticks beside.
+    static bool ticks_beside(const Objects& objects) { return static_cast<bool>(objects.visit_); }
     /// Where there are no ticks beside, all may be copied.
     static PlainLimit look_limit(const Objects& objects) {
         constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
@@ -168,5 +181,13 @@ const ObjectFunctions& config_functions();
 const ObjectFunctions& truth_functions();
 const ObjectFunctions& ports_functions();
 const ObjectFunctions& system_functions();
+const ObjectFunctions& hosts_functions();
+const ObjectFunctions& host_functions();
+const ObjectFunctions& remote_functions();
+const ObjectFunctions& remote_config_functions();
+
+/// `pairs`: a table from each name to what the object's own __index gives, sorted as every table. May raise a Lua
+/// error.
+int pairs_of_names(lua_State* L, Expected<std::vector<std::string>> (*names)(const ObjectRef&));
 
 }  // namespace nezumi

@@ -25,6 +25,10 @@ const ObjectFunctions& functions_of(std::size_t kind) {
         case ObjectKind::ports: return ports_functions();
         case ObjectKind::port: return port_functions();
         case ObjectKind::config: return config_functions();
+        case ObjectKind::hosts: return hosts_functions();
+        case ObjectKind::host: return host_functions();
+        case ObjectKind::remote: return remote_functions();
+        case ObjectKind::remote_config: return remote_config_functions();
         case ObjectKind::truth: break;
     }
     return truth_functions();

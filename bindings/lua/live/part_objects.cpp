@@ -191,7 +191,8 @@ int system_tostring(lua_State* L) {
     });
 }
 
-// `pairs`: a table from each name to what the object's own __index gives, sorted as every table.
+}  // namespace
+
 int pairs_of_names(lua_State* L, Expected<std::vector<std::string>> (*names)(const ObjectRef&)) {
     Objects& objects = objects_of(L);
     lua_settop(L, 1);
@@ -213,6 +214,8 @@ int pairs_of_names(lua_State* L, Expected<std::vector<std::string>> (*names)(con
     lua_call(L, 1, 3);
     return 3;
 }
+
+namespace {
 
 template <std::vector<std::string> (*names)(const Component&)>
 int component_pairs(lua_State* L) {

@@ -169,6 +169,55 @@ TEST_CASE("hosts of a secret find each other, and those without it do not", "[cl
     CHECK_FALSE(three.wait_for_error("hears", 3));
 }
 
+TEST_CASE("a component of another host is asked, set and told what to do at the console", "[cli][network][wallclock]") {
+    Scratch scratch;
+    const std::string driven = scratch
+                                   .write("driven.lua", R"(network { name = "one", domain = 223 }
+behavior "driver" { script = "robot_controller", config = { speed_x = 0.1 } }
+)")
+                                   .string();
+    const std::string asks = scratch.write("asks.lua", "network { name = \"two\", domain = 223 }\n").string();
+    const std::string lines = scratch
+                                  .write("lines.txt", R"(run(5)
+print(hosts.one.driver.type, hosts.one.driver.status, hosts.one.driver.config.speed_x)
+hosts.one.driver.config.speed_x = 0.25
+print(hosts.one.driver.config.speed_x)
+print(hosts.one.driver:deactivate(), hosts.one.driver.status)
+print(hosts.one.driver.out)
+hosts.one.driver.config.speed_x = 99
+hosts.one.driver:measure(1)
+hosts.ona
+)")
+                                  .string();
+    Program one({"run", driven, "--headless"});
+    const Outcome ran = run_nezumi({"run", asks, "--batch", "--speed", "1"}, "", lines);
+    INFO(ran.error);
+    CHECK(ran.out.find("RobotController\tACTIVE\t0.1\n0.25\nINACTIVE\tINACTIVE\none/driver.out\n") !=
+          std::string::npos);
+    const std::string said = ran.out + ran.error;
+    CHECK(said.find("host one: parameter 'speed_x' (number): 99.0 is above its maximum 1.5") != std::string::npos);
+    CHECK(said.find("host one: unknown command 'measure'") != std::string::npos);
+    CHECK(said.find("there is no host 'ona' (did you mean 'one'?)") != std::string::npos);
+}
+
+TEST_CASE("what came over the network is in the journal: its replay is the same, alone", "[cli][network][wallclock]") {
+    TwoHosts hosts;
+    Program counter({"run", hosts.counter, "--headless"});
+    const std::string journal = hosts.scratch.path("j").string();
+    const Outcome ran =
+        run_nezumi({"run", hosts.listener, "--headless", "--duration", "3", "--journal", journal, "--trace-hash"});
+    REQUIRE(ran.status == 0);
+    REQUIRE(ran.error.find("hears") != std::string::npos);
+    counter.send(SIGKILL);
+    counter.wait();
+    const Outcome again =
+        run_nezumi({"run", hosts.listener, "--headless", "--speed", "max", "--replay", journal, "--trace-hash"});
+    INFO(again.error);
+    CHECK(again.status == 0);
+    CHECK(again.out == ran.out);
+    CHECK(again.error.find("hears") != std::string::npos);
+}
+
 TEST_CASE("who is in a domain is listed", "[cli][network][wallclock]") {
     TwoHosts hosts;
     Program counter({"run", hosts.counter, "--headless"});

@@ -1,0 +1,61 @@
+// What a command may be given, so that no tick is late.
+#include "bindings/lua/live/command_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "bindings/lua/sandbox/call.hpp"
+#include "bindings/lua/values/plain_data.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr Budget copy_budget{1.0};  // to copy arguments
+
+// What a command may be given: the thread that ticks puts it into the script's state, at 0.3 us a value.
+constexpr std::size_t most_given = 10'000;        // values
+constexpr std::size_t most_text_given = 1 << 20;  // bytes
+
+Expected<void> check_size(const PlainData& data, std::string_view command) {
+    std::size_t count = data.values.size();
+    std::size_t text = 0;
+    const auto add = [&](const PlainData::Value& value) {
+        if (const auto* string = std::get_if<std::string>(&value)) text += string->size();
+    };
+    for (const PlainData::Value& value : data.values) add(value);
+    for (const PlainData::Table& table : data.tables) {
+        count += table.size();
+        for (const auto& [key, value] : table) {
+            add(key);
+            add(value);
+        }
+    }
+    if (count > most_given)
+        return failure(fmt::format("command '{}' was given {} values: at most {}, so that no tick is late", command,
+                                   count, most_given));
+    if (text > most_text_given)
+        return failure(fmt::format("command '{}' was given {} bytes of text: at most {}, so that no tick is late",
+                                   command, text, most_text_given));
+    return {};
+}
+
+}  // namespace
+
+Expected<PlainData> read_arguments(lua_State* L, std::string_view command) {
+    const int count = lua_gettop(L) - 1;
+    std::vector<std::string> names;
+    for (int i = 1; i <= count; ++i) names.push_back(fmt::format("argument {}", i));
+    std::vector<Dropped> dropped;
+    auto arguments = take_plain(L, count, copy_budget, names, dropped);
+    if (!arguments) return Unexpected(arguments.error());
+    if (dropped.empty()) {
+        if (auto fits = check_size(*arguments, command); !fits) return Unexpected(fits.error());
+        return std::move(*arguments);
+    }
+    return failure(fmt::format("command '{}': {} is {}, and only plain data can be given", command,
+                               dropped.front().path, dropped.front().what));
+}
+
+}  // namespace nezumi

@@ -1,0 +1,309 @@
+// A component of another host, `hosts.ev3.vehicle`: it is asked over the network while ticks go on.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "bindings/lua/live/command_arguments.hpp"
+#include "bindings/lua/live/host_look.hpp"
+#include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/sandbox/ordered.hpp"
+#include "bindings/lua/values/member_names.hpp"
+#include "engine/base/visible.hpp"
+
+namespace nezumi {
+namespace {
+
+using Names = std::vector<std::string>;
+using What = Question::What;
+
+// Asks, and waits for the answer beside the ticks: as long as the network does.
+Expected<PlainData> ask(const Objects& objects, const ObjectRef& ref, What what, std::string_view name = "",
+                        PlainData values = {}) {
+    const Question question{.host = std::string(host_of(ref.component())),
+                            .component = std::string(component_of(ref.component())),
+                            .what = what,
+                            .name = std::string(name),
+                            .values = std::move(values)};
+    std::optional<std::uint64_t> number;
+    std::optional<Expected<PlainData>> got;
+    int start = 0;
+    const auto turn = [&]() -> Expected<Answer> {
+        const LiveSystem& live = *ref.live();
+        const auto* questions = dynamic_cast<const HostQuestions*>(live.system().network());
+        if (questions == nullptr) return Unexpected(find_host(live.system(), question.host).error());
+        if (number && start != live.starts()) return failure("the system began anew meanwhile");
+        if (number) {
+            got = questions->answer(*number);
+            return Answer{};
+        }
+        const auto asked = questions->ask(question);
+        if (!asked) return Unexpected(asked.error());
+        number = *asked;
+        start = live.starts();
+        return Answer{};
+    };
+    while (!got) {
+        if (auto done = ObjectAccess::visit(objects, turn); !done) return Unexpected(done.error());
+        if (got) break;
+        if (!ObjectAccess::ticks_beside(objects)) return failure("no answer can come: nothing ticks beside");
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return std::move(*got);
+}
+
+// What stands at a key of a table; nullptr for none.
+const PlainData::Value* find(const PlainData& data, std::size_t table, std::string_view key) {
+    if (table >= data.tables.size()) return nullptr;
+    for (const auto& [each, value] : data.tables[table]) {
+        const auto* text = std::get_if<std::string>(&each);
+        if (text != nullptr && *text == key) return &value;
+    }
+    return nullptr;
+}
+
+// One value of a look, whose tables go with it.
+Answer answer_of_value(PlainData looked_at, const PlainData::Value& value) {
+    looked_at.values = {value};
+    return Answer{std::move(looked_at)};
+}
+
+// The table of parameters in a look.
+std::size_t config_of(const PlainData& data) {
+    const auto* value = find(data, 0, "config");
+    const auto* ref = value != nullptr ? std::get_if<PlainData::TableRef>(value) : nullptr;
+    return ref != nullptr ? ref->index : data.tables.size();
+}
+
+Names keys_of(const PlainData& data, std::size_t table) {
+    Names names;
+    if (table >= data.tables.size()) return names;
+    for (const auto& [key, value] : data.tables[table]) {
+        if (const auto* text = std::get_if<std::string>(&key)) names.push_back(*text);
+    }
+    return names;
+}
+
+std::string text_of(const PlainData& data, const PlainData::Value& value) {
+    if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
+    if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", shown(*text));
+    const auto* table = std::get_if<PlainData::TableRef>(&value);
+    if (table == nullptr || table->index >= data.tables.size()) return "nil";
+    Names elements;
+    for (const auto& [key, element] : data.tables[table->index]) {
+        const bool is_table = std::holds_alternative<PlainData::TableRef>(element);
+        elements.push_back(is_table ? "..." : text_of(data, element));
+    }
+    return elements.empty() ? "{}" : fmt::format("{{ {} }}", fmt::join(elements, ", "));
+}
+
+std::string config_text(const PlainData& data) {
+    Names lines;
+    const std::size_t config = config_of(data);
+    for (const std::string& name : keys_of(data, config))
+        lines.push_back(fmt::format("{} = {}", name, text_of(data, *find(data, config, name))));
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+// Methods
+
+const RemoteMethod* find_method(std::string_view name) {
+    const auto found = std::find_if(remote_methods.begin(), remote_methods.end(),
+                                    [&](const RemoteMethod& each) { return each.name == name; });
+    return found != remote_methods.end() ? &*found : nullptr;
+}
+
+Expected<const ObjectRef*> check_self(lua_State* L, std::string_view method) {
+    if (const ObjectRef* self = to_object(L, 1, ObjectKind::remote)) return self;
+    return failure(fmt::format("{}: write `X:{}(...)` with a colon, not `X.{}(...)`", method, method, method));
+}
+
+int call_method(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const std::string_view name = text_at(L, lua_upvalueindex(2));
+        const auto self = check_self(L, name);
+        if (!self) return Unexpected(self.error());
+        const RemoteMethod* method = find_method(name);
+        if (method == nullptr) {
+            auto arguments = read_arguments(L, name);
+            if (!arguments) return Unexpected(arguments.error());
+            auto results = ask(objects, **self, What::command, name, std::move(*arguments));
+            return results ? Expected<Answer>(Answer{std::move(*results)}) : Unexpected(results.error());
+        }
+        const bool uses = method->what == What::use;
+        if (uses && lua_type(L, 2) != LUA_TSTRING)
+            return failure(R"(use: expected the name of a set, as in :use "careful")");
+        auto done = ask(objects, **self, method->what, uses ? text_at(L, 2) : "");
+        return done ? Expected<Answer>(Answer{std::move(*done)}) : Unexpected(done.error());
+    });
+}
+
+// A component
+
+// What needs no question, or nothing.
+std::optional<Expected<Answer>> known_member(const ObjectRef& ref, std::string_view name) {
+    const std::string path(ref.component());
+    const System& system = ref.live()->system();
+    if (name == "name") return Answer{path};
+    if (name == "config") return Answer{ObjectName{ObjectKind::remote_config, ref.live(), path, ""}};
+    const std::vector<OfferedPort> ports = ports_of(system, path);
+    if (name == "ports") {
+        Names names;
+        for (const OfferedPort& port : ports) names.push_back(port.name);
+        return Answer{std::move(names)};
+    }
+    if (std::find(remote_words.begin(), remote_words.end(), name) != remote_words.end()) return std::nullopt;
+    for (const OfferedPort& port : ports) {
+        if (port.name == name) return Answer{fmt::format("{}.{}", path, name)};
+    }
+    const auto all = member_names();
+    const bool is_local =
+        std::any_of(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
+    if (is_local && find_method(name) == nullptr)
+        return failure(fmt::format("{} has no '{}' over the network", path, name));
+    return Answer{MethodName{call_method, std::string(name)}};  // a command, if that host has it
+}
+
+int remote_index(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        if (lua_type(L, 2) != LUA_TSTRING)
+            return failure(fmt::format("{} is a component: its members have names", ref.component()));
+        const std::string_view name = text_at(L, 2);
+        std::optional<Expected<Answer>> known;
+        auto visited = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
+            known = known_member(ref, name);
+            return Answer{};
+        });
+        if (!visited) return visited;
+        if (known) return std::move(*known);
+        auto look = ask(objects, ref, What::look);
+        if (!look) return Unexpected(look.error());
+        const PlainData::Value* value = find(*look, 0, name);
+        if (value == nullptr) return Answer{};
+        const PlainData::Value found = *value;
+        return answer_of_value(std::move(*look), found);
+    });
+}
+
+int remote_newindex(lua_State* L) {
+    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+        return failure(fmt::format("what is of {} can't be set; parameters can, as in X.config.NAME = value",
+                                   to_object(L, 1)->component()));
+    });
+}
+
+int remote_pairs(lua_State* L) {
+    return answer(L, objects_of(L), []() -> Expected<Answer> {
+        return failure("a component can't be traversed; its parameters can: pairs(X.config)");
+    });
+}
+
+int remote_tostring(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        const auto look = ask(objects, ref, What::look);
+        if (!look) return Answer{fmt::format("{}: {}", ref.component(), look.error().message)};
+        const auto text = [&](std::string_view key) {
+            const auto* value = find(*look, 0, key);
+            const auto* is = value != nullptr ? std::get_if<std::string>(value) : nullptr;
+            return is != nullptr ? visible(*is) : "?";
+        };
+        std::string all = fmt::format("{}  {}, {}", ref.component(), text("type"), text("status"));
+        if (find(*look, 0, "error") != nullptr) all += "\nerror: " + text("error");
+        auto listed = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
+            for (const OfferedPort& port : ports_of(ref.live()->system(), ref.component()))
+                all += fmt::format("\n  {:<3} {}  {}", port.direction == Direction::in ? "in" : "out", port.name,
+                                   port.type);
+            return Answer{};
+        });
+        if (!listed) return listed;
+        const std::string config = config_text(*look);
+        if (!config.empty()) all += "\n" + config;
+        return Answer{std::move(all)};
+    });
+}
+
+// Its parameters
+
+int config_index(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        if (lua_type(L, 2) != LUA_TSTRING) return failure("config: what is in it has a name");
+        auto look = ask(objects, ref, What::look);
+        if (!look) return Unexpected(look.error());
+        const std::size_t config = config_of(*look);
+        const PlainData::Value* value = find(*look, config, text_at(L, 2));
+        if (value == nullptr) {
+            const Names known = keys_of(*look, config);
+            return failure(fmt::format("{}: unknown parameter '{}'{}", ref.component(), shown(text_at(L, 2)),
+                                       did_you_mean(text_at(L, 2), {known.begin(), known.end()})));
+        }
+        const PlainData::Value found = *value;
+        return answer_of_value(std::move(*look), found);
+    });
+}
+
+int config_newindex(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const ObjectRef& ref = *to_object(L, 1);
+        if (lua_type(L, 2) != LUA_TSTRING) return failure("config: what is in it has a name");
+        const std::string name(text_at(L, 2));
+        std::vector<Dropped> dropped;
+        constexpr Budget copy_budget{1.0};
+        auto value = take_plain(L, 1, copy_budget, {name}, dropped);
+        if (!value) return Unexpected(value.error());
+        if (!dropped.empty())
+            return failure(fmt::format("parameter '{}': {} is {}", shown(name), dropped[0].path, dropped[0].what));
+        const auto done = ask(objects, ref, What::set, name, std::move(*value));
+        return done ? Expected<Answer>(Answer{}) : Unexpected(done.error());
+    });
+}
+
+int config_pairs(lua_State* L) {
+    Objects& objects = objects_of(L);
+    lua_settop(L, 1);
+    answer_beside(L, objects, [&]() -> Expected<Answer> {
+        auto look = ask(objects, *to_object(L, 1), What::look);
+        if (!look) return Unexpected(look.error());
+        const std::size_t config = config_of(*look);
+        return answer_of_value(std::move(*look), PlainData::TableRef{config});
+    });
+    lua_pushcfunction(L, ordered_pairs);
+    lua_pushvalue(L, 2);
+    lua_call(L, 1, 3);
+    return 3;
+}
+
+int config_tostring(lua_State* L) {
+    Objects& objects = objects_of(L);
+    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+        const auto look = ask(objects, *to_object(L, 1), What::look);
+        return Answer{look ? config_text(*look) : look.error().message};
+    });
+}
+
+}  // namespace
+
+const ObjectFunctions& remote_functions() {
+    static constexpr ObjectFunctions functions{remote_index, remote_newindex, remote_pairs, remote_tostring,
+                                               "component of another host"};
+    return functions;
+}
+
+const ObjectFunctions& remote_config_functions() {
+    static constexpr ObjectFunctions functions{config_index, config_newindex, config_pairs, config_tostring, "config"};
+    return functions;
+}
+
+}  // namespace nezumi
