@@ -212,7 +212,10 @@ bool Keeper::is_to_be_made(Link& link, PortObject& port) {
     if (!link.ended_at) link.ended_at = Clock::now();
     if (Clock::now() - *link.ended_at < last_words) return false;
     const Life life = life_of(link.theirs);
-    if (life == Life::lives) home_.site.ended(link.wanted);
+    if (life == Life::lives) {
+        told_.erase(about(link.wanted));  // made again, it is told again
+        home_.site.ended(link.wanted);
+    }
     if (life != Life::silent) link = {.wanted = link.wanted, .is_ended = life == Life::lives};
     return life == Life::gone;
 }

@@ -112,7 +112,8 @@ TEST_CASE("connections to RTCs are made at the console, shown and saved", "[cons
     const auto saved = present_system(*it.live).spec.rtm_connections;
     REQUIRE(saved.size() == 2);
     CHECK(saved[0] == ConnectionSpec{"rtm:Out0.out", "controller.in", {}});
-    CHECK_THAT(it.type("save 'saved.lua'"), Contains(": 2 components, 4 connections"));
+    CHECK_THAT(it.type("save '" + it.folder.path("saved.lua").string() + "'"),
+               Contains(": 2 components, 4 connections"));
     CHECK(it.type("disconnect('rtm:Out0.out', 'controller.in')") == "");
     CHECK(it.type("disconnect(controller.out)") == "");
     CHECK(present_system(*it.live).spec.rtm_connections.empty());
