@@ -90,7 +90,7 @@ TEST_CASE("a browser is told the other systems, and leads to what its user may d
             const auto systems = WebRig::Json::parse(browser.next_text("\"is\":\"systems\""))["systems"];
             REQUIRE(systems.size() == 2);
             CHECK(systems[0]["here"] == true);
-            CHECK(systems[0]["url"] == "");
+            CHECK(systems[0]["url"].get<std::string>().empty());
             CHECK(systems[1]["name"] == "other");
             CHECK(systems[1]["url"] == (may_act ? page_of("", 1).url : page_of("", 1).view_url));
         }
