@@ -209,7 +209,7 @@ TEST_CASE("what is said of a parameter is read in any order, and a slip is told"
     CHECK(read("a=0.5,min=low") == "--param 'a': min: expected a number, got 'low'");
     CHECK(read("a=0.5,min=0,min=1") == "--param 'a': 'min' is given twice");
     CHECK(read("a=x,choices=x") == "--param 'a': choices: expected { a, b }, got 'x'");
-    CHECK(refusal({.name = "b", .parameters = {"a=2.0,max=1"}}).find("a") != std::string::npos);
+    CHECK(refusal({.name = "b", .parameters = {"a=2.0,max=1"}}).find('a') != std::string::npos);
     CHECK(refusal({.name = "b", .parameters = {"a=2.0,max=1"}}) != "nothing");
     CHECK(refusal({.name = "b", .doc = "x\nos.exit()"}) == "--doc: expected one line");
 }
