@@ -29,6 +29,7 @@ Expected<void> read_verb(PeerWish& wish, const std::string& text, const Argument
     const auto* verb = std::find_if(verbs.begin(), verbs.end(), [&](const Verb& each) { return each.name == text; });
     if (verb == verbs.end()) {
         std::vector<std::string_view> names;
+        names.reserve(verbs.size());
         for (const Verb& each : verbs) names.push_back(each.name);
         const std::string near = did_you_mean(text, names);
         return failure(fmt::format("there is no '{}'{}", shown(text),

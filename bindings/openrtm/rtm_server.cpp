@@ -135,7 +135,7 @@ void RtmServer::after_tick() {
              {std::pair{wanted.little, std::endian::little}, std::pair{wanted.big, std::endian::big}}) {
             if (!is_wanted) continue;
             for_each_message(*outlet.port, order, buffer_,
-                             [&, order_ = order] { orb_->publish(outlet.path, buffer_, order_); });
+                             [&, in = order] { orb_->publish(outlet.path, buffer_, in); });
         }
     }
 }

@@ -152,7 +152,7 @@ void Keeper::withdraw(RtcObject& rtc) {
 std::string Keeper::free_instance(const std::string& component) {
     try {
         for (int i = 0; i < most_instances; ++i) {
-            const std::string instance = component + std::to_string(i);
+            std::string instance = component + std::to_string(i);
             if (names_.bound(instance + ".rtc", CORBA::Object::_nil()) != NameService::Bound::other) return instance;
         }
     } catch (const CORBA::Exception&) {
@@ -228,8 +228,10 @@ void Keeper::make_links() {
         const std::string other = "rtm:" + wanted.component + "." + wanted.port;
         const std::string between = port->port().is_in ? other + " to " + wanted.path : wanted.path + " to " + other;
         const std::string problem = link(names_, *port, wanted, each.theirs);
-        tell_once(about(wanted), !problem.empty(),
-                  problem.empty() ? "connected: " + between : "not connected: " + between + ": " + problem);
+        std::string text = problem.empty() ? "connected: " : "not connected: ";
+        text += between;
+        if (!problem.empty()) text.append(": ").append(problem);
+        tell_once(about(wanted), !problem.empty(), text);
     }
 }
 

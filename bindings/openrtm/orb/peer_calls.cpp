@@ -80,6 +80,7 @@ std::string change_state(RTC::RTObject_ptr rtc, RtcRequest::What what) {
 template <class Pairs>
 std::vector<std::string> names_of(const Pairs& pairs) {
     std::vector<std::string> names;
+    names.reserve(pairs.size());
     for (const auto& [name, value] : pairs) names.push_back(name);
     return names;
 }

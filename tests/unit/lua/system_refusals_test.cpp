@@ -334,8 +334,8 @@ TEST_CASE("what RTCs see is said once, by names that there are", "[lua][system_f
     CHECK(error(c + "rtm { exports = 'c' }") == "s.lua:2:7: rtm: unknown field 'exports' (did you mean 'export'?)");
     CHECK(error(c + "rtm { export = 5 }") ==
           "s.lua:2:7: rtm: field 'export' expected a name or a list of names, got number");
-    CHECK(error(c + "rtm { export = { 'c', 'd' } }") ==
-          "s.lua:2: rtm: field 'export' names no component: there is none 'd' (did you mean 'c'?)");
+    CHECK(error(c + "rtm { export = { 'c', 'cc' } }") ==
+          "s.lua:2: rtm: field 'export' names no component: there is none 'cc' (did you mean 'c'?)");
     CHECK(error(c + "rtm { export = { 'c', 'c' } }") == "s.lua:2:7: rtm: field 'export' has 'c' twice");
     CHECK(error(c + "rtm { export = 'c' }\nrtm {}") == "s.lua:3: rtm: is set already, at behaviors/systems/s.lua:2");
     CHECK(error(c + "rtm { nameserver = 'localhost:0' }") ==
@@ -361,8 +361,8 @@ TEST_CASE("one end of a connection may be another program's port, and the other 
     CHECK(error(c + "connect('rtm:Out0.out', 'c.in')") ==
           "s.lua:2: connect: rtm:Out0.out is a port of another program, which sees only what is exported: write rtm { "
           "export = { \"c\" } }");
-    CHECK(error(exported + "connect('rtm:Out0.out', 'd.in')") ==
-          "s.lua:3: connect: there is no component 'd' (did you mean 'c'?)");
+    CHECK(error(exported + "connect('rtm:Out0.out', 'cc.in')") ==
+          "s.lua:3: connect: there is no component 'cc' (did you mean 'c'?)");
     CHECK(error(exported + "connect('rtm:Out0.out', 'rtm:In0.in')") ==
           "s.lua:3: connect: both ends are ports of other programs: one of them must be of this system");
     for (const std::string slip :
