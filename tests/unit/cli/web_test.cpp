@@ -187,7 +187,7 @@ TEST_CASE("other computers are let in by TLS alone, with a certificate whose fin
     unsetenv("XDG_STATE_HOME");
 }
 
-TEST_CASE("--open shows the desktop's browser the page by a file, so that no command line has its token",
+TEST_CASE("a run with --open shows the desktop's browser the page by a file, so that no command line has its token",
           "[cli][web]") {
     const System system;
     const std::string told = system.scratch.path("told").string();
