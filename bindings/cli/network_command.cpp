@@ -1,5 +1,6 @@
 // `nezumi network`: who is there, and the secret that hosts share.
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <cstdio>
@@ -50,12 +51,11 @@ int write_secret(const std::string& file) {
     std::error_code none;
     if (std::filesystem::exists(file, none))
         return refuse(fmt::format("network secret: {} is there already: hosts that have it would be without it", file));
-    if (auto written = write_whole(file, dds::secret_text(dds::make_secret())); !written)
-        return refuse(written.error());
-    using std::filesystem::perms;
-    std::error_code problem;
-    std::filesystem::permissions(file, perms::owner_read | perms::owner_write, problem);
-    if (problem) return refuse(fmt::format("network secret: {}: {}", file, problem.message()));
+    // Nobody else may read it, not even while it is written.
+    const mode_t before = umask(077);
+    const auto written = write_whole(file, dds::secret_text(dds::make_secret()));
+    umask(before);
+    if (!written) return refuse(written.error());
     put_text(stdout,
              fmt::format("{} is a new secret: copy it to each host, and say it there: network {{ secret = \"{}\" "
                          "}}\n",

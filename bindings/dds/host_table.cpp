@@ -14,6 +14,47 @@ namespace {
 
 constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
 
+// What hosts say of themselves is bounded: they may be anybody.
+constexpr std::size_t most_hosts = 256;
+constexpr std::size_t most_bytes = std::size_t{1} << 20, most_ports = 16'384, most_connections = 1024;
+constexpr std::size_t longest_name = 200, longest_reason = 1000;
+constexpr std::size_t most_ended = 4096;
+
+constexpr auto by_name = [](const AnnouncedPort& a, const AnnouncedPort& b) { return a.name < b.name; };
+
+// "vehicle.current_vel", of a connection with its host: "ev3/vehicle.current_vel".
+bool is_path(std::string_view path, bool of_host) {
+    if (path.size() > longest_name) return false;
+    if (of_host) {
+        const std::size_t slash = path.find('/');
+        if (slash == path.npos || !is_identifier(path.substr(0, slash))) return false;
+        path.remove_prefix(slash + 1);
+    }
+    const std::size_t dot = path.find('.');
+    if (dot == path.npos || !is_identifier(path.substr(0, dot))) return false;
+    const std::string_view port = path.substr(dot + 1);
+    return is_identifier(port) || is_keyword(port);  // as "in"
+}
+
+bool is_bounded(const AnnouncementHead& head) {
+    return is_identifier(head.host) && head.host.size() <= longest_name && head.version.size() <= longest_name;
+}
+
+bool is_bounded(const Announcement& said) {
+    const auto fits = [](const AnnouncedConnection& each) {
+        return is_path(each.from, true) && is_path(each.to, true) && each.why.size() <= longest_reason;
+    };
+    return said.ports.size() <= most_ports && said.heard.size() <= 4 * most_hosts &&
+           said.wants.size() <= most_connections && said.refusals.size() <= most_connections &&
+           std::all_of(said.ports.begin(), said.ports.end(),
+                       [](const AnnouncedPort& port) {
+                           return is_path(port.name, false) && is_identifier(port.type) &&
+                                  port.type.size() <= longest_name;
+                       }) &&
+           std::all_of(said.wants.begin(), said.wants.end(), fits) &&
+           std::all_of(said.refusals.begin(), said.refusals.end(), fits);
+}
+
 std::string shown_version(const AnnouncementHead& head) {
     return fmt::format("nezumi {}, protocol {}", shown(head.version), head.protocol);
 }
@@ -22,12 +63,11 @@ std::string shown_version(const AnnouncementHead& head) {
 
 Topic announcement_topic() {
     // A reader keeps what so many hosts said last.
-    constexpr int most_hosts = 256;
     return {.name = "nezumi/hosts",
             .type = "nezumi::Announcement",
             .reliable = true,
             .keeps_last = true,
-            .depth = most_hosts};
+            .depth = static_cast<int>(most_hosts)};
 }
 
 std::vector<std::uint8_t> write_announcement(const Announcement& announcement) {
@@ -41,35 +81,53 @@ void HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     AnnouncementHead head{};
     detail::CdrReader reader(cdr, on_the_wire);
     reader.read(head);
-    if (!is_identifier(head.host)) return;
+    if (!is_bounded(head)) return;
     Announcement whole;
-    const bool understood = head.protocol == protocol && read_cdr(cdr, on_the_wire, whole).has_value();
+    const bool understood = cdr.size() <= most_bytes && head.protocol == protocol &&
+                            read_cdr(cdr, on_the_wire, whole).has_value() && is_bounded(whole);
     if (understood && (whole.run == own_run_ || ended_.contains(whole.run))) return;  // its own; or kept from earlier
-    const bool is_new = !said_.contains(writer);
-    Said& said = said_[writer];
-    if (understood && said.understood && said.announcement.run == whole.run && whole.number <= said.announcement.number)
+    const auto before = said_.find(writer);
+    const bool is_new = before == said_.end();
+    if (is_new && said_.size() >= most_hosts) return;
+    // A writer speaks for one host in one run of it, and as it did before.
+    if (!is_new && (before->second.head != head || before->second.understood != understood ||
+                    before->second.announcement.run != whole.run))
         return;
+    // What is older than something that was said in this run, by whatever writer, was kept from earlier.
+    for (const auto& [other, said] : said_) {
+        if (!understood || !said.understood || said.announcement.run != whole.run) continue;
+        if (whole.number < said.announcement.number || (other == writer && whole.number == said.announcement.number))
+            return;
+    }
+    std::sort(whole.ports.begin(), whole.ports.end(), by_name);
+    Said& said = said_[writer];
     if (is_new) said.since = now;
-    const bool told = !is_new && said.head == head;
     said.head = std::move(head);
     said.understood = understood;
     said.announcement = std::move(whole);
     const std::string& host = said.head.host;
-    if (host != own_.host && understood) {
-        std::uint64_t& run = runs_[host];
-        if (run != 0 && run != said.announcement.run) ended_.insert(run);
-        run = said.announcement.run;
-    }
     const std::vector<std::uint64_t>& heard = said.announcement.heard;
-    const bool counts = understood && (!answered_ || std::find(heard.begin(), heard.end(), own_run_) != heard.end());
-    if (understood && !counts) {
-        here_.erase(host);
+    said.counts = understood && (!answered_ || std::find(heard.begin(), heard.end(), own_run_) != heard.end());
+    const auto present = here_.find(host);
+    if (understood && !said.counts) {
+        if (present != here_.end() && present->second == writer) here_.erase(present);
         return;
     }
-    if (!told || (counts && !here_.contains(host))) tell_of(said);
-    if (host == own_.host || !counts) return;
-    const auto before = here_.find(host);
-    if (before == here_.end() || said_.at(before->second).since <= said.since) here_[host] = writer;
+    if (is_new || (said.counts && present == here_.end())) tell_of(said);
+    if (host == own_.host || !said.counts) return;
+    follow(host, said.announcement.run);
+    if (present == here_.end() || said_.at(present->second).since <= said.since) here_[host] = writer;
+}
+
+// This is the host's present run; the one before is over.
+void HostTable::follow(const std::string& host, std::uint64_t run) {
+    ended_.erase(run);
+    std::uint64_t& present = runs_[host];
+    if (present != 0 && present != run) ended_.insert(present);
+    present = run;
+    // Runs are only ever many where somebody makes them up.
+    if (ended_.size() > most_ended) ended_.clear();
+    if (runs_.size() > most_ended) runs_.clear();
 }
 
 std::vector<std::uint64_t> HostTable::heard_runs() const {
@@ -91,10 +149,11 @@ void HostTable::keep(std::span<const std::uint64_t> writers, double now) {
         }
         // Another of its name may be there still.
         const auto other = std::find_if(said_.begin(), said_.end(), [&](const auto& each) {
-            return each.second.understood && each.second.head.host == host->first;
+            return each.second.counts && each.second.head.host == host->first;
         });
         if (other != said_.end()) {
             host->second = other->first;
+            follow(host->first, other->second.announcement.run);
             ++host;
         } else {
             news_.push_back({LogLevel::warn, fmt::format("host {} has gone", host->first)});
@@ -136,6 +195,13 @@ void HostTable::tell_namesakes(double now) {
                  : fmt::format("two hosts are called {}: the one that came last counts; give one of them another name",
                                said.head.host)});
     }
+}
+
+const AnnouncedPort* HostTable::find_port(const Announcement& host, std::string_view name) {
+    const auto at =
+        std::lower_bound(host.ports.begin(), host.ports.end(), name,
+                         [](const AnnouncedPort& port, std::string_view wanted) { return port.name < wanted; });
+    return at != host.ports.end() && at->name == name ? &*at : nullptr;
 }
 
 const Announcement* HostTable::find(std::string_view host) const {

@@ -34,6 +34,8 @@ public:
     /// nullptr when it is not there. Of two that call themselves so the one that came last counts: mostly the other one
     /// was killed and is not missed yet.
     const Announcement* find(std::string_view host) const;
+    /// The port that is called so, "name.port"; nullptr: there is none. `host` as from here: its ports are sorted.
+    static const AnnouncedPort* find_port(const Announcement& host, std::string_view name);
     /// Those that are there, by name.
     std::vector<const Announcement*> all() const;
 
@@ -52,9 +54,11 @@ private:
         AnnouncementHead head;
         Announcement announcement;  // empty when it can't be understood
         bool understood = false;
-        double since = 0;  // [s]
+        bool counts = false;  // it is there: understood, and where that is asked for it has heard this run
+        double since = 0;     // [s]
         bool told_twice = false;
     };
+    void follow(const std::string& host, std::uint64_t run);
     void tell_of(const Said& said);
     void tell_namesakes(double now);
 

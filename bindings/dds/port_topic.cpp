@@ -42,7 +42,7 @@ void Outlet::send(const Time& now, std::uint64_t run, double clock) {
     with_payload_type(port_->type(), [&]<class T>() {
         for (const Message<T>& message : static_cast<const OutPort<T>&>(*port_).messages()) {
             const MessageHead head{
-                .run = run, .number = ++number_, .stamp = message.tm, .tick = now.tick, .offset = clock - message.tm};
+                .run = run, .number = ++number_, .stamp = message.tm, .tick = now.tick, .offset = clock - now.seconds};
             write_cdr(bytes_, on_the_wire, head, message.data);
             static_cast<void>(writer_->write(bytes_));
         }

@@ -26,11 +26,11 @@ public:
     /// `number`: of the message sent last on this topic, which goes on where another outlet has ended. Both references
     /// must outlive the outlet, `port` until another one is followed.
     Outlet(const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
-        : port_(&port), writer_(std::move(writer)), seen_(port.sequence()), number_(number) {}
+        : port_(&port), type_(port.type()), writer_(std::move(writer)), seen_(port.sequence()), number_(number) {}
 
     /// Sends what was published since the last call. `run` as announced; `clock`: the monotonic clock [s].
     void send(const Time& now, std::uint64_t run, double clock);
-    std::size_t type() const { return port_->type(); }
+    std::size_t type() const { return type_; }
     /// The port of the same name and type that has taken the place of the one before.
     void follow(const OutPortBase& port) {
         if (&port == port_) return;
@@ -39,7 +39,8 @@ public:
     }
 
 private:
-    const OutPortBase* port_;
+    const OutPortBase* port_;  // may be gone until another one is followed
+    std::size_t type_;
     std::unique_ptr<Writer> writer_;
     std::uint64_t seen_;
     std::uint64_t& number_;

@@ -12,6 +12,10 @@ namespace {
 
 // [s] between two looks at what other hosts have announced.
 constexpr double period = 0.05;
+// Connections that other hosts are given at one look: acts are not for nothing, and who asks may be anybody.
+constexpr int most_made = 16;
+// Connections, as long as this system lives, that others who may only look are given; and refusals that are told.
+constexpr int most_looked = 4096, most_told = 100;
 
 std::string_view host_of(std::string_view path) { return path.substr(0, path.find('/')); }
 
@@ -140,8 +144,10 @@ std::vector<SystemNetwork::Ends> SystemNetwork::present() const {
 
 void SystemNetwork::refuse(const Ends& ends, const std::string& why) {
     if (!refusals_.try_emplace(ends, why).second) return;
+    if (++told_ > most_told) return;
     system_.log(LogLevel::warn, fmt::format("host {} may not connect({}, {}): {}", other_of(ends), local(ends.first),
                                             local(ends.second), why));
+    if (told_ == most_told) system_.log(LogLevel::warn, "network: what else is refused to other hosts is not told");
 }
 
 // Whether both ends of a connection with this host are there; an error when they can't be connected.
@@ -150,9 +156,8 @@ Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host)
     const std::string& our_end = ours_first ? ends.first : ends.second;
     const std::string& their_end = ours_first ? ends.second : ends.first;
     const auto ours = std::as_const(system_).port(without_host(our_end));
-    const auto theirs = std::find_if(host.ports.begin(), host.ports.end(),
-                                     [&](const AnnouncedPort& port) { return port.name == without_host(their_end); });
-    if (!ours || theirs == host.ports.end()) return false;
+    const AnnouncedPort* theirs = HostTable::find_port(host, without_host(their_end));
+    if (!ours || theirs == nullptr) return false;
     if (theirs->type == (*ours)->type_name()) return true;
     return failure(
         fmt::format("types differ: {} is {}, {} is {}", our_end, (*ours)->type_name(), their_end, shown(theirs->type)));
@@ -160,6 +165,7 @@ Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host)
 
 void SystemNetwork::make_what_others_want(const std::vector<Ends>& present, const ActDoor& act) {
     std::set<Ends> wanted;
+    int made_now = 0;
     for (const Announcement* host : hosts_.all()) {
         const std::string& name = host->head.host;
         for (const AnnouncedConnection& want : host->wants) {
@@ -186,6 +192,11 @@ void SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
             }
             if (theirs_first && !settings_.writable) {
                 refuse(ends, "others may only look: a secret or open = true in the word network lets them write");
+                continue;
+            }
+            if (++made_now > most_made) continue;  // at the next look
+            if (!settings_.writable && ++looked_ > most_looked) {
+                refuse(ends, "others have looked at too many ports");
                 continue;
             }
             const auto made = act(Connect{local(want.from), local(want.to)}, {Actor::Kind::network, name});
@@ -312,11 +323,10 @@ namespace {
 std::string why_waiting(const Announcement* host, const RemoteComponent& remote, const Port& port) {
     if (host == nullptr) return fmt::format("waits for host {}", remote.host());
     const std::string name(without_host(nezumi::path(remote, port)));
+    if (HostTable::find_port(*host, name) != nullptr) return "";
     std::vector<std::string_view> names;
-    for (const AnnouncedPort& each : host->ports) {
-        if (each.name == name) return "";
-        names.push_back(each.name);
-    }
+    constexpr std::size_t most_compared = 1000;  // 20 times a second
+    for (std::size_t i = 0; i < std::min(host->ports.size(), most_compared); ++i) names.push_back(host->ports[i].name);
     return fmt::format("host {} has no port {}{}", remote.host(), name, did_you_mean(name, names));
 }
 
@@ -341,7 +351,7 @@ void SystemNetwork::note_waiting() {
 }
 
 void SystemNetwork::latched(const System& system) {
-    if (layout_ != system.layout()) {  // ports may have gone, or others have taken their places
+    if (followed_ != system.layout()) {  // ports may have gone, or others have taken their places
         for (auto each = outlets_.begin(); each != outlets_.end();) {
             const auto port = system.port(each->first);
             if (port && (*port)->direction() == Direction::out && (*port)->type() == each->second.type()) {
@@ -351,6 +361,7 @@ void SystemNetwork::latched(const System& system) {
                 each = outlets_.erase(each);
             }
         }
+        followed_ = system.layout();
     }
     const double clock = settings_.clock();
     for (auto& [path, outlet] : outlets_) outlet.send(system.now(), settings_.run, clock);

@@ -85,8 +85,11 @@ private:
     std::set<std::string> problems_;                             // ports that could not be carried; told
     std::map<std::string, std::uint64_t, std::less<>> numbers_;  // of the messages last sent, by topic
     std::map<std::string, Outlet, std::less<>> outlets_;         // by "name.port"
-    std::uint64_t layout_ = 0;
-    std::int64_t received_ = -1;  // the tick for which messages were taken last
+    std::uint64_t layout_ = 0;                                   // whose ports are announced
+    std::uint64_t followed_ = 0;                                 // whose ports the outlets have
+    int told_ = 0;                                               // refusals
+    int looked_ = 0;                                             // connections that others were given who may only look
+    std::int64_t received_ = -1;                                 // the tick for which messages were taken last
 };
 
 }  // namespace nezumi::dds

@@ -112,7 +112,8 @@ struct Describe<NetworkSpec> {
         Setting{"secret", &NetworkSpec::secret, "",
                 "a file that `nezumi network secret` has made: who has it may write"},
         Setting{"open", &NetworkSpec::open, "", "everybody on the interface may write, without a secret"},
-        Setting{"lockstep", &NetworkSpec::lockstep, "", "simulations of all hosts advance together"},
+        Setting{"lockstep", &NetworkSpec::lockstep, "",
+                "simulations of all hosts advance together; not there yet: refused"},
         Internal{&NetworkSpec::secret_path},
         Internal{&NetworkSpec::place},
     };

@@ -60,6 +60,24 @@ TEST_CASE("a velocity older than 0.5 s is dropped, by clocks that are not set", 
     CHECK(line.inlet.counts().taken == 2);
 }
 
+TEST_CASE("a velocity that its sender measured long ago is old when it comes at once", "[dds]") {
+    Line line;
+    OutPort<Velocity2D> out{"speed"};
+    std::uint64_t number = 0;
+    Outlet outlet(out, line.place->write(line.topic), number);
+    const auto publish = [&](double now, double measured) {
+        out.write({.vx = 0.1});
+        out.stamp(measured);
+        out.latch({.tick = 1, .seconds = now});
+        outlet.send({.tick = 1, .seconds = now}, 7, 500 + now);
+        return line.receive(5000 + now);
+    };
+    CHECK(publish(10, 10));
+    CHECK(publish(10.01, 9.55));
+    CHECK_FALSE(publish(10.02, 9.5));
+    CHECK(line.inlet.counts().late == 1);
+}
+
 TEST_CASE("the sender's pause makes no message old", "[dds]") {
     Line line;
     line.send({.run = 7, .number = 1, .stamp = 2.0, .offset = 100.0}, {.vx = 0.1});

@@ -44,6 +44,22 @@ TEST_CASE("a connection that the sending host is asked for is the same", "[dds][
     CHECK(pi.part->numbers == std::vector<std::int32_t>{1, 10, 2, 20, 3, 30});
 }
 
+TEST_CASE("a component that takes another one's place between two ticks sends on for it", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(ev3.system.connect("part.count", "pi/part.number"));
+    pass(room, 3, ev3, pi);
+    REQUIRE(ev3.system.remove("part"));
+    auto next = std::make_unique<Part>("part");
+    ev3.part = next.get();
+    REQUIRE(ev3.system.add(std::move(next)));
+    REQUIRE(ev3.part->activate(ev3.system.now()));
+    REQUIRE(ev3.system.connect("part.count", "pi/part.number"));
+    ev3.part->count.write(7);
+    pass(room, 3, ev3, pi);
+    CHECK(pi.part->numbers == std::vector<std::int32_t>{7});
+}
+
 TEST_CASE("a connection waits for a host that is not there, and says so", "[dds][network]") {
     Room room;
     HostRig pi(room, "pi");
