@@ -23,6 +23,8 @@ constexpr std::size_t most_bytes = std::size_t{1} << 20;
 constexpr std::size_t most_at_once = 16;
 // Of each run: who asks again does so before that many others were asked.
 constexpr std::size_t most_kept = 64;
+// Runs of hosts that have gone, and writers: beyond these the oldest of no use are given up.
+constexpr std::size_t most_askers = 1024, most_writers = 64;
 
 Octets reply_to(const Request& request, const Expected<PlainData>& answer) {
     Reply reply{.to = request.from, .number = request.number, .well = answer.has_value()};
@@ -118,7 +120,21 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
     if (samples.empty()) return;
     std::map<std::uint64_t, std::string> names;  // by run
     for (const Announcement* host : hosts.all()) names.emplace(host->run, host->head.host);
-    std::erase_if(askers_, [&](const auto& each) { return !names.contains(each.first); });
+    for (auto& [run, asker] : askers_) {
+        if (names.contains(run)) continue;
+        asker.replies.clear();
+        asker.over = asker.newest;
+    }
+    if (askers_.size() > most_askers)
+        std::erase_if(askers_, [&](const auto& each) { return !names.contains(each.first); });
+    if (writers_.size() > most_writers) {
+        std::set<std::string> used;
+        for (const auto& [run, name] : names) {
+            used.insert(request_topic(name).name);
+            used.insert(reply_topic(name).name);
+        }
+        std::erase_if(writers_, [&](const auto& each) { return !used.contains(each.first); });
+    }
     std::size_t done = 0;
     for (const Sample& sample : samples) {
         Request request;
@@ -126,8 +142,10 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
         // Who is not heard of has not heard of this run either: it asks again.
         const auto from = names.find(request.from);
         if (request.to != run_ || from == names.end()) continue;
-        auto& replies = askers_[request.from].replies;
-        const bool is_old = replies.size() >= most_kept && request.number < replies.begin()->first;
+        Asker& asker = askers_[request.from];
+        auto& replies = asker.replies;
+        const bool is_old =
+            request.number <= asker.over || (replies.size() >= most_kept && request.number < replies.begin()->first);
         if (is_old) continue;
         Writer* writer = writer_for(reply_topic(from->second));
         auto known = replies.find(request.number);
@@ -144,6 +162,7 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
                                    system, writable, act, {Actor::Kind::network, from->second});
             }();
             known = replies.emplace(request.number, reply_to(request, answered)).first;
+            asker.newest = std::max(asker.newest, request.number);
             if (replies.size() > most_kept) replies.erase(replies.begin());
         }
         if (writer != nullptr) static_cast<void>(writer->write(known->second));

@@ -49,6 +49,8 @@ private:
     // What a run of another host has asked.
     struct Asker {
         std::map<std::uint64_t, Octets> replies;  // by request
+        std::uint64_t newest = 0;                 // of the requests that were done
+        std::uint64_t over = 0;  // so far it came before its host was away: what comes again is recorded
     };
 
     void take_requests(const HostTable& hosts, const System& system, bool writable, const ActDoor& act);

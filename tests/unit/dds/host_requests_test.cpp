@@ -1,6 +1,8 @@
 // What hosts ask of each other's components.
 #include <catch2/catch.hpp>
 
+#include "bindings/dds/host_requests.hpp"
+#include "engine/ports/cdr.hpp"
 #include "tests/unit/dds/host_rig.hpp"
 
 using namespace nezumi;
@@ -125,4 +127,48 @@ TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
     REQUIRE(answer.has_value());
     CHECK(text(*answer) == "INACTIVE");
     CHECK(ev3.part->state() == LifeState::active);
+}
+
+TEST_CASE("a request that somebody recorded is not done again after its host was away", "[dds][network][secret]") {
+    Room room;
+    HostRig rig(room, "me");
+    const auto place = room.domain.join(), others = room.domain.join();
+    HostTable hosts({.protocol = protocol, .host = "me", .version = "1.0"}, 77);
+    HostRequests requests(*place, "me", 77);
+    int acts = 0;
+    const auto serve = [&] {
+        const auto act = [&](const Act& each, const Actor& who) {
+            ++acts;
+            return rig.act(each, who);
+        };
+        requests.serve(hosts, rig.system, true, act, 0);
+        return acts;
+    };
+    Announcement pi;
+    pi.head = {.protocol = protocol, .host = "pi", .version = "1.0"};
+    pi.run = 5;
+    hosts.heard(1, write_announcement(pi), 0);
+    CHECK(serve() == 0);
+    const auto writer = others->write(request_topic("me"));
+    const auto ask = [&](std::uint64_t number, What what) {
+        Octets bytes;
+        write_cdr(bytes, {.order = std::endian::little, .header = true},
+                  Request{.from = 5,
+                          .to = 77,
+                          .number = number,
+                          .what = static_cast<std::uint8_t>(what),
+                          .component = "part",
+                          .name = "",
+                          .values = {}});
+        writer->write(bytes);
+        return serve();
+    };
+    CHECK(ask(1, What::deactivate) == 1);
+    CHECK(ask(1, What::deactivate) == 1);
+    hosts.keep({}, 1);
+    CHECK(ask(1, What::deactivate) == 1);
+    hosts.heard(2, write_announcement(pi), 2);
+    CHECK(ask(1, What::deactivate) == 1);
+    CHECK(ask(2, What::activate) == 2);
+    CHECK(rig.part->state() == LifeState::active);
 }
