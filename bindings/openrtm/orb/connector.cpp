@@ -9,6 +9,7 @@
 #include <data_port.hh>
 #include "bindings/openrtm/orb/message_queue.hpp"
 #include "bindings/openrtm/orb/servants.hpp"
+#include "engine/base/mutex.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
@@ -27,8 +28,9 @@ class InPortObject final : public POA_OpenRTM::InPortCdr {
 public:
     InPortObject(const Inlet& inlet, std::endian order) : inlet_(inlet), order_(order) {}
     OpenRTM::PortStatus put(const OpenRTM::CdrData& data) override {
-        if (closed_) return OpenRTM::PORT_ERROR;
         const std::span<const std::uint8_t> bytes(data.get_buffer(), data.length());
+        const std::lock_guard lock(mutex_);
+        if (closed_) return OpenRTM::PORT_ERROR;
         switch (inlet_.site.put(inlet_.path, inlet_.from, bytes, order_)) {
             case PutAnswer::taken: return OpenRTM::PORT_OK;
             case PutAnswer::malformed: return OpenRTM::PORT_ERROR;
@@ -36,12 +38,17 @@ public:
         }
         return OpenRTM::UNKNOWN_ERROR;
     }
-    void close() { closed_ = true; }
+    /// Waits for a message that is being taken: none comes after this.
+    void close() {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
 
 private:
     const Inlet inlet_;
     const std::endian order_;
-    std::atomic<bool> closed_ = false;
+    Mutex mutex_;  // of what follows, and held while a message is taken; never while a peer is called
+    bool closed_ = false;
 };
 
 class OutPortObject final : public POA_OpenRTM::OutPortCdr {
