@@ -12,7 +12,8 @@ namespace nezumi::openrtm {
 namespace {
 
 std::size_t bytes_of(const Arrival& arrival) {
-    return sizeof(Arrival) + std::visit([](const auto& payload) { return heap_bytes(payload); }, arrival.value);
+    return sizeof(Arrival) + arrival.path.size() + arrival.from.size() +
+           std::visit([](const auto& payload) { return heap_bytes(payload); }, arrival.value);
 }
 
 }  // namespace

@@ -40,6 +40,15 @@ SDOPackage::NVList properties_of(const RtcPort& port) {
     return list;
 }
 
+// Who connects chooses all of it, and it is kept.
+bool is_short(const RTC::ConnectorProfile& profile) {
+    const auto fits = [](const char* text) { return std::string_view(text).size() <= PortObject::most_letters; };
+    if (!fits(profile.name.in()) || !fits(profile.connector_id.in())) return false;
+    cdrMemoryStream bytes;
+    profile >>= bytes;
+    return bytes.bufSize() <= PortObject::most_bytes;
+}
+
 // What a call of a peer comes to; one that is not there, or hangs, is an error.
 template <class Call>
 RTC::ReturnCode_t ask(const Call& call) {
@@ -249,14 +258,15 @@ Inlet PortObject::inlet_of(const RTC::ConnectorProfile& profile) const {
 }
 
 RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
-    if (connector.connector_id.in()[0] == '\0') return RTC::BAD_PARAMETER;
+    if (connector.connector_id.in()[0] == '\0' || !is_short(connector)) return RTC::BAD_PARAMETER;
+    const std::string id = connector.connector_id.in();  // a peer that is told of it may answer with another
     const std::string type = text_of(connector.properties, "dataport.data_type");
     if (!type.empty() && type != port_.type && type != "IDL:RTC/" + port_.type + ":1.0") return RTC::BAD_PARAMETER;
     const auto terms = terms_of(connector.properties);
     if (!terms) return RTC::BAD_PARAMETER;
     if (const auto reserved = reserve(connector, *terms); reserved != RTC::RTC_OK) return reserved;
     const RTC::ReturnCode_t made = ask([&] { return make(connector, *terms); });
-    if (made != RTC::RTC_OK) end(take_away(connector.connector_id.in()));
+    if (made != RTC::RTC_OK) end(take_away(id));
     return made;
 }
 
@@ -271,6 +281,7 @@ RTC::ReturnCode_t PortObject::make(RTC::ConnectorProfile& profile, const Terms& 
         set_text(profile.properties, port_.is_in ? in_port_reference : out_port_reference, connector->reference());
     }
     if (const auto told = notify_next(profile); told != RTC::RTC_OK) return told;
+    if (!is_short(profile)) return RTC::BAD_PARAMETER;
     if (!is_called) {
         const std::string reference = text_of(profile.properties, port_.is_in ? out_port_reference : in_port_reference);
         connector = port_.is_in ? make_pull_inlet(home_.orb, reference, inlet_of(profile), terms)

@@ -25,6 +25,10 @@ class PortObject final : public POA_RTC::PortService {
 public:
     /// Connections at once.
     static constexpr std::size_t most_connections = 32;
+    /// Of a connection's name, and of its id.
+    static constexpr std::size_t most_letters = 256;
+    /// Of all that a connection is told with: its ports and properties, as CORBA sends them.
+    static constexpr std::size_t most_bytes = std::size_t{64} << 10;
 
     PortObject(const Home& home, RtcPort port);
 

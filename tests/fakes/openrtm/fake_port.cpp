@@ -133,14 +133,10 @@ void FakePort::fetch() {
     }
 }
 
-int FakePort::connect_to(RTC::PortService_ptr other, const SDOPackage::NVList& properties) {
-    RTC::ConnectorProfile profile;
-    profile.name = "made by the fake";
-    profile.connector_id = "";
+int FakePort::connect_to(RTC::PortService_ptr other, RTC::ConnectorProfile profile) {
     profile.ports.length(2);
     profile.ports[0] = _this();
     profile.ports[1] = RTC::PortService::_duplicate(other);
-    profile.properties = properties;
     return static_cast<int>(connect(profile));
 }
 
@@ -226,6 +222,7 @@ RTC::ReturnCode_t FakePort::notify_connect(RTC::ConnectorProfile& profile) {
         const CORBA::String_var text = orb_->object_to_string(object);
         add_property(profile.properties, "dataport.corba_cdr.outport_ior", text.in());
     }
+    if (boast_ > 0) add_property(profile.properties, "boast", std::string(boast_, 'x'));
     const RTC::PortService_var next = next_of(profile);
     if (!CORBA::is_nil(next)) {
         const RTC::ReturnCode_t told = next->notify_connect(profile);

@@ -59,8 +59,10 @@ public:
     /// Asks the peer of every pull connection; prints "got HEX" or "empty".
     void fetch();
     void hang(double seconds) { cdr_->hang(seconds); }
-    /// Connects to another port; the answer's number.
-    int connect_to(RTC::PortService_ptr other, const SDOPackage::NVList& properties);
+    /// From now on whoever connects is told a property so long.
+    void boast(std::size_t letters) { boast_ = letters; }
+    /// Connects to another port, with what `profile` says but for the ports; the answer's number.
+    int connect_to(RTC::PortService_ptr other, RTC::ConnectorProfile profile);
     int disconnect_first();
 
     RTC::PortProfile* get_port_profile() override;
@@ -86,6 +88,7 @@ private:
     const bool is_in_;
     PortableServer::Servant_var<FakeCdr> cdr_{new FakeCdr};
     PortableServer::Servant_var<FakeBuffer> buffer_{new FakeBuffer};
+    std::atomic<std::size_t> boast_ = 0;
     std::mutex mutex_;
     std::map<std::string, Connection> connections_;
     int made_ = 0;

@@ -1,7 +1,8 @@
 // An RTC with one data port, as a program of its own: fake_rtc NAMESERVER NAME PORT TYPE in|out. It reads commands, a
 // line each, and prints what happens; on the end of its input it leaves the name service.
 //   send HEX, fetch, hang SECONDS, fail: goes into ERROR
-//   connect RTC PORT [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t
+//   connect RTC PORT [name=NAME] [id=ID] [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t
+//   boast COUNT: tells who connects so many letters
 //   about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set RTC SET NAME VALUE, use RTC
 //   SET flood COUNT HEX: sends so often, prints how long it took in all, and one of them
 #include <omniORB4/Naming.hh>
@@ -142,6 +143,10 @@ public:
             double seconds = 0;
             words >> seconds;
             port_.hang(seconds);
+        } else if (command == "boast") {
+            std::size_t count = 0;
+            words >> count;
+            port_.boast(count);
         } else if (command == "fail") {
             self_.fail();
         } else if (command == "disconnect") {
@@ -181,17 +186,26 @@ private:
     void connect(RTC::RTObject_ptr rtc, std::istringstream& words) {
         std::string wanted, word;
         words >> wanted;
-        SDOPackage::NVList properties;
+        RTC::ConnectorProfile told;
+        told.name = "made by the fake";
+        told.connector_id = "";
         while (words >> word) {
             const std::size_t equals = word.find('=');
-            add_property(properties, "dataport." + word.substr(0, equals), word.substr(equals + 1));
+            const std::string name = word.substr(0, equals), value = word.substr(equals + 1);
+            if (name == "name") {
+                told.name = value.c_str();
+            } else if (name == "id") {
+                told.connector_id = value.c_str();
+            } else {
+                add_property(told.properties, "dataport." + name, value);
+            }
         }
         RTC::PortServiceList_var list = rtc->get_ports();
         for (CORBA::ULong i = 0; i < list->length(); ++i) {
             const RTC::PortProfile_var profile = list[i]->get_port_profile();
             const std::string name = profile->name.in();
             if (name.substr(name.rfind('.') + 1) == wanted)
-                return print("connected " + std::to_string(port_.connect_to(list[i], properties)));
+                return print("connected " + std::to_string(port_.connect_to(list[i], told)));
         }
         print("connected to nobody");
     }

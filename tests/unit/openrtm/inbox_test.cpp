@@ -86,6 +86,15 @@ TEST_CASE("pictures that wait are no more than some bytes", "[openrtm][inbox]") 
     CHECK(rig.inbox.dropped() == 20 - arrivals.size());
 }
 
+TEST_CASE("names of connections count among the bytes that wait", "[openrtm][inbox]") {
+    InboxRig rig(type_index<std::int32_t>());
+    const std::string name(Inbox::most_bytes / 4, 'x');
+    for (int i = 0; i < 8; ++i)
+        CHECK(rig.inbox.put("c.in", name, bytes_of(std::int32_t{i}), std::endian::little, rig.problem) ==
+              PutAnswer::taken);
+    CHECK(rig.inbox.take().size() == 3);
+}
+
 TEST_CASE("what is not open takes nothing, and loses what waited", "[openrtm][inbox]") {
     InboxRig rig(type_index<bool>());
     CHECK(rig.inbox.put("c.other", "peer", bytes_of(true), std::endian::little, rig.problem) == PutAnswer::unknown);

@@ -92,6 +92,28 @@ TEST_CASE("what can't be connected is refused", "[openrtm][wire][wallclock]") {
     }
 }
 
+TEST_CASE("a connection with too long a name, id or list of properties is refused", "[openrtm][wire][wallclock]") {
+    WireRig rig;
+    const auto in = rig.rtc("In0", "in", "TimedLong", "in");
+    for (const std::string what : {"name=", "id="}) {
+        CAPTURE(what);
+        CHECK(rig.answer(*in, "connect relay0 out " + what + std::string(257, 'x'), "connected ") == "connected 2");
+        CHECK(rig.answer(*in, "connect relay0 out " + what + std::string(256, 'x'), "connected ") == "connected 0");
+        CHECK(rig.answer(*in, "disconnect", "disconnected ") == "disconnected 0");
+    }
+    CHECK(rig.answer(*in, "connect relay0 out comment=" + std::string(65'536, 'x'), "connected ") == "connected 2");
+    CHECK(rig.answer(*in, "connect relay0 out comment=" + std::string(32'768, 'x'), "connected ") == "connected 0");
+}
+
+TEST_CASE("what an RTC answers with when it is connected is bounded as well", "[openrtm][wire][wallclock]") {
+    WireRig rig;
+    const auto in = rig.rtc("In0", "in", "TimedLong", "in");
+    in->say("boast 65536");
+    REQUIRE(rig.answer(*in, "state relay0", "state ") == "state 2");  // so it has begun to
+    REQUIRE(rig.live->act(Connect{"relay.out", "rtm:In0.in"}, {Actor::Kind::console}));
+    CHECK(rig.tells("not connected: relay.out to rtm:In0.in: it does not take the connection's type or properties"));
+}
+
 TEST_CASE("properties are understood in any case, and the first byte order counts", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
