@@ -16,6 +16,12 @@ std::size_t bytes_of(const Arrival& arrival) {
            std::visit([](const auto& payload) { return heap_bytes(payload); }, arrival.value);
 }
 
+// A stop does not grow old.
+bool is_outdated(const Arrival& arrival, Inbox::Clock::time_point now) {
+    const auto* velocity = std::get_if<Velocity2D>(&arrival.value);
+    return velocity != nullptr && *velocity != Velocity2D{} && now - arrival.came > Inbox::longest_wait;
+}
+
 }  // namespace
 
 void Inbox::open_to(std::map<std::string, std::size_t, std::less<>> ports) {
@@ -64,6 +70,11 @@ void Inbox::put_zero(std::string_view path, std::string_view from) {
 }
 
 void Inbox::keep(Waiting& waiting, Arrival arrival) {
+    arrival.came = Clock::now();
+    if (waiting.type == type_index<Velocity2D>()) {
+        waiting.arrivals.clear();
+        waiting.bytes = 0;
+    }
     waiting.bytes += bytes_of(arrival);
     waiting.arrivals.push_back(std::move(arrival));
     while (waiting.arrivals.size() > 1 && (waiting.arrivals.size() > most_waiting || waiting.bytes > most_bytes)) {
@@ -73,10 +84,11 @@ void Inbox::keep(Waiting& waiting, Arrival arrival) {
     }
 }
 
-std::vector<Arrival> Inbox::take() {
+std::vector<Arrival> Inbox::take(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     std::vector<Arrival> all;
     for (auto& [path, waiting] : ports_) {
+        std::erase_if(waiting.arrivals, [&](const Arrival& arrival) { return is_outdated(arrival, now); });
         std::move(waiting.arrivals.begin(), waiting.arrivals.end(), std::back_inserter(all));
         waiting.arrivals.clear();
         waiting.bytes = 0;

@@ -22,13 +22,19 @@ struct Arrival {
     std::string path{};  ///< of an in-port
     std::string from{};  ///< the connection's name
     AnyPayload value{};
+    std::chrono::steady_clock::time_point came{};
 };
 
 class Inbox {
 public:
-    /// Of each in-port; beyond these the oldest is dropped.
+    using Clock = std::chrono::steady_clock;
+
+    /// Of each in-port; beyond these the oldest is dropped. Of velocities the latest alone waits.
     static constexpr std::size_t most_waiting = 64;
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+    /// A velocity that has waited longer, as while time stands, moves nobody any more: as long as robots go on without
+    /// a word.
+    static constexpr std::chrono::milliseconds longest_wait{500};
 
     /// The in-ports that take messages, with the places of their types in `message_types`. What waits for others is
     /// dropped.
@@ -40,7 +46,7 @@ public:
     /// Keeps a zero for a velocity's in-port: who commanded it is gone.
     void put_zero(std::string_view path, std::string_view from);
     /// All messages that wait, those of each port in the order in which they came.
-    std::vector<Arrival> take();
+    std::vector<Arrival> take(Clock::time_point now = Clock::now());
 
     /// Leaves a request, and waits for its answer until `patience` is over: then it was not, and will not be, done.
     RtcAnswer ask(const RtcRequest& request, std::chrono::milliseconds patience);

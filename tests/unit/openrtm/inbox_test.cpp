@@ -111,11 +111,32 @@ TEST_CASE("who commanded a velocity and is gone leaves a zero behind", "[openrtm
     CHECK(velocity.put(bytes_of(Velocity2D{.vx = 0.2})) == PutAnswer::taken);
     velocity.inbox.put_zero("c.in", "peer");
     const auto arrivals = velocity.inbox.take();
-    REQUIRE(arrivals.size() == 2);
-    CHECK(arrivals[1].value == AnyPayload(Velocity2D{}));
+    REQUIRE(arrivals.size() == 1);
+    CHECK(arrivals[0].value == AnyPayload(Velocity2D{}));
     InboxRig other(type_index<double>());
     other.inbox.put_zero("c.in", "peer");
     CHECK(other.inbox.take().empty());
+}
+
+TEST_CASE("of velocities that wait the latest moves the robot, unless it has grown old", "[openrtm][inbox]") {
+    InboxRig rig(type_index<Velocity2D>());
+    const auto put_two = [&] {
+        for (const double speed : {0.1, 0.2}) CHECK(rig.put(bytes_of(Velocity2D{.vx = speed})) == PutAnswer::taken);
+    };
+    put_two();
+    const auto fresh = rig.inbox.take();
+    REQUIRE(fresh.size() == 1);
+    CHECK(fresh[0].value == AnyPayload(Velocity2D{.vx = 0.2}));
+    put_two();
+    const auto later = Inbox::Clock::now() + Inbox::longest_wait + 1ms;
+    CHECK(rig.inbox.take(later).empty());
+    CHECK(rig.inbox.take().empty());
+    put_two();
+    rig.inbox.put_zero("c.in", "peer");
+    CHECK(rig.inbox.take(later + 1s).size() == 1);  // a stop holds
+    InboxRig other(type_index<std::int32_t>());
+    CHECK(other.put(bytes_of(std::int32_t{7})) == PutAnswer::taken);
+    CHECK(other.inbox.take(later + 1s).size() == 1);
 }
 
 TEST_CASE("a request gets its answer from the thread that ticks", "[openrtm][inbox]") {
