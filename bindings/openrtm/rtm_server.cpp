@@ -84,17 +84,21 @@ Expected<void> RtmServer::show() {
     return {};
 }
 
-// A port may have gone with another version of its script.
+// A port may have gone with another version of its script. That is said once, and again when it had come back.
 std::vector<RtcLink> RtmServer::fitting_links() {
     std::vector<RtcLink> all;
+    std::set<std::string> misfits;
     for (const ConnectionSpec& wanted : wanted_) {
         if (auto links = links_of(host_.system(), {wanted})) {
             all.insert(all.end(), links->begin(), links->end());
         } else {
-            host_.say(true, fmt::format("rtm: {} is no longer connected to {}: {}", wanted.from, wanted.to,
-                                        links.error().message));
+            std::string line =
+                fmt::format("rtm: {} is no longer connected to {}: {}", wanted.from, wanted.to, links.error().message);
+            if (!misfits_.contains(line)) host_.say(true, line);
+            misfits.insert(std::move(line));
         }
     }
+    misfits_ = std::move(misfits);
     return all;
 }
 

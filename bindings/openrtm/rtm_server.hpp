@@ -7,6 +7,7 @@
 #include <future>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -98,6 +99,7 @@ private:
     std::vector<Outlet> outlets_;
     std::vector<std::string> exported_;
     std::vector<ConnectionSpec> wanted_;  // connections, as they were shown
+    std::set<std::string> misfits_;       // what was said last of those that are not to be made
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::chrono::steady_clock::time_point looked_{};

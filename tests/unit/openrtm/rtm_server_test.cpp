@@ -334,6 +334,11 @@ TEST_CASE("a port that goes with another version of its script takes its connect
         rig.said_lines[0] ==
         "rtm: controller.out is no longer connected to rtm:Mouse0.target_velocity_in: connect: controller has no port "
         "'out'");
+    const std::size_t said = rig.said_lines.size();
+    REQUIRE(rig.live->act(Remove{"mouse"}, {Actor::Kind::console}));
+    rig.turn();
+    CHECK(rig.told.profiles.size() == 1);
+    CHECK(rig.said_lines.size() == said);
 }
 
 TEST_CASE("a connection's malformed messages are told once", "[openrtm][server]") {
