@@ -234,6 +234,7 @@ RTC::ReturnCode_t PortObject::disconnect_all() {
 
 // Takes the connection's place, so that a second one between the same ports is refused while this one is being made.
 RTC::ReturnCode_t PortObject::reserve(const RTC::ConnectorProfile& profile, const Terms& terms) {
+    const std::lock_guard one_at_a_time(reserving_);
     bool is_of_this = false;
     for (CORBA::ULong i = 0; i < profile.ports.length(); ++i) {
         if (is_self(profile.ports[i])) {

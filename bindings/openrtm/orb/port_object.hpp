@@ -83,7 +83,8 @@ private:
     RTC::RTObject_var owner_;
     std::string name_;
 
-    Mutex mutex_;  // of the connections; never held while a peer is called
+    Mutex reserving_;  // held from the look for a connection until the new one has its place; ticks never wait for it
+    Mutex mutex_;      // of the connections; never held while a peer is called
     Connections connections_;
 };
 

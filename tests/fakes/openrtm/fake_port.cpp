@@ -140,6 +140,44 @@ int FakePort::connect_to(RTC::PortService_ptr other, RTC::ConnectorProfile profi
     return static_cast<int>(connect(profile));
 }
 
+namespace {
+
+// A connection of these is looked through for long.
+RTC::ConnectorProfile long_profile(RTC::PortService_ptr begin, RTC::PortService_ptr end) {
+    constexpr CORBA::ULong often = 300;
+    RTC::ConnectorProfile profile;
+    profile.name = "one of many";
+    profile.ports.length(often + 1);
+    for (CORBA::ULong i = 0; i < often; ++i) profile.ports[i] = RTC::PortService::_duplicate(begin);
+    profile.ports[often] = RTC::PortService::_duplicate(end);
+    return profile;
+}
+
+}  // namespace
+
+int FakePort::connect_at_once(RTC::PortService_ptr other) {
+    const RTC::PortService_var self = _this();
+    std::atomic<int> agreed = 0;
+    const auto connect = [&](RTC::PortService_ptr port, const std::string& id) {
+        RTC::ConnectorProfile profile = long_profile(port, other);
+        profile.connector_id = id.c_str();
+        if (other->notify_connect(profile) == RTC::RTC_OK) ++agreed;
+    };
+    std::vector<std::string> ids;
+    for (int i = 0; i < 8; ++i) {
+        const RTC::PortService_var third = (new FakePort(orb_, "third", type_, is_in_))->_this();
+        ids.push_back("third " + std::to_string(i));
+        connect(third, ids.back());
+    }
+    agreed = 0;
+    std::thread first([&] { connect(self, "first"); });
+    connect(self, "second");
+    first.join();
+    ids.insert(ids.end(), {"first", "second"});
+    for (const std::string& id : ids) other->notify_disconnect(id.c_str());
+    return agreed;
+}
+
 int FakePort::disconnect_first() {
     std::string id;
     {

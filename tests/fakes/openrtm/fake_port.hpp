@@ -63,6 +63,9 @@ public:
     void boast(std::size_t letters) { boast_ = letters; }
     /// Connects to another port, with what `profile` says but for the ports; the answer's number.
     int connect_to(RTC::PortService_ptr other, RTC::ConnectorProfile profile);
+    /// Tells another port alone, twice at once, that it is connected to this one, and takes that back; how
+    /// often it agreed.
+    int connect_at_once(RTC::PortService_ptr other);
     int disconnect_first();
 
     RTC::PortProfile* get_port_profile() override;

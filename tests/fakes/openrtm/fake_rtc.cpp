@@ -2,6 +2,7 @@
 // line each, and prints what happens; on the end of its input it leaves the name service.
 //   send HEX, fetch, hang SECONDS, fail: goes into ERROR
 //   connect RTC PORT [name=NAME] [id=ID] [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t
+//   race RTC PORT ROUNDS: connects twice at once, so often; in how many rounds not just one came to be
 //   boast COUNT: tells who connects so many letters
 //   about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set RTC SET NAME VALUE, use RTC
 //   SET flood COUNT HEX: sends so often, prints how long it took in all, and one of them
@@ -172,6 +173,7 @@ private:
     void of_rtc(const std::string& command, RTC::RTObject_ptr found, std::istringstream& words) {
         const RTC::RTObject_var rtc = found;
         if (command == "connect") return connect(rtc, words);
+        if (command == "race") return race(rtc, words);
         if (command == "ports") return ports(rtc);
         if (command == "about") return about(rtc);
         if (command == "sets") return sets(rtc);
@@ -200,14 +202,27 @@ private:
                 add_property(told.properties, "dataport." + name, value);
             }
         }
+        const RTC::PortService_var port = find_port(rtc, wanted);
+        if (CORBA::is_nil(port)) return print("connected to nobody");
+        print("connected " + std::to_string(port_.connect_to(port, told)));
+    }
+    void race(RTC::RTObject_ptr rtc, std::istringstream& words) {
+        std::string wanted;
+        int rounds = 0;
+        words >> wanted >> rounds;
+        const RTC::PortService_var port = find_port(rtc, wanted);
+        int wrong = 0;
+        for (int i = 0; i < rounds; ++i) wrong += port_.connect_at_once(port) == 1 ? 0 : 1;
+        print("wrong " + std::to_string(wrong));
+    }
+    static RTC::PortService_ptr find_port(RTC::RTObject_ptr rtc, const std::string& wanted) {
         RTC::PortServiceList_var list = rtc->get_ports();
         for (CORBA::ULong i = 0; i < list->length(); ++i) {
             const RTC::PortProfile_var profile = list[i]->get_port_profile();
             const std::string name = profile->name.in();
-            if (name.substr(name.rfind('.') + 1) == wanted)
-                return print("connected " + std::to_string(port_.connect_to(list[i], told)));
+            if (name.substr(name.rfind('.') + 1) == wanted) return RTC::PortService::_duplicate(list[i]);
         }
-        print("connected to nobody");
+        return RTC::PortService::_nil();
     }
     static void ports(RTC::RTObject_ptr rtc) {
         const RTC::ComponentProfile_var profile = rtc->get_component_profile();

@@ -80,6 +80,13 @@ TEST_CASE("an out-port has several connections, and none twice", "[openrtm][wire
               AnyPayload(std::int32_t{7}));
 }
 
+TEST_CASE("of two connections between the same ports that are made at once one is taken",
+          "[openrtm][wire][wallclock]") {
+    WireRig rig;
+    const auto out = rig.rtc("Out0", "out", "TimedLong", "out");
+    CHECK(rig.answer(*out, "race relay0 in 20", "wrong ") == "wrong 0");
+}
+
 TEST_CASE("what can't be connected is refused", "[openrtm][wire][wallclock]") {
     WireRig rig;
     const auto in = rig.rtc("In0", "in", "TimedLong", "in");
