@@ -24,7 +24,7 @@ bool is_outdated(const Arrival& arrival, Inbox::Clock::time_point now) {
 
 }  // namespace
 
-void Inbox::open_to(std::map<std::string, std::size_t, std::less<>> ports) {
+void Inbox::open_to(const std::map<std::string, std::size_t, std::less<>>& ports) {
     const std::lock_guard lock(mutex_);
     std::map<std::string, Waiting, std::less<>> open;
     for (const auto& [path, type] : ports) {

@@ -38,7 +38,7 @@ public:
 
     /// The in-ports that take messages, with the places of their types in `message_types`. What waits for others is
     /// dropped.
-    void open_to(std::map<std::string, std::size_t, std::less<>> ports);
+    void open_to(const std::map<std::string, std::size_t, std::less<>>& ports);
 
     /// Decodes a message and keeps it. `problem` says what is wrong with one that is malformed.
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes, std::endian order,

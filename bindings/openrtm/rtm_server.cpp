@@ -76,7 +76,7 @@ Expected<void> RtmServer::show() {
         }
         links = fitting_links();
     }
-    inbox_.open_to(std::move(in_ports));
+    inbox_.open_to(in_ports);
     take_looks();
     // Where something is wrong nobody sees anything, rather than half of it.
     orb_->show(profiles ? std::move(*profiles) : std::vector<RtcProfile>{}, std::move(links));

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include <data_port.hh>
 #include "bindings/openrtm/orb/message_queue.hpp"
@@ -26,7 +27,7 @@ std::size_t capacity_for(const Terms& terms) {
 
 class InPortObject final : public POA_OpenRTM::InPortCdr {
 public:
-    InPortObject(const Inlet& inlet, std::endian order) : inlet_(inlet), order_(order) {}
+    InPortObject(Inlet inlet, std::endian order) : inlet_(std::move(inlet)), order_(order) {}
     OpenRTM::PortStatus put(const OpenRTM::CdrData& data) override {
         const std::span<const std::uint8_t> bytes(data.get_buffer(), data.length());
         const std::lock_guard lock(mutex_);
@@ -185,8 +186,8 @@ private:
 
 class PullInlet final : public Caller {
 public:
-    PullInlet(OpenRTM::OutPortCdr_ptr peer, const Inlet& inlet, const Terms& terms)
-        : Caller(terms), inlet_(inlet), peer_(OpenRTM::OutPortCdr::_duplicate(peer)) {
+    PullInlet(OpenRTM::OutPortCdr_ptr peer, Inlet inlet, const Terms& terms)
+        : Caller(terms), inlet_(std::move(inlet)), peer_(OpenRTM::OutPortCdr::_duplicate(peer)) {
         start([this] { run(); });
     }
     ~PullInlet() override { end(); }
