@@ -84,6 +84,7 @@ void SystemNetwork::look(const ActDoor& act) {
 // Once for each tick: while time stands, what comes waits as the port's messages do.
 void SystemNetwork::receive(const ActDoor& act) {
     if (std::exchange(received_, system_.now().tick) == system_.now().tick) return;
+    // NOLINTNEXTLINE(modernize-loop-convert): what an act changes may be the list itself
     for (std::size_t i = 0; i < system_.components().size(); ++i) {
         if (auto* remote = dynamic_cast<RemoteComponent*>(system_.components()[i].get())) remote->receive(act);
     }
