@@ -114,11 +114,17 @@ double RosNode::offset(const Time& now) const {
 
 void RosNode::between_ticks(const ActDoor& act) {
     if (std::exchange(received_, system_.now().tick) == system_.now().tick) return;
-    if (!opened_) open();
     const double clock = settings_.clock();
+    if (!opened_) {
+        open();
+        received_at_ = clock;
+    }
+    // While real robots were in a pause velocities grew old, and nothing in them tells: the next ones count.
+    const bool stood = clock - std::exchange(received_at_, clock) > silence + 2 / system_.settings().rate &&
+                       system_.settings().real_time;
     for (Taken& taken : subscriptions_) {
         const std::string problem = taken.subscription->receive(clock, [&](AnyPayload value) {
-            if (state() != LifeState::active) return;
+            if (state() != LifeState::active || (stood && std::holds_alternative<Velocity2D>(value))) return;
             static_cast<void>(act(Write{path(*this, *taken.port), std::move(value)}, {Actor::Kind::network, "ros"}));
         });
         if (problem.empty() || problem == taken.told) continue;

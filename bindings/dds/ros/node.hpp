@@ -54,6 +54,7 @@ private:
     std::vector<Line> lines_;
     bool opened_ = false;
     std::int64_t received_ = -1;  // the tick for which messages were taken last
+    double received_at_ = 0;      // [s] by the clock
     std::vector<std::unique_ptr<ros::Publication>> publications_;
     struct Taken {
         const Port* port;

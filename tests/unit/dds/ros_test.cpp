@@ -265,6 +265,22 @@ TEST_CASE("a node takes what comes on topics, and nothing that is no message", "
     CHECK(rig.log[1] == "a message is not taken: a number is not finite");
 }
 
+TEST_CASE("a velocity that came while real robots were in a pause moves none of them afterwards", "[dds][ros]") {
+    NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}), true);
+    REQUIRE(rig.refusal.empty());
+    rig.tick();
+    const auto writer =
+        rig.other->write(ros::topic_of("/cmd_vel", **ros::find_mapping(type_index<Velocity2D>(), "", true), true));
+    writer->write(bytes_of(ros::Twist{}));
+    rig.clock += 0.6;
+    rig.tick();
+    CHECK(rig.arrivals.empty());
+    writer->write(bytes_of(ros::Twist{}));
+    rig.clock += 0.01;
+    rig.tick();
+    CHECK(rig.arrivals.size() == 1);
+}
+
 TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][ros]") {
     const auto mapping = ros::find_mapping(type_index<RangeData>(), "sensor_msgs/msg/Range", true);
     REQUIRE(mapping.has_value());
