@@ -140,8 +140,7 @@ Expected<void> Recorder::finish() {
     }
     if (!file_.path().empty()) {
         end_with_note(error_->message);
-        error_->message += ": the rows that are whole are kept";
-        if (!file_.set_aside().empty()) error_->message += ", and what was there before is now " + file_.set_aside();
+        error_->message += ": the rows that are whole are kept" + file_.told_of_older();
     }
     return Unexpected(*error_);
 }

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/cli/result_file.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
+#include "engine/base/result_file.hpp"
 #include "engine/trace/trace.hpp"
 #include "engine/trace/trace_table.hpp"
 

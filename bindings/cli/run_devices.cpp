@@ -59,8 +59,8 @@ void RunDevices::after_tick() {
 void RunDevices::tell_problem() {
     const int problem = logged_->problem();
     if (problem == 0 || std::exchange(has_told_problem_, true)) return;
-    say_(fmt::format("{}: the device log can't be written: {}: the run goes on without it", file_,
-                     std::strerror(problem)));
+    say_(fmt::format("{}: the device log can't be written: {}: the run goes on without it{}", file_,
+                     std::strerror(problem), logged_->file().told_of_older()));
 }
 
 void RunDevices::end() {

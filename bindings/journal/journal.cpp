@@ -2,7 +2,6 @@
 // slow disk delays no tick.
 #include "bindings/journal/journal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <cstring>
@@ -42,13 +41,16 @@ bool is_journaled(const Act& act, bool succeeded) {
 }
 
 Expected<std::unique_ptr<Journal>> Journal::create(const std::filesystem::path& file, RecordingFiles& files) {
-    constexpr mode_t mode = 0644;
-    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
-    if (descriptor < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {file.string()});
-    return std::unique_ptr<Journal>(new Journal(file.string(), descriptor, files));
+    auto opened = ResultFile::open(file);
+    if (!opened) return Unexpected(opened.error());
+    return std::unique_ptr<Journal>(new Journal(file.string(), std::move(*opened), files));
 }
 
-Journal::~Journal() { flush(); }
+Journal::~Journal() {
+    if (ended_) return;
+    writer_.close();
+    file_.discard();
+}
 
 void Journal::begin(LiveSystem& live, const std::string& version, bool hardware) {
     live_ = &live;
@@ -94,6 +96,12 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
     add([last = std::move(last)] { return line(last); });
     flush();
     fail_with(writer_.close());
+    ended_ = true;
+    if (!error_) {
+        file_.replace_older();
+    } else {
+        error_->message += ": the lines that are whole are kept" + file_.told_of_older();
+    }
 }
 
 void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {

@@ -24,6 +24,7 @@
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
+#include "engine/base/result_file.hpp"
 
 namespace nezumi {
 
@@ -40,9 +41,10 @@ public:
     /// 0.1 s, this and the time to write.
     static constexpr std::chrono::milliseconds period{50};
 
-    /// Begins a file anew. `files` is what the system will be read through, and must outlive the journal. The system
-    /// may go before it, but not act then.
+    /// Begins a file anew; the older one of its name is set aside. `files` is what the system will be read through, and
+    /// must outlive the journal. The system may go before it, but not act then.
     static Expected<std::unique_ptr<Journal>> create(const std::filesystem::path& file, RecordingFiles& files);
+    /// Without a last line it is none: what was there before is there again.
     ~Journal() override;
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
@@ -53,7 +55,7 @@ public:
     void serve();
     /// Notes the hash as it is now.
     void mark();
-    /// The last line, after which all is written. Nothing is followed any more.
+    /// The last line, after which all is written, and the older file goes. Nothing is followed any more.
     void end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash);
     /// What kept it from being written, once something did.
     const std::optional<Error>& error() const { return error_; }
@@ -64,20 +66,22 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    Journal(std::string name, int descriptor, RecordingFiles& files)
-        : name_(std::move(name)), writer_(descriptor), files_(files) {}
+    Journal(std::string name, ResultFile file, RecordingFiles& files)
+        : name_(std::move(name)), file_(std::move(file)), writer_(file_.descriptor()), files_(files) {}
     using Line = std::function<std::string()>;
     void add(Line line) { waiting_.push_back(std::move(line)); }
     void flush();
     void fail_with(int problem);
 
     std::string name_;
+    ResultFile file_;
     FileWriter writer_;
     RecordingFiles& files_;
     LiveSystem* live_ = nullptr;
     std::vector<Line> waiting_;  // to be made beside the ticks: an act may hold a picture, or a million numbers
     Clock::time_point marked_{};
     ActTime last_mark_;
+    bool ended_ = false;
     std::optional<Error> error_;
 };
 

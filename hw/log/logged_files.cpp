@@ -1,10 +1,6 @@
 // A call is known from its beginning, so that one that never comes back is in the log as well.
 #include "hw/log/logged_files.hpp"
 
-#include <fcntl.h>
-
-#include <cerrno>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -58,16 +54,15 @@ bool is_under(const std::string& folder, const std::string& path) {
 }  // namespace
 
 Expected<std::shared_ptr<LoggedFiles>> LoggedFiles::create(const std::string& file, const DeviceRoots& roots) {
-    constexpr mode_t mode = 0644;
-    const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
-    if (opened < 0) return failure(std::string("can't be written: ") + std::strerror(errno), {.file = file});
-    std::shared_ptr<LoggedFiles> log(new LoggedFiles(opened, roots));
+    auto opened = ResultFile::open(file);
+    if (!opened) return Unexpected(opened.error());
+    std::shared_ptr<LoggedFiles> log(new LoggedFiles(std::move(*opened), roots));
     log->writer_.put(device_log_header());
     return log;
 }
 
-LoggedFiles::LoggedFiles(int file, DeviceRoots roots)
-    : roots_(std::move(roots)), began_(clock_seconds()), writer_(file) {}
+LoggedFiles::LoggedFiles(ResultFile file, DeviceRoots roots)
+    : roots_(std::move(roots)), began_(clock_seconds()), file_(std::move(file)), writer_(file_.descriptor()) {}
 
 double LoggedFiles::now() const { return clock_seconds() - began_; }
 
@@ -126,7 +121,9 @@ int LoggedFiles::close() {
             }
         }
     }
-    return writer_.close();
+    const int problem = writer_.close();
+    if (problem == 0) file_.replace_older();
+    return problem;
 }
 
 }  // namespace nezumi::hw

@@ -10,6 +10,7 @@
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/base/result_file.hpp"
 #include "hw/device/files.hpp"
 #include "hw/device/roots.hpp"
 #include "hw/log/device_log.hpp"
@@ -20,7 +21,8 @@ namespace nezumi::hw {
 /// When the log can't be written any more, the devices go on without it.
 class LoggedFiles final : public DeviceFiles, public std::enable_shared_from_this<LoggedFiles> {
 public:
-    /// Begins a log of what is done through the files of `roots`. An error when the file can't be written.
+    /// Begins a log of what is done through the files of `roots`; the older one of its name is set aside until it is
+    /// closed. An error when the file can't be written.
     static Expected<std::shared_ptr<LoggedFiles>> create(const std::string& file, const DeviceRoots& roots);
 
     Answer<std::unique_ptr<OpenFile>> open(const std::string& path, Access access) override;
@@ -33,6 +35,8 @@ public:
     void end();
     /// The error that ended the writing (an errno), 0 so far.
     int problem() const { return writer_.problem(); }
+    /// The log, and where the older one of its name is.
+    const ResultFile& file() const { return file_; }
     /// Writes what is still to be written, calls that have not come back as well. Returns the error, or 0. Once.
     int close();
 
@@ -47,7 +51,7 @@ public:
     }
 
 private:
-    LoggedFiles(int file, DeviceRoots roots);
+    LoggedFiles(ResultFile file, DeviceRoots roots);
     double now() const;
     std::string canonical(const std::string& path) const;
     std::uint64_t begin(DeviceCall& call);
@@ -55,6 +59,7 @@ private:
 
     const DeviceRoots roots_;
     const double began_;  // [s] by `clock_seconds`
+    ResultFile file_;
     FileWriter writer_;
     Mutex mutex_;  // held for a copy at most
     std::uint64_t calls_ = 0;

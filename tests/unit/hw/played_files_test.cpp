@@ -10,6 +10,7 @@
 
 #include "engine/base/whole_file.hpp"
 #include "hw/log/logged_files.hpp"
+#include "tests/unit/file_text.hpp"
 #include "tests/unit/hw/fake_ev3_rig.hpp"
 #include "tests/unit/hw/fake_mouse_rig.hpp"
 
@@ -70,6 +71,19 @@ TEST_CASE("what drivers do with their files is in the log, as /dev and /sys have
                        "read /sys/class/hwmon/hwmon0/name = \"rpi_volt\\n\"", "list /sys/class/hwmon = \"hwmon0\\n\"",
                        "write /dev/rtled0 \"" + fingerprint(std::string(2000, 'x')) + "\" = 2000", calls.back()});
     CHECK(read_device_log(log_text(folder), "x.log"));
+}
+
+TEST_CASE("the older log has another name until the new one is whole", "[hw][log]") {
+    const Scratch folder;
+    const std::string file = folder.write("x.log", "older\n").string();
+    auto logged = LoggedFiles::create(file, {});
+    REQUIRE(logged);
+    CHECK(text_of_file(file + "~") == "older\n");
+    CHECK((*logged)->file().told_of_older() == ", and what was there before is now " + file + "~");
+    (*logged)->end();
+    CHECK((*logged)->close() == 0);
+    CHECK(read_device_log(log_text(folder), "x.log"));
+    CHECK_FALSE(std::filesystem::exists(file + "~"));
 }
 
 TEST_CASE("a log that can't be written is refused, and one that no longer can holds up nobody", "[hw][log]") {

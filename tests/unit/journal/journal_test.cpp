@@ -93,6 +93,28 @@ TEST_CASE("an hour of random acts of every kind replays to the same hash", "[jou
     CHECK(run.done == all_kinds(std::make_index_sequence<std::variant_size_v<Act>>()));
 }
 
+TEST_CASE("the older journal has another name until the new one has its end, and its own again where no run began",
+          "[journal]") {
+    const Scratch folder;
+    const fs::path file = folder.write("it.journal", "older\n");
+    RecordingFiles files;
+    SECTION("a run that ends") {
+        Small run("function on_execute() end");
+        run.journal = std::move(Journal::create(file, files).value());
+        run.journal->begin(*run.live, journal_version, false);
+        run.tick(3);
+        CHECK(text_of_file(file.string() + "~") == "older\n");
+        run.end();
+        CHECK(Replay::read(file, journal_version));
+        CHECK_FALSE(fs::exists(file.string() + "~"));
+    }
+    SECTION("a system that could not be read") {
+        REQUIRE(Journal::create(file, files));
+        CHECK(text_of_file(file) == "older\n");
+        CHECK_FALSE(fs::exists(file.string() + "~"));
+    }
+}
+
 TEST_CASE("a replay reads no file of the project", "[journal]") {
     RandomRun run(3);
     const std::uint64_t hash = run.run(1500);

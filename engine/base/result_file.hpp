@@ -7,7 +7,7 @@
 
 #include "engine/base/error.hpp"
 
-namespace nezumi::cli {
+namespace nezumi {
 
 /// What is there already is set aside as "FILE~" first (or "FILE~2", ..., where that is taken). Devices and pipes are
 /// written as they are.
@@ -22,6 +22,9 @@ public:
     const std::string& path() const { return path_; }
     /// Where the older file is; empty when there was none.
     const std::string& set_aside() const { return set_aside_; }
+    /// ", and what was there before is now FILE~", behind a message that the new one is not whole; "" where nothing
+    /// was.
+    std::string told_of_older() const;
 
     // All three once the descriptor is closed.
 
@@ -39,4 +42,4 @@ private:
     std::string set_aside_;
 };
 
-}  // namespace nezumi::cli
+}  // namespace nezumi

@@ -1,5 +1,5 @@
 // What a disk that is full leaves of a file, and of the older file of its name.
-#include "bindings/cli/result_file.hpp"
+#include "engine/base/result_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <sys/stat.h>
@@ -11,7 +11,6 @@
 #include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
-using cli::ResultFile;
 
 namespace {
 
@@ -25,7 +24,7 @@ ResultFile written(const std::string& file, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the older file has another name until the new one is whole", "[cli][record]") {
+TEST_CASE("the older file has another name until the new one is whole", "[files]") {
     const Scratch scratch;
     const std::string file = scratch.write("r.csv", "older").string();
     const std::string other = scratch.write("r.csv~", "of somebody else").string();
@@ -49,7 +48,7 @@ TEST_CASE("the older file has another name until the new one is whole", "[cli][r
     CHECK(text_of_file(other) == "of somebody else");
 }
 
-TEST_CASE("a link stays a link, and a file that is new leaves nothing", "[cli][record]") {
+TEST_CASE("a link stays a link, and a file that is new leaves nothing", "[files]") {
     const Scratch scratch;
     const std::string file = scratch.write("r.csv", "older").string(), link = scratch.path("link.csv").string();
     std::filesystem::create_symlink(file, link);
@@ -66,7 +65,7 @@ TEST_CASE("a link stays a link, and a file that is new leaves nothing", "[cli][r
           scratch.path("none/r.csv").string() + ": can't be written: No such file or directory");
 }
 
-TEST_CASE("a file that was cut off ends with its last whole row and a note", "[cli][record]") {
+TEST_CASE("a file that was cut off ends with its last whole row and a note", "[files]") {
     const Scratch scratch;
     const std::string file = scratch.path("r.csv").string();
     const auto cut = [&](const std::string& text, std::uint64_t from) {

@@ -1,5 +1,5 @@
 // Renames, so that at every moment there is a file that is whole.
-#include "bindings/cli/result_file.hpp"
+#include "engine/base/result_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace nezumi::cli {
+namespace nezumi {
 namespace {
 
 constexpr int most_set_aside = 99;
@@ -60,6 +60,10 @@ Expected<ResultFile> ResultFile::open(const std::string& file) {
     Error problem = problem_with(file);
     ::close(result.descriptor_);
     return Unexpected(std::move(problem));
+}
+
+std::string ResultFile::told_of_older() const {
+    return set_aside_.empty() ? "" : ", and what was there before is now " + set_aside_;
 }
 
 void ResultFile::replace_older() {
@@ -114,4 +118,4 @@ void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
     ::close(file);
 }
 
-}  // namespace nezumi::cli
+}  // namespace nezumi
