@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 
 namespace nezumi::web {
 namespace {
@@ -35,8 +34,7 @@ std::string_view token_in(std::string_view protocols) {
 
 std::string make_token() {
     std::array<std::uint8_t, 16> bytes{};
-    // Of so few bytes it gives all, once the system has any.
-    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) std::abort();
+    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return "";
     constexpr std::string_view digits = "0123456789abcdef";
     std::string token;
     for (const std::uint8_t byte : bytes) {
@@ -48,7 +46,7 @@ std::string make_token() {
 
 bool is_same_secret(std::string_view left, std::string_view right) {
     // The length of ours is no secret.
-    if (left.size() != right.size()) return false;
+    if (left.size() != right.size() || left.empty()) return false;
     volatile unsigned difference = 0;
     for (std::size_t i = 0; i < left.size(); ++i)
         difference = difference |

@@ -8,10 +8,11 @@
 
 namespace nezumi::web {
 
-/// 128 random bits as 32 hexadecimal digits.
+/// 128 random bits as 32 hexadecimal digits; "" where the kernel gives none.
 std::string make_token();
 
-/// Whether two texts are equal. How long that takes tells nothing about where they differ.
+/// Whether two texts are equal; none is equal to an empty one. How long that takes tells nothing about where they
+/// differ.
 bool is_same_secret(std::string_view left, std::string_view right);
 
 class Access {
@@ -20,7 +21,7 @@ public:
     explicit Access(std::string scheme = "http", std::string address = "")
         : scheme_(std::move(scheme)), address_(std::move(address)) {}
 
-    /// For those who may act, and for those who may only look.
+    /// For those who may act, and for those who may only look. Empty, they let nobody in.
     const std::string& token() const { return token_; }
     const std::string& view_token() const { return view_token_; }
 

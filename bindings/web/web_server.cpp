@@ -57,6 +57,9 @@ WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& conso
 Expected<std::unique_ptr<WebServer>> WebServer::open(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
+    const Access& access = server->hub_.access();
+    if (access.token().empty() || access.view_token().empty())
+        return failure("the kernel gives no random numbers for the secret in its address");
     auto sockets = open_sockets(options.sockets, server->hub_);
     if (!sockets) return Unexpected(sockets.error());
     server->sockets_ = std::move(*sockets);

@@ -98,6 +98,7 @@ TEST_CASE("tokens are long, random and hexadecimal, and compared whole", "[web][
     CHECK(is_same_secret("abc", "abc"));
     CHECK_FALSE(is_same_secret("abc", "abd"));
     CHECK_FALSE(is_same_secret("abc", "ab"));
+    CHECK_FALSE(is_same_secret("", ""));
     CHECK_FALSE(is_same_secret("", "a"));
     const Access access;
     CHECK(access.token() != access.view_token());
