@@ -16,14 +16,13 @@
 #include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
 #include "engine/base/whole_file.hpp"
-#include "engine/system/questions.hpp"
 
 namespace nezumi::dds {
 namespace {
 
 constexpr std::string_view of_ros = "ros/";
 
-class BothNetworks final : public Network, public HostQuestions {
+class BothNetworks final : public Network {
 public:
     /// `own`: the transport that it alone uses, or nullptr.
     BothNetworks(System& system, std::unique_ptr<Transport> own, std::unique_ptr<SystemNetwork> hosts, std::string node)
@@ -39,8 +38,11 @@ public:
     }
     void between_ticks(const ActDoor& act) override {
         if (hosts_ != nullptr) hosts_->between_ticks(act);
-        if (node_.empty()) return;
-        if (auto* node = dynamic_cast<RosNode*>(system_.find(node_))) node->between_ticks(act);
+        if (RosNode* its = node()) its->between_ticks();
+    }
+    void before_tick(const ActDoor& act) override {
+        if (hosts_ != nullptr) hosts_->before_tick(act);
+        if (RosNode* its = node()) its->before_tick(act);
     }
     Expected<std::uint64_t> ask(const Question& question) const override {
         if (hosts_ != nullptr) return hosts_->ask(question);
@@ -56,6 +58,9 @@ public:
     }
 
 private:
+    // nullptr when there is none, or it was removed.
+    RosNode* node() { return node_.empty() ? nullptr : dynamic_cast<RosNode*>(system_.find(node_)); }
+
     System& system_;
     std::unique_ptr<Transport> own_;  // of the components of other hosts too: these go before the network does
     std::unique_ptr<SystemNetwork> hosts_;

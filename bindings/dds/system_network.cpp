@@ -63,11 +63,9 @@ void SystemNetwork::between_ticks(const ActDoor& act) {
     const double now = settings_.clock();
     if (failed_ || !open()) return;
     requests_.serve(hosts_, system_, settings_.writable, act, now);
-    if (now >= next_) {
-        next_ = now + period;
-        look(act);
-    }
-    receive(act);
+    if (now < next_) return;
+    next_ = now + period;
+    look(act);
 }
 
 void SystemNetwork::look(const ActDoor& act) {
@@ -81,9 +79,7 @@ void SystemNetwork::look(const ActDoor& act) {
     note_waiting();
 }
 
-// Once for each tick: while time stands, what comes waits as the port's messages do.
-void SystemNetwork::receive(const ActDoor& act) {
-    if (std::exchange(received_, system_.now().tick) == system_.now().tick) return;
+void SystemNetwork::before_tick(const ActDoor& act) {
     // NOLINTNEXTLINE(modernize-loop-convert): what an act changes may be the list itself
     for (std::size_t i = 0; i < system_.components().size(); ++i) {
         if (auto* remote = dynamic_cast<RemoteComponent*>(system_.components()[i].get())) remote->receive(act);

@@ -17,7 +17,6 @@
 #include "bindings/dds/remote_component.hpp"
 #include "bindings/dds/transport.hpp"
 #include "engine/system/network.hpp"
-#include "engine/system/questions.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi::dds {
@@ -35,13 +34,14 @@ struct HostSettings {
 /// A connection with another host is an ordinary connection at both ends, to a component that stands for the other's:
 /// "ev3/vehicle". Who was asked for it announces it; the other makes it as an act of that host, or refuses it and says
 /// why. It ends when either end ends it, and outlives either end's absence.
-class SystemNetwork final : public Network, public HostQuestions, private PortObserver {
+class SystemNetwork final : public Network, private PortObserver {
 public:
     /// Both must outlive the network. Nothing is said or heard before the first `between_ticks`.
     SystemNetwork(System& system, Transport& transport, HostSettings settings);
 
     Expected<void> reach(std::string_view path, const Port& other) override;
     void between_ticks(const ActDoor& act) override;
+    void before_tick(const ActDoor& act) override;
     Expected<std::uint64_t> ask(const Question& question) const override;
     std::optional<Expected<PlainData>> answer(std::uint64_t number) const override;
     std::vector<Host> hosts() const override;
@@ -54,7 +54,6 @@ private:
     bool open();
     void look(const ActDoor& act);
     void listen();
-    void receive(const ActDoor& act);
     std::vector<Ends> present() const;
     Expected<bool> can_be(const Ends& ends, const Announcement& host) const;
     void make_what_others_want(const std::vector<Ends>& present, const ActDoor& act);
@@ -89,7 +88,6 @@ private:
     std::uint64_t followed_ = 0;                                 // whose ports the outlets have
     int told_ = 0;                                               // refusals
     int looked_ = 0;                                             // connections that others were given who may only look
-    std::int64_t received_ = -1;                                 // the tick for which messages were taken last
 };
 
 }  // namespace nezumi::dds

@@ -101,13 +101,16 @@ void LiveSystem::between_ticks() {
     } else {
         running_->reloader->after_tick();
     }
-    Network* network = running_->system->network();
-    if (network != nullptr)
-        network->between_ticks([this](const Act& each, const Actor& who) { return act(each, who); });
+    if (Network* network = running_->system->network()) network->between_ticks(door());
+}
+
+ActDoor LiveSystem::door() {
+    return [this](const Act& each, const Actor& who) { return act(each, who); };
 }
 
 void LiveSystem::tick() {
     between_ticks();
+    if (Network* network = running_->system->network()) network->before_tick(door());
     if (!endings_.empty()) end_holds();
     if (!foreseen_.empty()) take_foreseen();
     const ActTime time = when();

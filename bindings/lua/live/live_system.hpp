@@ -148,6 +148,7 @@ private:
     Expected<ActResult> perform(const AddMarker& act, const Actor& who);
     Expected<ActResult> perform(const RemoveMarker& act, const Actor& who);
     Expected<ActResult> perform(const Restart& act, const Actor& who);
+    ActDoor door();
     void watch_again();
     void end_holds();
     void take_foreseen();

@@ -73,21 +73,26 @@ struct HostRig {
             },
             act);
     }
-    void look() {
-        system.network()->between_ticks([this](const Act& each, const Actor& who) {
+    ActDoor door() {
+        return [this](const Act& each, const Actor& who) {
             (std::holds_alternative<Write>(each) ? arrivals : acts)
                 .push_back(fmt::format("{} by {}", name_of(each), to_text(who)));
             return act(each, who);
-        });
+        };
     }
-    const HostQuestions& questions() { return dynamic_cast<const HostQuestions&>(*system.network()); }
+    void look() { system.network()->between_ticks(door()); }
+    void tick() {
+        look();
+        system.network()->before_tick(door());
+        system.tick();
+    }
     /// What another host answers, asked by this one.
     template <class... Rig>
     Expected<PlainData> ask(const Question& question, Rig&... others) {
-        const auto number = questions().ask(question);
+        const auto number = system.network()->ask(question);
         if (!number) return Unexpected(number.error());
         for (;;) {
-            if (auto answer = questions().answer(*number)) return std::move(*answer);
+            if (auto answer = system.network()->answer(*number)) return std::move(*answer);
             room.clock += 0.1;
             (others.look(), ...);
             look();
@@ -119,7 +124,7 @@ template <class... Rig>
 void pass(Room& room, int times, Rig&... rigs) {
     for (int i = 0; i < times; ++i) {
         room.clock += 0.1;
-        ((rigs.look(), rigs.system.tick()), ...);
+        (rigs.tick(), ...);
     }
 }
 
