@@ -56,6 +56,14 @@ public:
     /// the word `ros`.
     virtual bool brought(const ConnectionSpec& connection) const = 0;
 
+    // Time that several hosts share.
+    /// Whether the next tick may come. False while others are waited for, to be asked again.
+    virtual bool may_tick() { return true; }
+    /// Adds the files that are readable when that may have changed.
+    virtual void add_files(std::vector<int>& /*files*/) const {}
+    /// The run is over: nobody waits for this system any more, nor it for others.
+    virtual void leave() {}
+
     // To ask changes nothing of this system, and waits for nothing.
     /// Asks a host; returns the question's number. An error when that host is not there.
     virtual Expected<std::uint64_t> ask(const Question& question) const = 0;

@@ -104,6 +104,15 @@ void LiveSystem::between_ticks() {
     if (Network* network = running_->system->network()) network->between_ticks(door());
 }
 
+bool LiveSystem::may_tick() {
+    Network* network = running_->system->network();
+    return network == nullptr || network->may_tick();
+}
+
+void LiveSystem::add_files(std::vector<int>& files) const {
+    if (const Network* network = system().network()) network->add_files(files);
+}
+
 ActDoor LiveSystem::door() {
     return [this](const Act& each, const Actor& who) { return act(each, who); };
 }
@@ -205,7 +214,10 @@ Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view na
 
 void LiveSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
 
-void LiveSystem::end() { running_->system->stop(0); }
+void LiveSystem::end() {
+    if (Network* network = running_->system->network()) network->leave();
+    running_->system->stop(0);
+}
 
 const System& LiveSystem::system() const { return *running_->system; }
 const SystemSpec& LiveSystem::spec() const { return running_->spec; }
