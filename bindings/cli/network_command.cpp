@@ -27,6 +27,7 @@ struct ListOptions {
     std::uint64_t domain = 0;
     std::string interface;
     std::vector<std::string> peers;
+    std::string secret;  // a file; "": none
     double seconds = 3;  // hosts announce themselves every second or so
 };
 
@@ -37,7 +38,13 @@ int list_network(const ListOptions& options) {
     auto place = dds::open_cyclone({.domain = static_cast<std::uint32_t>(options.domain),
                                     .xml = dds::domain_xml(options.interface, options.peers)});
     if (!place) return refuse(fmt::format("network list: {}", place.error().message));
-    const auto reader = (*place)->read(dds::announcement_topic());
+    std::unique_ptr<dds::Transport> sealed;
+    if (!options.secret.empty()) {
+        const auto secret = dds::read_secret(options.secret, options.secret);
+        if (!secret) return refuse(fmt::format("network list: {}", secret.error().message));
+        sealed = dds::make_sealed_transport(**place, *secret);
+    }
+    const auto reader = (sealed != nullptr ? *sealed : **place).read(dds::announcement_topic());
     if (reader == nullptr) return refuse(fmt::format("network list: {}", (*place)->problem()));
     std::this_thread::sleep_for(std::chrono::duration<double>(options.seconds));
     dds::HostTable hosts({}, 0);
@@ -76,9 +83,10 @@ Command network_command() {
                  .options = {{"--domain", &list->domain, "as the word network says it (default: 0)", "N"},
                              {"--interface", &list->interface, "the network interface (default: the loopback)", "NAME"},
                              {"--peer", &list->peers, "where the network carries no multicast", "ADDRESS"},
+                             {"--secret", &list->secret, "that of the hosts to be seen", "FILE"},
                              {"--seconds", &list->seconds, "how long to listen", "S", number_from(0.1, 60)}},
                  .run = [list] { return list_network(*list); },
-                 .footer = "Hosts that have a secret are seen by nobody else."},
+                 .footer = "Hosts that have a secret are seen only by who has it: --secret."},
                 {.name = "secret",
                  .help = "Write a new secret into a file, for hosts that are to trust each other",
                  .options = {{"FILE", file.get(), "that is not there yet"}},

@@ -84,11 +84,27 @@ void RunLoop::run() {
         serve_until_due();
         if (ended()) return;
         if (stands_still()) continue;
+        if (!live_.may_tick()) {
+            wait_for_hosts();
+            continue;
+        }
         for (const auto& action : before_tick_) action();
         follow_restart();
         if (ended()) return;
         tick();
     }
+}
+
+// Mostly other hosts are as far within a moment. While they are not, attendants have their turns as in a pause.
+void RunLoop::wait_for_hosts() {
+    wait_for_files(kSlice, true);
+    if (!live_.may_tick()) {
+        serve(Clock::now() + duration_of(kSlice));
+        live_.between_ticks();
+        follow_restart();
+        if (!ended() && !more_waits_ && !live_.may_tick()) wait_for_files(kLongestWait);
+    }
+    if (pacer_ != nullptr && pacer_->until_due() < Clock::duration::zero()) pacer_->restart();
 }
 
 void RunLoop::tick() {
@@ -129,9 +145,12 @@ void RunLoop::serve(Clock::time_point until) {
     served_ = Clock::now();
 }
 
-void RunLoop::wait_for_files(double seconds) {
+void RunLoop::wait_for_files(double seconds, bool of_hosts_alone) {
     std::vector<int> files;
-    for (const Attendant* attendant : attendants_) attendant->add_files(files);
+    live_.add_files(files);
+    if (!of_hosts_alone) {
+        for (const Attendant* attendant : attendants_) attendant->add_files(files);
+    }
     std::vector<pollfd> polled;
     polled.reserve(files.size());
     for (const int file : files) polled.push_back({.fd = file, .events = POLLIN, .revents = 0});

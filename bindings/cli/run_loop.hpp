@@ -97,7 +97,8 @@ private:
     void serve_until_due();
     double spare_seconds() const;
     void serve(Clock::time_point until);
-    void wait_for_files(double seconds);
+    void wait_for_hosts();
+    void wait_for_files(double seconds, bool of_hosts_alone = false);
 
     LiveSystem& live_;
     Options options_;

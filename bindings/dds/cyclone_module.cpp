@@ -3,10 +3,13 @@
 #include <dds/ddsi/ddsi_serdata.h>
 #include <dds/ddsi/ddsi_sertype.h>
 #include <dds/ddsrt/log.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -52,7 +55,9 @@ Qos qos_of(const Topic& topic) {
     // A write never waits: what a slow reader has not acknowledged is replaced.
     dds_qset_reliability(qos.get(), topic.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
     dds_qset_durability(qos.get(), topic.keeps_last ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-    dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, std::clamp(topic.depth, 1, most_kept));
+    const int depth = std::clamp(topic.depth, 1, most_kept);
+    dds_qset_history(qos.get(), topic.keeps_all ? DDS_HISTORY_KEEP_ALL : DDS_HISTORY_KEEP_LAST, depth);
+    if (topic.keeps_all) dds_qset_resource_limits(qos.get(), depth, DDS_LENGTH_UNLIMITED, depth);
     const dds_data_representation_id_t plain[] = {DDS_DATA_REPRESENTATION_XCDR1};
     dds_qset_data_representation(qos.get(), 1, plain);
     if (!topic.user_data.empty()) dds_qset_userdata(qos.get(), topic.user_data.data(), topic.user_data.size());
@@ -74,11 +79,42 @@ private:
     Entity writer_;
 };
 
+// A file that is readable from when something comes until it is calmed.
+class Alarm {
+public:
+    Alarm() : file_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+    Alarm(Alarm&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+    Alarm& operator=(Alarm&&) = delete;
+    ~Alarm() {
+        if (file_ >= 0) close(file_);
+    }
+    int file() const { return file_; }
+    void calm() const {
+        eventfd_t count = 0;
+        static_cast<void>(eventfd_read(file_, &count));
+    }
+    /// What Cyclone calls, in a thread of its own, while the reader exists.
+    void set_off_by(dds_entity_t reader) const {
+        dds_listener_t* listener = dds_create_listener(reinterpret_cast<void*>(static_cast<std::intptr_t>(file_)));
+        dds_lset_data_available(listener, [](dds_entity_t /*reader*/, void* file) {
+            static_cast<void>(eventfd_write(static_cast<int>(reinterpret_cast<std::intptr_t>(file)), 1));
+        });
+        static_cast<void>(dds_set_listener(reader, listener));  // fails only for what is no reader
+        dds_delete_listener(listener);
+    }
+
+private:
+    int file_;
+};
+
 class CycloneReader final : public Reader {
 public:
-    CycloneReader(Entity topic, Entity reader) : topic_(std::move(topic)), reader_(std::move(reader)) {}
+    CycloneReader(Entity topic, Entity reader, std::optional<Alarm> alarm)
+        : alarm_(std::move(alarm)), topic_(std::move(topic)), reader_(std::move(reader)) {}
 
+    int file() const override { return alarm_ ? alarm_->file() : -1; }
     std::vector<Sample> take() override {
+        if (alarm_) alarm_->calm();
         std::vector<Sample> all;
         constexpr std::uint32_t portion = 32;
         std::array<ddsi_serdata*, portion> data{};
@@ -115,6 +151,7 @@ public:
     }
 
 private:
+    std::optional<Alarm> alarm_;  // outlives the reader that sets it off
     Entity topic_;
     Entity reader_;
 };
@@ -180,7 +217,9 @@ public:
             problem_ = explain(topic.name + " can't be read", reader.get());
             return nullptr;
         }
-        return std::make_unique<CycloneReader>(std::move(made), std::move(reader));
+        std::optional<Alarm> alarm;
+        if (topic.wakes) alarm.emplace().set_off_by(reader.get());
+        return std::make_unique<CycloneReader>(std::move(made), std::move(reader), std::move(alarm));
     }
     std::vector<SeenEndpoint> seen() override {
         std::vector<SeenEndpoint> all;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/base/names.hpp"
@@ -46,6 +47,9 @@ bool is_bounded(const Announcement& said) {
     };
     return said.ports.size() <= most_ports && said.heard.size() <= 4 * most_hosts &&
            said.wants.size() <= most_connections && said.refusals.size() <= most_connections &&
+           std::isfinite(said.lockstep) && said.lockstep >= 0 && said.partners.size() <= most_hosts &&
+           std::all_of(said.partners.begin(), said.partners.end(),
+                       [](const std::string& name) { return is_identifier(name) && name.size() <= longest_name; }) &&
            std::all_of(said.ports.begin(), said.ports.end(),
                        [](const AnnouncedPort& port) {
                            return is_path(port.name, false) && is_identifier(port.type) &&

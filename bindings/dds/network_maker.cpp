@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
 #include <optional>
 #include <random>
-#include <system_error>
 #include <type_traits>
 
 #include "bindings/dds/domain_xml.hpp"
@@ -15,15 +13,13 @@
 #include "bindings/dds/sealed_transport.hpp"
 #include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
-#include "engine/base/whole_file.hpp"
-#include "engine/system/questions.hpp"
 
 namespace nezumi::dds {
 namespace {
 
 constexpr std::string_view of_ros = "ros/";
 
-class BothNetworks final : public Network, public HostQuestions {
+class BothNetworks final : public Network {
 public:
     /// `own`: the transport that it alone uses, or nullptr.
     BothNetworks(System& system, std::unique_ptr<Transport> own, std::unique_ptr<SystemNetwork> hosts, std::string node)
@@ -39,8 +35,18 @@ public:
     }
     void between_ticks(const ActDoor& act) override {
         if (hosts_ != nullptr) hosts_->between_ticks(act);
-        if (node_.empty()) return;
-        if (auto* node = dynamic_cast<RosNode*>(system_.find(node_))) node->between_ticks(act);
+        if (RosNode* its = node()) its->between_ticks();
+    }
+    void before_tick(const ActDoor& act) override {
+        if (hosts_ != nullptr) hosts_->before_tick(act);
+        if (RosNode* its = node()) its->before_tick(act);
+    }
+    bool may_tick() override { return hosts_ == nullptr || hosts_->may_tick(); }
+    void add_files(std::vector<int>& files) const override {
+        if (hosts_ != nullptr) hosts_->add_files(files);
+    }
+    void leave() override {
+        if (hosts_ != nullptr) hosts_->leave();
     }
     Expected<std::uint64_t> ask(const Question& question) const override {
         if (hosts_ != nullptr) return hosts_->ask(question);
@@ -56,6 +62,9 @@ public:
     }
 
 private:
+    // nullptr when there is none, or it was removed.
+    RosNode* node() { return node_.empty() ? nullptr : dynamic_cast<RosNode*>(system_.find(node_)); }
+
     System& system_;
     std::unique_ptr<Transport> own_;  // of the components of other hosts too: these go before the network does
     std::unique_ptr<SystemNetwork> hosts_;
@@ -73,32 +82,17 @@ std::uint64_t new_run() {
     return std::uint64_t{random()} << 32 | random() | 1;
 }
 
-// What the word allows that is not there.
+// Whether others may do more than look.
+bool is_writable(const NetworkSpec& spec) { return spec.interface.empty() || spec.open || !spec.secret.empty(); }
+
+// What the word allows and this run does not.
 Expected<void> check(const NetworkSpec& spec, const System& system) {
     if (spec.lockstep && system.settings().real_time)
         return failure("network: 'lockstep' is for simulations: time does not wait for real robots", spec.place);
-    if (spec.lockstep)
-        return failure("network: 'lockstep' is not there yet: each simulation keeps its own time", spec.place);
+    if (spec.lockstep && !is_writable(spec))
+        return failure("network: 'lockstep' lets other hosts hold up time: it needs `secret`, or `open = true`",
+                       spec.place);
     return {};
-}
-
-// The secret of a host. Whoever can read it can drive its robots.
-Expected<Secret> read_secret(const NetworkSpec& spec) {
-    const auto refuse = [&](const std::string& why) {
-        return failure(fmt::format("the secret '{}' {}", shown(spec.secret), why));
-    };
-    if (spec.secret_path.empty())
-        return refuse("is not there: `nezumi network secret FILE` makes one, to be copied to each host");
-    std::error_code none;
-    using std::filesystem::perms;
-    const perms rights = std::filesystem::status(spec.secret_path, none).permissions();
-    if ((rights & (perms::group_read | perms::others_read)) != perms::none)
-        return refuse(fmt::format("can be read by others: chmod 600 {}", spec.secret_path));
-    const auto text = read_whole(spec.secret_path, spec.secret_path);
-    if (!text) return refuse(text.error().message);
-    auto secret = secret_from(*text);
-    if (!secret) return refuse(secret.error().message);
-    return secret;
 }
 
 // The place in the domain of `network` or `ros`.
@@ -106,26 +100,29 @@ template <class Word>
 using Join = std::function<Expected<Transport*>(const Word& word)>;
 
 Expected<std::unique_ptr<SystemNetwork>> make_host(const Join<NetworkSpec>& join, const NetworkSpec& spec,
-                                                   System& system, const std::string& version) {
+                                                   System& system, const std::string& version, bool alone) {
     if (auto ok = check(spec, system); !ok) return Unexpected(ok.error());
     const auto transport = join(spec);
     if (!transport) return failure(fmt::format("network: {}", transport.error().message), spec.place);
     HostSettings settings;
     settings.name = spec.name;
     settings.version = version;
-    settings.writable = spec.interface.empty() || spec.open || !spec.secret.empty();
+    settings.writable = is_writable(spec);
     settings.answered = !spec.secret.empty();
     settings.run = new_run();
     settings.clock = system.settings().clock;
+    settings.lockstep = spec.lockstep && !alone;
+    settings.hosts = spec.hosts;
     return std::make_unique<SystemNetwork>(system, **transport, std::move(settings));
 }
 
 template <class JoinAny>
 Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& system, const JoinAny& join,
-                                             const std::string& version, std::unique_ptr<Transport>& own) {
+                                             const std::string& version, std::unique_ptr<Transport>& own,
+                                             bool alone = false) {
     std::unique_ptr<SystemNetwork> host;
     if (spec.network) {
-        auto made = make_host(join, *spec.network, system, version);
+        auto made = make_host(join, *spec.network, system, version, alone);
         if (!made) return Unexpected(made.error());
         host = std::move(*made);
     }
@@ -164,7 +161,7 @@ NetworkMaker make_networks(Domains& domains, std::string version) {
             auto joined = domains.join(word.domain, word.interface, word.peers);
             if constexpr (std::is_same_v<Word, NetworkSpec>) {
                 if (!joined || word.secret.empty()) return joined;
-                const auto secret = read_secret(word);
+                const auto secret = read_secret(word.secret, word.secret_path);
                 if (!secret) return Unexpected(secret.error());
                 sealed = make_sealed_transport(**joined, *secret);
                 return sealed.get();
@@ -180,7 +177,7 @@ NetworkMaker make_silent_networks() {
     return [](const SystemSpec& spec, System& system) {
         auto silent = make_silent_transport();
         const auto join = [its = silent.get()](const auto& /*word*/) -> Expected<Transport*> { return its; };
-        return make_both(spec, system, join, "", silent);
+        return make_both(spec, system, join, "", silent, true);
     };
 }
 

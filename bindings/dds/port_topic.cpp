@@ -6,10 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ports/cdr.hpp"
-#include "engine/ports/payload.hpp"
-#include "engine/ports/port.hpp"
-
 namespace nezumi::dds {
 namespace {
 
@@ -37,15 +33,11 @@ Topic topic_of(std::string_view host, std::string_view port, std::size_t type) {
 }
 
 void Outlet::send(const Time& now, std::uint64_t run, double clock) {
-    if (port_->sequence() == seen_) return;
-    seen_ = port_->sequence();
-    with_payload_type(port_->type(), [&]<class T>() {
-        for (const Message<T>& message : static_cast<const OutPort<T>&>(*port_).messages()) {
-            const MessageHead head{
-                .run = run, .number = ++number_, .stamp = message.tm, .tick = now.tick, .offset = clock - now.seconds};
-            write_cdr(bytes_, on_the_wire, head, message.data);
-            static_cast<void>(writer_->write(bytes_));
-        }
+    take([&](const auto& message) {
+        const MessageHead head{
+            .run = run, .number = ++number_, .stamp = message.tm, .tick = now.tick, .offset = clock - now.seconds};
+        write_cdr(bytes_, on_the_wire, head, message.data);
+        static_cast<void>(writer_->write(bytes_));
     });
 }
 
@@ -68,11 +60,9 @@ void Inlet::receive(std::optional<std::uint64_t> run, double clock, const Give& 
 
 void Inlet::take(const Octets& bytes, std::uint64_t run, double clock, const Give& give) {
     MessageHead head;
-    AnyPayload value = with_payload_type(type_, []<class T>() { return AnyPayload(T{}); });
-    const Expected<void> read =
-        std::visit([&](auto& payload) { return read_cdr(bytes, on_the_wire, head, payload); }, value);
+    auto value = read_message(type_, bytes, head);
     const double sent = head.stamp + head.offset;
-    const bool fits = read && is_finite(value) && std::isfinite(sent) && head.run == run;
+    const bool fits = value && std::isfinite(sent) && head.run == run;
     // A number that was there already is a message that comes again.
     if (!fits || head.number <= progress_.number) {
         ++counts_.wrong;
@@ -86,7 +76,7 @@ void Inlet::take(const Octets& bytes, std::uint64_t run, double clock, const Giv
         return;
     }
     ++counts_.taken;
-    give(std::move(value));
+    give(std::move(*value));
 }
 
 }  // namespace nezumi::dds

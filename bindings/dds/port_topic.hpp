@@ -1,11 +1,13 @@
 // Messages of one port on their way between hosts: head, stamp and payload as CDR, one topic for each out-port.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,23 +15,30 @@
 #include "bindings/dds/message_age.hpp"
 #include "bindings/dds/transport.hpp"
 #include "bindings/dds/wire.hpp"
-#include "engine/ports/port_base.hpp"
+#include "engine/ports/cdr.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/ports/port.hpp"
+#include "engine/system/system.hpp"
 
 namespace nezumi::dds {
 
 /// The topic of the out-port "name.port" of a host, whose messages are of this type.
 Topic topic_of(std::string_view host, std::string_view port, std::size_t type);
 
-/// Sends what an out-port publishes, while another host wants it.
-class Outlet {
+/// What an out-port publishes from now on. The port must live until another one is followed.
+class Published {
 public:
-    /// `number`: of the message sent last on this topic, which goes on where another outlet has ended. Both references
-    /// must outlive the outlet, `port` until another one is followed.
-    Outlet(const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
-        : port_(&port), type_(port.type()), writer_(std::move(writer)), seen_(port.sequence()), number_(number) {}
+    explicit Published(const OutPortBase& port) : port_(&port), type_(port.type()), seen_(port.sequence()) {}
 
-    /// Sends what was published since the last call. `run` as announced; `clock`: the monotonic clock [s].
-    void send(const Time& now, std::uint64_t run, double clock);
+    /// Gives each `Message<T>` that was published since the last call.
+    template <class Give>
+    void take(const Give& give) {
+        if (port_->sequence() == seen_) return;
+        seen_ = port_->sequence();
+        with_payload_type(type_, [&]<class T>() {
+            for (const Message<T>& message : static_cast<const OutPort<T>&>(*port_).messages()) give(message);
+        });
+    }
     std::size_t type() const { return type_; }
     /// The port of the same name and type that has taken the place of the one before.
     void follow(const OutPortBase& port) {
@@ -41,11 +50,53 @@ public:
 private:
     const OutPortBase* port_;  // may be gone until another one is followed
     std::size_t type_;
-    std::unique_ptr<Writer> writer_;
     std::uint64_t seen_;
+};
+
+/// Has each of a map of what ports publish, by "name.port", follow the port that is called so now; drops those whose
+/// port has gone, or is of another type.
+template <class Map>
+void follow_ports(Map& all, const System& system) {
+    for (auto each = all.begin(); each != all.end();) {
+        const auto port = system.port(each->first);
+        if (port && (*port)->direction() == Direction::out && (*port)->type() == each->second.type()) {
+            each->second.follow(static_cast<const OutPortBase&>(**port));
+            ++each;
+        } else {
+            each = all.erase(each);
+        }
+    }
+}
+
+/// Sends what an out-port publishes, while another host wants it.
+class Outlet : public Published {
+public:
+    /// `number`: of the message sent last on this topic, which goes on where another outlet has ended, and must outlive
+    /// this one.
+    Outlet(const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
+        : Published(port), writer_(std::move(writer)), number_(number) {}
+
+    /// Sends what was published since the last call. `run` as announced; `clock`: the monotonic clock [s].
+    void send(const Time& now, std::uint64_t run, double clock);
+
+private:
+    std::unique_ptr<Writer> writer_;
     std::uint64_t& number_;
     Octets bytes_;
 };
+
+/// Reads a message of a type, CDR with its header behind what stands before it, which is described. Nothing when it is
+/// none, or a number of it is not finite.
+template <class... Head>
+std::optional<AnyPayload> read_message(std::size_t type, std::span<const std::uint8_t> bytes, Head&... head) {
+    AnyPayload value = with_payload_type(type, []<class T>() { return AnyPayload(T{}); });
+    const bool read = std::visit(
+        [&](auto& payload) {
+            return read_cdr(bytes, {.order = std::endian::little, .header = true}, head..., payload).has_value();
+        },
+        value);
+    return read && is_finite(value) ? std::optional(std::move(value)) : std::nullopt;
+}
 
 /// What became of the messages that came.
 struct Counts {

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 #include <sodium.h>
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
+#include "engine/base/whole_file.hpp"
 #include "engine/ports/cdr.hpp"
 
 namespace nezumi::dds {
@@ -51,6 +54,7 @@ public:
         return all;
     }
     std::vector<std::uint64_t> writers() const override { return inner_->writers(); }
+    int file() const override { return inner_->file(); }
     std::uint64_t lost() const override { return inner_->lost() + refused_; }
 
 private:
@@ -119,6 +123,25 @@ Expected<Secret> secret_from(std::string_view text) {
     const int read = sodium_base642bin(secret.data(), secret.size(), text.data(), text.size(), "\r\n ", &size, nullptr,
                                        sodium_base64_VARIANT_ORIGINAL);
     if (read != 0 || size != secret.size()) return refuse();
+    return secret;
+}
+
+Expected<Secret> read_secret(const std::string& said, const std::string& file) {
+    const auto refuse = [&](const std::string& why) {
+        return failure(fmt::format("the secret '{}' {}", shown(said), why));
+    };
+    std::error_code none;
+    using std::filesystem::perms;
+    const auto status = std::filesystem::status(file, none);
+    if (!std::filesystem::exists(status))
+        return refuse("is not there: `nezumi network secret FILE` makes one, to be copied to each host");
+    // Whoever can read it can drive robots.
+    if ((status.permissions() & (perms::group_read | perms::others_read)) != perms::none)
+        return refuse(fmt::format("can be read by others: chmod 600 {}", file));
+    const auto text = read_whole(file, file);
+    if (!text) return refuse(text.error().message);
+    auto secret = secret_from(*text);
+    if (!secret) return refuse(secret.error().message);
     return secret;
 }
 

@@ -22,6 +22,8 @@ Secret make_secret();
 /// As the text of a file, and from one; the error says what is wrong with it.
 std::string secret_text(const Secret& secret);
 Expected<Secret> secret_from(std::string_view text);
+/// The one in a file, which nobody else may read; "": there is no such file. The error calls it as it was `said`.
+Expected<Secret> read_secret(const std::string& said, const std::string& file);
 
 /// Encrypted and authenticated for this topic alone (XChaCha20-Poly1305 of libsodium), as CDR with its header.
 Octets seal(std::span<const std::uint8_t> cdr, const Topic& topic, const Secret& secret);

@@ -17,10 +17,6 @@ constexpr int most_made = 16;
 // Connections, as long as this system lives, that others who may only look are given; and refusals that are told.
 constexpr int most_looked = 4096, most_told = 100;
 
-std::string_view host_of(std::string_view path) { return path.substr(0, path.find('/')); }
-
-std::string_view without_host(std::string_view path) { return path.substr(path.find('/') + 1); }
-
 // "host/name" of "host/name.port", and the port.
 std::pair<std::string, std::string> split(std::string_view path) {
     const std::size_t dot = path.find('.');
@@ -40,6 +36,11 @@ SystemNetwork::SystemNetwork(System& system, Transport& transport, HostSettings 
       hosts_({.protocol = protocol, .host = settings_.name, .version = settings_.version}, settings_.run,
              settings_.answered),
       requests_(transport, settings_.name, settings_.run) {
+    if (settings_.lockstep)
+        lockstep_.emplace(
+            system, transport,
+            Lockstep::Settings{
+                .host = settings_.name, .run = settings_.run, .hosts = settings_.hosts, .clock = settings_.clock});
     system_.observe(*this);
 }
 
@@ -67,27 +68,28 @@ void SystemNetwork::between_ticks(const ActDoor& act) {
         next_ = now + period;
         look(act);
     }
-    receive(act);
+    if (lockstep_) lockstep_->serve();
 }
 
 void SystemNetwork::look(const ActDoor& act) {
     listen();
-    make_what_others_want(present(), act);
+    const bool made =
+        (!lockstep_ || lockstep_->may_connect(hosts_, present())) && make_what_others_want(present(), act);
     end_what_they_no_longer_want(present(), act);
     end_what_is_refused(present(), act);
     const std::vector<Ends> all = present();
+    if (lockstep_) lockstep_->meet(hosts_, all, made);
     open_topics(all);
     announce(all);
     note_waiting();
 }
 
-// Once for each tick: while time stands, what comes waits as the port's messages do.
-void SystemNetwork::receive(const ActDoor& act) {
-    if (std::exchange(received_, system_.now().tick) == system_.now().tick) return;
+void SystemNetwork::before_tick(const ActDoor& act) {
     // NOLINTNEXTLINE(modernize-loop-convert): what an act changes may be the list itself
     for (std::size_t i = 0; i < system_.components().size(); ++i) {
         if (auto* remote = dynamic_cast<RemoteComponent*>(system_.components()[i].get())) remote->receive(act);
     }
+    if (lockstep_) lockstep_->deliver(act);
 }
 
 Expected<std::uint64_t> SystemNetwork::ask(const Question& question) const {
@@ -133,7 +135,7 @@ std::string SystemNetwork::other_of(const Ends& ends) const {
 }
 
 // The connections that there are with other hosts.
-std::vector<SystemNetwork::Ends> SystemNetwork::present() const {
+std::vector<Ends> SystemNetwork::present() const {
     std::vector<Ends> all;
     for (const ConnectionSpec& each : system_.connections()) {
         const bool is_ours = is_remote(each.from) != is_remote(each.to);
@@ -164,7 +166,8 @@ Expected<bool> SystemNetwork::can_be(const Ends& ends, const Announcement& host)
         fmt::format("types differ: {} is {}, {} is {}", our_end, (*ours)->type_name(), their_end, shown(theirs->type)));
 }
 
-void SystemNetwork::make_what_others_want(const std::vector<Ends>& present, const ActDoor& act) {
+// Returns whether nothing is left for the next look.
+bool SystemNetwork::make_what_others_want(const std::vector<Ends>& present, const ActDoor& act) {
     std::set<Ends> wanted;
     int made_now = 0;
     for (const Announcement* host : hosts_.all()) {
@@ -212,6 +215,7 @@ void SystemNetwork::make_what_others_want(const std::vector<Ends>& present, cons
     std::erase_if(refusals_, [&](const auto& each) {
         return !wanted.contains(each.first) && hosts_.find(other_of(each.first)) != nullptr;
     });
+    return made_now <= most_made;
 }
 
 void SystemNetwork::end_what_they_no_longer_want(const std::vector<Ends>& present, const ActDoor& act) {
@@ -250,6 +254,7 @@ void SystemNetwork::end_what_is_refused(const std::vector<Ends>& present, const 
 void SystemNetwork::open_topics(const std::vector<Ends>& present) {
     std::set<std::string, std::less<>> sent, received;
     for (const auto& [from, to] : present) {
+        if (lockstep_ && lockstep_->carries(other_of({from, to}))) continue;
         if (host_of(from) == settings_.name) {
             sent.emplace(without_host(from));
         } else {
@@ -312,6 +317,7 @@ void SystemNetwork::announce(const std::vector<Ends>& present) {
     next.heard = hosts_.heard_runs();
     next.number = said_.number;
     for (const auto& [ends, why] : refusals_) next.refusals.push_back({ends.first, ends.second, why});
+    if (lockstep_) lockstep_->announce(next, present);
     layout_ = system_.layout();
     if (next == said_) return;
     ++next.number;
@@ -353,19 +359,12 @@ void SystemNetwork::note_waiting() {
 
 void SystemNetwork::latched(const System& system) {
     if (followed_ != system.layout()) {  // ports may have gone, or others have taken their places
-        for (auto each = outlets_.begin(); each != outlets_.end();) {
-            const auto port = system.port(each->first);
-            if (port && (*port)->direction() == Direction::out && (*port)->type() == each->second.type()) {
-                each->second.follow(static_cast<const OutPortBase&>(**port));
-                ++each;
-            } else {
-                each = outlets_.erase(each);
-            }
-        }
+        follow_ports(outlets_, system);
         followed_ = system.layout();
     }
     const double clock = settings_.clock();
     for (auto& [path, outlet] : outlets_) outlet.send(system.now(), settings_.run, clock);
+    if (lockstep_) lockstep_->publish();
 }
 
 std::vector<Host> SystemNetwork::hosts() const {

@@ -5,19 +5,21 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "bindings/dds/ends.hpp"
 #include "bindings/dds/host_requests.hpp"
 #include "bindings/dds/host_table.hpp"
+#include "bindings/dds/lockstep.hpp"
 #include "bindings/dds/port_topic.hpp"
 #include "bindings/dds/remote_component.hpp"
 #include "bindings/dds/transport.hpp"
 #include "engine/system/network.hpp"
-#include "engine/system/questions.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi::dds {
@@ -30,34 +32,41 @@ struct HostSettings {
     bool answered = false;                              ///< as in `HostTable`
     std::uint64_t run = 0;                              ///< another number at each start
     std::function<double()> clock = monotonic_seconds;  ///< [s], never backwards
+    bool lockstep = false;                              ///< time is that of its partners
+    std::vector<std::string> hosts{};                   ///< as in `Lockstep`
 };
 
 /// A connection with another host is an ordinary connection at both ends, to a component that stands for the other's:
 /// "ev3/vehicle". Who was asked for it announces it; the other makes it as an act of that host, or refuses it and says
 /// why. It ends when either end ends it, and outlives either end's absence.
-class SystemNetwork final : public Network, public HostQuestions, private PortObserver {
+class SystemNetwork final : public Network, private PortObserver {
 public:
     /// Both must outlive the network. Nothing is said or heard before the first `between_ticks`.
     SystemNetwork(System& system, Transport& transport, HostSettings settings);
 
     Expected<void> reach(std::string_view path, const Port& other) override;
     void between_ticks(const ActDoor& act) override;
+    void before_tick(const ActDoor& act) override;
     Expected<std::uint64_t> ask(const Question& question) const override;
     std::optional<Expected<PlainData>> answer(std::uint64_t number) const override;
     std::vector<Host> hosts() const override;
     bool brought(const ConnectionSpec& connection) const override;
+    bool may_tick() override { return !lockstep_ || lockstep_->may_tick(); }
+    void add_files(std::vector<int>& files) const override {
+        if (lockstep_) lockstep_->add_files(files);
+    }
+    void leave() override {
+        if (lockstep_) lockstep_->leave();
+    }
 
 private:
-    using Ends = std::pair<std::string, std::string>;  // "host/name.port" both
-
     void latched(const System& system) override;
     bool open();
     void look(const ActDoor& act);
     void listen();
-    void receive(const ActDoor& act);
     std::vector<Ends> present() const;
     Expected<bool> can_be(const Ends& ends, const Announcement& host) const;
-    void make_what_others_want(const std::vector<Ends>& present, const ActDoor& act);
+    bool make_what_others_want(const std::vector<Ends>& present, const ActDoor& act);
     void end_what_they_no_longer_want(const std::vector<Ends>& present, const ActDoor& act);
     void end_what_is_refused(const std::vector<Ends>& present, const ActDoor& act);
     void open_topics(const std::vector<Ends>& present);
@@ -75,6 +84,7 @@ private:
     HostSettings settings_;
     HostTable hosts_;
     mutable HostRequests requests_;
+    std::optional<Lockstep> lockstep_;
     std::unique_ptr<Writer> announcer_;
     std::unique_ptr<Reader> listener_;
     Announcement said_;
@@ -89,7 +99,6 @@ private:
     std::uint64_t followed_ = 0;                                 // whose ports the outlets have
     int told_ = 0;                                               // refusals
     int looked_ = 0;                                             // connections that others were given who may only look
-    std::int64_t received_ = -1;                                 // the tick for which messages were taken last
 };
 
 }  // namespace nezumi::dds

@@ -18,6 +18,8 @@ struct Topic {
     std::string type;  ///< name of its type, as peers compare it
     bool reliable = false;
     bool keeps_last = false;  ///< who comes late is given the last message (reliable only)
+    bool keeps_all = false;   ///< nothing is dropped: what finds no room is not taken (reliable only)
+    bool wakes = false;       ///< of a reader: has `Reader::file`
     int depth = 1;            ///< messages that a reader keeps until they are taken; the oldest go first
     std::string user_data{};  ///< of the writer or reader, for whoever looks
 };
@@ -46,6 +48,8 @@ public:
     virtual std::vector<Sample> take() = 0;
     /// The writers there are just now, as in `Sample::writer`.
     virtual std::vector<std::uint64_t> writers() const = 0;
+    /// Is readable when something has come since the last `take`; -1: none.
+    virtual int file() const { return -1; }
     /// Messages that were lost, or dropped because nobody took them, since the start.
     virtual std::uint64_t lost() const = 0;
 };

@@ -11,7 +11,7 @@
 namespace nezumi::dds {
 
 /// Changes with whatever makes two hosts unable to understand each other.
-inline constexpr std::uint32_t protocol = 1;
+inline constexpr std::uint32_t protocol = 2;
 
 /// What every announcement begins with, in every protocol: enough to say who can't be understood.
 struct AnnouncementHead {
@@ -45,6 +45,8 @@ struct Announcement {
     std::vector<AnnouncedPort> ports;           ///< that it has
     std::vector<AnnouncedConnection> wants;     ///< connections that it was asked for
     std::vector<AnnouncedConnection> refusals;  ///< of those that other hosts want with it
+    double lockstep = 0;                        ///< [Hz] its ticks, 0 where it keeps its own time
+    std::vector<std::string> partners;          ///< hosts with which it is to keep in step, sorted
     bool operator==(const Announcement&) const = default;
 };
 
@@ -106,6 +108,8 @@ struct Describe<dds::Announcement> {
         Field{"ports", &T::ports, "", "that it has"},
         Field{"wants", &T::wants, "", "connections with other hosts"},
         Field{"refusals", &T::refusals, "", "of what others want"},
+        Field{"lockstep", &T::lockstep, "Hz", "its ticks, 0: its own time"},
+        Field{"partners", &T::partners, "", "to keep in step with"},
     };
 };
 

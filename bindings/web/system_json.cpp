@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/system/network.hpp"
 
 namespace nezumi::web {
 namespace {
@@ -194,6 +195,24 @@ void for_each_port(const System& system, const Visit& visit) {
     }
 }
 
+// Ports of another host that are shown: who is on the network may be anybody.
+constexpr std::size_t most_offered = 500;
+
+Json hosts_to_json(const System& system) {
+    Json hosts = Json::array();
+    if (system.network() == nullptr) return hosts;
+    for (const Host& host : system.network()->hosts()) {
+        Json ports = Json::array();
+        for (const OfferedPort& port : host.ports) {
+            if (ports.size() == most_offered) break;
+            ports.push_back(
+                {{"name", port.name}, {"way", port.direction == Direction::in ? "in" : "out"}, {"type", port.type}});
+        }
+        hosts.push_back({{"name", host.name}, {"here", host.here}, {"version", host.version}, {"ports", ports}});
+    }
+    return hosts;
+}
+
 Json drivers_to_json(const System& system) {
     Json drivers = Json::object();
     for_each_port(system, [&](const Component& component, const Port& port) {
@@ -233,6 +252,7 @@ Json system_to_json(const LiveSystem& live) {
                                        {"modules", system.world()->marker_cells(marker.id)}});
     }
     json["drivers"] = drivers_to_json(system);
+    json["hosts"] = hosts_to_json(system);
     return json;
 }
 
@@ -253,6 +273,7 @@ std::uint64_t system_fingerprint(const LiveSystem& live) {
             for (const OutPortBase* source : port->sources()) mix(reinterpret_cast<std::uintptr_t>(source));
         }
     }
+    if (system.network() != nullptr) mix(std::hash<std::string>{}(hosts_to_json(system).dump()));
     for_each_port(system, [&](const Component& component, const Port& port) {
         mix(static_cast<std::uint64_t>(port.override()));
         if (port.override() == Override::none) return;

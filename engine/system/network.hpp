@@ -2,8 +2,10 @@
 // "ev3/vehicle".
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "engine/ports/port_base.hpp"
 #include "engine/system/act.hpp"
 #include "engine/system/actor.hpp"
+#include "engine/system/questions.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
@@ -42,13 +45,31 @@ public:
     /// Makes sure that "host/name.port" is there to be connected to `other`, of its type and in the other direction,
     /// whether or not the host is there yet.
     virtual Expected<void> reach(std::string_view path, const Port& other) = 0;
-    /// Between two ticks: takes note of hosts that came and went, makes and ends the connections that they ask for.
+    /// Between two ticks, again and again while time stands: takes note of hosts that came and went, makes and ends the
+    /// connections that they ask for.
     virtual void between_ticks(const ActDoor& act) = 0;
+    /// Once before each tick, after `between_ticks`: has what came for ports written, as acts of who sent it.
+    virtual void before_tick(const ActDoor& act) = 0;
     /// Hosts that are there or waited for, by name.
     virtual std::vector<Host> hosts() const = 0;
     /// Whether a connection is there because of something else than a `connect` of this system: another host's, or
     /// the word `ros`.
     virtual bool brought(const ConnectionSpec& connection) const = 0;
+
+    // Time that several hosts share.
+    /// Whether the next tick may come. False while others are waited for, to be asked again.
+    virtual bool may_tick() { return true; }
+    /// Adds the files that are readable when that may have changed.
+    virtual void add_files(std::vector<int>& /*files*/) const {}
+    /// The run is over: nobody waits for this system any more, nor it for others.
+    virtual void leave() {}
+
+    // To ask changes nothing of this system, and waits for nothing.
+    /// Asks a host; returns the question's number. An error when that host is not there.
+    virtual Expected<std::uint64_t> ask(const Question& question) const = 0;
+    /// The answer, once, and an error where the host refuses or has not answered in time; nothing as long as it is to
+    /// come, with one of the next `between_ticks`.
+    virtual std::optional<Expected<PlainData>> answer(std::uint64_t number) const = 0;
 };
 
 /// Makes the network of a system whose file has `network` or `ros`, which has all its components by then and none of

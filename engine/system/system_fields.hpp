@@ -113,7 +113,9 @@ struct Describe<NetworkSpec> {
                 "a file that `nezumi network secret` has made: who has it may write"},
         Setting{"open", &NetworkSpec::open, "", "everybody on the interface may write, without a secret"},
         Setting{"lockstep", &NetworkSpec::lockstep, "",
-                "simulations of all hosts advance together; not there yet: refused"},
+                "simulations that are connected advance together, the same each time"},
+        Setting{"hosts", &NetworkSpec::hosts, "",
+                "hosts that lockstep waits for before it begins, beside those that connections name"},
         Internal{&NetworkSpec::secret_path},
         Internal{&NetworkSpec::place},
     };

@@ -78,7 +78,7 @@ using Entry = std::variant<RobotEntry, BehaviorEntry, ComponentEntry>;
 const std::string& name_of(const Entry& entry);
 const Place& place_of(const Entry& entry);
 
-/// `network { name, domain, interface, peers, secret, open, lockstep }`: this system is a host among others.
+/// `network { name, domain, interface, peers, secret, open, lockstep, hosts }`: this system is a host among others.
 struct NetworkSpec {
     std::string name;
     std::int64_t domain = 0;
@@ -88,6 +88,7 @@ struct NetworkSpec {
     std::string secret_path{};  ///< where it was found; "": nowhere
     bool open = false;
     bool lockstep = false;
+    std::vector<std::string> hosts{};  ///< that lockstep waits for before its first tick, beside those of connections
     Place place{};
 };
 

@@ -11,6 +11,7 @@
 #include "bindings/dds/request.hpp"
 #include "bindings/dds/ros/mapping.hpp"
 #include "bindings/dds/sealed_transport.hpp"
+#include "bindings/dds/step.hpp"
 #include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
@@ -39,6 +40,18 @@ void announce(std::span<const std::uint8_t> bytes) {
     const std::uint64_t writers[] = {2};
     hosts.keep(writers, 10);
     for (const dds::Announcement* host : hosts.all()) require(hosts.find(host->head.host) == host);
+}
+
+// What a host in lockstep says with its tick.
+void step(std::span<const std::uint8_t> bytes) {
+    dds::Step read;
+    if (!read_cdr(bytes, {.header = true}, read)) return;
+    for (const dds::StepMessage& message : read.messages) {
+        for (std::size_t type = 0; type < message_type_count; ++type) {
+            const auto value = dds::read_message(type, message.payload);
+            require(!value || (value->index() == type && is_finite(*value)));
+        }
+    }
 }
 
 // What is read of a request can be looked through without a check.
@@ -76,6 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::size_t kind = data[0] % kinds;
     if (kind == 0) {
         announce(bytes);
+        step(bytes);
     } else if (kind == 1) {
         require(!dds::unseal(bytes, {.name = "a", .type = "b"}, dds::Secret{}).has_value());
     } else if (kind == kinds - 1) {

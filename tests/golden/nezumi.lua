@@ -621,7 +621,8 @@ function output(name, type, doc, options) end
 ---@field peers? string|string[] addresses of hosts, where the network carries no multicast
 ---@field secret? string a file that `nezumi network secret` has made: who has it may write
 ---@field open? boolean everybody on the interface may write, without a secret
----@field lockstep? boolean simulations of all hosts advance together; not there yet: refused
+---@field lockstep? boolean simulations that are connected advance together, the same each time
+---@field hosts? string|string[] hosts that lockstep waits for before it begins, beside those that connections name
 
 ---@class (exact) RosFields
 ---@field node string the node's name

@@ -1,6 +1,7 @@
 // Checks of the page's modules that need no engine: run within the page. Returns how many there were, or throws.
 const { Cdr, numbers_in, to_message } = await import("/cdr.js");
 const { curve, place, route } = await import("/diagram_layout.js");
+const { with_hosts } = await import("/hosts.js");
 const { ticks, to_csv } = await import("/plot_files.js");
 const { what_is_wrong } = await import("/widgets.js");
 const { lines_of, lua_text } = await import("/add_form.js");
@@ -39,6 +40,11 @@ const shorts = bytes(2, 0, 0, 0, 0, 0x65, 0xcd, 0x1d, 3, 0, 0, 0, 1, 0, 0xff, 0x
 same(to_message(cdr.read("TimedShortSeq", shorts)), { tm: 2.5, value: [1, -1, 256] }, "a stamp and shorts");
 same(cdr.read("Mixed", bytes(1, 9, 9, 9, 9, 9, 9, 9, 0, 0, 0, 0, 0, 0, 0xf0, 0x3f, 1, 0, 0, 0, 3, 0, 0, 0, 0xc3, 0xa9, 0, 9, 2, 0, 0, 0, 1, 0)),
   { on: true, at: { x: 1 }, words: ["é"], bits: [true, false] }, "alignment counts from the first byte");
+const hosts = [{ name: "ev3", here: true, ports: [{ name: "vehicle.vel", way: "out", type: "T" }] }, { name: "late", here: false, ports: [] }];
+const stands_for = (name, port) => ({ name, type: "RemoteComponent", ports: [{ name: port, way: "out", type: "T" }] });
+same(with_hosts({ hosts, components: [{ name: "it", type: "It", ports: [] }, stands_for("ev3/vehicle", "vel"), stands_for("ev3/vehicle2", "vel"), stands_for("late/x", "out")] })
+  .map(({ name, ports }) => [name, ports.map((each) => [each.name, each.waits])]),
+[["it", []], ["ev3/vehicle", [["vel", false]]], ["ev3/vehicle2", [["vel", true]]], ["late/x", [["out", true]]]], "components of other hosts");
 same([...cdr.read("Octets", bytes(2, 0, 0, 0, 7, 8)).data], [7, 8], "octets");
 same(cdr.read("Nested", bytes(1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x80, 0x3f)).all, [[1]], "sequences of sequences");
 const offset = new Uint8Array([9, 9, 9, 9, ...shorts]).subarray(4);

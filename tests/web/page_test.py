@@ -17,6 +17,16 @@ robot    "mouse"      { model = "raspimouse", pose = { x = 0, y = 0, heading = 0
 behavior "controller" { script = "robot_controller", config = { speed_x = 0.1 } }
 """
 
+LEADER = """network { name = "ev3", domain = 231 }
+robot    "vehicle" { model = "ev3" }
+behavior "driver"  { script = "robot_controller", config = { speed_x = 0.1, stop_d = 30000 } }
+connect("driver.out", "vehicle.velocity2D")
+"""
+FOLLOWER = """network { name = "pi", domain = 231 }
+robot "mouse" { model = "raspimouse" }
+connect("late/driver.out", "mouse.target_velocity_in")
+"""
+
 
 class Smoke(rig.PageCase):
     """What must work before anything else."""
@@ -124,6 +134,33 @@ class Wiring(rig.PageCase):
         self.page.keys().move_to_element(self.port("controller.out")).perform()
         self.page.until("/vx = 0\\.1/.test(document.querySelector('.diagram .tip').textContent)",
                         lambda: "the value is shown, not " + self.page.text(".diagram .tip"))
+
+    def test_other_hosts_are_seen_and_their_ports_connected(self):
+        self.open(text=FOLLOWER)
+        page = self.page
+        page.view("diagram")
+        self.assertEqual(self.wires(), ["late/driver.out mouse.target_velocity_in"])
+        self.assertIn("waits", page.find(".wire-group").get_attribute("class"))
+        self.assertIn("waits", page.find('[data-component="late/driver"]').get_attribute("class"))
+        self.assertIn("which waits", page.find(".wire-group").get_attribute("aria-label"))
+        leader = self.system(text=LEADER)
+        page.until("document.querySelector('[data-component=\"ev3/vehicle\"]') !== null", "the other host's robot is shown")
+        page.drawn()
+        page.keys().move_to_element(self.port("ev3/vehicle.current_vel")).click_and_hold().move_by_offset(20, 10).perform()
+        self.assertEqual(page.js("return [...document.querySelectorAll('.port.fits')].map((each) => each.dataset.port)"),
+                         ["mouse.target_velocity_in"])
+        page.keys().move_to_element(self.port("mouse.target_velocity_in")).release().perform()
+        rig.wait_until(lambda: "ev3/vehicle.current_vel mouse.target_velocity_in" in self.wires(), "the connection is drawn")
+        wire = '.wire-group[data-from="ev3/vehicle.current_vel"]'
+        page.until("!document.querySelector('%s').classList.contains('waits')" % wire, "it waits for nobody")
+        page.view("world")
+        page.choose(".world select", "robot 0")
+        rig.wait_until(lambda: page.pose()[0] > 0.03, "the robot follows")
+        page.view("diagram")
+        leader.end()
+        page.until("document.querySelector('%s').classList.contains('waits')" % wire, "it waits for the host that has gone")
+        page.until("document.querySelector('[data-component=\"ev3/driver\"]') === null", "what nobody waits for is shown no longer")
+        self.assertEqual(page.errors(), [])
 
     def test_an_error_is_shown_where_it_happened(self):
         clumsy = 'input("in", "TimedShortSeq")\nfunction on_execute()\n  error("oh no")\nend\n'

@@ -112,16 +112,16 @@ double RosNode::offset(const Time& now) const {
     return system_.settings().real_time ? settings_.wall_clock() - now.seconds : 0;
 }
 
-void RosNode::between_ticks(const ActDoor& act) {
-    if (std::exchange(received_, system_.now().tick) == system_.now().tick) return;
+void RosNode::before_tick(const ActDoor& act) {
     const double clock = settings_.clock();
     if (!opened_) {
         open();
         received_at_ = clock;
     }
-    // While real robots were in a pause velocities grew old, and nothing in them tells: the next ones count.
-    const bool stood = clock - std::exchange(received_at_, clock) > silence + 2 / system_.settings().rate &&
-                       system_.settings().real_time;
+    // While no tick came velocities grew old, and nothing in them tells: the next ones count. A simulation that is slow
+    // takes them all the same.
+    const bool waited = std::exchange(turns_, 0) > 1 || system_.settings().real_time;
+    const bool stood = clock - std::exchange(received_at_, clock) > silence + 2 / system_.settings().rate && waited;
     for (Taken& taken : subscriptions_) {
         const std::string problem = taken.subscription->receive(clock, [&](AnyPayload value) {
             if (state() != LifeState::active || (stood && std::holds_alternative<Velocity2D>(value))) return;

@@ -27,9 +27,11 @@ public:
     /// it. The error has the place of the topic. Nothing is on the network before the first tick.
     static Expected<RosNode*> add(System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings);
 
-    /// Between two ticks, any number of times: has what came since the last tick written, as acts of ROS; nothing while
-    /// this is not ACTIVE.
-    void between_ticks(const ActDoor& act);
+    /// As of `Network`: between two ticks, again and again only while time stands.
+    void between_ticks() { ++turns_; }
+    /// Once before each tick: has what came since the last one written, as acts of ROS; nothing while this is not
+    /// ACTIVE.
+    void before_tick(const ActDoor& act);
 
     /// What comes is there before the tick.
     void sense(const Time& /*now*/) override {}
@@ -53,8 +55,8 @@ private:
     RosNodeSettings settings_;
     std::vector<Line> lines_;
     bool opened_ = false;
-    std::int64_t received_ = -1;  // the tick for which messages were taken last
-    double received_at_ = 0;      // [s] by the clock
+    int turns_ = 0;           // between this tick and the last one
+    double received_at_ = 0;  // [s] by the clock
     std::vector<std::unique_ptr<ros::Publication>> publications_;
     struct Taken {
         const Port* port;

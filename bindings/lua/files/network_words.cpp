@@ -91,6 +91,13 @@ Expected<void> SystemWords::network(const WordCall& call, const FileValue& value
         check.wrong({"name"}, fmt::format("may not be '{}', a word of Lua or of the console", given.name));
     if (check.ok() && given.open && !given.secret.empty())
         check.explain({"open"}, "with a `secret` only those who have it may write: leave one of them out");
+    if (check.ok() && !given.hosts.empty() && !given.lockstep)
+        check.explain({"hosts"}, "only lockstep waits for hosts: say `lockstep = true` as well");
+    for (const std::string& host : given.hosts) {
+        if (!check.ok()) break;
+        if (!is_identifier(host)) check.wrong({"hosts"}, fmt::format("expected names of hosts, got '{}'", host));
+        if (host == given.name) check.wrong({"hosts"}, fmt::format("may not name '{}': it is this host", host));
+    }
     if (auto ok = check.result(); !ok) return ok;
     if (auto once = said_once(call, spec_.network ? &spec_.network->place : nullptr); !once) return once;
     // It is not read here: what a system was read from is recorded.

@@ -76,9 +76,15 @@ std::string topics(std::string_view field, const std::vector<RosTopic>& all) {
 template <Recorded T>
 std::string place_in_domain(const T& spec) {
     const std::string own = write_record(spec);
-    std::string text = own.substr(2, own.size() - 4), peers;
-    for (const std::string& peer : spec.peers) peers += (peers.empty() ? "" : ", ") + quoted(peer);
-    return peers.empty() ? text : fmt::format("{}, peers = {{ {} }}", text, peers);
+    std::string text = own.substr(2, own.size() - 4);
+    const auto add = [&](std::string_view field, const std::vector<std::string>& names) {
+        std::string list;
+        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + quoted(name);
+        if (!list.empty()) text += fmt::format(", {} = {{ {} }}", field, list);
+    };
+    add("peers", spec.peers);
+    if constexpr (std::is_same_v<T, NetworkSpec>) add("hosts", spec.hosts);
+    return text;
 }
 
 std::string ros(const RosSpec& spec) {

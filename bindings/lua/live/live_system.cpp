@@ -101,13 +101,25 @@ void LiveSystem::between_ticks() {
     } else {
         running_->reloader->after_tick();
     }
+    if (Network* network = running_->system->network()) network->between_ticks(door());
+}
+
+bool LiveSystem::may_tick() {
     Network* network = running_->system->network();
-    if (network != nullptr)
-        network->between_ticks([this](const Act& each, const Actor& who) { return act(each, who); });
+    return network == nullptr || network->may_tick();
+}
+
+void LiveSystem::add_files(std::vector<int>& files) const {
+    if (const Network* network = system().network()) network->add_files(files);
+}
+
+ActDoor LiveSystem::door() {
+    return [this](const Act& each, const Actor& who) { return act(each, who); };
 }
 
 void LiveSystem::tick() {
     between_ticks();
+    if (Network* network = running_->system->network()) network->before_tick(door());
     if (!endings_.empty()) end_holds();
     if (!foreseen_.empty()) take_foreseen();
     const ActTime time = when();
@@ -202,7 +214,10 @@ Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view na
 
 void LiveSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
 
-void LiveSystem::end() { running_->system->stop(0); }
+void LiveSystem::end() {
+    if (Network* network = running_->system->network()) network->leave();
+    running_->system->stop(0);
+}
 
 const System& LiveSystem::system() const { return *running_->system; }
 const SystemSpec& LiveSystem::spec() const { return running_->spec; }

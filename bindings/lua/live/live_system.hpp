@@ -74,6 +74,10 @@ public:
     void tick();
     /// Takes what was saved, if anything: for the time in which no tick comes.
     void between_ticks();
+    /// Whether the next tick may come: not while other hosts are waited for. To be asked again then.
+    bool may_tick();
+    /// Adds the files that are readable when that may have changed.
+    void add_files(std::vector<int>& files) const;
     /// Checks an act and performs it, between two ticks: the one way in which the system that runs is changed from
     /// outside. On an error nothing has changed, but for what a hook or command of a script did before it failed.
     ///   Restart reads the file again and starts anew from time 0, activated: everything is as in the file.
@@ -148,6 +152,7 @@ private:
     Expected<ActResult> perform(const AddMarker& act, const Actor& who);
     Expected<ActResult> perform(const RemoveMarker& act, const Actor& who);
     Expected<ActResult> perform(const Restart& act, const Actor& who);
+    ActDoor door();
     void watch_again();
     void end_holds();
     void take_foreseen();

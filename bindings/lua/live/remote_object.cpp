@@ -33,14 +33,14 @@ Expected<PlainData> ask(const Objects& objects, const ObjectRef& ref, What what,
     int start = 0;
     const auto turn = [&]() -> Expected<Answer> {
         const LiveSystem& live = *ref.live();
-        const auto* questions = dynamic_cast<const HostQuestions*>(live.system().network());
-        if (questions == nullptr) return Unexpected(find_host(live.system(), question.host).error());
+        const Network* network = live.system().network();
+        if (network == nullptr) return Unexpected(find_host(live.system(), question.host).error());
         if (number && start != live.starts()) return failure("the system began anew meanwhile");
         if (number) {
-            got = questions->answer(*number);
+            got = network->answer(*number);
             return Answer{};
         }
-        const auto asked = questions->ask(question);
+        const auto asked = network->ask(question);
         if (!asked) return Unexpected(asked.error());
         number = *asked;
         start = live.starts();

@@ -7,7 +7,7 @@ import { Sheet } from "./diagram_view.js";
 import { T } from "./texts.js";
 import { value_text } from "./value_text.js";
 
-const SIGNS = { ACTIVE: "▶", INACTIVE: "❚❚", ERROR: "!", CREATED: "○" };
+const SIGNS = { ACTIVE: "▶", INACTIVE: "❚❚", ERROR: "!", CREATED: "○", REMOTE: "⇄" };
 
 /// The colour of a type of port: the same wherever it is.
 export function type_color(type) {
@@ -19,7 +19,7 @@ export function type_color(type) {
 /// Whether these two ports can be connected, and from which to which: { from, to }, or null.
 export function fits(model, one, other) {
   const [a, b] = [model.port(one), model.port(other)];
-  if (!a || !b || a.way === b.way || a.type !== b.type) return null;
+  if (!a || !b || a.way === b.way || a.type !== b.type || (a.component.host && b.component.host)) return null;
   const pair = a.way === "out" ? { from: one, to: other } : { from: other, to: one };
   const is_there = model.system.connections.some(({ from, to }) => from === pair.from && to === pair.to);
   return is_there ? null : pair;
@@ -76,7 +76,7 @@ class Diagram {
   }
 
   #update(anyway = false) {
-    const { components, connections } = this.#parts.model.system;
+    const { boxes: components, system: { connections } } = this.#parts.model;
     const shape = JSON.stringify([components.map(({ parameters, ...rest }) => rest), connections]);
     if (shape === this.#shape && !anyway) return;
     const is_first = this.#boxes.size === 0;
@@ -96,7 +96,8 @@ class Diagram {
     const { model } = this.#parts;
     this.wires.replaceChildren(...route(this.#boxes, model.system.connections).map(({ from, to, path }) => {
       const choose = () => this.#choose({ from, to });
-      const wire = svg("g", { class: "wire-group wire", tabindex: 0, role: "button", "aria-label": T.diagram.connection(from, to),
+      const waits = model.port(from)?.waits || model.port(to)?.waits ? " waits" : "";
+      const wire = svg("g", { class: `wire-group wire${waits}`, tabindex: 0, role: "button", "aria-label": T.diagram.connection(from, to, waits !== ""),
         data: { key: `${from} ${to}`, from, to }, onclick: choose, onfocus: choose },
       svg("path", { class: "grip", d: path }), svg("path", { class: "line", d: path }));
       wire.style.setProperty("--type", type_color(model.port(from)?.type ?? ""));
@@ -105,7 +106,8 @@ class Diagram {
   }
 
   #make_node(component) {
-    const { name, type, state, error, ports } = component;
+    const { name, state, error, ports } = component;
+    const type = component.kind === "remote" ? T.diagram.remote(component) : component.type;
     const box = this.#boxes.get(name);
     const title = svg("g", { class: "title", tabindex: 0, role: "button", data: { key: name },
       "aria-label": `${name}, ${type}, ${T.states[state] ?? state}`, onfocus: () => this.#choose({ component: name }) },
@@ -113,7 +115,7 @@ class Diagram {
     svg("text", { class: "sign", x: 12, y: 20, text: SIGNS[state] ?? "?" }),
     svg("text", { class: "name", x: 34, y: 20, text: name }),
     svg("text", { class: "type", x: box.w - 10, y: 20, "text-anchor": "end", text: type }));
-    const node = svg("g", { class: `node ${state.toLowerCase()}`, transform: `translate(${box.x} ${box.y})`, data: { component: name } },
+    const node = svg("g", { class: `node ${state.toLowerCase()}${component.host && !component.host.here ? " waits" : ""}`, transform: `translate(${box.x} ${box.y})`, data: { component: name } },
       svg("rect", { class: "body", width: box.w, height: box.h, rx: 8 }), title,
       ...ports.map((port) => this.#make_port(name, port, box.ports.get(port.name))));
     if (error) {
@@ -156,10 +158,10 @@ class Diagram {
     });
   }
 
-  #make_port(owner, { name, way, type }, [x, y]) {
+  #make_port(owner, { name, way, type, waits }, [x, y]) {
     const full = `${owner}.${name}`;
     const inward = way === "in" ? 1 : -1;
-    const node = svg("g", { class: `port ${way}`, tabindex: 0, role: "button", "aria-label": T.diagram.port(full, way, type),
+    const node = svg("g", { class: `port ${way}${waits ? " waits" : ""}`, tabindex: 0, role: "button", "aria-label": T.diagram.port(full, way, type),
       data: { port: full, key: full }, transform: `translate(${x} ${y})`,
       onpointerenter: () => this.#look(full), onpointerleave: () => this.#look(null),
       onfocus: () => this.#look(full), onblur: () => this.#look(null) },
@@ -247,6 +249,7 @@ class Diagram {
     const node = this.nodes.querySelector(`[data-port="${CSS.escape(this.#looked_at)}"]`);
     const now = model.values.get(this.#looked_at);
     this.tip.replaceChildren(el("b", { text: this.#looked_at }), el("small", { text: `${T.diagram[port.way]} ${port.type}` }),
+      port.waits ? el("p", { text: T.diagram.waits(port.component.host) }) : "",
       port.doc ? el("p", { text: port.doc }) : "", el("code", { text: now ? value_text(now.value) : T.diagram.nothing_yet }),
       now && now.tm > 0 ? el("small", { text: T.diagram.age(Math.max(0, model.frame.time - now.tm).toFixed(2)) }) : "");
     const [box, frame] = [node.getBoundingClientRect(), this.svg.getBoundingClientRect()];
@@ -268,7 +271,9 @@ class Diagram {
       return;
     }
     const component = chosen?.component && model.component(chosen.component);
-    if (component) {
+    if (component?.host) {
+      this.bar.replaceChildren(el("b", { text: component.name }), el("span", { text: T.diagram.of_host(component.host) }));
+    } else if (component) {
       const { name, state, error, about, script } = component;
       this.bar.replaceChildren(el("b", { text: name }), el("span", { class: `state ${state.toLowerCase()}`, text: T.states[state] ?? state }),
         el("small", { text: script ?? "" }),

@@ -8,11 +8,11 @@ const BETWEEN = 96;  // columns
 const APART = 56;  // groups that nothing connects
 
 /// The size of a component's box, and where its ports are in it: { w, h, ports: Map(name: [x, y]) }.
-export function box_of({ name, type, ports, error }) {
+export function box_of({ name, type, kind, ports, error }) {
   const ins = ports.filter((each) => each.way === "in");
   const outs = ports.filter((each) => each.way === "out");
   const longest = (all) => Math.max(0, ...all.map((each) => each.name.length));
-  const w = Math.max(170, 6.7 * (longest(ins) + longest(outs)) + 56, 8 * name.length + 6 * type.length + 70);
+  const w = Math.max(170, 6.7 * (longest(ins) + longest(outs)) + 56, 8 * name.length + 6 * (kind === "remote" ? 14 : type.length) + 70);
   const rows = Math.max(1, ins.length, outs.length);
   const places = new Map();
   ins.forEach((port, i) => places.set(port.name, [0, HEAD + ROW * (i + 0.5) + 4]));

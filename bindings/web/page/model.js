@@ -1,6 +1,7 @@
 // What the page knows of the running system: its layout, poses, and the values of the ports that somebody looks at.
 import { Cdr, to_message } from "./cdr.js";
 import { Emitter } from "./emitter.js";
+import { with_hosts } from "./hosts.js";
 
 const KEPT_EMPTY = 2000;  // ms
 
@@ -8,6 +9,7 @@ const KEPT_EMPTY = 2000;  // ms
 export class Model extends Emitter {
   hello = null;
   system = null;
+  boxes = [];   // the components of the system, and those of other hosts
   frame = { time: 0, tick: 0, running: false, speed: 1, late: 0 };
   robots = [];   // poses by index
   things = [];
@@ -52,7 +54,7 @@ export class Model extends Emitter {
   }
 
   component(name) {
-    return this.system?.components.find((each) => each.name === name);
+    return this.boxes.find((each) => each.name === name);
   }
 
   /// "name.port" to the port's description, with its component.
@@ -152,6 +154,7 @@ export class Model extends Emitter {
     } else if (said.is === "system") {
       const before = this.system;
       this.system = said;
+      this.boxes = with_hosts(said);
       for (const { parameters } of said.components) for (const each of parameters) each.type = each.type.replace("array of ", "");
       if (before && (before.start !== said.start || before.file !== said.file)) this.#forget();
       this.#ask_floor(said);

@@ -10,7 +10,6 @@
 #include "bindings/console/worker.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "engine/system/network.hpp"
-#include "engine/system/questions.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
 
@@ -21,10 +20,11 @@ namespace {
 using Lines = std::vector<std::string>;
 
 // Another host, ev3, that answers what a test says, or nothing.
-class OneHost final : public Network, public HostQuestions {
+class OneHost final : public Network {
 public:
     Expected<void> reach(std::string_view /*path*/, const Port& /*other*/) override { return failure("not here"); }
     void between_ticks(const ActDoor& /*act*/) override {}
+    void before_tick(const ActDoor& /*act*/) override {}
     std::vector<Host> hosts() const override {
         return {{.name = "ev3",
                  .here = true,

@@ -1,4 +1,6 @@
 // Cyclone DDS itself, on the loopback: octets as they were written, and who is there.
+#include <poll.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <functional>
@@ -62,6 +64,37 @@ TEST_CASE("octets arrive as they were written, whatever their number", "[dds][cy
         CHECK(got[i].bytes == cdr(sizes[i]));
         CHECK(got[i].writer == reader->writers().front());
     }
+}
+
+TEST_CASE("a reader wakes who waits for it, and a writer that keeps all says when it has no room",
+          "[dds][cyclone][wallclock]") {
+    const auto place = join(220);
+    const Topic topic{.name = "nezumi/a/steps/b",
+                      .type = "nezumi::Step",
+                      .reliable = true,
+                      .keeps_all = true,
+                      .wakes = true,
+                      .depth = 8};
+    const auto reader = place->read(topic);
+    const auto writer = place->write(topic);
+    REQUIRE(reader != nullptr);
+    REQUIRE(writer != nullptr);
+    REQUIRE(comes([&] { return writer->readers() == 1 && reader->writers().size() == 1; }));
+    pollfd polled{.fd = reader->file(), .events = POLLIN, .revents = 0};
+    CHECK(poll(&polled, 1, 0) == 0);
+    REQUIRE(writer->write(cdr(100)));
+    CHECK(poll(&polled, 1, 10'000) == 1);
+    CHECK(reader->take().size() == 1);
+    CHECK(poll(&polled, 1, 0) == 0);
+    int written = 0;
+    while (written < 1000 && writer->write(cdr(100))) ++written;
+    CHECK(written >= topic.depth);
+    CHECK(written < 1000);
+    int taken = 0;
+    CHECK(comes([&] {
+        taken += static_cast<int>(reader->take().size());
+        return taken == written;
+    }));
 }
 
 TEST_CASE("who comes late is given what is kept for it", "[dds][cyclone][wallclock]") {

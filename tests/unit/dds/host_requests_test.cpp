@@ -107,7 +107,7 @@ TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
     HostRig ev3(room, "ev3"), pi(room, "pi");
     pass(room, 3, ev3, pi);
     room.domain.cut = true;
-    const auto number = pi.questions().ask(question(What::deactivate));
+    const auto number = pi.system.network()->ask(question(What::deactivate));
     REQUIRE(number.has_value());
     room.domain.cut = false;
     room.clock += 0.3;
@@ -123,7 +123,7 @@ TEST_CASE("what gets lost is asked again, and done once", "[dds][network]") {
         ev3.look();
     }
     pi.look();
-    const auto answer = pi.questions().answer(*number);
+    const auto answer = pi.system.network()->answer(*number);
     REQUIRE(answer.has_value());
     CHECK(text(*answer) == "INACTIVE");
     CHECK(ev3.part->state() == LifeState::active);

@@ -41,10 +41,20 @@ struct Room {
     std::uint64_t runs = 0;
 };
 
+struct HostOptions {
+    bool writable = true;
+    std::string version = "1.0";
+    bool lockstep = false;
+    std::vector<std::string> hosts{};
+    double rate = 100;
+};
+
 /// Each has one component, "part".
 struct HostRig {
     HostRig(Room& its_room, std::string name, bool writable = true, const std::string& version = "1.0")
-        : room(its_room), transport(room.domain.join()), system({}, [this](const LogLine& line) {
+        : HostRig(its_room, std::move(name), HostOptions{.writable = writable, .version = version}) {}
+    HostRig(Room& its_room, std::string name, const HostOptions& options)
+        : room(its_room), transport(room.domain.join()), system({.rate = options.rate}, [this](const LogLine& line) {
               log.push_back(fmt::format("{}: {}", to_text(line.level), line.text));
           }) {
         auto made = std::make_unique<Part>("part");
@@ -53,8 +63,10 @@ struct HostRig {
         REQUIRE(part->activate(system.now()));
         HostSettings settings;
         settings.name = std::move(name);
-        settings.version = version;
-        settings.writable = writable;
+        settings.version = options.version;
+        settings.writable = options.writable;
+        settings.lockstep = options.lockstep;
+        settings.hosts = options.hosts;
         settings.run = ++room.runs;
         settings.clock = [this] { return room.clock; };
         system.take_network(std::make_unique<SystemNetwork>(system, *transport, std::move(settings)));
@@ -73,21 +85,26 @@ struct HostRig {
             },
             act);
     }
-    void look() {
-        system.network()->between_ticks([this](const Act& each, const Actor& who) {
+    ActDoor door() {
+        return [this](const Act& each, const Actor& who) {
             (std::holds_alternative<Write>(each) ? arrivals : acts)
                 .push_back(fmt::format("{} by {}", name_of(each), to_text(who)));
             return act(each, who);
-        });
+        };
     }
-    const HostQuestions& questions() { return dynamic_cast<const HostQuestions&>(*system.network()); }
+    void look() { system.network()->between_ticks(door()); }
+    void tick() {
+        look();
+        system.network()->before_tick(door());
+        system.tick();
+    }
     /// What another host answers, asked by this one.
     template <class... Rig>
     Expected<PlainData> ask(const Question& question, Rig&... others) {
-        const auto number = questions().ask(question);
+        const auto number = system.network()->ask(question);
         if (!number) return Unexpected(number.error());
         for (;;) {
-            if (auto answer = questions().answer(*number)) return std::move(*answer);
+            if (auto answer = system.network()->answer(*number)) return std::move(*answer);
             room.clock += 0.1;
             (others.look(), ...);
             look();
@@ -119,7 +136,7 @@ template <class... Rig>
 void pass(Room& room, int times, Rig&... rigs) {
     for (int i = 0; i < times; ++i) {
         room.clock += 0.1;
-        ((rigs.look(), rigs.system.tick()), ...);
+        (rigs.tick(), ...);
     }
 }
 

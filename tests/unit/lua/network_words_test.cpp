@@ -35,6 +35,12 @@ TEST_CASE("network refuses what no host can be", "[lua][system_file][network]") 
           "s.lua:1:23: network: field 'domain' expected a whole number from 0 to 232, got 233");
     CHECK(error("network { name = 'a', open = true, secret = 'k' }") ==
           "s.lua:1:23: network: field 'open': with a `secret` only those who have it may write: leave one of them out");
+    CHECK(error("network { name = 'a', hosts = 'b' }") ==
+          "s.lua:1:23: network: field 'hosts': only lockstep waits for hosts: say `lockstep = true` as well");
+    CHECK(error("network { name = 'a', lockstep = true, hosts = { 'b c' } }") ==
+          "s.lua:1:40: network: field 'hosts' expected names of hosts, got 'b c'");
+    CHECK(error("network { name = 'a', lockstep = true, hosts = 'a' }") ==
+          "s.lua:1:40: network: field 'hosts' may not name 'a': it is this host");
     CHECK(error("network { name = 'a' }\nnetwork { name = 'a' }") ==
           "s.lua:2: network: is set already, at behaviors/systems/s.lua:1");
 }
@@ -96,7 +102,8 @@ TEST_CASE("ros refuses what is no topic", "[lua][system_file][network]") {
 
 TEST_CASE("network and ros are written as they were read", "[lua][system_text][network]") {
     const std::string text =
-        "network { name = \"a\", domain = 3, peers = { \"10.0.0.1\", \"10.0.0.2\" } }\n"
+        "network { name = \"a\", domain = 3, lockstep = true, peers = { \"10.0.0.1\", \"10.0.0.2\" }, hosts = { \"b\" "
+        "} }\n"
         "ros {\n"
         "  node = \"n\",\n"
         "  publish = {\n"

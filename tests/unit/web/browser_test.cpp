@@ -63,6 +63,7 @@ TEST_CASE("a browser is told the system, its types and where everything is", "[w
     CHECK(system["robots"][0]["name"] == "mouse");
     CHECK(system["arena"]["things"].size() >= 1);
     CHECK(system["drivers"].empty());
+    CHECK(system["hosts"].empty());
 
     rig.paused = false;
     REQUIRE(browser.send_frame(R"({"do":"watch","ports":["controller.out","nobody.out"],"truth":true,"rays":true})"));

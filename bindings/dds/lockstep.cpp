@@ -1,0 +1,320 @@
+// Steps are said again until all have gone on, so nothing depends on what the network loses, nor on who comes first.
+#include "bindings/dds/lockstep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/names.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
+// No run comes so far.
+constexpr std::int64_t most_ticks = std::int64_t{1} << 53;
+constexpr std::size_t longest_name = 200;
+
+}  // namespace
+
+Topic step_topic(const std::string& from, const std::string& to) {
+    // A partner is at most one step ahead; the rest is what was said again.
+    constexpr int most_waiting = 64;
+    return {.name = fmt::format("nezumi/{}/steps/{}", from, to),
+            .type = "nezumi::Step",
+            .reliable = true,
+            .keeps_all = true,
+            .wakes = true,
+            .depth = most_waiting};
+}
+
+// Hosts of which this one's file or connections speak.
+std::set<std::string> Lockstep::named(const std::vector<Ends>& connections) const {
+    std::set<std::string> names(settings_.hosts.begin(), settings_.hosts.end());
+    for (const auto& [from, to] : connections)
+        names.emplace(host_of(from) == settings_.host ? host_of(to) : host_of(from));
+    return names;
+}
+
+bool Lockstep::may_connect(const HostTable& hosts, const std::vector<Ends>& connections) const {
+    if (tick() > 0) return true;
+    const std::set<std::string> names = named(connections);
+    return std::all_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return hosts.find(name) != nullptr; });
+}
+
+void Lockstep::announce(Announcement& said, const std::vector<Ends>& connections) const {
+    if (left_) return;
+    const std::set<std::string> names = named(connections);
+    said.lockstep = system_.settings().rate;
+    said.partners.assign(names.begin(), names.end());
+}
+
+void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections, bool connected) {
+    if (left_) return;
+    absent_.clear();
+    met_ = connected;
+    const std::set<std::string> names = named(connections);
+    std::set<std::string> related = names;
+    for (const Announcement* host : hosts.all()) {
+        const std::vector<std::string>& theirs = host->partners;
+        if (std::find(theirs.begin(), theirs.end(), settings_.host) != theirs.end()) related.insert(host->head.host);
+    }
+    for (const std::string& name : related) {
+        const Announcement* host = hosts.find(name);
+        if (host != nullptr && connected) consider(*host, names.contains(name));
+        if (host == nullptr && !partners_.contains(name) && !ended_.contains(name))
+            absent_.emplace(name, fmt::format("waits for host {}", name));
+    }
+    for (auto each = partners_.begin(); each != partners_.end();) {
+        if (!related.contains(each->first)) {
+            if (!each->second.said.empty()) say(each->second, each->second.said.back(), Step::parts);
+            each = partners_.erase(each);
+        } else {
+            ++each;
+        }
+    }
+    follow(connections);
+}
+
+// A host that is there and related: a partner, or why not.
+void Lockstep::consider(const Announcement& host, bool is_named) {
+    const std::string& name = host.head.host;
+    if (const auto ended = ended_.find(name); ended != ended_.end() && ended->second == host.run) return;
+    if (const auto known = partners_.find(name); known != partners_.end()) {
+        if (known->second.run == host.run) return;
+        partners_.erase(known);  // it was killed, and started again
+    }
+    const double rate = system_.settings().rate;
+    if (host.lockstep == rate) return join(host, is_named);
+    const bool is_news = told_apart_.emplace(name, host.run).second;
+    if (host.lockstep == 0) {
+        if (is_news)
+            system_.log(LogLevel::warn,
+                        fmt::format("host {} is not in lockstep as this one is: what comes from it comes "
+                                    "when it comes; say network {{ lockstep = true }} there",
+                                    name));
+        return;
+    }
+    if (is_news)
+        system_.log(LogLevel::error, fmt::format("lockstep: host {} has {:g} ticks a second, this one {:g}: say "
+                                                 "rate({:g}) here or rate({:g}) there, and restart()",
+                                                 name, host.lockstep, rate, host.lockstep, rate));
+    absent_.emplace(name, fmt::format("host {} has another number of ticks a second", name));
+}
+
+void Lockstep::join(const Announcement& host, bool is_named) {
+    const std::string& name = host.head.host;
+    Partner partner;
+    partner.run = host.run;
+    partner.began = tick() + 1;
+    partner.heard_at = settings_.clock();
+    partner.reader = transport_.read(step_topic(name, settings_.host));
+    if (partner.reader != nullptr) partner.writer = transport_.write(step_topic(settings_.host, name));
+    if (partner.writer == nullptr) {
+        if (told_apart_.emplace(name, host.run).second)
+            system_.log(LogLevel::error, fmt::format("lockstep: host {}: {}", name, transport_.problem()));
+        absent_.emplace(name, fmt::format("host {} can't be heard", name));
+        return;
+    }
+    partners_.emplace(name, std::move(partner));
+    ended_.erase(name);
+    if (tick() == 0) {
+        system_.log(LogLevel::info, fmt::format("lockstep: in step with host {}", name));
+    } else {
+        system_.log(LogLevel::warn,
+                    fmt::format("lockstep: in step with host {} from {:.2f} s on; runs that are to be the same begin "
+                                "together{}",
+                                name, system_.now().seconds,
+                                is_named ? "" : fmt::format(": network {{ hosts = \"{}\" }} waits for it", name)));
+    }
+}
+
+// Which ports the partners want.
+void Lockstep::follow(const std::vector<Ends>& connections) {
+    std::set<std::string, std::less<>> wanted;
+    for (auto& [name, partner] : partners_) {
+        partner.ports.clear();
+        for (const auto& [from, to] : connections) {
+            if (host_of(to) == name) partner.ports.insert(std::string(without_host(from)));
+        }
+        wanted.insert(partner.ports.begin(), partner.ports.end());
+    }
+    std::erase_if(published_, [&](const auto& each) { return !wanted.contains(each.first); });
+    for (const std::string& path : wanted) {
+        if (published_.contains(path)) continue;
+        if (const auto port = std::as_const(system_).port(path))
+            published_.try_emplace(path, static_cast<const OutPortBase&>(**port));
+    }
+}
+
+void Lockstep::hear(Partner& partner) {
+    for (const Sample& sample : partner.reader->take()) {
+        Step step;
+        if (!read_cdr(sample.bytes, on_the_wire, step)) continue;
+        if (step.run != partner.run || step.to != settings_.run) continue;
+        const bool is_one = step.began >= 0 && step.tick >= step.began && step.tick < most_ticks;
+        if (is_one) take(partner, std::move(step));
+    }
+}
+
+void Lockstep::take(Partner& partner, Step step) {
+    if (partner.their_began && step.began < *partner.their_began) return;  // of an earlier time together
+    if (partner.their_began && step.began > *partner.their_began) {        // it has joined anew
+        if (partner.in_use) partner.began = tick() + 1;
+        partner.in_use = false;
+        partner.heard.clear();
+        partner.said.clear();
+        partner.end = Step::goes_on;
+    }
+    partner.their_began = step.began;
+    partner.heard_at = settings_.clock();
+    partner.paused = step.paused;
+    const bool is_name = step.waits_for.size() <= longest_name && is_identifier(step.waits_for);
+    partner.waits_for = is_name ? step.waits_for : "";
+    if (step.end != Step::goes_on) partner.end = step.end == Step::parts ? Step::parts : Step::ends;
+    // Before the tick from which both keep in step the first is all that can come.
+    const std::int64_t next = std::max(their_tick(partner), step.began);
+    if (step.tick == next || step.tick == next + 1) partner.heard.try_emplace(step.tick, std::move(step));
+}
+
+// Who is not as far as this host; "": all are.
+std::string Lockstep::find_missing() {
+    for (auto& [name, partner] : partners_) {
+        if (partner.began > tick() || partner.end != Step::goes_on) continue;
+        const auto has_come = [&, &partner = partner] {
+            return partner.their_began && partner.heard.contains(their_tick(partner));
+        };
+        if (has_come()) continue;
+        hear(partner);
+        if (partner.began <= tick() && partner.end == Step::goes_on && !has_come()) return name;
+    }
+    if (tick() > 0) return "";
+    if (!absent_.empty()) return absent_.begin()->first;
+    return met_ && (!partners_.empty() || !told_apart_.empty()) ? "" : "another host";
+}
+
+bool Lockstep::may_tick() {
+    if (left_) return true;
+    missing_ = find_missing();
+    if (!missing_.empty() && !stands_since_) stands_since_ = settings_.clock();
+    return missing_.empty();
+}
+
+void Lockstep::deliver(const ActDoor& act) {
+    if (left_) return;
+    for (auto each = partners_.begin(); each != partners_.end();) {
+        auto& [name, partner] = *each;
+        const auto due = partner.their_began && partner.began <= tick() ? partner.heard.find(their_tick(partner))
+                                                                        : partner.heard.end();
+        if (due != partner.heard.end()) {
+            partner.in_use = true;
+            const Step step = std::move(due->second);
+            partner.heard.erase(partner.heard.begin(), std::next(due));
+            for (const StepMessage& message : step.messages) deliver(name, message, act);
+        } else if (partner.end != Step::goes_on) {
+            system_.log(LogLevel::info, fmt::format("lockstep: host {} has {}: this one goes on without it", name,
+                                                    partner.end == Step::ends ? "ended" : "parted"));
+            if (partner.end == Step::ends) ended_[name] = partner.run;
+            each = partners_.erase(each);
+            continue;
+        }
+        ++each;
+    }
+}
+
+// As what comes on the topic of a port: an act of that host.
+void Lockstep::deliver(const std::string& host, const StepMessage& message, const ActDoor& act) {
+    const std::string path = fmt::format("{}/{}", host, message.port);
+    const auto port = std::as_const(system_).port(path);
+    if (!port || (*port)->direction() != Direction::out || system_.peers(**port).empty()) return;
+    const Component* component = system_.find(std::string_view(path).substr(0, path.find('.')));
+    if (component == nullptr || component->state() != LifeState::active) return;
+    if (auto value = read_message((*port)->type(), message.payload))
+        static_cast<void>(act(Write{path, std::move(*value)}, {Actor::Kind::network, host}));
+}
+
+void Lockstep::publish() {
+    if (left_) return;
+    if (layout_ != system_.layout()) {
+        follow_ports(published_, system_);
+        layout_ = system_.layout();
+    }
+    std::vector<StepMessage> all;
+    for (auto& [path, port] : published_) {
+        port.take([&](const auto& message) {
+            write_cdr(all.emplace_back(StepMessage{path, {}}).payload, on_the_wire, message.data);
+        });
+    }
+    for (auto& [name, partner] : partners_) {
+        Step step{.run = settings_.run, .to = partner.run, .began = partner.began, .tick = tick() + 1};
+        std::copy_if(all.begin(), all.end(), std::back_inserter(step.messages),
+                     [&, &partner = partner](const StepMessage& each) { return partner.ports.contains(each.port); });
+        partner.said.push_back(std::move(step));
+        if (partner.said.size() > 2) partner.said.pop_front();
+        say(partner, partner.said.back(), Step::goes_on);
+    }
+    said_at_ = settings_.clock();
+    stands_since_.reset();
+    if (std::exchange(told_, "").empty()) return;
+    system_.log(LogLevel::info, "lockstep: time goes on");
+}
+
+void Lockstep::say(Partner& partner, Step& step, Step::End end) {
+    step.end = end;
+    step.paused = missing_.empty();
+    step.waits_for = missing_;
+    write_cdr(bytes_, on_the_wire, step);
+    if (!partner.writer->write(bytes_)) said_at_ = 0;  // there was no room: soon again
+}
+
+void Lockstep::serve() {
+    if (left_) return;
+    const double now = settings_.clock();
+    for (auto& [name, partner] : partners_) hear(partner);
+    static_cast<void>(may_tick());
+    if (now - said_at_ >= repetition) {
+        said_at_ = now;
+        for (auto& [name, partner] : partners_) {
+            for (Step& step : partner.said) say(partner, step, Step::goes_on);
+        }
+    }
+    tell();
+}
+
+std::string Lockstep::why_standing() const {
+    if (const auto absent = absent_.find(missing_); absent != absent_.end()) return absent->second;
+    const auto partner = partners_.find(missing_);
+    if (partner == partners_.end()) return "waits for another host in lockstep";
+    if (settings_.clock() - partner->second.heard_at >= patience) return fmt::format("host {} is silent", missing_);
+    if (partner->second.paused) return fmt::format("host {} is paused", missing_);
+    const std::string& other = partner->second.waits_for;
+    if (other.empty() || other == settings_.host) return fmt::format("waits for host {}", missing_);
+    return fmt::format("host {} waits for host {}", missing_, other);
+}
+
+// Once, and again where the reason is another one.
+void Lockstep::tell() {
+    if (missing_.empty() || !stands_since_ || settings_.clock() - *stands_since_ < patience) return;
+    const std::string why = why_standing();
+    if (why == told_) return;
+    told_ = why;
+    stands_since_ = settings_.clock();
+    system_.log(LogLevel::warn, fmt::format("lockstep: time stands at {:.2f} s: {}", system_.now().seconds, why));
+}
+
+void Lockstep::leave() {
+    if (std::exchange(left_, true)) return;
+    for (auto& [name, partner] : partners_) {
+        Step nothing{.run = settings_.run, .to = partner.run, .began = partner.began, .tick = partner.began};
+        say(partner, partner.said.empty() ? nothing : partner.said.back(), Step::ends);
+    }
+}
+
+void Lockstep::add_files(std::vector<int>& files) const {
+    for (const auto& [name, partner] : partners_) {
+        if (const int file = partner.reader->file(); file >= 0) files.push_back(file);
+    }
+}
+
+}  // namespace nezumi::dds

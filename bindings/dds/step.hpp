@@ -1,0 +1,70 @@
+// What hosts in lockstep tell each other with each tick, described once: CDR follows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "bindings/dds/transport.hpp"
+#include "engine/ports/describe.hpp"
+
+namespace nezumi::dds {
+
+/// A message of a port.
+struct StepMessage {
+    std::string port{};  ///< "name.port" of the sender
+    Octets payload{};    ///< CDR with its header
+};
+
+/// A host's tick is done: what its ports have published in it.
+struct Step {
+    enum End : std::uint8_t {
+        goes_on,
+        parts,  ///< the two keep in step no longer
+        ends,   ///< the sender's run is over
+    };
+    std::uint64_t run = 0;    ///< of the sender
+    std::uint64_t to = 0;     ///< run of the receiver
+    std::int64_t began = 0;   ///< the sender's tick of the first step
+    std::int64_t tick = 0;    ///< the sender's next one
+    std::uint8_t end = 0;     ///< `End`: of a last one
+    bool paused = false;      ///< the sender could go on, and does not
+    std::string waits_for{};  ///< the host for which the sender waits
+    std::vector<StepMessage> messages{};
+};
+
+/// The steps of one host for another.
+Topic step_topic(const std::string& from, const std::string& to);
+
+}  // namespace nezumi::dds
+
+namespace nezumi {
+
+template <>
+struct Describe<dds::StepMessage> {
+    using T = dds::StepMessage;
+    static constexpr std::string_view name = "StepMessage";
+    static constexpr std::tuple fields{
+        Field{"port", &T::port, "", "name.port"},
+        Field{"payload", &T::payload, "", "CDR with its header"},
+    };
+};
+
+template <>
+struct Describe<dds::Step> {
+    using T = dds::Step;
+    static constexpr std::string_view name = "Step";
+    static constexpr std::tuple fields{
+        Field{"run", &T::run, "", "of the sender"},
+        Field{"to", &T::to, "", "run of the receiver"},
+        Field{"began", &T::began, "", "the sender's tick of the first step"},
+        Field{"tick", &T::tick, "", "the sender's next one"},
+        Field{"end", &T::end, "", "goes on, parts, ends"},
+        Field{"paused", &T::paused, "", "the sender could go on"},
+        Field{"waits_for", &T::waits_for, "", "a host"},
+        Field{"messages", &T::messages, "", "published in the tick before"},
+    };
+};
+
+}  // namespace nezumi

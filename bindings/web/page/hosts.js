@@ -1,0 +1,29 @@
+// Other hosts in the diagram: their components are boxes with all ports that they offer.
+
+/// The components of the system, and those of other hosts. A port `waits` whose host is not there, or has none of its name.
+export function with_hosts({ components, hosts }) {
+  const boxes = new Map();
+  const box_of = (name, host) => {
+    if (!boxes.has(name))
+      boxes.set(name, { name, kind: "remote", type: "", state: "REMOTE", host, ports: [], parameters: [], sets: [] });
+    return boxes.get(name);
+  };
+  for (const host of hosts) {
+    for (const { name, ...port } of host.ports) {
+      const dot = name.indexOf(".");
+      box_of(`${host.name}/${name.slice(0, dot)}`, host).ports.push({ name: name.slice(dot + 1), doc: "", waits: false, ...port });
+    }
+  }
+  const own = [];
+  for (const each of components) {
+    const host = each.type === "RemoteComponent" && hosts.find(({ name }) => each.name.startsWith(`${name}/`));
+    if (!host) {
+      own.push(each);
+      continue;
+    }
+    const box = box_of(each.name, host);
+    const offered = new Set(box.ports.map(({ name }) => name));
+    for (const port of each.ports) if (!offered.has(port.name)) box.ports.push({ ...port, waits: true });
+  }
+  return [...own, ...[...boxes.values()].filter(({ ports }) => ports.length > 0)];
+}
