@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bindings/dds/cyclone.hpp"
+#include "bindings/dds/loopback_filter.hpp"
 #include "bindings/dds/octet_type.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/base/thread.hpp"
@@ -153,6 +154,8 @@ public:
         if (!domain_->ok()) return explain("the domain can't be opened", domain_->get());
         participant_.emplace(dds_create_participant(options.domain, nullptr, nullptr));
         if (!participant_->ok()) return explain("the domain can't be joined", participant_->get());
+        if (options.loopback && hear_loopback_only(ports_of(options.domain)) < 1)
+            return "the domain can't be kept to this computer: its sockets take no filter";
         publications_.emplace(
             dds_create_reader(participant_->get(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr));
         subscriptions_.emplace(

@@ -1,4 +1,10 @@
 // Cyclone DDS itself, on the loopback: octets as they were written, and who is there.
+#include <arpa/inet.h>
+#include <linux/filter.h>
+#include <net/if.h>
+#include <sys/socket.h>
+
+#include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <functional>
@@ -94,6 +100,29 @@ TEST_CASE("writers and readers in a domain are seen, and gone when they end", "[
     CHECK_FALSE(is_seen(false));
     writer.reset();
     CHECK(comes([&] { return !is_seen(true); }));
+}
+
+TEST_CASE("on the loopback nothing is heard that another computer sends", "[dds][cyclone]") {
+    const auto filtered = [](bool loopback) {
+        const auto place = open_cyclone({.domain = 215, .xml = domain_xml("", {}), .loopback = loopback});
+        REQUIRE(place.has_value());
+        std::vector<bool> all;  // of the sockets that every address of this computer reaches
+        for (int descriptor = 0; descriptor < 256; ++descriptor) {
+            sockaddr_in address{};
+            socklen_t size = sizeof address;
+            if (getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) continue;
+            const int port = ntohs(address.sin_port);
+            if (address.sin_family != AF_INET || address.sin_addr.s_addr != INADDR_ANY || port < 7400 + 250 * 215)
+                continue;
+            std::array<sock_filter, 16> program{};
+            socklen_t length = program.size();  // in instructions
+            REQUIRE(getsockopt(descriptor, SOL_SOCKET, SO_GET_FILTER, program.data(), &length) == 0);
+            all.push_back(length > 0 && program[1].k == if_nametoindex("lo"));
+        }
+        return all;
+    };
+    CHECK(filtered(true) == std::vector<bool>{true, true});
+    CHECK(filtered(false) == std::vector<bool>{false, false});
 }
 
 TEST_CASE("an interface that is not there is told in one line", "[dds][cyclone]") {
