@@ -75,9 +75,18 @@ private:
     Entity writer_;
 };
 
+using Admits = decltype(Topic::admits);
+
+// Called by Cyclone's threads.
+bool admit(const void* sample, void* admits) {
+    return sample != nullptr &&
+           (*static_cast<const Admits*>(admits))(*static_cast<const std::span<const std::uint8_t>*>(sample));
+}
+
 class CycloneReader final : public Reader {
 public:
-    CycloneReader(Entity topic, Entity reader) : topic_(std::move(topic)), reader_(std::move(reader)) {}
+    CycloneReader(std::unique_ptr<Admits> admits, Entity topic, Entity reader)
+        : admits_(std::move(admits)), topic_(std::move(topic)), reader_(std::move(reader)) {}
 
     std::vector<Sample> take() override {
         std::vector<Sample> all;
@@ -116,6 +125,8 @@ public:
     }
 
 private:
+    // Declaration order is destruction order reversed: what is asked goes last.
+    std::unique_ptr<Admits> admits_;
     Entity topic_;
     Entity reader_;
 };
@@ -177,13 +188,21 @@ public:
     std::unique_ptr<Reader> read(const Topic& topic) override {
         Entity made = make_topic(topic);
         if (!made.ok()) return nullptr;
+        auto admits = topic.admits ? std::make_unique<Admits>(topic.admits) : nullptr;
+        if (admits != nullptr) {
+            dds_topic_filter filter{};
+            filter.mode = DDS_TOPIC_FILTER_SAMPLE_ARG;
+            filter.f.sample_arg = admit;
+            filter.arg = admits.get();
+            dds_set_topic_filter_extended(made.get(), &filter);
+        }
         const Qos qos = qos_of(topic);
         Entity reader(dds_create_reader(participant_->get(), made.get(), qos.get(), nullptr));
         if (!reader.ok()) {
             problem_ = explain(topic.name + " can't be read", reader.get());
             return nullptr;
         }
-        return std::make_unique<CycloneReader>(std::move(made), std::move(reader));
+        return std::make_unique<CycloneReader>(std::move(admits), std::move(made), std::move(reader));
     }
     std::vector<SeenEndpoint> seen() override {
         std::vector<SeenEndpoint> all;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,6 +21,9 @@ struct Topic {
     bool keeps_last = false;  ///< who comes late is given the last message (reliable only)
     int depth = 1;            ///< messages that a reader keeps until they are taken; the oldest go first
     std::string user_data{};  ///< of the writer or reader, for whoever looks
+    /// A reader's: what it does not admit is dropped as it comes, before it takes the place of what waits. None: all is
+    /// admitted. Asked from any thread, several at once; throws nothing.
+    std::function<bool(std::span<const std::uint8_t> cdr)> admits{};
 };
 
 /// A message as it came.

@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 
 #include <array>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <functional>
@@ -68,6 +69,26 @@ TEST_CASE("octets arrive as they were written, whatever their number", "[dds][cy
         CHECK(got[i].bytes == cdr(sizes[i]));
         CHECK(got[i].writer == reader->writers().front());
     }
+}
+
+TEST_CASE("a message that a reader does not admit pushes out none that waits", "[dds][cyclone][wallclock]") {
+    const auto place = join(216);
+    Topic topic = topic_of("a", "b.c", type_index<std::string>());
+    topic.depth = 1;
+    const auto writer = place->write(topic);
+    std::atomic<int> asked = 0;
+    topic.admits = [&](std::span<const std::uint8_t> bytes) {
+        ++asked;
+        return bytes.size() != 70'001;
+    };
+    const auto reader = place->read(topic);
+    REQUIRE(comes([&] { return writer->readers() == 1; }));
+    for (const std::size_t size : {std::size_t{9}, std::size_t{11}, std::size_t{70'001}})
+        REQUIRE(writer->write(cdr(size)));
+    REQUIRE(comes([&] { return asked == 3; }));
+    const auto got = reader->take();
+    REQUIRE(got.size() == 1);
+    CHECK(got[0].bytes == cdr(11));
 }
 
 TEST_CASE("who comes late is given what is kept for it", "[dds][cyclone][wallclock]") {
