@@ -1,7 +1,13 @@
 """Hosts that are network namespaces, with a cable each to one switch. Making them takes root."""
 
+import pathlib
+import re
+import signal
 import subprocess
+import threading
+import time
 
+PATIENCE = 30  # seconds, for what takes far less
 SWITCH = "nezumi-switch"
 
 
@@ -49,6 +55,48 @@ class Network:
     @staticmethod
     def plug(host, is_in):
         ip("-n", SWITCH, "link", "set", host, "up" if is_in else "down")
+
+
+class Program:
+    """A program on a host, and when it said what."""
+
+    def __init__(self, host, *words):
+        self.said = []  # (when, line)
+        self.process = subprocess.Popen(inside(host, *words), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
+
+    def read(self):
+        for line in self.process.stdout:
+            self.said.append((time.monotonic(), line.rstrip()))
+
+    def when(self, text, since, patience=PATIENCE):
+        """Seconds from `since` until it says this."""
+        end = time.monotonic() + patience
+        while time.monotonic() < end:
+            for at, line in list(self.said):
+                if at >= since and text in line:
+                    return at - since
+            time.sleep(0.005)
+        raise AssertionError(f"'{text}' was not said within {patience} s:\n" + "\n".join(line for _, line in self.said))
+
+    def lines(self, text, since=0):
+        return [line for at, line in list(self.said) if at >= since and text in line]
+
+    def never(self, text, seconds):
+        time.sleep(seconds)
+        assert not self.lines(text), f"'{text}' was said"
+
+    def memory(self):
+        """Bytes that it occupies."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1]) << 10
+
+    def end(self, how=signal.SIGTERM):
+        if self.process.poll() is None:
+            self.process.send_signal(how)
+            self.process.wait(PATIENCE)
+        self.reader.join(PATIENCE)
 
 
 def why_none():
