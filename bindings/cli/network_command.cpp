@@ -36,7 +36,8 @@ int list_network(const ListOptions& options) {
     if (options.domain > last_domain)
         return refuse(fmt::format("network list: --domain: expected 0 to {}, got {}", last_domain, options.domain));
     auto place = dds::open_cyclone({.domain = static_cast<std::uint32_t>(options.domain),
-                                    .xml = dds::domain_xml(options.interface, options.peers)});
+                                    .xml = dds::domain_xml(options.interface, options.peers),
+                                    .loopback = options.interface.empty()});
     if (!place) return refuse(fmt::format("network list: {}", place.error().message));
     std::unique_ptr<dds::Transport> sealed;
     if (!options.secret.empty()) {

@@ -13,7 +13,8 @@ namespace nezumi::dds {
 /// How a domain is joined.
 struct DomainOptions {
     std::uint32_t domain = 0;
-    std::string xml;  ///< Cyclone's configuration, as `domain_xml` writes it
+    std::string xml;        ///< Cyclone's configuration, as `domain_xml` writes it
+    bool loopback = false;  ///< that of the loopback: nothing that other computers send is heard
 };
 
 /// Joins a domain, or says why not. One place for each domain and process.

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "bindings/dds/cyclone.hpp"
+#include "bindings/dds/loopback_filter.hpp"
 #include "bindings/dds/octet_type.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/base/thread.hpp"
@@ -107,10 +108,18 @@ private:
     int file_;
 };
 
+using Admits = decltype(Topic::admits);
+
+// Called by Cyclone's threads.
+bool admit(const void* sample, void* admits) {
+    return sample != nullptr &&
+           (*static_cast<const Admits*>(admits))(*static_cast<const std::span<const std::uint8_t>*>(sample));
+}
+
 class CycloneReader final : public Reader {
 public:
-    CycloneReader(Entity topic, Entity reader, std::optional<Alarm> alarm)
-        : alarm_(std::move(alarm)), topic_(std::move(topic)), reader_(std::move(reader)) {}
+    CycloneReader(std::unique_ptr<Admits> admits, std::optional<Alarm> alarm, Entity topic, Entity reader)
+        : admits_(std::move(admits)), alarm_(std::move(alarm)), topic_(std::move(topic)), reader_(std::move(reader)) {}
 
     int file() const override { return alarm_ ? alarm_->file() : -1; }
     std::vector<Sample> take() override {
@@ -151,7 +160,9 @@ public:
     }
 
 private:
-    std::optional<Alarm> alarm_;  // outlives the reader that sets it off
+    // Declaration order is destruction order reversed: what is asked, and what the reader sets off, go last.
+    std::unique_ptr<Admits> admits_;
+    std::optional<Alarm> alarm_;
     Entity topic_;
     Entity reader_;
 };
@@ -190,6 +201,8 @@ public:
         if (!domain_->ok()) return explain("the domain can't be opened", domain_->get());
         participant_.emplace(dds_create_participant(options.domain, nullptr, nullptr));
         if (!participant_->ok()) return explain("the domain can't be joined", participant_->get());
+        if (options.loopback && hear_loopback_only(ports_of(options.domain)) < 1)
+            return "the domain can't be kept to this computer: its sockets take no filter";
         publications_.emplace(
             dds_create_reader(participant_->get(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr, nullptr));
         subscriptions_.emplace(
@@ -211,6 +224,14 @@ public:
     std::unique_ptr<Reader> read(const Topic& topic) override {
         Entity made = make_topic(topic);
         if (!made.ok()) return nullptr;
+        auto admits = topic.admits ? std::make_unique<Admits>(topic.admits) : nullptr;
+        if (admits != nullptr) {
+            dds_topic_filter filter{};
+            filter.mode = DDS_TOPIC_FILTER_SAMPLE_ARG;
+            filter.f.sample_arg = admit;
+            filter.arg = admits.get();
+            dds_set_topic_filter_extended(made.get(), &filter);
+        }
         const Qos qos = qos_of(topic);
         Entity reader(dds_create_reader(participant_->get(), made.get(), qos.get(), nullptr));
         if (!reader.ok()) {
@@ -219,7 +240,7 @@ public:
         }
         std::optional<Alarm> alarm;
         if (topic.wakes) alarm.emplace().set_off_by(reader.get());
-        return std::make_unique<CycloneReader>(std::move(made), std::move(reader), std::move(alarm));
+        return std::make_unique<CycloneReader>(std::move(admits), std::move(alarm), std::move(made), std::move(reader));
     }
     std::vector<SeenEndpoint> seen() override {
         std::vector<SeenEndpoint> all;

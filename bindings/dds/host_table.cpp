@@ -80,28 +80,29 @@ std::vector<std::uint8_t> write_announcement(const Announcement& announcement) {
     return bytes;
 }
 
-void HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now) {
+bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now) {
     // Only the head: the rest may be of another protocol, and then nothing is known of it.
     AnnouncementHead head{};
     detail::CdrReader reader(cdr, on_the_wire);
     reader.read(head);
-    if (!is_bounded(head)) return;
+    if (!is_bounded(head)) return false;
     Announcement whole;
     const bool understood = cdr.size() <= most_bytes && head.protocol == protocol &&
                             read_cdr(cdr, on_the_wire, whole).has_value() && is_bounded(whole);
-    if (understood && (whole.run == own_run_ || ended_.contains(whole.run))) return;  // its own; or kept from earlier
+    if (understood && (whole.run == own_run_ || ended_.contains(whole.run)))
+        return false;  // its own; or kept from earlier
     const auto before = said_.find(writer);
     const bool is_new = before == said_.end();
-    if (is_new && said_.size() >= most_hosts) return;
+    if (is_new && said_.size() >= most_hosts) return false;
     // A writer speaks for one host in one run of it, and as it did before.
     if (!is_new && (before->second.head != head || before->second.understood != understood ||
                     before->second.announcement.run != whole.run))
-        return;
+        return false;
     // What is older than something that was said in this run, by whatever writer, was kept from earlier.
     for (const auto& [other, said] : said_) {
         if (!understood || !said.understood || said.announcement.run != whole.run) continue;
         if (whole.number < said.announcement.number || (other == writer && whole.number == said.announcement.number))
-            return;
+            return false;
     }
     std::sort(whole.ports.begin(), whole.ports.end(), by_name);
     Said& said = said_[writer];
@@ -115,12 +116,13 @@ void HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     const auto present = here_.find(host);
     if (understood && !said.counts) {
         if (present != here_.end() && present->second == writer) here_.erase(present);
-        return;
+        return true;
     }
     if (is_new || (said.counts && present == here_.end())) tell_of(said);
-    if (host == own_.host || !said.counts) return;
+    if (host == own_.host || !said.counts) return true;
     follow(host, said.announcement.run);
     if (present == here_.end() || said_.at(present->second).since <= said.since) here_[host] = writer;
+    return true;
 }
 
 // This is the host's present run; the one before is over.

@@ -26,8 +26,9 @@ public:
     HostTable(AnnouncementHead own, std::uint64_t own_run, bool answered = false)
         : own_(std::move(own)), own_run_(own_run), answered_(answered) {}
 
-    /// What a writer has announced. `now` [s] by a clock that never falls.
-    void heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now);
+    /// What a writer has announced. `now` [s] by a clock that never falls. False: it is dropped, and what the writer
+    /// said before counts.
+    bool heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, double now);
     /// The writers there are: what others said is forgotten.
     void keep(std::span<const std::uint64_t> writers, double now);
 

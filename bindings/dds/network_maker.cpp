@@ -148,7 +148,7 @@ Expected<Transport*> Domains::join(std::int64_t domain, const std::string& inter
         return failure(
             fmt::format("domain {} was joined by another interface or with other peers: start nezumi anew", domain));
     }
-    auto transport = open_({.domain = static_cast<std::uint32_t>(domain), .xml = xml});
+    auto transport = open_({.domain = static_cast<std::uint32_t>(domain), .xml = xml, .loopback = interface.empty()});
     if (!transport) return Unexpected(transport.error());
     return joined_.emplace(domain, Joined{xml, std::move(*transport)}).first->second.transport.get();
 }

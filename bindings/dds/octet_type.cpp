@@ -103,8 +103,13 @@ ddsi_serdata* lend_octets(const ddsi_serdata* data, std::size_t offset, std::siz
 
 void take_octets_back(ddsi_serdata* data, const ddsrt_iovec_t* /*lent*/) { ddsi_serdata_unref(data); }
 
-// Messages are taken as they are (dds_takecdr): nobody asks for a sample.
-bool to_sample(const ddsi_serdata* /*data*/, void* /*sample*/, void** /*buffer*/, void* /*limit*/) { return false; }
+// Messages are taken as they are (dds_takecdr); filters alone ask for a sample, which is a look at the octets.
+using View = std::span<const std::uint8_t>;
+bool to_sample(const ddsi_serdata* data, void* sample, void** /*buffer*/, void* /*limit*/) {
+    if (sample == nullptr) return false;
+    *static_cast<View*>(sample) = octets_of(*data);
+    return true;
+}
 bool key_to_sample(const ddsi_sertype* /*type*/, const ddsi_serdata* /*data*/, void* /*sample*/, void** /*buffer*/,
                    void* /*limit*/) {
     return true;
@@ -151,9 +156,15 @@ void free_type(ddsi_sertype* type) {
     delete type;
 }
 void zero_samples(const ddsi_sertype* /*type*/, void* /*samples*/, std::size_t /*count*/) {}
-void realloc_samples(void** /*samples*/, const ddsi_sertype* /*type*/, void* /*old*/, std::size_t /*before*/,
-                     std::size_t /*count*/) {}
-void free_samples(const ddsi_sertype* /*type*/, void** /*samples*/, std::size_t /*count*/, dds_free_op_t /*how*/) {}
+// One at a time is all that filters ask for.
+void realloc_samples(void** samples, const ddsi_sertype* /*type*/, void* old, std::size_t /*before*/,
+                     std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) samples[i] = nullptr;
+    if (old == nullptr && count == 1) samples[0] = new (std::nothrow) View;
+}
+void free_samples(const ddsi_sertype* /*type*/, void** samples, std::size_t count, dds_free_op_t how) {
+    if (count == 1 && (how & DDS_FREE_ALL_BIT) != 0) delete static_cast<View*>(samples[0]);
+}
 bool same_type(const ddsi_sertype* /*a*/, const ddsi_sertype* /*b*/) { return true; }  // their names are
 std::uint32_t hash_of_type(const ddsi_sertype* /*type*/) { return 0; }
 ddsi_sertype* derive_type(const ddsi_sertype* type, dds_data_representation_id_t representation,

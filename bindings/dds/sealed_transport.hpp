@@ -30,8 +30,8 @@ Octets seal(std::span<const std::uint8_t> cdr, const Topic& topic, const Secret&
 /// What `seal` was given; nothing when it was not sealed for this topic with this secret.
 std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& topic, const Secret& secret);
 
-/// `inner` must outlive it. What can't be unsealed is dropped, and counts as lost. That a message comes again is for
-/// who reads to see: heads have numbers.
+/// `inner` must outlive it, and it its readers. What can't be unsealed is dropped as it comes. That a message comes
+/// again is for who reads to see: heads have numbers.
 std::unique_ptr<Transport> make_sealed_transport(Transport& inner, const Secret& secret);
 
 }  // namespace nezumi::dds

@@ -111,7 +111,12 @@ bool SystemNetwork::open() {
 
 void SystemNetwork::listen() {
     const double now = settings_.clock();
-    for (const Sample& sample : listener_->take()) hosts_.heard(sample.writer, sample.bytes, now);
+    // The last word counts: to read all that a host says which changes without end would make ticks late.
+    std::map<std::uint64_t, std::vector<Octets>> words;
+    for (Sample& sample : listener_->take()) words[sample.writer].push_back(std::move(sample.bytes));
+    for (auto& [writer, said] : words) {
+        while (!said.empty() && !hosts_.heard(writer, said.back(), now)) said.pop_back();
+    }
     hosts_.keep(listener_->writers(), now);
     for (HostTable::News& news : hosts_.take_news()) system_.log(news.level, std::move(news.text));
     for (const auto& component : system_.components()) {

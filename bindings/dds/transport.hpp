@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,6 +23,9 @@ struct Topic {
     bool wakes = false;       ///< of a reader: has `Reader::file`
     int depth = 1;            ///< messages that a reader keeps until they are taken; the oldest go first
     std::string user_data{};  ///< of the writer or reader, for whoever looks
+    /// A reader's: what it does not admit is dropped as it comes, before it takes the place of what waits. None: all is
+    /// admitted. Asked from any thread, several at once; throws nothing.
+    std::function<bool(std::span<const std::uint8_t> cdr)> admits{};
 };
 
 /// A message as it came.

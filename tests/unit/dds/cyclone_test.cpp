@@ -1,6 +1,12 @@
 // Cyclone DDS itself, on the loopback: octets as they were written, and who is there.
+#include <arpa/inet.h>
+#include <linux/filter.h>
+#include <net/if.h>
 #include <poll.h>
+#include <sys/socket.h>
 
+#include <array>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <functional>
@@ -97,6 +103,26 @@ TEST_CASE("a reader wakes who waits for it, and a writer that keeps all says whe
     }));
 }
 
+TEST_CASE("a message that a reader does not admit pushes out none that waits", "[dds][cyclone][wallclock]") {
+    const auto place = join(216);
+    Topic topic = topic_of("a", "b.c", type_index<std::string>());
+    topic.depth = 1;
+    const auto writer = place->write(topic);
+    std::atomic<int> asked = 0;
+    topic.admits = [&](std::span<const std::uint8_t> bytes) {
+        ++asked;
+        return bytes.size() != 70'001;
+    };
+    const auto reader = place->read(topic);
+    REQUIRE(comes([&] { return writer->readers() == 1; }));
+    for (const std::size_t size : {std::size_t{9}, std::size_t{11}, std::size_t{70'001}})
+        REQUIRE(writer->write(cdr(size)));
+    REQUIRE(comes([&] { return asked == 3; }));
+    const auto got = reader->take();
+    REQUIRE(got.size() == 1);
+    CHECK(got[0].bytes == cdr(11));
+}
+
 TEST_CASE("who comes late is given what is kept for it", "[dds][cyclone][wallclock]") {
     const auto place = join(212);
     const Topic topic{.name = "nezumi/hosts", .type = "nezumi::Announcement", .reliable = true, .keeps_last = true};
@@ -127,6 +153,29 @@ TEST_CASE("writers and readers in a domain are seen, and gone when they end", "[
     CHECK_FALSE(is_seen(false));
     writer.reset();
     CHECK(comes([&] { return !is_seen(true); }));
+}
+
+TEST_CASE("on the loopback nothing is heard that another computer sends", "[dds][cyclone]") {
+    const auto filtered = [](bool loopback) {
+        const auto place = open_cyclone({.domain = 215, .xml = domain_xml("", {}), .loopback = loopback});
+        REQUIRE(place.has_value());
+        std::vector<bool> all;  // of the sockets that every address of this computer reaches
+        for (int descriptor = 0; descriptor < 256; ++descriptor) {
+            sockaddr_in address{};
+            socklen_t size = sizeof address;
+            if (getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) continue;
+            const int port = ntohs(address.sin_port);
+            if (address.sin_family != AF_INET || address.sin_addr.s_addr != INADDR_ANY || port < 7400 + 250 * 215)
+                continue;
+            std::array<sock_filter, 16> program{};
+            socklen_t length = program.size();  // in instructions
+            REQUIRE(getsockopt(descriptor, SOL_SOCKET, SO_GET_FILTER, program.data(), &length) == 0);
+            all.push_back(length > 0 && program[1].k == if_nametoindex("lo"));
+        }
+        return all;
+    };
+    CHECK(filtered(true) == std::vector<bool>{true, true});
+    CHECK(filtered(false) == std::vector<bool>{false, false});
 }
 
 TEST_CASE("an interface that is not there is told in one line", "[dds][cyclone]") {

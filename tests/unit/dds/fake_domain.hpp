@@ -43,6 +43,7 @@ private:
                (writer.topic.keeps_last || !reader.topic.keeps_last);
     }
     static void give(End& reader, const Octets& bytes, std::uint64_t writer) {
+        if (reader.topic.admits && !reader.topic.admits(bytes)) return;
         reader.waiting.push_back({bytes, writer});
         if (reader.waiting.size() <= static_cast<std::size_t>(reader.topic.depth)) return;
         reader.waiting.pop_front();

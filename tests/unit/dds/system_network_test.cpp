@@ -176,6 +176,27 @@ TEST_CASE("hosts of different versions are told", "[dds][network]") {
     CHECK(pi.told("warn: host ev3 is here; it runs nezumi 1.1, protocol 2, this one nezumi 1.0, protocol 2"));
 }
 
+TEST_CASE("of what a host has announced since the last look its last word counts", "[dds][network]") {
+    Room room;
+    HostRig pi(room, "pi");
+    pass(room, 1, pi);
+    const auto place = room.domain.join();
+    const auto writer = place->write(announcement_topic());
+    const auto says = [&](const std::string& version, std::uint64_t number) {
+        Announcement said;
+        said.head = {.protocol = protocol, .host = "ev3", .version = version};
+        said.run = 4711;
+        said.number = number;
+        writer->write(write_announcement(said));
+    };
+    says("1.1", 1);
+    says("1.2", 2);
+    writer->write(Octets{0, 1, 0, 0, 1, 2, 3});
+    pass(room, 1, pi);
+    CHECK(pi.told("host ev3 is here; it runs nezumi 1.2"));
+    CHECK_FALSE(pi.told("1.1"));
+}
+
 TEST_CASE("a link that heals replays no velocity, and the count of what was missed is shown", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");
