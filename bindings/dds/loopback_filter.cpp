@@ -18,15 +18,15 @@
 namespace nezumi::dds {
 namespace {
 
-// The port of IPv4 that a socket for datagrams is bound to.
-std::optional<std::uint16_t> udp_port(int descriptor) {
+// The port of IPv4 that a socket for datagrams is bound to, at every address.
+std::optional<std::uint16_t> open_port(int descriptor) {
     int type = 0;
     socklen_t size = sizeof type;
     if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM) return std::nullopt;
     sockaddr_in address{};
     size = sizeof address;
     if (getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) return std::nullopt;
-    if (address.sin_family != AF_INET) return std::nullopt;
+    if (address.sin_family != AF_INET || address.sin_addr.s_addr != INADDR_ANY) return std::nullopt;
     return ntohs(address.sin_port);
 }
 
@@ -53,17 +53,18 @@ int hear_loopback_only(PortRange ports) {
     const unsigned int loopback = if_nametoindex("lo");
     if (loopback == 0) return -1;
     int found = 0;
-    std::error_code none;
-    for (const auto& each : std::filesystem::directory_iterator("/proc/self/fd", none)) {
-        const std::string name = each.path().filename().string();
+    std::error_code problem;
+    std::filesystem::directory_iterator each("/proc/self/fd", problem);
+    for (; !problem && each != std::filesystem::directory_iterator(); each.increment(problem)) {
+        const std::string name = each->path().filename().string();
         int descriptor = -1;
         std::from_chars(name.data(), name.data() + name.size(), descriptor);
-        const auto port = udp_port(descriptor);
+        const auto port = open_port(descriptor);
         if (!port || *port < ports.first || *port >= ports.first + ports.count) continue;
         if (!filter(descriptor, loopback)) return -1;
         ++found;
     }
-    return none ? -1 : found;
+    return problem ? -1 : found;
 }
 
 }  // namespace nezumi::dds

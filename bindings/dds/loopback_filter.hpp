@@ -14,8 +14,9 @@ struct PortRange {
 /// The ports of a domain (DDSI-RTPS 2.5, 9.6.2.3).
 PortRange ports_of(std::uint32_t domain);
 
-/// Every socket of this process that is bound to one of these ports takes from now on only what comes by the loopback,
-/// as all does that this computer sends itself. Returns how many sockets there are; -1: one can't be so.
+/// Every socket of this process that is bound to one of these ports at every address takes from now on only what comes
+/// by the loopback, as all does that this computer sends itself. Returns how many sockets there are; -1: one can't be
+/// so.
 int hear_loopback_only(PortRange ports);
 
 }  // namespace nezumi::dds

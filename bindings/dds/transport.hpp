@@ -24,7 +24,7 @@ struct Topic {
     int depth = 1;            ///< messages that a reader keeps until they are taken; the oldest go first
     std::string user_data{};  ///< of the writer or reader, for whoever looks
     /// A reader's: what it does not admit is dropped as it comes, before it takes the place of what waits. None: all is
-    /// admitted. Asked from any thread, several at once; throws nothing.
+    /// admitted. Asked from any thread, several at once.
     std::function<bool(std::span<const std::uint8_t> cdr)> admits{};
 };
 

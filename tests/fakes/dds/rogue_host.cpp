@@ -179,7 +179,8 @@ private:
     }
     Octets value() {
         Octets bytes;
-        write_cdr(bytes, on_the_wire, MessageHead{.run = own_run, .number = ++number_, .stamp = now()},
+        ++number_;
+        write_cdr(bytes, on_the_wire, MessageHead{.run = own_run, .number = number_, .stamp = now()},
                   static_cast<std::int32_t>(number_));
         return bytes;
     }
