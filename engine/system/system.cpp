@@ -9,8 +9,8 @@
 
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
+#include "engine/base/worker_pool.hpp"
 #include "engine/system/network.hpp"
-#include "engine/system/worker_pool.hpp"
 
 namespace nezumi {
 namespace {
