@@ -50,6 +50,11 @@ void System::log(LogLevel level, std::string text) const {
     if (log_) log_({level, now_.seconds, "", std::move(text)});
 }
 
+void System::take_world(std::unique_ptr<World> world) {
+    world_ = std::move(world);
+    if (world_ != nullptr) world_->use_threads(workers_.get());
+}
+
 void System::take_network(std::unique_ptr<Network> network) { network_ = std::move(network); }
 
 Expected<Component*> System::add(std::unique_ptr<Component> component) {
