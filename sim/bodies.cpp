@@ -1,6 +1,8 @@
 // Placing, waking and putting to sleep.
 #include "sim/bodies.hpp"
 
+#include <algorithm>
+
 namespace nezumi::sim {
 
 void BodyView::put(const Vec3& centre, const Rotation& rotation) const {
@@ -12,16 +14,32 @@ void BodyView::put(const Vec3& centre, const Rotation& rotation) const {
     dBodySetAngularVel(id, 0, 0, 0);
 }
 
-void BodyView::advance(const Motion& motion, double step) const {
-    const auto& [velocity, spin] = motion;
-    const Vec3 to = centre() + velocity * step;
-    dBodySetPosition(id, to.x(), to.y(), to.z());
-    const dReal* const q = dBodyGetQuaternion(id);
-    const Vec3 along{q[1], q[2], q[3]}, turned = along + (spin * q[0] + spin.cross(along)) * (step / 2);
-    const dQuaternion next{q[0] - spin.dot(along) * (step / 2), turned.x(), turned.y(), turned.z()};
-    dBodySetQuaternion(id, next);  // which also makes it of length 1
+BodyState BodyView::state() const {
+    BodyState state{centre(), rotation(), {}, {}, {velocity(), spin()}};
+    std::copy_n(dBodyGetQuaternion(id), 4, state.turn);
+    return state;
+}
+
+void BodyView::arrive(const BodyState& state) const {
+    const auto& [velocity, spin] = state.motion;
+    dBodySetPosition(id, state.centre.x(), state.centre.y(), state.centre.z());
+    dBodySetQuaternion(id, state.given);
     dBodySetLinearVel(id, velocity.x(), velocity.y(), velocity.z());
     dBodySetAngularVel(id, spin.x(), spin.y(), spin.z());
+}
+
+void BodyState::advance(const Motion& how, double step) {
+    motion = how;
+    const auto& [velocity, spin] = motion;
+    centre += velocity * step;
+    const Vec3 along{turn[1], turn[2], turn[3]}, turned = along + (spin * turn[0] + spin.cross(along)) * (step / 2);
+    given[0] = turn[0] - spin.dot(along) * (step / 2);
+    for (int i = 0; i < 3; ++i) given[i + 1] = turned[i];
+    std::copy_n(given, 4, turn);
+    dNormalize4(turn);
+    RowMajor3x4 matrix;
+    dQtoR(turn, matrix.data());
+    rotation = matrix.leftCols<3>();
 }
 
 void SimRobot::leave_to_ode(bool solved_by_ode) {

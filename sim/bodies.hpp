@@ -22,6 +22,18 @@ struct Motion {
     Vec3 spin;
 };
 
+/// Where a body is and how it moves: what a step needs of it, apart from ODE.
+struct BodyState {
+    Vec3 centre;        ///< [m]
+    Rotation rotation;  ///< the same as `turn`
+    dQuaternion turn;   ///< of length 1
+    dQuaternion given;  ///< what ODE is given for it, before it is made of length 1
+    Motion motion;
+
+    /// Moves it for `step` [s], as a step of ODE does at its end.
+    void advance(const Motion& how, double step);
+};
+
 /// A body of ODE, read through the pointers that it keeps for life.
 struct BodyView {
     explicit BodyView(dBodyID body)
@@ -41,17 +53,21 @@ struct BodyView {
     bool is_sound() const { return centre().allFinite() && spin().allFinite() && velocity().squaredNorm() < 1e6; }
     /// Puts it there, at rest.
     void put(const Vec3& centre, const Rotation& rotation) const;
-    /// Moves it for `step` [s], as a step of ODE does at its end.
-    void advance(const Motion& motion, double step) const;
+    BodyState state() const;
+    /// Puts it to where a state of it has got by `BodyState::advance`.
+    void arrive(const BodyState& state) const;
 
     dBodyID id;
     const dReal *p, *r, *v, *w;
 };
 
 /// Puts the hull of a robot to where its body is.
+inline void place_hull(Shape& hull, const RobotModel& model, const Vec3& centre, const Rotation& rotation) {
+    hull.rotation = rotation;
+    hull.centre = centre + hull.rotation.col(2) * model.hull_drop;
+}
 inline void place_hull(Shape& hull, const RobotModel& model, const BodyView& body) {
-    hull.rotation = body.rotation();
-    hull.centre = body.centre() + hull.rotation.col(2) * model.hull_drop;
+    place_hull(hull, model, body.centre(), body.rotation());
 }
 
 /// Who is near a mover: the only ones that are looked at in a step.
@@ -79,6 +95,13 @@ struct SimRobot {
     const RayFan& fan() const { return turned_fan != nullptr ? *turned_fan : model->fan; }
     /// Whether ODE's solver moves it in the step that comes.
     void leave_to_ode(bool solved_by_ode);
+    /// Whether nothing but how it moves keeps it from rolling freely.
+    bool may_roll() const { return !kept_by_ode && !meets && !coasting && !constraint; }
+    /// How far its driven wheels turn in a step of `step` [s]: angles [rad].
+    Wheels turned(double step) const {
+        const DriveSpec& drive = model->spec->drive;
+        return {speeds.left * (step / drive.radius_of_left()), speeds.right * (step / drive.radius_of_right())};
+    }
 
     BodyView body;
     RobotModel* model;  // its contacts are filled in on the way to ODE

@@ -20,12 +20,12 @@ void set_touch(dContact& contact, const Touch& touch) {
 Contacts::Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands)
     : world_(world), step_(step), scene_(scene), movers_(movers), islands_(islands), joints_(dJointGroupCreate(0)) {}
 
-void Contacts::find() {
+void Contacts::find(std::span<SimRobot* const> robots) {
     count_ = 0;
     points_.clear();
     any_by_ode_ = false;
-    for (SimRobot& robot : movers_.robots) {
-        if (robot.has_neighbours) touch_neighbours(robot);
+    for (SimRobot* robot : robots) {
+        if (robot->has_neighbours) touch_neighbours(*robot);
     }
     for (Thing& thing : movers_.things) {
         if (thing.asleep) continue;
@@ -33,29 +33,39 @@ void Contacts::find() {
         touch_floor(thing);
         touch_neighbours(thing);
     }
-    for (SimRobot& robot : movers_.robots) {
-        if (robot.gone) continue;
-        const bool free = rolls_freely(robot);
-        robot.meets = false;
-        robot.leave_to_ode(!free);
+    for (SimRobot* robot : robots) {
+        const bool free = rolls_freely(*robot);
+        robot->meets = false;
+        robot->leave_to_ode(!free);
         if (free) continue;
         any_by_ode_ = true;
-        touch_floor(robot);
+        touch_floor(*robot);
     }
 }
 
+void Contacts::forget_touches() {
+    for (const Scene::Index mover : touched_) {
+        SimRobot& robot = movers_.robot(mover);
+        robot.touched.reset();
+        robot.contact_points.clear();
+    }
+    touched_.clear();
+}
+
 bool Contacts::rolls_freely(SimRobot& robot) const {
-    if (robot.kept_by_ode || robot.meets || robot.coasting || robot.constraint) return false;
-    const auto motion = roll_freely(*robot.model, robot.body, robot.speeds, step_);
+    if (!robot.may_roll()) return false;
+    const auto motion = roll_freely(*robot.model, robot.body.state(), robot.speeds, step_);
     if (motion) robot.rolling = *motion;
     return motion.has_value();
 }
 
-void Contacts::meet(SimRobot& robot, const Obstacle& obstacle) const {
+void Contacts::meet(SimRobot& robot, const Obstacle& obstacle) {
     if (!robot.meets) robot.contact_points.clear();
     robot.contact_points.insert(robot.contact_points.end(), points_.begin(), points_.end());
     robot.meets = true;
-    if (!robot.touched) robot.touched = obstacle;
+    if (robot.touched) return;
+    robot.touched = obstacle;
+    touched_.push_back(robot.mover);
 }
 
 void Contacts::clear() { dJointGroupEmpty(joints_.get()); }

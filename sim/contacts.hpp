@@ -1,6 +1,7 @@
 // The contacts of a step: robots and things with the floor and with each other, as joints of ODE.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/bodies.hpp"
@@ -17,10 +18,13 @@ public:
     /// `step` [s] is the length of a step. All must outlive it, the world first.
     Contacts(dWorldID world, double step, const Scene& scene, Movers& movers, Islands& islands);
 
-    /// Makes the contacts of everybody that is awake with the floor and its neighbours, notes who has touched whom, and
-    /// wakes what is touched. Whoever rolls freely gets no contacts but its `SimRobot::rolling`. Neighbours and places
-    /// in the scene must be up to date.
-    void find();
+    /// Makes the contacts of these robots and of the things that are awake with the floor and their neighbours, notes
+    /// who has touched whom, and wakes what is touched. Whoever rolls freely gets no contacts but its
+    /// `SimRobot::rolling`. All robots that have neighbours must be among them. Neighbours and places in the scene must
+    /// be up to date.
+    void find(std::span<SimRobot* const> robots);
+    /// Forgets who has touched whom.
+    void forget_touches();
     /// Whether there is anything for ODE in this step.
     bool any_by_ode() const { return any_by_ode_; }
     /// Whether there were more than a step has room for in the last `find`: what touches what was left out from there
@@ -37,7 +41,7 @@ private:
     void touch_floor(SimRobot& robot);
     void touch_neighbours(SimRobot& robot);
     // Notes that it touches this, where the latest contacts are.
-    void meet(SimRobot& robot, const Obstacle& obstacle) const;
+    void meet(SimRobot& robot, const Obstacle& obstacle);
     void touch_fixed(SimRobot& robot, Scene::Index fixed);
     void touch_thing(SimRobot& robot, Scene::Index thing);
     void touch_robot(SimRobot& robot, SimRobot& other);
@@ -60,7 +64,8 @@ private:
     Islands& islands_;
     JointGroupHandle joints_;
     std::size_t count_ = 0;
-    std::vector<Vec3> points_;  // of the contacts of the pair that is looked at
+    std::vector<Scene::Index> touched_;  // movers: robots that have touched something
+    std::vector<Vec3> points_;           // of the contacts of the pair that is looked at
     bool any_by_ode_ = false;
     NarrowPhase narrow_;
 };

@@ -113,9 +113,9 @@ Supports supports_of(const RobotModel& model, const Vec3& centre, const Rotation
     return supports;
 }
 
-std::optional<Motion> roll_freely(const RobotModel& model, const BodyView& body, const Wheels& speeds, double step) {
-    const Vec3 centre = body.centre();
-    const Rotation rotation = body.rotation();
+std::optional<Motion> roll_freely(const RobotModel& model, const BodyState& body, const Wheels& speeds, double step) {
+    const Vec3& centre = body.centre;
+    const Rotation& rotation = body.rotation;
     if (rotation(2, 2) < least_upright) return {};
     if (centre.z() + rotation(2, 2) * model.hull_drop < model.hull.half_height_at(rotation)) return {};
     const Supports supports = supports_of(model, centre, rotation);
@@ -134,8 +134,8 @@ std::optional<Motion> roll_freely(const RobotModel& model, const BodyView& body,
     equations.linear.setConstant(model.mass);
     equations.coupled.setZero();
     equations.spin.upper.noalias() = turned * model.inertia.asDiagonal() * turned.transpose();
-    equations.linear_right = model.mass * (to_heading(body.velocity()) - Vec3{0, 0, gravity * step});
-    equations.spin_right = equations.spin.upper * to_heading(body.spin());
+    equations.linear_right = model.mass * (to_heading(body.motion.velocity) - Vec3{0, 0, gravity * step});
+    equations.spin_right = equations.spin.upper * to_heading(body.motion.spin);
 
     std::array<Equation<2>, Supports::count> normals;
     for (std::size_t i = 0; i < Supports::count; ++i) {

@@ -22,6 +22,6 @@ Supports supports_of(const RobotModel& model, const Vec3& centre, const Rotation
 /// The robot's velocities after a step of `step` [s] with these speeds of its wheels [m/s]: the solution of the
 /// equations that `dWorldStep` sets up for its springs, motors and friction, as long as none of their bounds is active.
 /// Nothing when one may be: a support that would be pulled, a wheel that may slip, a hull that may touch the floor.
-std::optional<Motion> roll_freely(const RobotModel& model, const BodyView& body, const Wheels& speeds, double step);
+std::optional<Motion> roll_freely(const RobotModel& model, const BodyState& body, const Wheels& speeds, double step);
 
 }  // namespace nezumi::sim

@@ -29,6 +29,7 @@ OdeWorld::OdeWorld(const ArenaSpec& arena, const PhysicsSpec& physics, std::func
           if (warn && warned_.insert(text.substr(0, text.find(" (s="))).second) warn(text);
       }),
       world_(dWorldCreate()),
+      ahead_(movers_, scene_, step_),
       contacts_(world_.get(), step_, scene_, movers_, islands_) {
     // The default is one set of job lists for the whole process: worlds on two threads would corrupt each other's.
     threading_ = ThreadingHandle(dThreadingAllocateSelfThreadedImplementation());

@@ -18,6 +18,7 @@
 #include "sim/neighbour_lists.hpp"
 #include "sim/ode_library.hpp"
 #include "sim/robot_model.hpp"
+#include "sim/rolling_ahead.hpp"
 #include "sim/scene.hpp"
 #include "sim/sound_files.hpp"
 #include "sim/world.hpp"
@@ -42,6 +43,7 @@ public:
     /// Takes a robot out of the world, for good.
     void remove_robot(RobotId robot);
     void step(int count) override;
+    void use_threads(WorkerPool* threads) override { ahead_.use(threads); }
     const Error* breakdown() const override { return breakdown_ ? &*breakdown_ : nullptr; }
     Truth truth(RobotId robot) const override;
     bool collided(RobotId id) const override { return robot(id).touched.has_value(); }
@@ -82,6 +84,8 @@ public:
     void play(const SimRobot& robot, const Sound& sound) {
         if (sounds_ != nullptr) sounds_->play(robot.name, sound);
     }
+    /// How many robots had to take the last steps one by one.
+    std::size_t one_by_one() const { return ahead_.others().size(); }
     /// From now on sounds become files in this folder.
     void keep_sounds(const std::string& folder) { sounds_ = std::make_unique<SoundFiles>(folder, warn_); }
 
@@ -113,14 +117,16 @@ private:
     Expected<void> move_label(const Label& label, Shape& shape, const Pose2D& pose, Scene::Index self);
 
     // Stepping (stepping.cpp).
-    void step_once();
+    int step_together(int most);
+    void step_others(int index);
     void place(const Thing& thing);
     void place_movers();
     void place_awake();
+    void settle();
     void advance();
     void advance_large_islands();
     void turn_wheels();
-    void measure_travel();
+    void measure_travel(int index);
     void tend_things();
     void restore_lost_bodies();
     void tell_who_left();
@@ -145,6 +151,7 @@ private:
     NarrowPhase narrow_;  // of what is asked between steps
     Islands islands_;
     NeighbourLists neighbours_;
+    RollingAhead ahead_;
     Contacts contacts_;
 
     std::vector<Label> fixed_labels_, thing_labels_;

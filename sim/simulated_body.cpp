@@ -84,6 +84,7 @@ void SimulatedBody::measure_ranges(std::int64_t tick) {
         } else if (sensor.has_response) {
             reading.physical = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
             reading.value = sensor.response(seen);
+            if (sensor.noise <= 0 && spec_.noise <= 0) continue;
             const double noisy = with_noise({index, tick}, reading.value, sensor.noise);
             if (noisy == reading.value) continue;
             // What lies behind a noisy value is known from that value alone.

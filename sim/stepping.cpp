@@ -18,21 +18,16 @@ constexpr int steps_to_sleep = 60;
 void OdeWorld::step(int count) {
     OdeLibrary::use_on_this_thread();
     const OdeMessages messages(warn_);
-    for (SimRobot& robot : movers_.robots) {
-        robot.touched.reset();
-        robot.contact_points.clear();
-    }
+    contacts_.forget_touches();
     if (breakdown_) return;
     try {
-        for (int i = 0; i < count; ++i) step_once();
+        for (int left = count; left > 0;) left -= step_together(left);
     } catch (const OdeFailure& failure) {
         breakdown_ = Error{failure.text + ": masses, sizes or speeds are beyond what can be simulated", {}};
         return;
     }
     if (sounds_ != nullptr) sounds_->tell();
-    restore_lost_bodies();
     tell_who_left();
-    place_movers();
     scene_.refresh();
 }
 
@@ -48,22 +43,34 @@ void OdeWorld::tell_who_left() {
     }
 }
 
-void OdeWorld::step_once() {
+// Takes steps, at most so many, while lists of neighbours hold. Returns how many it has taken.
+int OdeWorld::step_together(int most) {
     if (neighbours_.expired()) {
-        restore_lost_bodies();
         place_movers();
         scene_.refresh();
         neighbours_.list(scene_, movers_);
     }
+    most = neighbours_.steps_left(most);
+    ahead_.look(most);
+    int taken = 0;
+    do step_others(taken++);
+    while (taken < most && !neighbours_.expired());
+    ahead_.arrive(taken);
+    settle();
+    return taken;
+}
+
+// Step `index`, from 0, of those that the robots ahead have taken already.
+void OdeWorld::step_others(int index) {
     place_awake();
     islands_.clear();
-    contacts_.find();
+    contacts_.find(ahead_.others());
     if (contacts_.is_full())
         warn_("physics: so much lies in each other that a step has no room for all contacts: some are left out");
     advance();
     contacts_.clear();
     turn_wheels();
-    measure_travel();
+    measure_travel(index);
     tend_things();
 }
 
@@ -86,9 +93,16 @@ void OdeWorld::place_awake() {
     for (const Thing& thing : movers_.things) {
         if (!thing.asleep) place(thing);
     }
-    for (const SimRobot& robot : movers_.robots) {
-        if (robot.has_neighbours) place_hull(scene_.mover(robot.mover), *robot.model, robot.body);
+    for (const SimRobot* robot : ahead_.others()) {
+        if (robot->has_neighbours) place_hull(scene_.mover(robot->mover), *robot->model, robot->body);
     }
+}
+
+// Those that were not ahead get a place where they can be; the others have one.
+void OdeWorld::settle() {
+    restore_lost_bodies();
+    for (const Thing& thing : movers_.things) place(thing);
+    for (const SimRobot* robot : ahead_.others()) place_hull(scene_.mover(robot->mover), *robot->model, robot->body);
 }
 
 void OdeWorld::advance() {
@@ -97,8 +111,11 @@ void OdeWorld::advance() {
     } else if (contacts_.any_by_ode()) {
         dWorldStep(world_.get(), step_);
     }
-    for (const SimRobot& robot : movers_.robots) {
-        if (!robot.gone && !robot.by_ode) robot.body.advance(robot.rolling, step_);
+    for (const SimRobot* robot : ahead_.others()) {
+        if (robot->by_ode) continue;
+        BodyState state = robot->body.state();
+        state.advance(robot->rolling, step_);
+        robot->body.arrive(state);
     }
 }
 
@@ -110,8 +127,8 @@ void OdeWorld::advance_large_islands() {
         for (const Thing& thing : movers_.things) {
             if (!thing.asleep) set(thing.body.id, islands_.is_large(thing.mover) == large_ones);
         }
-        for (const SimRobot& robot : movers_.robots) {
-            if (!robot.gone && robot.by_ode) set(robot.body.id, islands_.is_large(robot.mover) == large_ones);
+        for (const SimRobot* robot : ahead_.others()) {
+            if (robot->by_ode) set(robot->body.id, islands_.is_large(robot->mover) == large_ones);
         }
     };
     enable(false);
@@ -121,34 +138,36 @@ void OdeWorld::advance_large_islands() {
     for (const Thing& thing : movers_.things) {
         if (!thing.asleep) dBodyEnable(thing.body.id);
     }
-    for (const SimRobot& robot : movers_.robots) {
-        if (!robot.gone && robot.by_ode) dBodyEnable(robot.body.id);
+    for (const SimRobot* robot : ahead_.others()) {
+        if (robot->by_ode) dBodyEnable(robot->body.id);
     }
 }
 
 // A driven wheel turns as its motor does, whether it grips or slips; a coasting one as the ground under it.
 void OdeWorld::turn_wheels() {
-    for (SimRobot& robot : movers_.robots) {
-        if (robot.coasting) {
-            const Rotation rotation = robot.body.rotation();
-            robot.speeds.left = dot(robot.body.velocity_at(rotate(rotation, robot.model->wheels[0])), rotation.col(0));
-            robot.speeds.right = dot(robot.body.velocity_at(rotate(rotation, robot.model->wheels[1])), rotation.col(0));
+    for (SimRobot* robot : ahead_.others()) {
+        if (robot->coasting) {
+            const Rotation rotation = robot->body.rotation();
+            const auto speed = [&](const Vec3& wheel) {
+                return dot(robot->body.velocity_at(rotate(rotation, wheel)), rotation.col(0));
+            };
+            robot->speeds = {speed(robot->model->wheels[0]), speed(robot->model->wheels[1])};
         }
-        const DriveSpec& drive = robot.model->spec->drive;
-        robot.angles.left += robot.speeds.left * (step_ / drive.radius_of_left());
-        robot.angles.right += robot.speeds.right * (step_ / drive.radius_of_right());
+        const Wheels turned = robot->turned(step_);
+        robot->angles.left += turned.left;
+        robot->angles.right += turned.right;
     }
 }
 
-void OdeWorld::measure_travel() {
-    double fastest = 0;  // squared
+void OdeWorld::measure_travel(int index) {
+    double fastest = ahead_.fastest_squared(index);
     bool lost = false;
     const auto look_at = [&](const BodyView& body) {
         const double squared = body.velocity().squaredNorm();
         fastest = std::max(fastest, squared);
         lost = lost || !(squared < 1e6);  // also when it is no number
     };
-    for (const SimRobot& robot : movers_.robots) look_at(robot.body);
+    for (const SimRobot* robot : ahead_.others()) look_at(robot->body);
     for (const Thing& thing : movers_.things) look_at(thing.body);
     if (lost) {
         neighbours_.expire();
@@ -176,9 +195,8 @@ void OdeWorld::restore_lost_bodies() {
     for (std::size_t i = 0; i < movers_.things.size(); ++i) {
         restore(movers_.things[i].body, scene_.movers()[movers_.things[i].mover], 0, thing_labels_[i].name);
     }
-    for (const SimRobot& robot : movers_.robots) {
-        restore(robot.body, scene_.movers()[robot.mover], robot.model->hull_drop, robot.name);
-    }
+    for (const SimRobot* robot : ahead_.others())
+        restore(robot->body, scene_.movers()[robot->mover], robot->model->hull_drop, robot->name);
 }
 
 void OdeWorld::restore(const BodyView& body, const Shape& last, double drop, const std::string& name) {

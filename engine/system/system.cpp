@@ -9,8 +9,8 @@
 
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
+#include "engine/base/worker_pool.hpp"
 #include "engine/system/network.hpp"
-#include "engine/system/worker_pool.hpp"
 
 namespace nezumi {
 namespace {
@@ -48,6 +48,11 @@ System::~System() = default;
 
 void System::log(LogLevel level, std::string text) const {
     if (log_) log_({level, now_.seconds, "", std::move(text)});
+}
+
+void System::take_world(std::unique_ptr<World> world) {
+    world_ = std::move(world);
+    if (world_ != nullptr) world_->use_threads(workers_.get());
 }
 
 void System::take_network(std::unique_ptr<Network> network) { network_ = std::move(network); }

@@ -61,7 +61,7 @@ public:
     System& operator=(const System&) = delete;
 
     /// The world that robots live in and that a tick advances; given once, before any robot.
-    void take_world(std::unique_ptr<World> world) { world_ = std::move(world); }
+    void take_world(std::unique_ptr<World> world);
     World* world() { return world_.get(); }
     const World* world() const { return world_.get(); }
 

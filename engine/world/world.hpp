@@ -22,6 +22,7 @@
 namespace nezumi {
 
 class CameraSource;
+class WorkerPool;
 struct CameraMount;
 struct CameraSettings;
 
@@ -163,6 +164,9 @@ public:
 
     /// Advances by this many physics steps.
     virtual void step(int count) = 0;
+    /// Threads that may share out its steps, and that must be there in every step from now on; null: none. The result
+    /// is the same with any number.
+    virtual void use_threads(WorkerPool* /*threads*/) {}
     /// Why it can't go on, once it can't: nothing moves any more.
     virtual const Error* breakdown() const { return nullptr; }
 

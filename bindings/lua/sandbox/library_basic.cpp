@@ -92,7 +92,10 @@ int set_metatable(lua_State* lua) {
 
 template <int (*get)(lua_State*, int, lua_Integer)>
 int next_element(lua_State* lua) {
-    const auto next = static_cast<lua_Integer>(static_cast<lua_Unsigned>(luaL_checkinteger(lua, 2)) + 1);
+    int is_integer = 0;
+    lua_Integer last = lua_tointegerx(lua, 2, &is_integer);
+    if (is_integer == 0) last = luaL_checkinteger(lua, 2);  // says what is wrong
+    const auto next = static_cast<lua_Integer>(static_cast<lua_Unsigned>(last) + 1);
     lua_pushinteger(lua, next);
     return get(lua, 1, next) == LUA_TNIL ? 1 : 2;
 }

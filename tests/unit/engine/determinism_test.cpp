@@ -1,7 +1,9 @@
 // The same run gives the same trace: with any number of threads, and beside other systems.
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
-#include "engine/system/worker_pool.hpp"
+#include "engine/base/worker_pool.hpp"
 #include "engine/trace/trace_hash.hpp"
 #include "tests/unit/engine/try_component.hpp"
 
@@ -147,6 +149,24 @@ TEST_CASE("an observer that left is told nothing", "[engine][determinism]") {
     ring.system.stop_observing(ring.trace);
     ring.ticks(3);
     CHECK(ring.trace.value() == before);
+}
+
+TEST_CASE("a pool's rounds may follow each other at once, or when its threads have gone to sleep",
+          "[engine][determinism]") {
+    for (const int threads : {2, 5}) {
+        WorkerPool pool(threads);
+        std::vector<int> done(40, 0);
+        for (int round = 0; round < 2000; ++round) {
+            if (round % 200 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            pool.run(done.size(), [&](std::size_t begin, std::size_t end, std::size_t worker) {
+                // The last share takes long now and then: then it is the caller that sleeps.
+                if (round % 200 == 100 && worker + 1 == pool.size())
+                    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                for (std::size_t i = begin; i < end; ++i) ++done[i];
+            });
+        }
+        CHECK(done == std::vector<int>(40, 2000));
+    }
 }
 
 TEST_CASE("a pool does every number once, with more threads than numbers as well", "[engine][determinism]") {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "engine/base/worker_pool.hpp"
 #include "sim/ode_world.hpp"
 #include "tests/unit/sim/try_world.hpp"
 
@@ -98,6 +99,55 @@ struct RandomDriver {
         follow(speeds.right, wanted.right);
         return speeds;
     }
+};
+
+// Robots that drive about at random, bump into each other and into boxes, and are pushed now and then.
+struct Crowd {
+    explicit Crowd(std::size_t count, WorkerPool* threads = nullptr)
+        : world(arena(count), {.step = 0.01, .seed = 1}, nullptr), spec(swarm_spec()) {
+        world.use_threads(threads);
+        const auto columns = static_cast<std::size_t>(std::sqrt(count)) + 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Point2D at{0.5 * static_cast<double>(i % columns), 0.5 * static_cast<double>(i / columns)};
+            bodies.push_back(world.add_robot(std::to_string(i), spec, {at, static_cast<double>(i)}).value());
+        }
+    }
+
+    static ArenaSpec arena(std::size_t count) {
+        ArenaSpec arena;
+        for (std::size_t i = 0; i < count / 10; ++i) {
+            const double x = 0.25 + 0.5 * static_cast<double>(i);
+            arena.boxes.push_back({.at = {x, 0.25, 0.05}, .size = {0.1, 0.1, 0.1}, .mass = i % 2 == 0 ? 0.3 : 0.0});
+        }
+        return arena;
+    }
+
+    // Ten steps, in one call or in ten.
+    void tick(bool at_once) {
+        std::uniform_real_distribution<double> any(-0.3, 0.3);
+        for (const auto& body : bodies) {
+            if (random() % 10 == 0) body->set_wheel_speeds({any(random), any(random)});
+        }
+        const RobotId pushed = random() % bodies.size();
+        if (random() % 10 == 0) world.disturb(pushed, {.vx = 3.0});
+        for (int i = 0; i < (at_once ? 1 : 10); ++i) world.step(at_once ? 10 : 1);
+        world.disturb(pushed, {});
+    }
+
+    bool is_where(const Crowd& other) const {
+        bool same = true;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const SimRobot &a = world.robot(i), &b = other.world.robot(i);
+            same = same && a.body.centre() == b.body.centre() && a.body.rotation() == b.body.rotation() &&
+                   a.body.velocity() == b.body.velocity() && a.body.spin() == b.body.spin() && a.angles == b.angles;
+        }
+        return same;
+    }
+
+    OdeWorld world;
+    RobotSpec spec;
+    std::vector<std::unique_ptr<RobotBody>> bodies;
+    std::mt19937_64 random{7};
 };
 
 // What twenty robots do in ten seconds that drive on until they bump into something, and then turn away.
@@ -280,4 +330,27 @@ TEST_CASE("a crowd that bumps into each other does the same in the mean of twent
     compare("speed", &Bustle::speed, rolled, solved);
     compare("collisions", &Bustle::collisions, rolled, solved);
     compare("spread", &Bustle::spread, rolled, solved);
+}
+
+TEST_CASE("robots that are ahead of others within a tick get where they would have got step by step, to the last bit",
+          "[sim][rolling]") {
+    Crowd at_once(60), one_by_one(60);
+    std::size_t ahead = 0;
+    for (int tick = 0; tick < 300; ++tick) {
+        at_once.tick(true);
+        one_by_one.tick(false);
+        ahead += at_once.bodies.size() - at_once.world.one_by_one();
+    }
+    CHECK(at_once.is_where(one_by_one));
+    CHECK(ahead > 300 * 60 / 4);
+}
+
+TEST_CASE("threads that share out what rolls freely change no bit of where it gets", "[sim][rolling]") {
+    WorkerPool two(2), five(5);
+    Crowd alone(300), with_two(300, &two), with_five(300, &five);
+    for (Crowd* crowd : {&alone, &with_two, &with_five}) {
+        for (int tick = 0; tick < 40; ++tick) crowd->tick(true);
+    }
+    CHECK(alone.is_where(with_two));
+    CHECK(alone.is_where(with_five));
 }

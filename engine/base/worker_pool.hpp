@@ -1,6 +1,7 @@
 // Threads that share out the numbers 0 to n - 1; what each number does must not depend on the others.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -28,15 +29,17 @@ public:
 
 private:
     void serve(std::size_t worker);
+    bool has_news(std::size_t served) const;
 
     Mutex mutex_;
     std::condition_variable wake_;
     std::condition_variable done_;
+    // Of the latest round; written before `round_` counts it.
     const std::function<void(std::size_t, std::size_t, std::size_t)>* work_ = nullptr;
     std::size_t count_ = 0;
-    std::size_t running_ = 0;
-    std::size_t round_ = 0;
-    bool quit_ = false;
+    std::atomic<std::size_t> round_ = 0;
+    std::atomic<std::size_t> running_ = 0;  // workers that have not done their share of it
+    std::atomic<bool> quit_ = false;
     std::vector<std::thread> threads_;
 };
 
