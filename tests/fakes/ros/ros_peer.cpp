@@ -65,12 +65,13 @@ std::string hex(const SerializedPayload_t& payload) {
     return text;
 }
 
-/// A type whose messages are told with their bytes.
+// What this thread has deserialized last.
+thread_local std::string bytes_read;
+
+/// A type whose messages are told.
 class Told {
 public:
     virtual ~Told() = default;
-    /// What was deserialized last.
-    std::string bytes;
     virtual std::string text(const void* message) const = 0;
 };
 
@@ -83,7 +84,7 @@ public:
         this->auto_fill_type_information(false);
     }
     bool deserialize(SerializedPayload_t* payload, void* data) override {
-        bytes = hex(*payload);
+        bytes_read = hex(*payload);
         return Generated::deserialize(payload, data);
     }
     std::string text(const void* message) const override {
@@ -237,7 +238,7 @@ private:
         void* got = type_.create_data();
         SampleInfo info;
         while (reader->take_next_sample(got, &info) == ReturnCode_t::RETCODE_OK) {
-            if (info.valid_data) tell("heard", got, told_->bytes);
+            if (info.valid_data) tell("heard", got, bytes_read);
         }
         type_.delete_data(got);
     }
