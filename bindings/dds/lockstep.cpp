@@ -11,8 +11,6 @@ namespace nezumi::dds {
 namespace {
 
 constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
-// No run comes so far.
-constexpr std::int64_t most_ticks = std::int64_t{1} << 53;
 constexpr std::size_t longest_name = 200;
 
 }  // namespace
@@ -63,8 +61,7 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
     for (const std::string& name : related) {
         const Announcement* host = hosts.find(name);
         if (host != nullptr && connected) consider(*host, names.contains(name));
-        if (host == nullptr && !partners_.contains(name) && !ended_.contains(name))
-            absent_.emplace(name, fmt::format("waits for host {}", name));
+        if (host == nullptr && !partners_.contains(name)) absent_.emplace(name, fmt::format("waits for host {}", name));
     }
     for (auto each = partners_.begin(); each != partners_.end();) {
         if (!related.contains(each->first)) {
@@ -80,10 +77,11 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
 // A host that is there and related: a partner, or why not.
 void Lockstep::consider(const Announcement& host, bool is_named) {
     const std::string& name = host.head.host;
-    if (const auto ended = ended_.find(name); ended != ended_.end() && ended->second == host.run) return;
+    if (over_.contains(host.run)) return;  // one that was killed is there for some seconds more
     if (const auto known = partners_.find(name); known != partners_.end()) {
         if (known->second.run == host.run) return;
-        partners_.erase(known);  // it was killed, and started again
+        over_.insert(known->second.run);  // it was killed, and started again
+        partners_.erase(known);
     }
     const double rate = system_.settings().rate;
     if (host.lockstep == rate) return join(host, is_named);
@@ -118,7 +116,6 @@ void Lockstep::join(const Announcement& host, bool is_named) {
         return;
     }
     partners_.emplace(name, std::move(partner));
-    ended_.erase(name);
     if (tick() == 0) {
         system_.log(LogLevel::info, fmt::format("lockstep: in step with host {}", name));
     } else {
@@ -165,14 +162,17 @@ void Lockstep::take(Partner& partner, Step step) {
         partner.in_use = false;
         partner.heard.clear();
         partner.said.clear();
-        partner.end = Step::goes_on;
+        partner.last = most_ticks;
     }
     partner.their_began = step.began;
     partner.heard_at = settings_.clock();
     partner.paused = step.paused;
     const bool is_name = step.waits_for.size() <= longest_name && is_identifier(step.waits_for);
     partner.waits_for = is_name ? step.waits_for : "";
-    if (step.end != Step::goes_on) partner.end = step.end == Step::parts ? Step::parts : Step::ends;
+    if (step.end != Step::goes_on) {
+        partner.end = step.end == Step::parts ? Step::parts : Step::ends;
+        partner.last = step.tick;
+    }
     // Before the tick from which both keep in step the first is all that can come.
     const std::int64_t next = std::max(their_tick(partner), step.began);
     if (step.tick == next || step.tick == next + 1) partner.heard.try_emplace(step.tick, std::move(step));
@@ -181,13 +181,13 @@ void Lockstep::take(Partner& partner, Step step) {
 // Who is not as far as this host; "": all are.
 std::string Lockstep::find_missing() {
     for (auto& [name, partner] : partners_) {
-        if (partner.began > tick() || partner.end != Step::goes_on) continue;
-        const auto has_come = [&, &partner = partner] {
-            return partner.their_began && partner.heard.contains(their_tick(partner));
+        const auto is_missing = [&, &partner = partner] {
+            if (partner.began > tick() || is_over(partner)) return false;
+            return !partner.their_began || !partner.heard.contains(their_tick(partner));
         };
-        if (has_come()) continue;
+        if (!is_missing()) continue;
         hear(partner);
-        if (partner.began <= tick() && partner.end == Step::goes_on && !has_come()) return name;
+        if (is_missing()) return name;
     }
     if (tick() > 0) return "";
     if (!absent_.empty()) return absent_.begin()->first;
@@ -212,10 +212,10 @@ void Lockstep::deliver(const ActDoor& act) {
             const Step step = std::move(due->second);
             partner.heard.erase(partner.heard.begin(), std::next(due));
             for (const StepMessage& message : step.messages) deliver(name, message, act);
-        } else if (partner.end != Step::goes_on) {
+        } else if (is_over(partner)) {
             system_.log(LogLevel::info, fmt::format("lockstep: host {} has {}: this one goes on without it", name,
                                                     partner.end == Step::ends ? "ended" : "parted"));
-            if (partner.end == Step::ends) ended_[name] = partner.run;
+            if (partner.end == Step::ends) over_.insert(partner.run);
             each = partners_.erase(each);
             continue;
         }
@@ -242,7 +242,7 @@ void Lockstep::publish() {
     }
     std::vector<StepMessage> all;
     for (auto& [path, port] : published_) {
-        port.take([&](const auto& message) {
+        port.take([&, &path = path](const auto& message) {
             write_cdr(all.emplace_back(StepMessage{path, {}}).payload, on_the_wire, message.data);
         });
     }
@@ -306,8 +306,11 @@ void Lockstep::tell() {
 void Lockstep::leave() {
     if (std::exchange(left_, true)) return;
     for (auto& [name, partner] : partners_) {
-        Step nothing{.run = settings_.run, .to = partner.run, .began = partner.began, .tick = partner.began};
-        say(partner, partner.said.empty() ? nothing : partner.said.back(), Step::ends);
+        if (partner.said.empty())
+            partner.said.push_back(
+                {.run = settings_.run, .to = partner.run, .began = partner.began, .tick = partner.began});
+        say(partner, partner.said.front(), Step::goes_on);  // it may be lacked as well
+        say(partner, partner.said.back(), Step::ends);
     }
 }
 

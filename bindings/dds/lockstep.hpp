@@ -32,6 +32,7 @@ class Lockstep {
 public:
     static constexpr double patience = 1;      ///< [s] that time stands before that is told
     static constexpr double repetition = 0.2;  ///< [s] until a step is said again while time stands
+    static constexpr std::int64_t most_ticks = std::int64_t{1} << 53;  ///< no run comes so far
 
     struct Settings {
         std::string host{};                ///< this one
@@ -85,6 +86,7 @@ private:
         std::map<std::int64_t, Step> heard{};        // by their tick; not taken yet
         double heard_at = 0;                         // [s] by the clock: the last sign of life
         Step::End end = Step::goes_on;
+        std::int64_t last = most_ticks;  // their tick of the last step, once there is one
         bool paused = false;
         bool in_use = false;  // a step was taken
         std::string waits_for{};
@@ -99,6 +101,9 @@ private:
     void take(Partner& partner, Step step);
     std::string find_missing();
     std::int64_t their_tick(const Partner& partner) const { return *partner.their_began + tick() - partner.began; }
+    bool is_over(const Partner& partner) const {
+        return partner.their_began && partner.began <= tick() && their_tick(partner) > partner.last;
+    }
     void say(Partner& partner, Step& step, Step::End end);
     void deliver(const std::string& host, const StepMessage& message, const ActDoor& act);
     void tell();
@@ -110,7 +115,7 @@ private:
     std::map<std::string, Partner, std::less<>> partners_;
     std::map<std::string, Published, std::less<>> published_;     // ports that partners want, by "name.port"
     std::uint64_t layout_ = 0;                                    // whose ports those are
-    std::map<std::string, std::uint64_t, std::less<>> ended_;     // hosts that have left, and their runs
+    std::set<std::uint64_t> over_;                                // runs of hosts that have left, or were started again
     std::map<std::string, std::string, std::less<>> absent_;      // before the first tick: who is waited for, and why
     std::set<std::pair<std::string, std::uint64_t>> told_apart_;  // hosts and runs that can't keep in step
     bool met_ = false;                                            // there was a look

@@ -170,7 +170,13 @@ TEST_CASE("lockstep is refused where time can't wait, or where everybody could h
                 "real.lua",
                 "network { name = \"a\", domain = 228, lockstep = true }\nrobot \"mouse\" { model = \"raspimouse\" }\n")
             .string();
-    const Outcome hardware = run_nezumi({"run", real, "--hw", "--headless"});
+    for (const char* node : {"rtmotoren0", "rtmotor_raw_l0", "rtmotor_raw_r0", "rtled0", "rtled1", "rtled2", "rtled3",
+                             "rtbuzzer0", "rtswitch0", "rtswitch1", "rtswitch2"})
+        scratch.write(node, "1\n");
+    scratch.write("rtlightsensor0", "0 0 0 0\n");
+    const std::string nodes = scratch.path("").string();
+    const Outcome hardware = run_nezumi({"run", real, "--hw", "--headless", "--dev-root", nodes, "--duration", "1"});
+    INFO(hardware.error);
     CHECK(hardware.status == 2);
     CHECK(
         hardware.error.find("real.lua:1: network: 'lockstep' is for simulations: time does not wait for real robots") !=

@@ -189,6 +189,38 @@ TEST_CASE("the others go on without a host that ends, and with one that is start
     CHECK(b->part->numbers.size() + 2 >= static_cast<std::size_t>(b->ticks()));
 }
 
+TEST_CASE("a run that was killed and is not missed yet is waited for no longer when a newer one has ended",
+          "[dds][lockstep]") {
+    Room room;
+    StepRig a(room, "a"), killed(room, "b", {"a"});
+    pass_together(room, 10, a, killed);
+    {
+        StepRig b(room, "b", {"a"});
+        pass_together(room, 10, a, b);
+        REQUIRE(b.ticks() > 5);
+        b.system.network()->leave();
+    }
+    const std::int64_t ticks = a.ticks();
+    pass_together(room, 20, a);
+    CHECK(a.ticks() > ticks + 10);
+}
+
+TEST_CASE("all that a host has published is taken though it has left", "[dds][lockstep]") {
+    Room room;
+    StepRig a(room, "a"), b(room, "b");
+    REQUIRE(a.system.connect("b/part.count", "part.number"));
+    pass_together(room, 20, a, b);
+    while (b.ticks() <= a.ticks()) pass_together(room, 1, b);
+    room.domain.cut = true;
+    a.try_tick();
+    room.domain.cut = false;
+    b.look();
+    b.system.network()->leave();
+    pass_together(room, 10, a);
+    CHECK(a.ticks() > b.ticks());
+    CHECK(a.part->numbers.size() == static_cast<std::size_t>(b.ticks()));
+}
+
 TEST_CASE("a host that comes late is taken in, and told how it would not be late", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b", {"a"});
