@@ -70,9 +70,8 @@ void push_utf8(lua_State* lua) {
     lua_setfield(lua, -2, "charpattern");
 }
 
-// Leaves the open table of the functions of strings on the stack.
-void push_string(lua_State* lua) {
-    push_entries(lua, string());
+// What strings have: methods from the value on top of the stack, which stays there, and arithmetic.
+void set_string_metatable(lua_State* lua) {
     lua_pushliteral(lua, "");
     push_entries(lua, string_metamethods(), 2);
     lua_pushvalue(lua, -3);
@@ -81,6 +80,12 @@ void push_string(lua_State* lua) {
     lua_setfield(lua, -2, "__metatable");
     lua_setmetatable(lua, -2);
     lua_pop(lua, 1);
+}
+
+// Leaves the open table of the functions of strings on the stack.
+void push_string(lua_State* lua) {
+    push_entries(lua, string());
+    set_string_metatable(lua);
 }
 
 struct Library {
@@ -92,6 +97,32 @@ constexpr Library libraries[] = {
     {"coroutine", [](lua_State* lua) { push_entries(lua, coroutine()); }}, {"math", push_math}, {"string", push_string},
     {"table", [](lua_State* lua) { push_entries(lua, table()); }},         {"utf8", push_utf8},
 };
+
+// Puts it into the globals, whatever these refuse.
+void open(lua_State* lua, const Library& library) {
+    luaL_checkstack(lua, 10, nullptr);
+    // Lua looks here for the name of a function that is called under none.
+    luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+    library.push(lua);
+    lua_pushvalue(lua, -1);
+    lua_setfield(lua, -3, library.name);
+    lock_table(lua, library.name);
+    lua_pushglobaltable(lua);
+    lua_pushstring(lua, library.name);
+    lua_pushvalue(lua, -3);
+    lua_rawset(lua, -3);
+    lua_pop(lua, 3);
+}
+
+// The first method of a string that is looked for.
+int find_first_method(lua_State* lua) {
+    open_library(lua, "string");  // which puts its functions into the metatable
+    lua_settop(lua, 2);
+    luaL_getmetafield(lua, 1, "__index");
+    lua_insert(lua, 2);
+    lua_rawget(lua, 2);
+    return 1;
+}
 
 }  // namespace
 
@@ -115,9 +146,8 @@ const Entries& utf8() {
 
 }  // namespace library
 
-Expected<void> open_sandbox(LuaState& state) {
-    const auto opened = protect(state.lua(), Budget{10.0}, [](lua_State* lua) {
-        // Lua looks here for the name of a function that is called under none.
+Expected<void> open_sandbox(LuaState& state, Libraries libraries) {
+    const auto opened = protect(state.lua(), Budget{10.0}, [libraries](lua_State* lua) {
         luaL_getsubtable(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
         // The globals are not there: a script puts functions of its own among them, under other names.
         library::push_entries(lua, library::basic());
@@ -127,23 +157,30 @@ Expected<void> open_sandbox(LuaState& state) {
             lua_pushcfunction(lua, entry.function);
             lua_setfield(lua, -2, entry.name);
         }
-        for (const library::Library& each : library::libraries) {
-            each.push(lua);
-            lua_pushvalue(lua, -1);
-            lua_setfield(lua, -4, each.name);
-            lock_table(lua, each.name);
-            lua_setfield(lua, -2, each.name);
+        if (libraries == Libraries::when_named) {
+            lua_pushcfunction(lua, library::find_first_method);
+            library::set_string_metatable(lua);
+            return 0;
         }
+        for (const library::Library& each : library::libraries) library::open(lua, each);
         return 0;
     });
     if (!opened) return Unexpected(opened.error());
     return {};
 }
 
-Expected<std::unique_ptr<LuaState>> create_sandbox(StateOptions options) {
+bool open_library(lua_State* lua, std::string_view name) {
+    const auto* found = std::find_if(std::begin(library::libraries), std::end(library::libraries),
+                                     [&](const library::Library& each) { return each.name == name; });
+    if (found == std::end(library::libraries)) return false;
+    library::open(lua, *found);
+    return true;
+}
+
+Expected<std::unique_ptr<LuaState>> create_sandbox(StateOptions options, Libraries libraries) {
     auto state = LuaState::create(std::move(options));
     if (!state) return state;
-    if (auto opened = open_sandbox(**state); !opened) return Unexpected(opened.error());
+    if (auto opened = open_sandbox(**state, libraries); !opened) return Unexpected(opened.error());
     return state;
 }
 

@@ -36,10 +36,11 @@ Expected<std::unique_ptr<Script>> Script::load(const SourceText& source, ScriptC
     Script* const self = script.get();
     const std::uint64_t seed = mix(mix(script->context_.seed, script->context_.component),
                                    static_cast<std::uint64_t>(script->context_.version));
-    auto lua = create_sandbox(
-        {.memory_limit = script->context_.memory_limit, .seed = seed, .print = [self](std::string_view line) {
-             self->log(LogLevel::info, std::string(line));
-         }});
+    auto lua =
+        create_sandbox({.memory_limit = script->context_.memory_limit,
+                        .seed = seed,
+                        .print = [self](std::string_view line) { self->log(LogLevel::info, std::string(line)); }},
+                       Libraries::when_named);
     if (!lua) return Unexpected(lua.error());
     script->lua_ = std::move(*lua);
     script->lua_->set_hint([self](const Error& error) { return self->hint(error); });

@@ -8,6 +8,7 @@
 #include "bindings/lua/modules/native_modules.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/script/script_call.hpp"
 #include "bindings/lua/script/script_config.hpp"
@@ -121,7 +122,13 @@ int global_index(lua_State* L) {
         return 1;
     }
     push_text(L, 2);
-    // Most scripts have no tasks and no probes, and do without the memory of their words.
+    // Most scripts name few of the libraries, and have no tasks and no probes: they do without the memory of these.
+    if (open_library(L, string_at(L, -1))) {
+        lua_pushglobaltable(L);
+        lua_pushvalue(L, 2);
+        lua_rawget(L, -2);
+        return 1;
+    }
     const bool probes = string_at(L, -1) == "probe";
     if (probes || is_task_word(string_at(L, -1))) {
         lua_pushglobaltable(L);
