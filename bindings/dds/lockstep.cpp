@@ -52,6 +52,9 @@ void Lockstep::meet(const HostTable& hosts, const std::vector<Ends>& connections
     if (left_) return;
     absent_.clear();
     met_ = connected;
+    // Who has gone and was never heard has told nobody that it went.
+    std::erase_if(partners_,
+                  [&](const auto& each) { return !each.second.their_began && hosts.find(each.first) == nullptr; });
     const std::set<std::string> names = named(connections);
     std::set<std::string> related = names;
     for (const Announcement* host : hosts.all()) {

@@ -152,6 +152,7 @@ TEST_CASE("time stands for all while a host is stopped, and one that is killed a
     Program c({"run", ring.files[2], "--headless"});
     REQUIRE(a.wait_for_error("in step with host c from "));
     REQUIRE(a.wait_for_error("lockstep: time goes on"));
+    std::this_thread::sleep_for(std::chrono::seconds(1));  // all three tick
     c.send(SIGINT);
     CHECK(c.wait() == 0);
     REQUIRE(a.wait_for_error("host c has ended: this one goes on without it"));

@@ -205,6 +205,22 @@ TEST_CASE("a run that was killed and is not missed yet is waited for no longer w
     CHECK(a.ticks() > ticks + 10);
 }
 
+TEST_CASE("a host that went before it was heard is waited for no longer", "[dds][lockstep]") {
+    Room room;
+    StepRig a(room, "a"), b(room, "b", {"a"});
+    pass_together(room, 10, a, b);
+    {
+        StepRig early(room, "early", {"a"});
+        pass_together(room, 1, early, a);
+        room.domain.cut = true;
+        pass_together(room, 1, a, early);
+    }
+    room.domain.cut = false;
+    const std::int64_t ticks = a.ticks();
+    pass_together(room, 20, a, b);
+    CHECK(a.ticks() > ticks + 10);
+}
+
 TEST_CASE("all that a host has published is taken though it has left", "[dds][lockstep]") {
     Room room;
     StepRig a(room, "a"), b(room, "b");
