@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
 
 #include "bindings/lua/sandbox/watchdog.hpp"
@@ -62,7 +61,6 @@ bool LuaState::open() {
 LuaState* LuaState::replace_lost() {
     lua_gc(lua_, LUA_GCSTOP);  // for what may still look at the old one
     leave_to_leak(lua_);
-    pool_.abandon();
     memory_ = 0;
     if (!open()) std::abort();
     return std::exchange(next_lost_, nullptr);
@@ -81,7 +79,7 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
     LuaState& state = *static_cast<LuaState*>(self);
     const std::size_t held = block != nullptr ? old_size : 0;  // without a block, old_size is a kind of object
     if (new_size == 0) {
-        if (block != nullptr) state.free(block, held);
+        std::free(block);
         state.memory_ -= held;
         return nullptr;
     }
@@ -89,27 +87,9 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
         note_memory_limit(state);
         return nullptr;
     }
-    void* grown = state.resize(block, held, new_size);
+    void* grown = std::realloc(block, new_size);
     if (grown != nullptr) state.memory_ += new_size - held;
     return grown;
-}
-
-// `block` may be null, and then its size is 0. Nothing has changed where it returns null.
-void* LuaState::resize(void* block, std::size_t old_size, std::size_t new_size) {
-    const bool is_pooled = block != nullptr && pool_.owns(block);
-    if (is_pooled && BlockPool::fits_in_place(old_size, new_size)) return block;
-    void* pooled = pool_.take(new_size);
-    if (pooled == nullptr && !is_pooled) return std::realloc(block, new_size);
-    void* fresh = pooled != nullptr ? pooled : std::malloc(new_size);
-    if (fresh == nullptr || block == nullptr) return fresh;
-    std::memcpy(fresh, block, std::min(old_size, new_size));
-    free(block, old_size);
-    return fresh;
-}
-
-void LuaState::free(void* block, std::size_t size) {
-    if (pool_.owns(block)) return pool_.give_back(block, size);
-    std::free(block);
 }
 
 }  // namespace nezumi

@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "bindings/lua/sandbox/block_pool.hpp"
 #include "bindings/lua/sandbox/random.hpp"
 #include "engine/base/error.hpp"
 
@@ -85,10 +84,7 @@ private:
     explicit LuaState(StateOptions options);
     bool open();
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
-    void* resize(void* block, std::size_t old_size, std::size_t new_size);
-    void free(void* block, std::size_t size);
 
-    BlockPool pool_;
     std::size_t memory_ = 0;
     std::size_t memory_limit_;
     lua_State* lua_ = nullptr;
