@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/base/names.hpp"
 
@@ -183,6 +184,8 @@ void Lockstep::take(Partner& partner, Step step) {
 
 // Who is not as far as this host; "": all are.
 std::string Lockstep::find_missing() {
+    std::string missing;
+    double heard_at = std::numeric_limits<double>::infinity();
     for (auto& [name, partner] : partners_) {
         const auto is_missing = [&, &partner = partner] {
             if (partner.began > tick() || is_over(partner)) return false;
@@ -190,9 +193,13 @@ std::string Lockstep::find_missing() {
         };
         if (!is_missing()) continue;
         hear(partner);
-        if (is_missing()) return name;
+        // Of several the one that was heard longest ago: the others may be waiting for it.
+        if (is_missing() && partner.heard_at < heard_at) {
+            missing = name;
+            heard_at = partner.heard_at;
+        }
     }
-    if (tick() > 0) return "";
+    if (!missing.empty() || tick() > 0) return missing;
     if (!absent_.empty()) return absent_.begin()->first;
     return met_ && (!partners_.empty() || !told_apart_.empty()) ? "" : "another host";
 }
