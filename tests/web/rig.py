@@ -17,6 +17,13 @@ CHROMIUM = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enab
             "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-quic", "--hide-scrollbars"]
 PATIENCE = 20  # s, for what a busy machine does
 
+# Systems that several files try.
+WALL = "behaviors/systems/stop_at_wall.lua"
+APART = """
+robot    "mouse"      { model = "raspimouse", pose = { x = 0, y = 0, heading = 0 } }
+behavior "controller" { script = "robot_controller", config = { speed_x = 0.1 } }
+"""
+
 
 def why_not():
     """What is missing for these tests, or None."""
