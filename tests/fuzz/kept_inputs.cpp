@@ -1,6 +1,6 @@
 // Gives kept inputs to their fuzzer without libFuzzer, so that every build and compiler tries them: each as it is, cut
-// short, and with bytes changed at random, the same each time. Usage: fuzz_kept_inputs NAME PATH...     files, and
-// folders of files
+// short, and with bytes changed at random, the same each time.
+// Usage: fuzz_kept_inputs NAME PATH...     files, and folders of files
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
