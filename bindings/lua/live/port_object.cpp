@@ -169,7 +169,7 @@ std::string explain_key(lua_State* L, const PortAt& at) {
 
 int port_index(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
+    return look(L, objects, [&]() -> Expected<Answer> {
         const auto at = find_port(*to_object(L, 1));
         if (!at) return Unexpected(at.error());
         if (lua_type(L, 2) == LUA_TSTRING) {
@@ -227,9 +227,8 @@ std::vector<std::string> Objects::port_methods() {
 Expected<PortAt> find_port(const ObjectRef& ref) {
     const auto at = find_component(ref);
     if (!at) return Unexpected(at.error());
-    const auto port = at->live->system().port(fmt::format("{}.{}", ref.component(), ref.port()));
-    if (!port) return Unexpected(port.error());
-    return PortAt{at->live, at->component, *port};
+    if (const Port* port = at->component->find_port(ref.port())) return PortAt{at->live, at->component, port};
+    return Unexpected(at->live->system().port(fmt::format("{}.{}", ref.component(), ref.port())).error());
 }
 
 Expected<PortAt> Objects::to_port(lua_State* L, int index) const {

@@ -16,6 +16,8 @@ struct MemberName {
     int most = 0;              ///< arguments at most, where it is called
     std::string_view usage{};  ///< "(pose)"
     std::string_view doc{};    ///< what it is, for people
+    /// Of a table, which is a copy: what to do rather than write to it.
+    std::string_view instead{};
 };
 
 /// All members, sorted by name.
