@@ -12,6 +12,7 @@
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
+#include "engine/ports/usage.hpp"
 
 namespace nezumi {
 namespace {
@@ -151,7 +152,8 @@ int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override 
 int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_component(lua, 2);
     if (!at) return raise(run, at.error().message);
-    if (lua_type(lua, 3) != LUA_TTABLE) return raise(run, "expected a table { vx =, va =, seconds = }");
+    if (lua_type(lua, 3) != LUA_TTABLE)
+        return raise(run, "expected a table " + usage_of<Push>(Describe<Push>::in_scenarios));
     double duration = for_ever;
     if (detail::push_raw_field(lua, 3, "seconds")) {
         const auto value = seconds(lua, lua_gettop(lua), "field 'seconds'", nullptr);
@@ -232,7 +234,7 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts()
          "(port, seconds)"},
         {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }, 2,
          "(port, seconds)"},
-        {"disturb", disturb, 2, "(robot, { vx =, va =, seconds = })"},
+        {"disturb", disturb, 2, fmt::format("(robot, {})", usage_of<Push>(Describe<Push>::in_scenarios))},
         {"press", press, 3, "(robot, sensor, seconds)"},
         {"teleport", teleport, 2, "(robot, pose)"},
         {"restore", restore, 1, "(thing)"},

@@ -11,6 +11,8 @@
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "engine/ports/usage.hpp"
+#include "engine/system/act_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -51,8 +53,8 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
             if (name == "peers") return "use connect and disconnect";
             return fmt::format("write {0}:write(value), or hold it by {0}:hold(value)", path);
         case ObjectKind::truth:
-            if (name == "pose") return fmt::format("write {}:teleport {{ x =, y =, heading = }}", ref.component());
-            return fmt::format("write {}:disturb {{ vx =, vy =, va = }}", ref.component());
+            if (name == "pose") return fmt::format("write {}:teleport {}", ref.component(), usage_of<RobotPlace>());
+            return fmt::format("write {}:disturb {}", ref.component(), usage_of<Push>(Describe<Push>::at_once));
         case ObjectKind::config:
         case ObjectKind::remote_config: return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
         default: break;

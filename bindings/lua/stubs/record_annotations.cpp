@@ -5,9 +5,9 @@
 
 #include <utility>
 
-#include "bindings/lua/live/act_fields.hpp"
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "engine/components/parameter_fields.hpp"
+#include "engine/system/act_fields.hpp"
 #include "engine/system/system_fields.hpp"
 #include "engine/world/calibration.hpp"
 

@@ -14,6 +14,8 @@
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/ports/usage.hpp"
+#include "engine/system/act_fields.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -149,6 +151,13 @@ TEST_CASE("the documentation's tables are those of the descriptions", "[cli][fie
         if (record.name == "about" || record.name == "parameter_options" || record.name == "port_options") continue;
         CHECK(all.find("<!-- fields: " + record.name + " -->") != std::string::npos);
     }
+}
+
+TEST_CASE("the pages tell all that disturb takes", "[cli][fields]") {
+    const auto page = [](const fs::path& name) { return read_whole(root / "docs" / name, name.string()).value(); };
+    CHECK_THAT(page("console.md"), Catch::Contains(":disturb " + usage_of<Push>(Describe<Push>::at_once)));
+    CHECK_THAT(page("scenarios.md"),
+               Catch::Contains("s:disturb(robot, " + usage_of<Push>(Describe<Push>::in_scenarios) + ")"));
 }
 
 TEST_CASE("a page that asks for fields that nobody described is refused", "[cli][fields]") {

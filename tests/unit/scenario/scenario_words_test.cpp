@@ -59,7 +59,7 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
           "s:reload('controller', 'x')", "expected { file = \"NAME\" } or { text = \"...\" }"}},
         {"disturb",
          {"s:disturb('mouse', { vx = 0.1 }, 3)",
-          "expected at most 2 arguments, got 3: disturb(robot, { vx =, va =, seconds = })", "s:disturb(true, {})",
+          "expected at most 2 arguments, got 3: disturb(robot, { vx =, vy =, va =, seconds = })", "s:disturb(true, {})",
           no_component}},
         {"press",
          {"s:press('mouse', 'switch0', 1, 4)", "expected at most 3 arguments, got 4: press(robot, sensor, seconds)",
