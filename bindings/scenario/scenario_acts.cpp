@@ -83,25 +83,17 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     const auto* script = dynamic_cast<const ScriptComponent*>(at->component);
     if (script == nullptr)
         return raise(run, fmt::format("{} has no script: only behaviours reload", at->component->name()));
-    const char* expected = "expected { file = \"NAME\" } or { text = \"...\" }";
-    if (lua_type(lua, 3) != LUA_TTABLE) return raise(run, expected);
-    std::string file;
-    std::string text;
-    std::size_t given = 0;
-    bool wrong = false;
-    for (lua_pushnil(lua); lua_next(lua, 3) != 0; lua_pop(lua, 1)) {
-        const std::string_view key = lua_type(lua, -2) == LUA_TSTRING ? detail::key_text(lua) : "";
-        const bool known = (key == "file" || key == "text") && lua_type(lua, -1) == LUA_TSTRING;
-        if (known) (key == "file" ? file : text) = text_or_empty(lua, -1);
-        wrong = wrong || !known;
-        ++given;
-    }
-    if (given != 1 || wrong) return raise(run, expected);
-    Reload reload{.component = at->component->name(), .shown = script->script().file().shown, .text = text};
+    ReloadOptions source;
+    if (auto ok = read_options(lua, 3, FieldCheck::of_options("reload"), source); !ok)
+        return raise(run, ok.error().message);
+    if (source.file.has_value() == source.text.has_value())
+        return raise(run, "expected { file = \"NAME\" } or { text = \"...\" }");
+    Reload reload{
+        .component = at->component->name(), .shown = script->script().file().shown, .text = source.text.value_or("")};
     Expected<ActResult> report = failure("");
     bool readable = true;
-    if (!file.empty()) {
-        const auto path = run.file_.project().find(FileKind::script, file, calling_place(lua).file);
+    if (source.file) {
+        const auto path = run.file_.project().find(FileKind::script, *source.file, calling_place(lua).file);
         auto read =
             path ? run.file_.project().read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
         readable = read.has_value();

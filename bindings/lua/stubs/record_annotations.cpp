@@ -109,6 +109,7 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<RobotPlace>(),
         shape_of_record<MarkerPlace>(),
         shape_of_record<Push>(),
+        shape_of_record<HoldOptions>(),
         shape_of_record<Calibration>(),
         shape_of_record<WheelCalibration>(),
     };

@@ -350,7 +350,10 @@ TEST_CASE("a hold that is another's is refused, and can be taken", "[console][se
     CHECK(it.type("hold(controller.out, {})") ==
           "! hold: controller.out is held by another (browser tablet): hold(port, value, { take = true }) takes it");
     CHECK(it.type("hold(controller.out, {}, { take = 1 })") ==
-          "! hold: expected { take = true } or nothing after the value");
+          "! hold: controller.out: option 'take' expected true or false, got number");
+    CHECK(it.type("hold(controller.out, {}, { tak = true })") ==
+          "! hold: controller.out: unknown option 'tak' (did you mean 'take'?)");
+    CHECK(it.type("controller.out:hold({}, true)") == "! controller.out: options expected a table, got boolean");
     CHECK(it.type("hold(controller.out, {}, { take = true })").empty());
     CHECK(it.type("controller.out.holder") == "\"console\"");
     CHECK(it.said("controller.out: held by console from now on, no longer by browser tablet"));
