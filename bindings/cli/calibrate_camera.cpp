@@ -17,8 +17,8 @@ constexpr double apart = 0.05;   // a view is from all before it
 
 }  // namespace
 
-Expected<LensFit> calibrate_camera(const BoardCourse& course, const std::function<Expected<TimedPicture>()>& next,
-                                   const std::function<void(const std::string& text)>& tell) {
+Expected<IntrinsicsFit> calibrate_camera(const BoardCourse& course, const std::function<Expected<TimedPicture>()>& next,
+                                         const std::function<void(const std::string& text)>& tell) {
     std::vector<Corners> views;
     std::optional<Corners> before;
     std::optional<double> since;  // [s] the last view
@@ -46,7 +46,7 @@ Expected<LensFit> calibrate_camera(const BoardCourse& course, const std::functio
         since = picture->tm;
         tell(fmt::format("view {} of {}", views.size(), course.views));
     }
-    return fit_lens(views, course.board, width, height);
+    return fit_intrinsics(views, course.board, width, height);
 }
 
 }  // namespace nezumi::cli

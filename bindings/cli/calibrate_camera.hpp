@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/vision/lens_fit.hpp"
+#include "engine/vision/intrinsics_fit.hpp"
 
 namespace nezumi::cli {
 
@@ -21,9 +21,9 @@ struct TimedPicture {
 };
 
 /// Takes views of the board from the pictures that `next` gives: those in which it stands still, and is elsewhere than
-/// in all views before. Tells the person what is wanted next. Errors are those of `next` and of `fit_lens`, or say that
-/// no new view came.
-Expected<LensFit> calibrate_camera(const BoardCourse& course, const std::function<Expected<TimedPicture>()>& next,
-                                   const std::function<void(const std::string& text)>& tell);
+/// in all views before. Tells the person what is wanted next. Errors are those of `next` and of `fit_intrinsics`, or
+/// say that no new view came.
+Expected<IntrinsicsFit> calibrate_camera(const BoardCourse& course, const std::function<Expected<TimedPicture>()>& next,
+                                         const std::function<void(const std::string& text)>& tell);
 
 }  // namespace nezumi::cli

@@ -30,9 +30,9 @@ Expected<std::string> marker_pdf(const Paper& /*paper*/, const std::vector<int>&
     return failure(std::string(no_simulation));
 }
 
-Expected<LensFit> calibrate_camera(const BoardCourse& /*course*/,
-                                   const std::function<Expected<TimedPicture>()>& /*next*/,
-                                   const std::function<void(const std::string& text)>& /*tell*/) {
+Expected<IntrinsicsFit> calibrate_camera(const BoardCourse& /*course*/,
+                                         const std::function<Expected<TimedPicture>()>& /*next*/,
+                                         const std::function<void(const std::string& text)>& /*tell*/) {
     return failure(std::string(no_simulation));
 }
 

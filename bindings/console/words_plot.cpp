@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/console/console_fields.hpp"
 #include "bindings/console/words.hpp"
-#include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/object_core.hpp"
 
 namespace nezumi {
@@ -29,20 +30,6 @@ Expected<double> positive(const FileValue& value, std::string_view what) {
     }
     if (!(number > 0)) return failure(fmt::format("expected {}, more than 0, got {}", what, number));
     return number;
-}
-
-Expected<void> read_options(const FileValue& value, Plot& plot) {
-    const FileTable& table = *value.table();
-    for (const FileField& field : table.fields) {
-        if (field.name != "every")
-            return failure(fmt::format("there is no option '{}'{}: write {{ every = 1 }}", shown(field.name),
-                                       did_you_mean(field.name, {"every"})));
-        const auto every = positive(field.value, "every = seconds");
-        if (!every) return Unexpected(every.error());
-        plot.every = std::max(*every, shortest_period);
-    }
-    if (!table.elements.empty() || table.fields.empty()) return failure("expected options, as in { every = 1 }");
-    return {};
 }
 
 // "controller.out.vx" of "controller.ports.out.value.vx", and "controller.probes.error" of
@@ -94,9 +81,11 @@ Expected<Plot> read(const Session::Parts& parts, const Arguments& arguments) {
         const int type = lua_type(arguments.lua, index);
         const bool names_a_path = is_path(arguments.lua, index);
         const auto value = read_file_value(arguments.lua, index);
-        if (type == LUA_TTABLE && !names_a_path && !std::exchange(has_options, true)) {
-            if (!value) return Unexpected(value.error());
-            if (auto ok = read_options(*value, plot); !ok) return Unexpected(ok.error());
+        if (type == LUA_TTABLE && !names_a_path && !plot.names.empty() && !std::exchange(has_options, true)) {
+            auto check = FieldCheck::of_options(fmt::format("{}", fmt::join(plot.names, ", ")));
+            if (auto ok = read_options(arguments.lua, index, std::move(check), plot); !ok)
+                return Unexpected(ok.error());
+            if (plot.every > 0) plot.every = std::max(plot.every, shortest_period);
         } else if (type == LUA_TNUMBER && !has_options && !std::exchange(has_seconds, true)) {
             const auto seconds = positive(*value, "seconds");
             if (!seconds) return Unexpected(seconds.error());

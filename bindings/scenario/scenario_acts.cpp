@@ -12,6 +12,7 @@
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
+#include "engine/ports/usage.hpp"
 
 namespace nezumi {
 namespace {
@@ -82,25 +83,17 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     const auto* script = dynamic_cast<const ScriptComponent*>(at->component);
     if (script == nullptr)
         return raise(run, fmt::format("{} has no script: only behaviours reload", at->component->name()));
-    const char* expected = "expected { file = \"NAME\" } or { text = \"...\" }";
-    if (lua_type(lua, 3) != LUA_TTABLE) return raise(run, expected);
-    std::string file;
-    std::string text;
-    std::size_t given = 0;
-    bool wrong = false;
-    for (lua_pushnil(lua); lua_next(lua, 3) != 0; lua_pop(lua, 1)) {
-        const std::string_view key = lua_type(lua, -2) == LUA_TSTRING ? detail::key_text(lua) : "";
-        const bool known = (key == "file" || key == "text") && lua_type(lua, -1) == LUA_TSTRING;
-        if (known) (key == "file" ? file : text) = text_or_empty(lua, -1);
-        wrong = wrong || !known;
-        ++given;
-    }
-    if (given != 1 || wrong) return raise(run, expected);
-    Reload reload{.component = at->component->name(), .shown = script->script().file().shown, .text = text};
+    ReloadOptions source;
+    if (auto ok = read_options(lua, 3, FieldCheck::of_options("reload"), source); !ok)
+        return raise(run, ok.error().message);
+    if (source.file.has_value() == source.text.has_value())
+        return raise(run, "expected { file = \"NAME\" } or { text = \"...\" }");
+    Reload reload{
+        .component = at->component->name(), .shown = script->script().file().shown, .text = source.text.value_or("")};
     Expected<ActResult> report = failure("");
     bool readable = true;
-    if (!file.empty()) {
-        const auto path = run.file_.project().find(FileKind::script, file, calling_place(lua).file);
+    if (source.file) {
+        const auto path = run.file_.project().find(FileKind::script, *source.file, calling_place(lua).file);
         auto read =
             path ? run.file_.project().read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
         readable = read.has_value();
@@ -151,7 +144,8 @@ int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override 
 int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_component(lua, 2);
     if (!at) return raise(run, at.error().message);
-    if (lua_type(lua, 3) != LUA_TTABLE) return raise(run, "expected a table { vx =, va =, seconds = }");
+    if (lua_type(lua, 3) != LUA_TTABLE)
+        return raise(run, "expected a table " + usage_of<Push>(Describe<Push>::in_scenarios));
     double duration = for_ever;
     if (detail::push_raw_field(lua, 3, "seconds")) {
         const auto value = seconds(lua, lua_gettop(lua), "field 'seconds'", nullptr);
@@ -232,7 +226,7 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts()
          "(port, seconds)"},
         {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }, 2,
          "(port, seconds)"},
-        {"disturb", disturb, 2, "(robot, { vx =, va =, seconds = })"},
+        {"disturb", disturb, 2, fmt::format("(robot, {})", usage_of<Push>(Describe<Push>::in_scenarios))},
         {"press", press, 3, "(robot, sensor, seconds)"},
         {"teleport", teleport, 2, "(robot, pose)"},
         {"restore", restore, 1, "(thing)"},

@@ -1,6 +1,8 @@
 // The options of a scenario's words: every one, its unit, its meaning and what may stand in it.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bindings/lua/files/record_shape.hpp"
@@ -78,6 +80,34 @@ struct Describe<GoldenOptions> {
                 "",
                 "by which a number may differ",
                 {.range = NumberRange::not_negative, .most = 1e300}},
+    };
+};
+
+/// What `s:load` takes after the file. Its robots are changed by hand: by the reader of robot files.
+struct LoadOptions {};
+
+template <>
+struct Describe<LoadOptions> {
+    static constexpr std::string_view name = "load_options";
+    static constexpr std::string_view doc = "Options of a system that is loaded.";
+    static constexpr std::tuple fields{
+        Extra{"robots", "table<string, RobotModelFields>", "", "what differs from the system's, by the robot's name"},
+    };
+};
+
+/// What `s:reload` takes: one of them.
+struct ReloadOptions {
+    std::optional<std::string> file;
+    std::optional<std::string> text;
+};
+
+template <>
+struct Describe<ReloadOptions> {
+    static constexpr std::string_view name = "reload_options";
+    static constexpr std::string_view doc = "Where a behaviour's new version is: one of these.";
+    static constexpr std::tuple fields{
+        Setting{"file", &ReloadOptions::file, "", "its script, found as a system file finds one"},
+        Setting{"text", &ReloadOptions::text, "", "the script itself"},
     };
 };
 

@@ -90,9 +90,10 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
     if (file->scenarios_.empty()) {
         return give_up({"the file has no scenario: expected scenario(\"name\", function(s) ... end)", {file->shown_}});
     }
-    if (const auto slips = unknown_words(file->text_, file->shown_, ScenarioRun::Methods::names()); !slips.empty()) {
-        if (errors != nullptr) *errors = slips;
-        return give_up(slips.front());
+    if (const auto diagnostics = unknown_words(file->text_, file->shown_, ScenarioRun::Methods::names());
+        !diagnostics.empty()) {
+        if (errors != nullptr) *errors = diagnostics;
+        return give_up(diagnostics.front());
     }
     lua_settop(file->file_->lua(), 0);
     file->is_read_ = true;

@@ -25,7 +25,7 @@ struct ScenarioRun::Methods {
         const char* name;
         Function function;
         int most = 0;  ///< arguments at most
-        const char* usage = "()";
+        std::string usage = "()";
     };
     /// Those of time and expectations, and those that act.
     static const std::vector<Method>& of_time();

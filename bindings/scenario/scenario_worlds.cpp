@@ -6,8 +6,9 @@
 
 #include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/change_robot.hpp"
-#include "bindings/lua/files/file_fields.hpp"
+#include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 
 namespace nezumi {
@@ -52,6 +53,8 @@ void merge(SystemSpec& spec, const SystemSpec& more) {
 Expected<void> change_robots(SystemSpec& spec, const FileValue& options, const Project& project, const Place& place) {
     FieldCheck check("load", "load", place, nullptr, "option");
     Fields fields(check, options);
+    LoadOptions load;
+    read_record(fields, load);
     Fields robots = fields.inner("robots");
     for (const FileField& each : robots.all()) {
         robots.field(each.name);

@@ -741,6 +741,9 @@ function output(name, type, doc, options) end
 ---@field va? number [rad/s] yaw rate, counter-clockwise
 ---@field seconds? number [s] how long (of s:disturb)
 
+---@class (exact) HoldOptions
+---@field take? boolean also from another who holds the port
+
 ---@class (exact) CalibrationFields
 ---@field robot string its name in the system
 ---@field model string that it was measured with
@@ -765,6 +768,13 @@ function output(name, type, doc, options) end
 
 ---@class (exact) GoldenOptions
 ---@field tolerance? number by which a number may differ
+
+---@class (exact) LoadOptions
+---@field robots? table<string, RobotModelFields> what differs from the system's, by the robot's name
+
+---@class (exact) ReloadOptions
+---@field file? string its script, found as a system file finds one
+---@field text? string the script itself
 
 ---Declares a parameter, read as `config.name`. Its type follows the default: `30` integer, `0.0` number.
 ---@param name string
@@ -985,7 +995,7 @@ function robot_model(fields) end
 ---@field holder string? whose hand is on it
 ---@field write fun(self: Port, value: any) as if its component had written it; into an in-port: inject
 ---@field inject fun(self: Port, value: any) one message as from a connection
----@field hold fun(self: Port, value: any, options?: { take?: boolean }) this value and nothing else, until release
+---@field hold fun(self: Port, value: any, options?: HoldOptions) this value and nothing else, until release
 ---@field drop fun(self: Port) nothing gets through, until release
 ---@field freeze fun(self: Port) the present value again and again, until release
 ---@field release fun(self: Port)
@@ -1057,7 +1067,7 @@ local s = {}
 
 ---Loads a system file and activates what it names. Its robots may differ by fields of a robot file.
 ---@param file string
----@param options? { robots?: table<string, RobotModelFields> }
+---@param options? LoadOptions
 ---@return World
 function s:load(file, options) end
 
@@ -1127,14 +1137,14 @@ function s:inject(port, value) end
 ---This value and nothing else, until `release`.
 ---@param port PortName
 ---@param value any
----@param options? { take?: boolean } also from another who holds it
+---@param options? HoldOptions
 function s:hold(port, value, options) end
 
 ---@param port PortName
 function s:release(port) end
 
 ---@param component Component|string
----@param new { file?: string, text?: string }
+---@param new ReloadOptions
 ---@return boolean ok
 ---@return string? message
 function s:reload(component, new) end

@@ -14,6 +14,7 @@
 #include "engine/components/parameter.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/ports/setting.hpp"
+#include "engine/ports/usage.hpp"
 
 namespace nezumi {
 
@@ -82,10 +83,7 @@ std::string values_of(const Rule& rule) {
     } else if constexpr (std::is_same_v<T, ParameterValues>) {
         return "{ NAME = VALUE }";
     } else if constexpr (Recorded<T>) {
-        std::string text;
-        for_each_setting<T>(
-            [&](const auto& field) { text += (text.empty() ? "{ " : ", ") + std::string(field.name) + " ="; });
-        return text + " }";
+        return usage_of<T>();
     } else if constexpr (SwitchedRecord<T>) {
         return "true, false or " + values_of<typename T::value_type>(rule);
     } else if constexpr (IsOptional<T>::value) {

@@ -149,7 +149,7 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
     if (word == "state" || word == "tasks" || word == "probes") {
         auto look = data_of(at, word, ObjectAccess::look_limit(*ref.objects));
         if (!look) return Unexpected(look.error());
-        return Answer{LockedValue{fmt::format("{}.{}", component.name(), word), std::move(*look)}};
+        return Answer{std::move(*look)};
     }
     if (word == "sets") {
         std::vector<std::string> names;
@@ -172,18 +172,15 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
 
 Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
     const auto& robot = dynamic_cast<const Robot&>(*at.component);
-    if (word == "leds") {
-        return Answer{LockedValue{robot.name() + ".leds", ParameterValue(robot.leds())}};
-    }
+    if (word == "leds") return Answer{ParameterValue(robot.leds())};
     if (word == "said") return Answer{std::vector<std::string>(robot.said().begin(), robot.said().end())};
     if (word == "buzzer") return Answer{std::int64_t{robot.buzzer_hertz()}};
     if (word == "limits") {
         const Limits& limits = robot.guard().limits();
-        return Answer{LockedValue{robot.name() + ".limits",
-                                  std::map<std::string, double>{{"speed", limits.speed},
-                                                                {"yaw_rate", limits.yaw_rate},
-                                                                {"acceleration", limits.acceleration},
-                                                                {"yaw_acceleration", limits.yaw_acceleration}}}};
+        return Answer{std::map<std::string, double>{{"speed", limits.speed},
+                                                    {"yaw_rate", limits.yaw_rate},
+                                                    {"acceleration", limits.acceleration},
+                                                    {"yaw_acceleration", limits.yaw_acceleration}}};
     }
     const auto seen = seen_robot(at.live->system(), *at.component);
     if (!seen) return Unexpected(seen.error());
@@ -218,7 +215,7 @@ Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string
 
 int component_index(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
+    return look(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         const auto at = find_component(ref);
         if (!at) return Unexpected(at.error());

@@ -58,7 +58,7 @@ int refuse_set(lua_State* L) {
 }
 
 int host_index(lua_State* L) {
-    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+    return look(L, objects_of(L), [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         if (lua_type(L, 2) != LUA_TSTRING) return failure("a host's components have names");
         const std::string_view name = text_at(L, 2);
@@ -77,7 +77,7 @@ int host_tostring(lua_State* L) {
 }
 
 int hosts_index(lua_State* L) {
-    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+    return look(L, objects_of(L), [&]() -> Expected<Answer> {
         LiveSystem* live = to_object(L, 1)->live();
         if (lua_type(L, 2) != LUA_TSTRING) return failure("hosts have names");
         const auto host = find_host(live->system(), text_at(L, 2));

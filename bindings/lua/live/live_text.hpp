@@ -17,7 +17,7 @@ std::vector<std::string> peers_of(const LiveSystem& live, const Component& compo
 
 /// [s] since the port's message, as of the tick that comes next; infinity before any.
 double port_age(const System& system, const Port& port);
-/// Nothing came through for as long as a robot waits for a velocity; of an in-port also when nothing is connected.
+/// Nothing came through for `OutPortBase::stale_after` of its sender; of an in-port also when nothing is connected.
 bool is_stale(const System& system, const Port& port);
 
 /// "", "held", "dropped", "frozen".

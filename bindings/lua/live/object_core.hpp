@@ -61,16 +61,13 @@ struct MethodName {
     std::string name;
 };
 
-/// A table that can be read and not changed; `name` is what messages call it.
-struct LockedValue {
-    std::string name;
-    std::variant<ParameterValue, PlainLook, std::map<std::string, double>, AnyPayload> value;
-    std::string why{};  ///< of a payload: why setting a part of it has no effect, and what has
-};
-
 /// All that a member of an object can be.
 using Answer = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::string>,
-                            AnyPayload, ParameterValue, PlainData, ObjectName, MethodName, LockedValue>;
+                            std::map<std::string, double>, AnyPayload, ParameterValue, PlainData, PlainLook, ObjectName,
+                            MethodName>;
+
+/// Whose the tables of an answer are: the caller's, or a copy that can't be written.
+enum class Tables : bool { own, locked };
 
 /// What lives in C++ between the moment an answer is found and the moment it is pushed: a Lua error may jump over that
 /// without harm.
@@ -124,8 +121,9 @@ void push_object(lua_State* L, Objects& objects, ObjectKind kind, LiveSystem& li
 /// Pushes a closure whose first upvalue are the objects and whose second is a name. May raise a Lua error.
 void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::string_view name);
 
-/// Pushes the answer that is kept in the core, and returns how many values that are. May raise a Lua error.
-int push_answer(lua_State* L, Objects& objects);
+/// Pushes the answer that is kept in the core, and returns how many values that are. May raise a Lua error. Locked
+/// tables are what the object at index 1 has under the key at index 2.
+int push_answer(lua_State* L, Objects& objects, Tables tables);
 
 /// What an act has come to as an answer without a value.
 inline Expected<Answer> answer_of(const Expected<ActResult>& done) {
@@ -136,7 +134,7 @@ inline Expected<Answer> answer_of(const Expected<ActResult>& done) {
 /// Runs `find()`, which reads from Lua without raising and returns an `Expected<Answer>`; then pushes the answer or
 /// raises the error, when nothing is left that needs a destructor. It looks at the system within `visit` alone.
 template <class Find>
-int answer_beside(lua_State* L, Objects& objects, Find&& find) {
+int answer_beside(lua_State* L, Objects& objects, Find&& find, Tables tables = Tables::own) {
     bool failed = false;
     {
         Expected<Answer> got = find();
@@ -147,13 +145,23 @@ int answer_beside(lua_State* L, Objects& objects, Find&& find) {
             ObjectAccess::core(objects).answer = std::move(*got);
         }
     }
-    return failed ? raise_kept(L) : push_answer(L, objects);
+    return failed ? raise_kept(L) : push_answer(L, objects, tables);
 }
 
 /// The same for what is one visit, and reads nothing from Lua but names and numbers.
 template <class Body>
 int answer(lua_State* L, Objects& objects, Body&& body) {
     return answer_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });
+}
+
+/// Both for `__index`: nothing would come of writing to the tables that it gives, so that is an error.
+template <class Find>
+int look_beside(lua_State* L, Objects& objects, Find&& find) {
+    return answer_beside(L, objects, find, Tables::locked);
+}
+template <class Body>
+int look(lua_State* L, Objects& objects, Body&& body) {
+    return look_beside(L, objects, [&] { return ObjectAccess::visit(objects, body); });
 }
 
 /// The text at `index`, which must be a string. Raises nothing.

@@ -7,16 +7,17 @@
 #include <cstring>
 #include <new>
 
+#include "bindings/lua/live/locked_copies.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/call.hpp"
-#include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/values/codec.hpp"
 
 namespace nezumi {
 namespace {
 
-// Their addresses are the keys of the metatables in the registry.
+// Their addresses are the keys of the metatables in the registry, and of what marks each as one of them.
 constexpr char metatable_keys[object_kinds] = {};
+constexpr char mark_key = 0;
 
 const ObjectFunctions& functions_of(std::size_t kind) {
     switch (static_cast<ObjectKind>(kind)) {
@@ -53,7 +54,7 @@ void set_function(lua_State* L, Objects& objects, const char* name, lua_CFunctio
 
 void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
     const ObjectFunctions& functions = functions_of(kind);
-    lua_createtable(L, 0, 7);
+    lua_createtable(L, 0, 8);
     set_function(L, objects, "__index", functions.index);
     set_function(L, objects, "__newindex", functions.newindex);
     set_function(L, objects, "__pairs", functions.pairs);
@@ -64,68 +65,9 @@ void make_metatable(lua_State* L, Objects& objects, std::size_t kind) {
     lua_setfield(L, -2, "__name");
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
+    lua_pushboolean(L, 1);
+    lua_rawsetp(L, -2, &mark_key);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_keys[kind]);
-}
-
-// Replaces the table on top of the stack, and all tables in it, by locked ones. Breadth first: their depth is a user's.
-void lock_deeply(lua_State* L, const char* name) {
-    luaL_checkstack(L, 10, nullptr);
-    const int root = lua_gettop(L);
-    lua_newtable(L);  // the open tables, in order
-    const int tables = root + 1;
-    lua_newtable(L);  // from each open table to the locked one
-    const int locked = root + 2;
-    const auto add = [&](lua_Integer place) {  // the table on top of the stack
-        lua_pushvalue(L, -1);
-        lua_rawseti(L, tables, place);
-        lua_pushvalue(L, -1);
-        lua_pushvalue(L, -1);
-        lock_table(L, name);
-        lua_rawset(L, locked);
-    };
-    lua_pushvalue(L, root);
-    lua_Integer count = 1;
-    add(count);
-    lua_pop(L, 1);
-    for (lua_Integer at = 1; at <= count; ++at) {
-        lua_rawgeti(L, tables, at);
-        const int table = lua_gettop(L);
-        for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-            if (lua_type(L, -1) != LUA_TTABLE) continue;
-            lua_pushvalue(L, -1);
-            if (lua_rawget(L, locked) == LUA_TNIL) {
-                lua_pop(L, 1);
-                add(++count);
-                lua_pushvalue(L, -1);
-                lua_rawget(L, locked);
-            }
-            lua_pushvalue(L, -3);  // the key
-            lua_insert(L, -2);
-            lua_rawset(L, table);
-        }
-        lua_pop(L, 1);
-    }
-    lua_pushvalue(L, root);
-    lua_rawget(L, locked);
-    lua_replace(L, root);
-    lua_settop(L, root);
-}
-
-// The same for a payload's table, which is shallow and no part of itself: each table is called by its own path.
-void lock_payload(lua_State* L, const char* name, const char* why) {
-    luaL_checkstack(L, 10, nullptr);
-    const int table = lua_gettop(L);
-    for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-        if (lua_type(L, -1) != LUA_TTABLE || lua_type(L, -2) != LUA_TSTRING) continue;
-        const char* inner = lua_pushfstring(L, "%s.%s", name, lua_tostring(L, -2));
-        lua_insert(L, -2);
-        lock_payload(L, inner, why);
-        lua_remove(L, -2);
-        lua_pushvalue(L, -2);
-        lua_pushvalue(L, -2);
-        lua_rawset(L, table);
-    }
-    lock_table(L, name, why);
 }
 
 void push_names(lua_State* L, const std::vector<std::string>& names) {
@@ -136,26 +78,30 @@ void push_names(lua_State* L, const std::vector<std::string>& names) {
     }
 }
 
-int push_locked(lua_State* L, const LockedValue& locked) {
-    if (const auto* payload = std::get_if<AnyPayload>(&locked.value)) {
-        push_payload(L, *payload);
-        lock_payload(L, locked.name.c_str(), locked.why.c_str());
-        return 1;
+void push_numbers(lua_State* L, const std::map<std::string, double>& numbers) {
+    lua_createtable(L, 0, static_cast<int>(numbers.size()));
+    for (const auto& [name, number] : numbers) {
+        lua_pushlstring(L, name.data(), name.size());
+        lua_pushnumber(L, number);
+        lua_rawset(L, -3);
     }
-    if (const auto* parameter = std::get_if<ParameterValue>(&locked.value)) {
-        push_parameter(L, *parameter);
-    } else if (const auto* data = std::get_if<PlainLook>(&locked.value)) {
-        push_plain(L, *data);
+}
+
+template <class T>
+constexpr bool is_table = Described<T> || Sequence<T>;
+
+// Whether a payload's table has no tables in it.
+template <class T>
+constexpr bool is_flat() {
+    if constexpr (Described<T>) {
+        return std::apply(
+            [](const auto&... field) { return (!is_table<std::remove_cvref_t<decltype(T{}.*(field.member))>> && ...); },
+            Describe<T>::fields);
+    } else if constexpr (Sequence<T>) {
+        return !is_table<typename T::value_type>;
     } else {
-        lua_newtable(L);
-        for (const auto& [name, number] : std::get<std::map<std::string, double>>(locked.value)) {
-            lua_pushlstring(L, name.data(), name.size());
-            lua_pushnumber(L, number);
-            lua_rawset(L, -3);
-        }
+        return true;
     }
-    if (lua_type(L, -1) == LUA_TTABLE) lock_deeply(L, locked.name.c_str());
-    return 1;
 }
 
 }  // namespace
@@ -170,6 +116,7 @@ Expected<std::unique_ptr<Objects>> Objects::open(LuaState& state, std::function<
     objects->core_->who = std::move(who);
     const auto made = protect(state.lua(), Budget{10.0}, [&objects](lua_State* L) {
         for (std::size_t kind = 0; kind < object_kinds; ++kind) make_metatable(L, *objects, kind);
+        open_locked_copies(L);
         return 0;
     });
     if (!made) return Unexpected(made.error());
@@ -193,13 +140,8 @@ void Objects::push_port(lua_State* L, LiveSystem& live, std::string_view compone
 ObjectRef* to_object(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TUSERDATA || lua_checkstack(L, 3) == 0 || lua_getmetatable(L, index) == 0)
         return nullptr;
-    bool ours = false;
-    for (const char& key : metatable_keys) {
-        lua_rawgetp(L, LUA_REGISTRYINDEX, &key);
-        ours = ours || lua_rawequal(L, -1, -2) != 0;
-        lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
+    const bool ours = lua_rawgetp(L, -1, &mark_key) != LUA_TNIL;
+    lua_pop(L, 2);
     return ours ? static_cast<ObjectRef*>(lua_touserdata(L, index)) : nullptr;
 }
 
@@ -232,19 +174,32 @@ void push_method(lua_State* L, Objects& objects, lua_CFunction function, std::st
     lua_pushcclosure(L, function, 2);
 }
 
-int push_answer(lua_State* L, Objects& objects) {
+int push_answer(lua_State* L, Objects& objects, Tables tables) {
     struct Pusher {
         lua_State* lua;
         Objects& objects;
+        Tables tables;
+
+        // One value is on the stack: its tables are locked where that is asked for.
+        int one(Within within = Within::nothing) const {
+            if (tables == Tables::locked && lua_type(lua, -1) == LUA_TTABLE) lock_copies(lua, within);
+            return 1;
+        }
 
         int operator()(std::monostate) const { return 0; }
         int operator()(bool value) const { return lua_pushboolean(lua, value ? 1 : 0), 1; }
         int operator()(std::int64_t value) const { return lua_pushinteger(lua, value), 1; }
         int operator()(double value) const { return lua_pushnumber(lua, value), 1; }
         int operator()(const std::string& text) const { return lua_pushlstring(lua, text.data(), text.size()), 1; }
-        int operator()(const std::vector<std::string>& names) const { return push_names(lua, names), 1; }
-        int operator()(const AnyPayload& value) const { return push_payload(lua, value), 1; }
-        int operator()(const ParameterValue& value) const { return push_parameter(lua, value), 1; }
+        int operator()(const std::vector<std::string>& names) const { return push_names(lua, names), one(); }
+        int operator()(const std::map<std::string, double>& all) const { return push_numbers(lua, all), one(); }
+        int operator()(const AnyPayload& value) const {
+            push_payload(lua, value);
+            return one(
+                std::visit([]<class T>(const T&) { return is_flat<T>() ? Within::nothing : Within::tree; }, value));
+        }
+        int operator()(const ParameterValue& value) const { return push_parameter(lua, value), one(); }
+        int operator()(const PlainLook& look) const { return push_plain(lua, look), one(Within::anything); }
         int operator()(const PlainData& data) const {
             luaL_checkstack(lua, static_cast<int>(data.values.size()) + 10, nullptr);
             push_plain(lua, data);
@@ -258,10 +213,9 @@ int push_answer(lua_State* L, Objects& objects) {
             push_method(lua, objects, method.function, method.name);
             return 1;
         }
-        int operator()(const LockedValue& locked) const { return push_locked(lua, locked); }
     };
     luaL_checkstack(L, 30, nullptr);
-    return std::visit(Pusher{L, objects}, ObjectAccess::core(objects).answer);
+    return std::visit(Pusher{L, objects, tables}, ObjectAccess::core(objects).answer);
 }
 
 }  // namespace nezumi

@@ -10,7 +10,7 @@
 //   X:activate() X:deactivate() X:reset()  return the status that follows; X:use "set" the set's name
 //   X:command(...)         runs in the component's own state; arguments and results are copies of plain data
 //   robots: X.truth.pose .velocity .height .tilt, X.collided, X.touching, X.leds, X.buzzer, X.limits,
-//           X:teleport(pose), X:press(button, pressed), X:disturb { vx =, va = }
+//           X:teleport(pose), X:press(button, pressed), X:disturb { vx =, vy =, va = }
 // A port has .value .tm .age .connected .stale .type .peers .name .path .direction .doc .note .count .override
 // .holder, and
 //   port:write(value)      an out-port: published as if its component had written it, whatever the component's state;

@@ -58,7 +58,7 @@ std::vector<std::string> port_names(const Component& component) {
 }
 
 int ports_index(lua_State* L) {
-    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+    return look(L, objects_of(L), [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         const auto at = find_component(ref);
         if (!at) return Unexpected(at.error());
@@ -83,10 +83,6 @@ int ports_tostring(lua_State* L) {
 
 // X.config
 
-Answer parameter_value(const ComponentAt& at, const Parameters::Parameter& parameter) {
-    return LockedValue{fmt::format("{}.config.{}", at.component->name(), parameter.spec.name), parameter.value};
-}
-
 std::vector<std::string> parameter_names(const Component& component) {
     std::vector<std::string> names;
     for (const auto& parameter : component.parameters().all()) names.push_back(parameter.spec.name);
@@ -94,12 +90,12 @@ std::vector<std::string> parameter_names(const Component& component) {
 }
 
 int config_index(lua_State* L) {
-    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+    return look(L, objects_of(L), [&]() -> Expected<Answer> {
         const auto at = find_component(*to_object(L, 1));
         if (!at) return Unexpected(at.error());
         const auto name = key_of(L, "config");
         if (!name) return Unexpected(name.error());
-        if (const auto* parameter = at->component->parameters().find(*name)) return parameter_value(*at, *parameter);
+        if (const auto* parameter = at->component->parameters().find(*name)) return Answer{parameter->value};
         return failure(unknown(at->component->name() + ": unknown parameter", *name, parameter_names(*at->component)));
     });
 }
@@ -132,7 +128,7 @@ int config_tostring(lua_State* L) {
 constexpr std::string_view truth_names[] = {"height", "pose", "tilt", "velocity"};
 
 int truth_index(lua_State* L) {
-    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+    return look(L, objects_of(L), [&]() -> Expected<Answer> {
         const auto at = find_component(*to_object(L, 1));
         if (!at) return Unexpected(at.error());
         const auto robot = seen_robot(at->live->system(), *at->component);
@@ -140,16 +136,8 @@ int truth_index(lua_State* L) {
         const auto name = key_of(L, "truth");
         if (!name) return Unexpected(name.error());
         const Truth truth = seen_truth(*robot->world, robot->id);
-        const std::string& robot_name = at->component->name();
-        if (*name == "pose") {
-            return Answer{
-                LockedValue{robot_name + ".truth.pose", AnyPayload{truth.pose},
-                            fmt::format("is a copy: write {}:teleport {{ x =, y =, heading = }}", robot_name)}};
-        }
-        if (*name == "velocity") {
-            return Answer{LockedValue{robot_name + ".truth.velocity", AnyPayload{truth.velocity},
-                                      fmt::format("is a copy: write {}:disturb {{ vx =, vy =, va = }}", robot_name)}};
-        }
+        if (*name == "pose") return Answer{AnyPayload{truth.pose}};
+        if (*name == "velocity") return Answer{AnyPayload{truth.velocity}};
         if (*name == "height") return Answer{truth.height};
         if (*name == "tilt") return Answer{truth.tilt};
         return failure(unknown(at->component->name() + ".truth has no", *name, Objects::truth_members()));
@@ -175,7 +163,7 @@ std::vector<std::string> component_names(const System& system) {
 }
 
 int system_index(lua_State* L) {
-    return answer(L, objects_of(L), [&]() -> Expected<Answer> {
+    return look(L, objects_of(L), [&]() -> Expected<Answer> {
         LiveSystem* live = to_object(L, 1)->live();
         const auto name = key_of(L, "system");
         if (!name) return Unexpected(name.error());

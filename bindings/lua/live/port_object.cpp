@@ -5,9 +5,11 @@
 #include <array>
 #include <limits>
 
+#include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/system/act_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -89,23 +91,6 @@ Expected<AnyPayload> value_for(lua_State* L, int value, const PortToRead& port) 
     return payload;
 }
 
-// The option of `hold`, `{ take = true }`, at `index`, where there may be none.
-Expected<bool> read_take(lua_State* L, int index) {
-    constexpr const char* expected = "expected { take = true } or nothing after the value";
-    if (lua_isnoneornil(L, index)) return false;
-    if (lua_type(L, index) != LUA_TTABLE || lua_checkstack(L, 4) == 0) return failure(expected);
-    const int top = lua_gettop(L);
-    bool take = false;
-    bool well = true;
-    for (lua_pushnil(L); well && lua_next(L, index) != 0; lua_pop(L, 1)) {
-        well = well && lua_type(L, -2) == LUA_TSTRING && text_at(L, -2) == "take" && lua_isboolean(L, -1);
-        take = lua_toboolean(L, -1) != 0;
-    }
-    lua_settop(L, top);
-    if (!well) return failure(expected);
-    return take;
-}
-
 // The act that a word means for a port: `value` is the index of the value, where there is one.
 Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view word, int value) {
     const std::string& path = port.path;
@@ -116,9 +101,9 @@ Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view wo
     if (!payload) return Unexpected(payload.error());
     if (word == "inject") return Inject{path, std::move(*payload)};
     if (word == "write") return Write{path, std::move(*payload)};
-    const auto take = read_take(L, value + 1);
-    if (!take) return Unexpected(take.error());
-    return Hold{path, std::move(*payload), *take};
+    HoldOptions options;
+    if (auto ok = read_options(L, value + 1, FieldCheck::of_options(path), options); !ok) return Unexpected(ok.error());
+    return Hold{path, std::move(*payload), options.take};
 }
 
 // Two visits: what is read between them may be a million numbers. `find()` gives the port, a `PortToRead`.
@@ -169,7 +154,7 @@ std::string explain_key(lua_State* L, const PortAt& at) {
 
 int port_index(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer(L, objects, [&]() -> Expected<Answer> {
+    return look(L, objects, [&]() -> Expected<Answer> {
         const auto at = find_port(*to_object(L, 1));
         if (!at) return Unexpected(at.error());
         if (lua_type(L, 2) == LUA_TSTRING) {
@@ -227,9 +212,8 @@ std::vector<std::string> Objects::port_methods() {
 Expected<PortAt> find_port(const ObjectRef& ref) {
     const auto at = find_component(ref);
     if (!at) return Unexpected(at.error());
-    const auto port = at->live->system().port(fmt::format("{}.{}", ref.component(), ref.port()));
-    if (!port) return Unexpected(port.error());
-    return PortAt{at->live, at->component, *port};
+    if (const Port* port = at->component->find_port(ref.port())) return PortAt{at->live, at->component, port};
+    return Unexpected(at->live->system().port(fmt::format("{}.{}", ref.component(), ref.port())).error());
 }
 
 Expected<PortAt> Objects::to_port(lua_State* L, int index) const {

@@ -68,7 +68,8 @@ const PlainData::Value* find(const PlainData& data, std::size_t table, std::stri
 // One value of a look, whose tables go with it.
 Answer answer_of_value(PlainData looked_at, const PlainData::Value& value) {
     looked_at.values = {value};
-    return Answer{std::move(looked_at)};
+    const std::size_t whole = looked_at.tables.size();
+    return Answer{PlainLook{std::move(looked_at), whole}};
 }
 
 // The table of parameters in a look.
@@ -172,7 +173,7 @@ std::optional<Expected<Answer>> known_member(const ObjectRef& ref, std::string_v
 
 int remote_index(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+    return look_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         if (lua_type(L, 2) != LUA_TSTRING)
             return failure(fmt::format("{} is a component: its members have names", ref.component()));
@@ -236,7 +237,7 @@ int remote_tostring(lua_State* L) {
 
 int config_index(lua_State* L) {
     Objects& objects = objects_of(L);
-    return answer_beside(L, objects, [&]() -> Expected<Answer> {
+    return look_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         if (lua_type(L, 2) != LUA_TSTRING) return failure("config: what is in it has a name");
         auto look = ask(objects, ref, What::look);
@@ -273,14 +274,15 @@ int config_newindex(lua_State* L) {
 int config_pairs(lua_State* L) {
     Objects& objects = objects_of(L);
     lua_settop(L, 1);
-    answer_beside(L, objects, [&]() -> Expected<Answer> {
+    lua_pushnil(L);  // it is all of the object
+    look_beside(L, objects, [&]() -> Expected<Answer> {
         auto look = ask(objects, *to_object(L, 1), What::look);
         if (!look) return Unexpected(look.error());
         const std::size_t config = config_of(*look);
         return answer_of_value(std::move(*look), PlainData::TableRef{config});
     });
     lua_pushcfunction(L, ordered_pairs);
-    lua_pushvalue(L, 2);
+    lua_pushvalue(L, 3);
     lua_call(L, 1, 3);
     return 3;
 }

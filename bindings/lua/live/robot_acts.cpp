@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bindings/lua/files/read_options.hpp"
-#include "bindings/lua/live/act_fields.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/ports/usage.hpp"
 
 namespace nezumi {
 namespace {
@@ -83,7 +83,7 @@ Expected<Pose2D> read_pose(lua_State* L, int index) {
 }
 
 Expected<Push> read_push(lua_State* L, int index, unsigned kind) {
-    if (lua_type(L, index) != LUA_TTABLE) return failure("expected a table { vx =, va = }");
+    if (lua_type(L, index) != LUA_TTABLE) return failure("expected a table " + usage_of<Push>(kind));
     return read_fields<Push>(L, index, "disturb", {.kind = kind});
 }
 

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/live/act_fields.hpp"
 #include "bindings/lua/live/objects.hpp"
 #include "engine/base/error.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/system/act_fields.hpp"
 #include "engine/system/system.hpp"
 #include "engine/world/world.hpp"
 

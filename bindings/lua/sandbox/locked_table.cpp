@@ -1,4 +1,5 @@
-// An empty table with a metatable that reads elsewhere and refuses to write.
+// An empty table with a metatable that reads elsewhere and refuses to write. What a copy reads from is in the copy
+// itself, so that its metatable can be that of all.
 #include "bindings/lua/sandbox/locked_table.hpp"
 
 #include "bindings/lua/sandbox/text.hpp"
@@ -6,8 +7,9 @@
 namespace nezumi {
 namespace {
 
-// Its address is the key of the table behind in the metatable: no script can have such a key.
-constexpr char kBehind = 0;
+// Their addresses are keys that no script can have: of the table behind, in the metatable or in the copy; of a copy's
+// owner and key; of the copies' metatable in the registry.
+constexpr char kBehind = 0, kOwner = 0, kKey = 0, kCopies = 0;
 
 // Upvalues: what the table is called, and why it can't be changed.
 int refuse_write(lua_State* lua) {
@@ -21,6 +23,14 @@ int refuse_write(lua_State* lua) {
 int length_behind(lua_State* lua) {
     lua_settop(lua, 1);
     if (push_behind_lock(lua, 1)) lua_len(lua, -1);
+    return 1;
+}
+
+int read_behind(lua_State* lua) {
+    lua_settop(lua, 2);
+    lua_rawgetp(lua, 1, &kBehind);
+    lua_insert(lua, 2);
+    lua_rawget(lua, 2);
     return 1;
 }
 
@@ -45,15 +55,52 @@ void lock_table(lua_State* lua, const char* name, const char* why) {
     lua_setmetatable(lua, -2);
 }
 
+void open_copies(lua_State* lua, lua_CFunction refuse) {
+    luaL_checkstack(lua, 3, nullptr);
+    lua_createtable(lua, 0, 5);
+    lua_pushboolean(lua, 1);  // what is behind, the copy has
+    lua_rawsetp(lua, -2, &kBehind);
+    lua_pushcfunction(lua, read_behind);
+    lua_setfield(lua, -2, "__index");
+    lua_pushcfunction(lua, refuse);
+    lua_setfield(lua, -2, "__newindex");
+    lua_pushcfunction(lua, length_behind);
+    lua_setfield(lua, -2, "__len");
+    lua_pushboolean(lua, 0);
+    lua_setfield(lua, -2, "__metatable");
+    lua_rawsetp(lua, LUA_REGISTRYINDEX, &kCopies);
+}
+
+void lock_copy(lua_State* lua, int owner, int key) {
+    luaL_checkstack(lua, 3, nullptr);
+    lua_createtable(lua, 0, 3);
+    lua_insert(lua, -2);
+    lua_rawsetp(lua, -2, &kBehind);
+    lua_pushvalue(lua, owner);
+    lua_rawsetp(lua, -2, &kOwner);
+    lua_pushvalue(lua, key);
+    lua_rawsetp(lua, -2, &kKey);
+    lua_rawgetp(lua, LUA_REGISTRYINDEX, &kCopies);
+    lua_setmetatable(lua, -2);
+}
+
+bool push_origin(lua_State* lua, int index) {
+    index = lua_absindex(lua, index);
+    if (!push_behind_lock(lua, index)) return false;
+    lua_pop(lua, 1);
+    if (lua_rawgetp(lua, index, &kOwner) == LUA_TNIL) return lua_pop(lua, 1), false;
+    lua_rawgetp(lua, index, &kKey);
+    return true;
+}
+
 bool push_behind_lock(lua_State* lua, int index) {
     if (lua_getmetatable(lua, index) == 0) return false;
-    const bool locked = lua_rawgetp(lua, -1, &kBehind) != LUA_TNIL;
-    if (locked) {
-        lua_remove(lua, -2);
-    } else {
-        lua_pop(lua, 2);
-    }
-    return locked;
+    const int type = lua_rawgetp(lua, -1, &kBehind);
+    if (type == LUA_TTABLE) return lua_remove(lua, -2), true;
+    lua_pop(lua, 2);
+    if (type == LUA_TNIL) return false;
+    lua_rawgetp(lua, index, &kBehind);
+    return true;
 }
 
 }  // namespace nezumi

@@ -1,5 +1,5 @@
-// Reading finds every slip of the text at once, then loading those of the declarations, then both together those of
-// their uses.
+// Reading finds every diagnostic of the text at once, then loading those of the declarations, then both together those
+// of their uses.
 #include "bindings/lua/script/check_script.hpp"
 
 #include <fmt/format.h>
@@ -36,12 +36,12 @@ std::vector<Error> unknown_parameters(const SourceText& source, const Parameters
 
 std::vector<Error> check_behavior(const SourceText& source, const ScriptContext& context) {
     if (auto chunk = compile_script(source, ScriptKind::component); !chunk) return std::move(chunk.error());
-    std::vector<Error> slips;
+    std::vector<Error> diagnostics;
     ScriptContext collecting = context;
-    collecting.slips = &slips;
+    collecting.diagnostics = &diagnostics;
     auto script = Script::load(source, std::move(collecting));
-    // What ends the loading after a slip may well follow from it.
-    if (!slips.empty()) return slips;
+    // What ends the loading after a diagnostic may well follow from it.
+    if (!diagnostics.empty()) return diagnostics;
     if (!script) return {std::move(script.error())};
     return unknown_parameters(source, (*script)->parameters());
 }

@@ -7,8 +7,8 @@
 
 namespace nezumi {
 
-/// Everything for which this text would be refused, in order of place: all slips that can be found by reading it, or
-/// else all declarations that are wrong, or else the first thing that its loading says. Empty: it loads. Parameters
+/// Everything for which this text would be refused, in order of place: all diagnostics that can be found by reading it,
+/// or else all declarations that are wrong, or else the first thing that its loading says. Empty: it loads. Parameters
 /// that are read and not declared are told as well, though the file would load with them.
 std::vector<Error> check_behavior(const SourceText& source, const ScriptContext& context);
 

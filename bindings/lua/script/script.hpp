@@ -36,12 +36,12 @@ struct ScriptContext {
     Budget budget = paced_budget;                      ///< of every call into the script, its loading included
     std::size_t memory_limit = std::size_t{64} << 20;  ///< [bytes]
     ModuleFinder find_module;                          ///< empty: there are no modules
-    ChunkCache* chunks = nullptr;         ///< shares compiled code among components; may be null, must outlive them
-    ParameterValues configured;           ///< values of a system file, so that the file's top level reads them
-    double tick_rate = 100;               ///< [Hz]; `dt` before the first execution
-    double seconds = 0;                   ///< `now()` while it loads
-    std::vector<Error>* slips = nullptr;  ///< takes what is wrong with declarations, and loading goes on; null: the
-                                          ///< first ends it
+    ChunkCache* chunks = nullptr;  ///< shares compiled code among components; may be null, must outlive them
+    ParameterValues configured;    ///< values of a system file, so that the file's top level reads them
+    double tick_rate = 100;        ///< [Hz]; `dt` before the first execution
+    double seconds = 0;            ///< `now()` while it loads
+    std::vector<Error>* diagnostics = nullptr;  ///< takes what is wrong with declarations, and loading goes on; null:
+                                                ///< the first ends it
 };
 
 /// `input(...)` or `output(...)`.

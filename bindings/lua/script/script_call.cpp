@@ -17,11 +17,11 @@ int keep_function(lua_State* L) {
     return luaL_ref(L, LUA_REGISTRYINDEX);
 }
 
-bool keep_slip(lua_State* L, Script& script, const Error& error) {
+bool keep_diagnostic(lua_State* L, Script& script, const Error& error) {
     constexpr std::size_t most = 1000;
-    std::vector<Error>* slips = script.context().slips;
-    if (slips == nullptr || script.phase() != Script::Phase::loading || slips->size() >= most) return false;
-    slips->push_back({error.message, caller(L)});
+    std::vector<Error>* diagnostics = script.context().diagnostics;
+    if (diagnostics == nullptr || script.phase() != Script::Phase::loading || diagnostics->size() >= most) return false;
+    diagnostics->push_back({error.message, caller(L)});
     return true;
 }
 

@@ -26,17 +26,17 @@ Place caller(lua_State* L);
 /// none, or they are more. May raise a Lua error (memory).
 int keep_function(lua_State* L);
 
-/// Keeps an error as a slip, where all slips of a file are wanted. False where it is to be raised.
-bool keep_slip(lua_State* L, Script& script, const Error& error);
+/// Keeps an error as a diagnostic, where all diagnostics of a file are wanted. False where it is to be raised.
+bool keep_diagnostic(lua_State* L, Script& script, const Error& error);
 
-/// As `bridge`, for a declaration: true when it was made, false when what is wrong with it was kept as a slip.
+/// As `bridge`, for a declaration: true when it was made, false when what is wrong with it was kept as a diagnostic.
 template <class Body>
 bool declare(lua_State* L, Script& script, Body&& body) {
     bool made = false;
     const auto run = [&]() -> Expected<void> {
         Expected<void> ok = body();
         made = ok.has_value();
-        if (!made && keep_slip(L, script, ok.error())) return {};
+        if (!made && keep_diagnostic(L, script, ok.error())) return {};
         return ok;
     };
     bridge(L, run);

@@ -14,8 +14,8 @@ constexpr std::string_view opening = "<!-- fields: ", closing = "<!-- end -->";
 std::string cell(std::string text) {
     constexpr std::string_view suffix = "Fields";
     if (const std::size_t end = text.find(suffix); end != std::string::npos) {
-        const std::size_t bar = text.rfind('|', end);
-        const std::size_t begin = bar == std::string::npos ? 0 : bar + 1;
+        const std::size_t before = text.find_last_of("| ", end);
+        const std::size_t begin = before == std::string::npos ? 0 : before + 1;
         text.replace(begin, end + suffix.size() - begin, "{ ... }");
     }
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 4) text.replace(at, 1, " or ");

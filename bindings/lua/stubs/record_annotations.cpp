@@ -5,9 +5,9 @@
 
 #include <utility>
 
-#include "bindings/lua/live/act_fields.hpp"
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "engine/components/parameter_fields.hpp"
+#include "engine/system/act_fields.hpp"
 #include "engine/system/system_fields.hpp"
 #include "engine/world/calibration.hpp"
 
@@ -109,6 +109,7 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<RobotPlace>(),
         shape_of_record<MarkerPlace>(),
         shape_of_record<Push>(),
+        shape_of_record<HoldOptions>(),
         shape_of_record<Calibration>(),
         shape_of_record<WheelCalibration>(),
     };

@@ -23,7 +23,7 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field holder string? whose hand is on it
 ---@field write fun(self: Port, value: any) as if its component had written it; into an in-port: inject
 ---@field inject fun(self: Port, value: any) one message as from a connection
----@field hold fun(self: Port, value: any, options?: { take?: boolean }) this value and nothing else, until release
+---@field hold fun(self: Port, value: any, options?: HoldOptions) this value and nothing else, until release
 ---@field drop fun(self: Port) nothing gets through, until release
 ---@field freeze fun(self: Port) the present value again and again, until release
 ---@field release fun(self: Port)
@@ -95,7 +95,7 @@ local s = {}
 
 ---Loads a system file and activates what it names. Its robots may differ by fields of a robot file.
 ---@param file string
----@param options? { robots?: table<string, RobotModelFields> }
+---@param options? LoadOptions
 ---@return World
 function s:load(file, options) end
 
@@ -165,14 +165,14 @@ function s:inject(port, value) end
 ---This value and nothing else, until `release`.
 ---@param port PortName
 ---@param value any
----@param options? { take?: boolean } also from another who holds it
+---@param options? HoldOptions
 function s:hold(port, value, options) end
 
 ---@param port PortName
 function s:release(port) end
 
 ---@param component Component|string
----@param new { file?: string, text?: string }
+---@param new ReloadOptions
 ---@return boolean ok
 ---@return string? message
 function s:reload(component, new) end

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,12 +11,14 @@ namespace nezumi {
 /// One member of the object model.
 struct MemberName {
     std::string_view name;
-    bool robot = false;        ///< of robots only
-    bool called = false;       ///< `X:name(...)`
-    bool yields = false;       ///< where a port has the name, `X.name` is the port; else no port can have it
-    int most = 0;              ///< arguments at most, where it is called
-    std::string_view usage{};  ///< "(pose)"
-    std::string_view doc{};    ///< what it is, for people
+    bool robot = false;      ///< of robots only
+    bool called = false;     ///< `X:name(...)`
+    bool yields = false;     ///< where a port has the name, `X.name` is the port; else no port can have it
+    int most = 0;            ///< arguments at most, where it is called
+    std::string usage{};     ///< "(pose)"
+    std::string_view doc{};  ///< what it is, for people
+    /// Of a table, which is a copy: what to do rather than write to it.
+    std::string_view instead{};
 };
 
 /// All members, sorted by name.

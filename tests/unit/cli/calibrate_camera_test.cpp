@@ -43,7 +43,7 @@ std::unique_ptr<World> world_with(const ArenaSpec& arena) {
 }
 
 // Shows the board of `boards`, each view twice: a hand that holds it still.
-Expected<LensFit> calibrated(const std::function<CameraMount(int view)>& view, BoardCourse course = {}) {
+Expected<IntrinsicsFit> calibrated(const std::function<CameraMount(int view)>& view, BoardCourse course = {}) {
     ArenaSpec arena;
     arena.boxes = chessboard({});
     const auto world = world_with(arena);

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "bindings/console/console_fields.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
@@ -14,6 +15,8 @@
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/ports/usage.hpp"
+#include "engine/system/act_fields.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
@@ -28,6 +31,7 @@ const fs::path root = source_root();
 std::vector<RecordShape> all_records() {
     std::vector<RecordShape> records = file_records();
     records.insert(records.end(), scenario_records().begin(), scenario_records().end());
+    for (RecordShape& record : console_records()) records.push_back(std::move(record));
     return records;
 }
 
@@ -117,6 +121,7 @@ TEST_CASE("editors are told of every field that is described", "[cli][fields]") 
     const std::string text = annotations(scenario_records());
     for (const RecordShape& record : all_records()) {
         if (record.name == "port_options") continue;  // a class for each type, tried with the types
+        if (record.name == "plot_options") continue;  // of the console, which no file is written for
         const std::size_t begin = text.find("---@class (exact) " + class_of(record.name) + "\n");
         REQUIRE(begin != std::string::npos);
         const std::string own = text.substr(begin, text.find("\n\n", begin) - begin);
@@ -149,6 +154,13 @@ TEST_CASE("the documentation's tables are those of the descriptions", "[cli][fie
         if (record.name == "about" || record.name == "parameter_options" || record.name == "port_options") continue;
         CHECK(all.find("<!-- fields: " + record.name + " -->") != std::string::npos);
     }
+}
+
+TEST_CASE("the pages tell all that disturb takes", "[cli][fields]") {
+    const auto page = [](const fs::path& name) { return read_whole(root / "docs" / name, name.string()).value(); };
+    CHECK_THAT(page("console.md"), Catch::Contains(":disturb " + usage_of<Push>(Describe<Push>::at_once)));
+    CHECK_THAT(page("scenarios.md"),
+               Catch::Contains("s:disturb(robot, " + usage_of<Push>(Describe<Push>::in_scenarios) + ")"));
 }
 
 TEST_CASE("a page that asks for fields that nobody described is refused", "[cli][fields]") {

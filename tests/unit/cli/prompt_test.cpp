@@ -223,7 +223,7 @@ TEST_CASE("Ctrl-C with nothing to drop says how to leave, and a second one soon 
         it.type(ctrl_c);
         CHECK(it.wait_for_row("Ctrl-C again, or Ctrl-D, ends the run"));
     }
-    SECTION("at once"){} {
+    SECTION("in a console that is attached") {
         PtyProgram other({"attach"}, home.home);
         REQUIRE(other.wait_for_prompt("nezumi>"));
         other.type(ctrl_c);

@@ -153,3 +153,25 @@ TEST_CASE("what can be no member of a component of another host is told", "[cons
           std::string::npos);
     CHECK(it.type("hosts = 1") == "! 'hosts' is a word of the console: choose another name");
 }
+
+TEST_CASE("what another host shows is a copy that can't be written", "[console][network]") {
+    HostsRig it;
+    using Ref = PlainData::TableRef;
+    PlainData look;
+    look.values.emplace_back(Ref{0});
+    look.tables = {{{std::string("config"), Ref{1}}, {std::string("sets"), Ref{3}}},
+                   {{std::string("gains"), Ref{2}}},
+                   {{std::int64_t{1}, 1.5}},
+                   {{std::int64_t{1}, std::string("careful")}}};
+    it.network->says = look;
+    const std::string says =
+        "! can't set 'hosts.ev3.vehicle.config.gains[1]': 'hosts.ev3.vehicle.config.gains' is a copy: write all of it, "
+        "hosts.ev3.vehicle.config.gains = { ... }";
+    CHECK(it.type("hosts.ev3.vehicle.config.gains[1]") == "1.5");
+    CHECK(it.type("hosts.ev3.vehicle.config.gains[1] = 3") == says);
+    CHECK(it.type("for _, value in pairs(hosts.ev3.vehicle.config) do value[1] = 3 end") == says);
+    CHECK(it.type("hosts.ev3.vehicle.sets[1] = 'x'") ==
+          "! can't set 'hosts.ev3.vehicle.sets[1]': 'hosts.ev3.vehicle.sets' is a copy: the system file says them");
+    CHECK(it.type("hosts.ev3.vehicle.ports[1] = 'x'") ==
+          "! can't set 'hosts.ev3.vehicle.ports[1]': 'hosts.ev3.vehicle.ports' is a copy");
+}

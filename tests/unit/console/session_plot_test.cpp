@@ -129,8 +129,9 @@ TEST_CASE("what plot can't draw is told", "[console][plot]") {
     CHECK(it.type("plot(controller.out, 1, controller.out)") ==
           "! plot: expected what to draw, then seconds, then options: plot(port, ..., seconds, { every = 1 })");
     CHECK(it.type("plot(controller.out, { evry = 1 })") ==
-          "! plot: there is no option 'evry' (did you mean 'every'?): write { every = 1 }");
-    CHECK(it.type("plot(controller.out, { every = 'x' })") == "! plot: expected every = seconds, got string");
+          "! plot: controller.out: unknown option 'evry' (did you mean 'every'?)");
+    CHECK(it.type("plot(controller.out, { every = 'x' })") ==
+          "! plot: controller.out: option 'every' expected a positive number, got string");
     CHECK_THAT(it.type("plot(controller)"), StartsWith("! plot: expected a port, got the component controller"));
 }
 

@@ -1,7 +1,10 @@
 // The words of the console, one after the other.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "bindings/console/words.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "tests/unit/console/session_rig.hpp"
 #include "tests/unit/file_text.hpp"
@@ -26,11 +29,20 @@ TEST_CASE("step and run return when time has moved", "[console][session]") {
     CHECK(it.type("run(1e300)") == "! run: expected seconds, more than 0 and fewer than that, got 1e+300");
     CHECK(it.type("run('x')") == "! run: expected seconds, got string");
     CHECK(it.type("step(1, 2)") == "! step: expected at most 1 argument, got 2: step(n)");
-    CHECK(it.type("inject(controller.out, {}, 3)") ==
-          "! inject: expected at most 2 arguments, got 3: inject(port, value)");
-    CHECK(it.type("hold(controller.out, {}, {}, 4)") ==
-          "! hold: expected at most 3 arguments, got 4: hold(port, value, { take = true })");
-    CHECK(it.type("release(controller.out, 2)") == "! release: expected at most 1 argument, got 2: release(port)");
+}
+
+TEST_CASE("every word refuses an argument too many, and says how it is used", "[console][session]") {
+    SessionRig it;
+    for (const Word& word : console_words()) {
+        std::string call = std::string(word.name) + "(nil";
+        for (int i = 0; i < word.most; ++i) call += ", nil";
+        const std::string most = word.most == 0
+                                     ? "no arguments"
+                                     : fmt::format("at most {} argument{}", word.most, word.most == 1 ? "" : "s");
+        CHECK(it.type(call + ")") ==
+              fmt::format("! {}: expected {}, got {}: {}", word.name, most, word.most + 1, word.usage));
+    }
+    CHECK_FALSE(it.quitting);
 }
 
 TEST_CASE("time passes wherever Lua can call", "[console][session]") {
@@ -350,7 +362,10 @@ TEST_CASE("a hold that is another's is refused, and can be taken", "[console][se
     CHECK(it.type("hold(controller.out, {})") ==
           "! hold: controller.out is held by another (browser tablet): hold(port, value, { take = true }) takes it");
     CHECK(it.type("hold(controller.out, {}, { take = 1 })") ==
-          "! hold: expected { take = true } or nothing after the value");
+          "! hold: controller.out: option 'take' expected true or false, got number");
+    CHECK(it.type("hold(controller.out, {}, { tak = true })") ==
+          "! hold: controller.out: unknown option 'tak' (did you mean 'take'?)");
+    CHECK(it.type("controller.out:hold({}, true)") == "! controller.out: options expected a table, got boolean");
     CHECK(it.type("hold(controller.out, {}, { take = true })").empty());
     CHECK(it.type("controller.out.holder") == "\"console\"");
     CHECK(it.said("controller.out: held by console from now on, no longer by browser tablet"));

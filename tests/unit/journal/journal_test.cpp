@@ -128,6 +128,35 @@ TEST_CASE("a replay reads no file of the project", "[journal]") {
     CHECK(hash_text(again.hash) == hash_text(hash));
 }
 
+TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
+    const Scratch project, other;
+    project.write("map.csv", "x,y,z,lx,ly,lz,yaw\n0.2,0,0.1,0.02,1,0.2,0\n");
+    project.write("near.csv", "distance_m,value\n0.01,1000\n0.3,100\n");
+    project.write("far_sighted.lua",
+                  "return robot_model { base = 'raspimouse', sensors = { right_front = { table = 'near.csv' } } }");
+    project.write("behaviors/it.lua",
+                  "local range = input('in', 'TimedShortSeq', '') local out = output('out', 'TimedLong', '')\n"
+                  "function on_execute() out:write(range:read()[1] or 0) end");
+    const fs::path system = project.write("system.lua",
+                                          "arena { csv 'map.csv' } robot 'mouse' { model = 'far_sighted' }\n"
+                                          "behavior 'it' { script = 'it' } connect('mouse.ir_sensor_out', 'it.in')");
+    RecordingFiles files;
+    LiveOptions options = RandomRun::makers();
+    options.files = &files;
+    auto live = std::move(LiveSystem::load(system, std::move(options)).value());
+    auto journal = std::move(Journal::create(other.path("it.journal"), files).value());
+    journal->begin(*live, journal_version, false);
+    live->activate();
+    for (int i = 0; i < 20; ++i) live->tick();
+    journal->end(RunEnd::duration, "", live->when(), live->trace_hash());
+    CHECK(std::get<std::int32_t>(live->system().port("it.out").value()->value()) > 400);  // by map and table
+
+    fs::remove_all(project.path(""));
+    const Replayed again = replay(other.path("it.journal"));
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(live->trace_hash()));
+}
+
 TEST_CASE("a process that is killed leaves a journal that replays to its last whole line", "[journal]") {
     RandomRun run(4);
     const pid_t child = fork();

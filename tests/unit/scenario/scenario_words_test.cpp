@@ -56,10 +56,10 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
         {"reload",
          {"s:reload('controller', { text = '' }, 3)",
           "expected at most 2 arguments, got 3: reload(component, { file = } or { text = })",
-          "s:reload('controller', 'x')", "expected { file = \"NAME\" } or { text = \"...\" }"}},
+          "s:reload('controller', {})", "expected { file = \"NAME\" } or { text = \"...\" }"}},
         {"disturb",
          {"s:disturb('mouse', { vx = 0.1 }, 3)",
-          "expected at most 2 arguments, got 3: disturb(robot, { vx =, va =, seconds = })", "s:disturb(true, {})",
+          "expected at most 2 arguments, got 3: disturb(robot, { vx =, vy =, va =, seconds = })", "s:disturb(true, {})",
           no_component}},
         {"press",
          {"s:press('mouse', 'switch0', 1, 4)", "expected at most 3 arguments, got 4: press(robot, sensor, seconds)",
@@ -109,10 +109,16 @@ TEST_CASE("what is wrong in the words of faults and reloads is told with what ca
           begin + "disturb: unknown field 'turn': expected vx, vy, va, seconds");
     CHECK(with_world("s:disturb('mouse', { va = 1, seconds = 0.1 }) s:run(0.2)") == "passed");
     CHECK(with_world("s:restore('mose')") == begin + "restore: there is no component 'mose' (did you mean 'mouse'?)");
-    for (const std::string wrong : {"{ text = '', 5 }", "{ 'x' }", "{ [true] = 'x' }", "{}"}) {
-        CHECK(with_world("s:reload('controller', " + wrong + ")") ==
-              begin + "reload: expected { file = \"NAME\" } or { text = \"...\" }");
-    }
+    const std::map<std::string, std::string> reloads{
+        {"{ text = '', 5 }", "unknown option '[1]': expected file, text"},
+        {"{ [true] = 'x' }", "unknown option '[true]': expected file, text"},
+        {"{ txt = 'x' }", "unknown option 'txt' (did you mean 'text'?)"},
+        {"{ text = 5 }", "option 'text' expected a text, got number"},
+        {"'x'", "options expected a table, got string"},
+        {"{}", "expected { file = \"NAME\" } or { text = \"...\" }"},
+        {"{ file = 'a', text = 'b' }", "expected { file = \"NAME\" } or { text = \"...\" }"}};
+    for (const auto& [wrong, says] : reloads)
+        CHECK(with_world("s:reload('controller', " + wrong + ")") == begin + "reload: " + says);
 }
 
 TEST_CASE("a method that is called without its colon is a slip of the scenario", "[scenario][slips]") {

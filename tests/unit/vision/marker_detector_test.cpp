@@ -44,6 +44,17 @@ TEST_CASE("a picture and its intrinsics are stamped with the time of its exposur
     CHECK(eye.find_out_port("intrinsics")->tm() == Approx(0.1));
 }
 
+TEST_CASE("a picture is not copied on its way to a detector", "[vision][camera][detector]") {
+    Watch watch(one_marker());
+    const auto& out = dynamic_cast<const OutPort<CameraImage>&>(*watch.system.find("eye")->find_out_port("out"));
+    const auto& in = dynamic_cast<const InPort<CameraImage>&>(*watch.detector().find_in_port("image"));
+    for (std::uint64_t pictures = 1; pictures < 4; ++pictures) {
+        while (out.count() < pictures) watch.run(1);
+        REQUIRE(out.read().pixels.size() == std::size_t{640} * 480 * 3);
+        CHECK(in.latest().data.pixels.data() == out.read().pixels.data());
+    }
+}
+
 TEST_CASE("without latency everything comes in the tick of the picture", "[vision][detector]") {
     Watch watch(one_marker(), {{"latency", 0.0}}, {{"latency", 0.0}});
     watch.run(1);

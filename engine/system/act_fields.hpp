@@ -1,4 +1,4 @@
-// The tables that acts on robots and markers take: every field, its unit and its meaning.
+// The tables that acts on robots, markers and ports take: every field, its unit and its meaning.
 #pragma once
 
 #include <optional>
@@ -40,6 +40,20 @@ struct Describe<MarkerPlace> {
         Setting{"y", &MarkerPlace::y, "m", "", {.fallback = "as it is"}},
         Setting{"z", &MarkerPlace::z, "m", "of its centre", {.fallback = "as it is"}},
         Setting{"heading", &MarkerPlace::heading, "rad", "into which it looks", {.fallback = "as it is"}},
+    };
+};
+
+/// What `hold` takes after the value.
+struct HoldOptions {
+    bool take = false;
+};
+
+template <>
+struct Describe<HoldOptions> {
+    static constexpr std::string_view name = "hold_options";
+    static constexpr std::string_view doc = "Options of a hold.";
+    static constexpr std::tuple fields{
+        Setting{"take", &HoldOptions::take, "", "also from another who holds the port"},
     };
 };
 

@@ -24,7 +24,7 @@ std::optional<Corners> find_corners(const GrayImage& image, const BoardSize& boa
 /// The mean distance [px] between the corners of two views of the same board.
 double mean_distance(const Corners& a, const Corners& b);
 
-struct LensFit {
+struct IntrinsicsFit {
     CameraIntrinsics intrinsics;
     double error = 0;  ///< [px] root of the mean square by which the corners are off their places
 };
@@ -33,6 +33,7 @@ struct LensFit {
 /// size of the squares makes no difference. `width`, `height` [px] are the pictures'. An error when the corners of
 /// some view don't lie where any lens has them (the board is bent), or when the views are so much alike that the focal
 /// length is unsure by more than 2 %, or the board is turned by less than 20 degrees from any to any other.
-Expected<LensFit> fit_lens(const std::vector<Corners>& views, const BoardSize& board, int width, int height);
+Expected<IntrinsicsFit> fit_intrinsics(const std::vector<Corners>& views, const BoardSize& board, int width,
+                                       int height);
 
 }  // namespace nezumi

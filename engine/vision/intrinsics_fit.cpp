@@ -1,5 +1,5 @@
 // OpenCV finds the corners, refines them, and calibrates.
-#include "engine/vision/lens_fit.hpp"
+#include "engine/vision/intrinsics_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +57,8 @@ double mean_distance(const Corners& a, const Corners& b) {
            static_cast<double>(a.size());
 }
 
-Expected<LensFit> fit_lens(const std::vector<Corners>& views, const BoardSize& board, int width, int height) {
+Expected<IntrinsicsFit> fit_intrinsics(const std::vector<Corners>& views, const BoardSize& board, int width,
+                                       int height) {
     std::vector<cv::Point3f> squares;
     for (int row = 0; row < board.rows; ++row) {
         for (int column = 0; column < board.columns; ++column)
@@ -93,18 +94,18 @@ Expected<LensFit> fit_lens(const std::vector<Corners>& views, const BoardSize& b
                         "inner corners, and was it held still?",
                         error, board.columns, board.rows));
     const auto coefficient = [&](int index) { return distortion.at<double>(index); };
-    return LensFit{.intrinsics = {.width = static_cast<std::uint16_t>(width),
-                                  .height = static_cast<std::uint16_t>(height),
-                                  .fx = fx,
-                                  .fy = fy,
-                                  .cx = matrix(0, 2),
-                                  .cy = matrix(1, 2),
-                                  .k1 = coefficient(0),
-                                  .k2 = coefficient(1),
-                                  .p1 = coefficient(2),
-                                  .p2 = coefficient(3),
-                                  .k3 = coefficient(4)},
-                   .error = error};
+    return IntrinsicsFit{.intrinsics = {.width = static_cast<std::uint16_t>(width),
+                                        .height = static_cast<std::uint16_t>(height),
+                                        .fx = fx,
+                                        .fy = fy,
+                                        .cx = matrix(0, 2),
+                                        .cy = matrix(1, 2),
+                                        .k1 = coefficient(0),
+                                        .k2 = coefficient(1),
+                                        .p1 = coefficient(2),
+                                        .p2 = coefficient(3),
+                                        .k3 = coefficient(4)},
+                         .error = error};
 }
 
 }  // namespace nezumi

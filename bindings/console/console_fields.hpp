@@ -1,0 +1,31 @@
+// The options of the console's words: every one, its unit and its meaning.
+#pragma once
+
+#include <vector>
+
+#include "bindings/console/session_parts.hpp"
+#include "bindings/lua/files/record_shape.hpp"
+#include "engine/ports/setting.hpp"
+
+namespace nezumi {
+
+template <>
+struct Describe<Plot> {
+    static constexpr std::string_view name = "plot_options";
+    static constexpr std::string_view doc = "Options of a drawing.";
+    static constexpr std::tuple fields{
+        Setting{"every",
+                &Plot::every,
+                "s",
+                "simulated time after which it is drawn again, at least 0.1",
+                {.range = NumberRange::positive, .fallback = "drawn once"}},
+        Internal{&Plot::names},
+        Internal{&Plot::seconds},
+        Internal{&Plot::next},
+    };
+};
+
+/// These structures as data.
+inline std::vector<RecordShape> console_records() { return {shape_of_record<Plot>()}; }
+
+}  // namespace nezumi

@@ -1,0 +1,172 @@
+// Locks tables within tables, and says of an assignment what it was to and what to do instead.
+#include "bindings/lua/live/locked_copies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bindings/lua/live/host_look.hpp"
+#include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/sandbox/text.hpp"
+#include "bindings/lua/values/member_names.hpp"
+#include "engine/ports/usage.hpp"
+#include "engine/system/act_fields.hpp"
+
+namespace nezumi {
+namespace {
+
+// What the key at `index` adds to a path: ".position", "[2]".
+std::string step_of(lua_State* L, int index) {
+    switch (lua_type(L, index)) {
+        case LUA_TSTRING: return fmt::format(".{}", shown(text_at(L, index)));
+        case LUA_TNIL: return "";  // it is all of the object
+        case LUA_TBOOLEAN: return lua_toboolean(L, index) != 0 ? "[true]" : "[false]";
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, index) != 0) return fmt::format("[{}]", lua_tointeger(L, index));
+            return fmt::format("[{}]", lua_tonumber(L, index));
+        default: return fmt::format("[{}]", luaL_typename(L, index));
+    }
+}
+
+// "controller.config", "controller.out", "hosts.ev3.vehicle".
+std::string path_of(const ObjectRef& ref) {
+    const bool is_remote = ref.kind == ObjectKind::remote || ref.kind == ObjectKind::remote_config;
+    const std::string path = is_remote
+                                 ? fmt::format("hosts.{}.{}", host_of(ref.component()), component_of(ref.component()))
+                                 : std::string(ref.component());
+    switch (ref.kind) {
+        case ObjectKind::port: return fmt::format("{}.{}", path, ref.port());
+        case ObjectKind::config:
+        case ObjectKind::remote_config: return path + ".config";
+        case ObjectKind::truth: return path + ".truth";
+        default: return path;
+    }
+}
+
+// What to do rather than write to what an object has under a name.
+std::string instead_of(const ObjectRef& ref, std::string_view name) {
+    const std::string path = path_of(ref);
+    switch (ref.kind) {
+        case ObjectKind::port:
+            if (name == "peers") return "use connect and disconnect";
+            return fmt::format("write {0}:write(value), or hold it by {0}:hold(value)", path);
+        case ObjectKind::truth:
+            if (name == "pose") return fmt::format("write {}:teleport {}", ref.component(), usage_of<RobotPlace>());
+            return fmt::format("write {}:disturb {}", ref.component(), usage_of<Push>(Describe<Push>::at_once));
+        case ObjectKind::config:
+        case ObjectKind::remote_config: return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
+        default: break;
+    }
+    const auto all = member_names();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
+    return found != all.end() ? std::string(found->instead) : "";
+}
+
+// The message about an assignment to the copy at index 1, with its key at index 2. Raises nothing.
+std::string refusal(lua_State* L) {
+    constexpr std::size_t longest = 200;
+    if (lua_checkstack(L, 8) == 0) return "stack overflow";
+    std::string path;
+    std::string name;  // what the object calls it
+    lua_pushvalue(L, 1);
+    while (push_origin(L, -1)) {
+        if (lua_type(L, -1) == LUA_TSTRING) name = text_at(L, -1);
+        if (path.size() < longest) path.insert(0, step_of(L, -1));
+        lua_pop(L, 1);
+        lua_remove(L, -2);
+    }
+    const ObjectRef* ref = to_object(L, -1);
+    if (ref == nullptr) return "a copy can't be set";
+    path = path.size() < longest ? path_of(*ref) + path : "..." + path;
+    const std::string instead = instead_of(*ref, name);
+    return fmt::format("can't set '{0}{1}': '{0}' is a copy{2}{3}", path, step_of(L, 2), instead.empty() ? "" : ": ",
+                       instead);
+}
+
+int refuse(lua_State* L) {
+    keep_error(L, refusal(L));
+    return raise_kept(L);
+}
+
+// Replaces the table on top of the stack, and all tables in it, by locked ones.
+void lock_tree(lua_State* L, int owner, int key) {
+    luaL_checkstack(L, 8, nullptr);
+    const int table = lua_gettop(L);
+    const int locked = table + 1, inner_key = table + 2;
+    lua_pushvalue(L, table);
+    lock_copy(L, owner, key);
+    lua_pushnil(L);
+    while (lua_next(L, table) != 0) {
+        if (lua_type(L, -1) == LUA_TTABLE) {
+            lock_tree(L, locked, inner_key);
+            lua_pushvalue(L, inner_key);
+            lua_insert(L, -2);
+            lua_rawset(L, table);
+        } else {
+            lua_pop(L, 1);
+        }
+    }
+    lua_replace(L, table);
+}
+
+// The same for tables that may be in several others, or in themselves. Breadth first: their depth is a user's.
+void lock_deeply(lua_State* L) {
+    luaL_checkstack(L, 10, nullptr);
+    const int root = lua_gettop(L);
+    lua_newtable(L);  // the open tables, in order
+    const int tables = root + 1;
+    lua_newtable(L);  // from each open table to the locked one
+    const int locked = root + 2;
+    const auto add = [&](lua_Integer place, int owner, int key) {  // the table on top of the stack
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, tables, place);
+        lua_pushvalue(L, -1);
+        lua_pushvalue(L, -1);
+        lock_copy(L, owner, key);
+        lua_rawset(L, locked);
+    };
+    lua_pushvalue(L, root);
+    lua_Integer count = 1;
+    add(count, 1, 2);
+    lua_pop(L, 1);
+    for (lua_Integer at = 1; at <= count; ++at) {
+        lua_rawgeti(L, tables, at);
+        const int table = lua_gettop(L);
+        lua_pushvalue(L, table);
+        lua_rawget(L, locked);
+        for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+            if (lua_type(L, -1) != LUA_TTABLE) continue;
+            lua_pushvalue(L, -1);
+            if (lua_rawget(L, locked) == LUA_TNIL) {
+                lua_pop(L, 1);
+                add(++count, table + 1, table + 2);
+                lua_pushvalue(L, -1);
+                lua_rawget(L, locked);
+            }
+            lua_pushvalue(L, -3);  // the key
+            lua_insert(L, -2);
+            lua_rawset(L, table);
+        }
+        lua_settop(L, table - 1);
+    }
+    lua_pushvalue(L, root);
+    lua_rawget(L, locked);
+    lua_replace(L, root);
+    lua_settop(L, root);
+}
+
+}  // namespace
+
+void open_locked_copies(lua_State* L) { open_copies(L, refuse); }
+
+void lock_copies(lua_State* L, Within within) {
+    switch (within) {
+        case Within::nothing: return lock_copy(L, 1, 2);
+        case Within::tree: return lock_tree(L, 1, 2);
+        case Within::anything: return lock_deeply(L);
+    }
+}
+
+}  // namespace nezumi
