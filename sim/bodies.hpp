@@ -113,17 +113,17 @@ struct SimRobot {
     bool by_ode = true;        // ODE's solver moves it; otherwise it rolls freely
     bool kept_by_ode = false;  // always: for tests that compare the two
     bool coasting = false;
-    Wheels speeds;                     // [m/s]
-    Wheels angles;                     // [rad]
-    Motion rolling{};                  // of one that rolls freely, after the step
-    std::optional<Obstacle> touched;   // first in this call of `step`
-    std::vector<Vec3> contact_points;  // of the latest step of this call in which it touched something
+    Wheels speeds;  // [m/s]
+    Wheels angles;  // [rad]
+    VelocityConstraint constraint;
+    std::unique_ptr<RayFan> turned_fan;  // once a servo that carries a sensor has moved
+    Motion rolling{};                    // of one that rolls freely, after the step
+    std::optional<Obstacle> touched;     // first in this call of `step`
+    std::vector<Vec3> contact_points;    // of the latest step of this call in which it touched something
     Neighbours near;
     std::string name;
-    VelocityConstraint constraint;
-    std::vector<bool> pressed;           // by sensor of the spec
-    std::vector<double> servos;          // [rad] by actuator of the spec
-    std::unique_ptr<RayFan> turned_fan;  // once a servo that carries a sensor has moved
+    std::vector<bool> pressed;   // by sensor of the spec
+    std::vector<double> servos;  // [rad] by actuator of the spec
 };
 
 /// A movable box or cylinder.

@@ -8,10 +8,47 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+
+#include "sim/lanes.hpp"
 
 namespace nezumi::sim {
 namespace {
+
+// Real is double, or Lanes: the same for several robots of one model.
+template <class Real>
+using Vector = Eigen::Matrix<Real, 3, 1>;
+template <class Real>
+using Matrix = Eigen::Matrix<Real, 3, 3>;
+template <class Real>
+using Holds = decltype(Real() > Real());
+
+// What a row of a product sums up, in the order in which Eigen does it with doubles: lanes, which it would sum up in
+// another one, get the same bits.
+template <class Real>
+Real sum_of_row(int row, Real a, Real b, Real c) {
+    return row < 2 ? (a + b) + c : a + (b + c);
+}
+
+template <class Real>
+Vector<Real> product(const Matrix<Real>& m, const Vector<Real>& v) {
+    Vector<Real> all;
+    for (int i = 0; i < 3; ++i) all[i] = sum_of_row<Real>(i, m(i, 0) * v[0], m(i, 1) * v[1], m(i, 2) * v[2]);
+    return all;
+}
+
+// The inertia about its own axes of what has turned so.
+template <class Real>
+Matrix<Real> turn_inertia(const Vec3& own, const Matrix<Real>& turned) {
+    Matrix<Real> all;
+    for (int i = 0; i < 3; ++i) {
+        const Real a = turned(i, 0) * Real(own[0]), b = turned(i, 1) * Real(own[1]), c = turned(i, 2) * Real(own[2]);
+        for (int j = 0; j < 3; ++j)
+            all(i, j) = sum_of_row<Real>(i, a * turned(j, 0), b * turned(j, 1), c * turned(j, 2));
+    }
+    return all;
+}
 
 // A wheel that is lent less friction than this part of its limit grips.
 constexpr double grips = 0.97;
@@ -19,67 +56,75 @@ constexpr double grips = 0.97;
 constexpr double least_upright = 0.99;
 
 // The axes in turn, each known to the compiler.
-template <class Do>
+template <int... axes, class Do>
 void each_axis(Do&& act) {
-    act.template operator()<0>();
-    act.template operator()<1>();
-    act.template operator()<2>();
+    (act.template operator()<axes>(), ...);
 }
 constexpr int next(int axis) { return (axis + 1) % 3; }
 
 // A symmetric matrix of three rows.
+template <class Real>
 struct Symmetric {
-    Rotation upper;
+    Matrix<Real> upper;
 
-    double& at(int i, int j) { return upper(std::min(i, j), std::max(i, j)); }
+    Real& at(int i, int j) { return upper(std::min(i, j), std::max(i, j)); }
 
     // Cholesky's decomposition without roots.
-    Vec3 solve(const Vec3& right) const {
-        const double xy = upper(0, 1) / upper(0, 0), xz = upper(0, 2) / upper(0, 0);
-        const double y = upper(1, 1) - xy * upper(0, 1), off = upper(1, 2) - xz * upper(0, 1), yz = off / y;
-        const double z = upper(2, 2) - xz * upper(0, 2) - yz * off;
-        const double second = right.y() - xy * right.x(), third = right.z() - xz * right.x() - yz * second;
-        const double c = third / z, b = second / y - yz * c;
+    Vector<Real> solve(const Vector<Real>& right) const {
+        const Real xy = upper(0, 1) / upper(0, 0), xz = upper(0, 2) / upper(0, 0);
+        const Real y = upper(1, 1) - xy * upper(0, 1), off = upper(1, 2) - xz * upper(0, 1), yz = off / y;
+        const Real z = upper(2, 2) - xz * upper(0, 2) - yz * off;
+        const Real second = right.y() - xy * right.x(), third = right.z() - xz * right.x() - yz * second;
+        const Real c = third / z, b = second / y - yz * c;
         return {right.x() / upper(0, 0) - xy * b - xz * c, b, c};
     }
 };
 
-// Mass and contacts: A [linear; spin] = b. A contact along an axis turns about the other two only.
-struct Equations {
-    Vec3 linear;       // A's diagonal
-    Rotation coupled;  // row: a linear velocity, column: a spin; none about its own axis
-    Symmetric spin;
-    Vec3 linear_right, spin_right;
+template <class Real>
+struct MotionOf {
+    Vector<Real> velocity;
+    Vector<Real> spin;
+};
 
-    Motion solve() const {
-        const Vec3 inverse = linear.cwiseInverse();
-        Symmetric left = spin;
-        Vec3 right = spin_right;
-        each_axis([&]<int axis>() {
+// Mass and contacts: A [linear; spin] = b. A contact along an axis turns about the other two only.
+template <class Real>
+struct Equations {
+    Vector<Real> linear;   // A's diagonal
+    Matrix<Real> coupled;  // row: a linear velocity, column: a spin; none about its own axis
+    Symmetric<Real> spin;
+    Vector<Real> linear_right, spin_right;
+
+    // `axes` are those of the velocities that are coupled to spins.
+    template <int... axes>
+    MotionOf<Real> solve() const {
+        const Vector<Real> inverse = linear.cwiseInverse();
+        Symmetric<Real> left = spin;
+        Vector<Real> right = spin_right;
+        each_axis<axes...>([&]<int axis>() {
             constexpr int i = next(axis), j = next(i);
-            const double to_i = coupled(axis, i) * inverse[axis], to_j = coupled(axis, j) * inverse[axis];
+            const Real to_i = coupled(axis, i) * inverse[axis], to_j = coupled(axis, j) * inverse[axis];
             left.at(i, i) -= to_i * coupled(axis, i);
             left.at(j, j) -= to_j * coupled(axis, j);
             left.at(i, j) -= to_i * coupled(axis, j);
             right[i] -= to_i * linear_right[axis];
             right[j] -= to_j * linear_right[axis];
         });
-        const Vec3 turning = left.solve(right);
-        return {(linear_right - coupled * turning).cwiseProduct(inverse), turning};
+        const Vector<Real> turning = left.solve(right);
+        return {(linear_right - product(coupled, turning)).cwiseProduct(inverse), turning};
     }
 };
 
 // Holds the velocity of the contact at `arm` along an axis at `target` [m/s], softened by `cfm`.
-template <int axis>
+template <int axis, class Real>
 struct Equation {
     static constexpr int i = next(axis), j = next(i);
-    Vec3 arm;
-    double target;
+    Vector<Real> arm;
+    Real target;
     double cfm;
 
-    void add_to(Equations& equations, double step) const {
+    void add_to(Equations<Real>& equations, double step) const {
         // `arm` cross the axis
-        const double weight = step / cfm, about_i = arm[j], about_j = -arm[i];
+        const Real weight = step / cfm, about_i = arm[j], about_j = -arm[i];
         equations.linear[axis] += weight;
         equations.coupled(axis, i) += weight * about_i;
         equations.coupled(axis, j) += weight * about_j;
@@ -90,84 +135,179 @@ struct Equation {
         equations.spin_right[i] += weight * target * about_i;
         equations.spin_right[j] += weight * target * about_j;
     }
-    double force(const Motion& motion) const {  // [N]
-        return (target - motion.velocity[axis] - arm[j] * motion.spin[i] + arm[i] * motion.spin[j]) / cfm;
+    Real force(const MotionOf<Real>& motion) const {  // [N]
+        return (target - motion.velocity[axis] - arm[j] * motion.spin[i] + arm[i] * motion.spin[j]) / Real(cfm);
     }
 };
+
+template <class Real>
+struct SupportsOf {
+    std::array<Vector<Real>, Supports::count> at;
+    Vector<Real> forward;
+    Holds<Real> wheels_stand;
+};
+
+// As geometry.hpp has it.
+template <class Real>
+Vector<Real> turned_by(const Matrix<Real>& r, const Vec3& v) {
+    return r.col(0) * Real(v.x()) + r.col(1) * Real(v.y()) + r.col(2) * Real(v.z());
+}
+
+template <class Real>
+SupportsOf<Real> find_supports(const RobotModel& model, const Vector<Real>& centre, const Matrix<Real>& rotation) {
+    SupportsOf<Real> supports;
+    // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
+    const Vector<Real> axis = rotation.col(1);
+    const Real flat = root(greater(Real(0.0), 1 - axis.z() * axis.z()));
+    supports.wheels_stand = flat > Real(0.3);
+    const Real scale = choose(supports.wheels_stand, 1 / flat, Real(1));
+    supports.forward = {axis.y() * scale, -axis.x() * scale, Real(0)};
+    const Vector<Real> down = (axis * axis.z() - Vector<Real>::UnitZ()) * (scale * model.wheel_radius);
+    for (std::size_t i = 0; i < Supports::wheels; ++i)
+        supports.at[i] = centre + turned_by(rotation, model.wheels[i]) + down;
+    for (std::size_t i = 0; i < model.skids.size(); ++i)
+        supports.at[Supports::wheels + i] = centre + turned_by(rotation, model.skids[i]);
+    return supports;
+}
+
+// Whether robots of this model roll freely, none of them tilted or with its hull on the floor; then `to` is how.
+template <class Real>
+Holds<Real> roll(const RobotModel& model, const Vector<Real>& centre, const Matrix<Real>& rotation,
+                 const MotionOf<Real>& before, const std::array<Real, 2>& speeds, double step, MotionOf<Real>& to) {
+    const SupportsOf<Real> supports = find_supports(model, centre, rotation);
+
+    const Vector<Real>&forward = supports.forward, left{-forward.y(), forward.x(), Real(0)};
+    const auto to_heading = [&](const Vector<Real>& v) {
+        return Vector<Real>{forward.x() * v.x() + forward.y() * v.y(), left.x() * v.x() + left.y() * v.y(), v.z()};
+    };
+    const auto to_world = [&](const Vector<Real>& v) {
+        return Vector<Real>{forward.x() * v.x() + left.x() * v.y(), forward.y() * v.x() + left.y() * v.y(), v.z()};
+    };
+    Matrix<Real> turned;
+    for (int i = 0; i < 3; ++i) turned.col(i) = to_heading(rotation.col(i));
+
+    Equations<Real> equations;
+    equations.linear.setConstant(Real(model.mass));
+    equations.coupled.setZero();
+    equations.spin.upper = turn_inertia(model.inertia, turned);
+    equations.linear_right =
+        Real(model.mass) * (to_heading(before.velocity) - Vector<Real>{Real(0), Real(0), Real(gravity * step)});
+    equations.spin_right = product<Real>(equations.spin.upper, to_heading(before.spin));
+
+    std::array<Equation<2, Real>, Supports::count> normals;
+    Holds<Real> rolls = Real(0) <= Real(0);
+    for (std::size_t i = 0; i < Supports::count; ++i) {
+        const Real depth = -supports.at[i].z();
+        rolls = both(rolls, depth > Real(0));
+        const dSurfaceParameters& surface = (i < Supports::wheels ? model.wheel_contact : model.skid_contact).surface;
+        normals[i] = {to_heading(supports.at[i] - centre),
+                      lesser(surface.soft_erp * depth / step, Real(correcting_speed)), surface.soft_cfm};
+        normals[i].add_to(equations, step);
+    }
+    if (!any(rolls)) return rolls;
+    // ODE takes the limits of friction from how the robot would stand without it.
+    const MotionOf<Real> standing = equations.template solve<2>();
+    const dSurfaceParameters& grip = model.wheel_contact.surface;
+    const std::array<Equation<0, Real>, Supports::wheels> along{
+        {{normals[0].arm, speeds[0], grip.slip1}, {normals[1].arm, speeds[1], grip.slip1}}};
+    const std::array<Equation<1, Real>, Supports::wheels> across{
+        {{normals[0].arm, Real(0), grip.slip2}, {normals[1].arm, Real(0), grip.slip2}}};
+    for (const auto& each : along) each.add_to(equations, step);
+    for (const auto& each : across) each.add_to(equations, step);
+    const MotionOf<Real> rolling = equations.template solve<0, 1, 2>();
+
+    for (const auto& normal : normals) rolls = both(rolls, normal.force(rolling) >= Real(0));
+    for (std::size_t i = 0; i < Supports::wheels; ++i) {
+        const Real pressed = lesser(normals[i].force(rolling), normals[i].force(standing));
+        const Real lent = greater(magnitude(along[i].force(rolling)), magnitude(across[i].force(rolling)));
+        rolls = both(rolls, lent <= grips * grip.mu * pressed);
+    }
+    to = {to_world(rolling.velocity), to_world(rolling.spin)};
+    const Vector<Real> squares = to.velocity.cwiseProduct(to.velocity);
+    return both(rolls, squares.x() + squares.y() + squares.z() < Real(1e6));
+}
+
+// Whether it stands upright on its wheels and skids, its hull off the floor.
+bool stands(const RobotModel& model, const BodyState& body) {
+    const double upright = body.rotation(2, 2);
+    if (upright < least_upright) return false;
+    return !(body.centre.z() + upright * model.hull_drop < model.hull.half_height_at(body.rotation));
+}
+
+// Up to as many robots as there are lanes, side by side: what a step needs of them, and what comes of it.
+struct SideBySide {
+    Vector<Lanes> centre;
+    Matrix<Lanes> rotation;
+    MotionOf<Lanes> before, after;
+    std::array<Lanes, 2> speeds;
+    LaneMask rolls;
+};
+
+// Inlined to the end, so that all of it is compiled for the processor that it runs on.
+[[gnu::flatten]] void roll_side_by_side(const RobotModel& model, SideBySide& all, double step) {
+    all.rolls = roll<Lanes>(model, all.centre, all.rotation, all.before, all.speeds, step, all.after);
+}
+
+#if defined(__x86_64__)
+// The same operations on four numbers at a time, and therefore the same bits.
+[[gnu::flatten, gnu::target("avx2")]] void roll_side_by_side_by_avx2(const RobotModel& model, SideBySide& all,
+                                                                     double step) {
+    all.rolls = roll<Lanes>(model, all.centre, all.rotation, all.before, all.speeds, step, all.after);
+}
+
+const auto roll_lanes = __builtin_cpu_supports("avx2") ? roll_side_by_side_by_avx2 : roll_side_by_side;
+#else
+constexpr auto roll_lanes = roll_side_by_side;
+#endif
 
 }  // namespace
 
 Supports supports_of(const RobotModel& model, const Vec3& centre, const Rotation& rotation) {
-    Supports supports;
-    // The lowest point of a wheel lies below its axle by `down`, the vertical within the wheel's plane.
-    const Vec3 axis = rotation.col(1);
-    const double flat = std::sqrt(std::max(0.0, 1 - axis.z() * axis.z()));
-    supports.wheels_stand = flat > 0.3;
-    const double scale = supports.wheels_stand ? 1 / flat : 1;
-    supports.forward = {axis.y() * scale, -axis.x() * scale, 0};
-    const Vec3 down = (axis * axis.z() - Vec3::UnitZ()) * (scale * model.wheel_radius);
-    for (std::size_t i = 0; i < Supports::wheels; ++i)
-        supports.at[i] = centre + rotate(rotation, model.wheels[i]) + down;
-    for (std::size_t i = 0; i < model.skids.size(); ++i)
-        supports.at[Supports::wheels + i] = centre + rotate(rotation, model.skids[i]);
-    return supports;
+    const SupportsOf<double> found = find_supports(model, centre, rotation);
+    return {found.at, found.forward, found.wheels_stand};
 }
 
 std::optional<Motion> roll_freely(const RobotModel& model, const BodyState& body, const Wheels& speeds, double step) {
-    const Vec3& centre = body.centre;
-    const Rotation& rotation = body.rotation;
-    if (rotation(2, 2) < least_upright) return {};
-    if (centre.z() + rotation(2, 2) * model.hull_drop < model.hull.half_height_at(rotation)) return {};
-    const Supports supports = supports_of(model, centre, rotation);
+    if (!stands(model, body)) return {};
+    MotionOf<double> to;
+    const MotionOf<double> before{body.motion.velocity, body.motion.spin};
+    if (!roll<double>(model, body.centre, body.rotation, before, {speeds.left, speeds.right}, step, to)) return {};
+    return Motion{to.velocity, to.spin};
+}
 
-    const Vec3 &forward = supports.forward, left{-forward.y(), forward.x(), 0};
-    const auto to_heading = [&](const Vec3& v) {
-        return Vec3{forward.x() * v.x() + forward.y() * v.y(), left.x() * v.x() + left.y() * v.y(), v.z()};
-    };
-    const auto to_world = [&](const Vec3& v) {
-        return Vec3{forward.x() * v.x() + left.x() * v.y(), forward.y() * v.x() + left.y() * v.y(), v.z()};
-    };
-    Rotation turned;
-    for (int i = 0; i < 3; ++i) turned.col(i) = to_heading(rotation.col(i));
-
-    Equations equations;
-    equations.linear.setConstant(model.mass);
-    equations.coupled.setZero();
-    equations.spin.upper.noalias() = turned * model.inertia.asDiagonal() * turned.transpose();
-    equations.linear_right = model.mass * (to_heading(body.motion.velocity) - Vec3{0, 0, gravity * step});
-    equations.spin_right = equations.spin.upper * to_heading(body.motion.spin);
-
-    std::array<Equation<2>, Supports::count> normals;
-    for (std::size_t i = 0; i < Supports::count; ++i) {
-        const double depth = -supports.at[i].z();
-        if (!(depth > 0)) return {};
-        const dSurfaceParameters& surface = (i < Supports::wheels ? model.wheel_contact : model.skid_contact).surface;
-        normals[i] = {to_heading(supports.at[i] - centre), std::min(surface.soft_erp * depth / step, correcting_speed),
-                      surface.soft_cfm};
-        normals[i].add_to(equations, step);
+void roll_freely(const RobotModel& model, std::span<Rolling> robots, double step) {
+    assert(!robots.empty() && robots.size() <= Lanes::count);
+    if (robots.size() == 1) {
+        auto& [body, its_speeds, rolls] = robots.front();
+        const auto motion = roll_freely(model, body, its_speeds, step);
+        rolls = rolls && motion;
+        if (rolls) body.advance(*motion, step);
+        return;
     }
-    // ODE takes the limits of friction from how the robot would stand without it.
-    const Motion standing = equations.solve();
-    const dSurfaceParameters& grip = model.wheel_contact.surface;
-    const std::array<Equation<0>, Supports::wheels> along{
-        {{normals[0].arm, speeds.left, grip.slip1}, {normals[1].arm, speeds.right, grip.slip1}}};
-    const std::array<Equation<1>, Supports::wheels> across{
-        {{normals[0].arm, 0, grip.slip2}, {normals[1].arm, 0, grip.slip2}}};
-    for (const auto& each : along) each.add_to(equations, step);
-    for (const auto& each : across) each.add_to(equations, step);
-    const Motion rolling = equations.solve();
-
-    for (const auto& normal : normals) {
-        if (!(normal.force(rolling) >= 0)) return {};
+    SideBySide all;
+    for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
+        const auto& [body, its_speeds, rolls] = robots[std::min(lane, robots.size() - 1)];
+        for (int i = 0; i < 3; ++i) {
+            all.centre[i].set(lane, body.centre[i]);
+            all.before.velocity[i].set(lane, body.motion.velocity[i]);
+            all.before.spin[i].set(lane, body.motion.spin[i]);
+            for (int j = 0; j < 3; ++j) all.rotation(i, j).set(lane, body.rotation(i, j));
+        }
+        all.speeds[0].set(lane, its_speeds.left);
+        all.speeds[1].set(lane, its_speeds.right);
     }
-    for (std::size_t i = 0; i < Supports::wheels; ++i) {
-        const double pressed = std::min(normals[i].force(rolling), normals[i].force(standing));
-        const double lent = std::max(std::abs(along[i].force(rolling)), std::abs(across[i].force(rolling)));
-        if (!(lent <= grips * grip.mu * pressed)) return {};
+    roll_lanes(model, all, step);
+    for (std::size_t lane = 0; lane < robots.size(); ++lane) {
+        auto& [body, its_speeds, rolls] = robots[lane];
+        rolls = rolls && all.rolls[lane] && stands(model, body);
+        if (!rolls) continue;
+        Motion motion;
+        for (int i = 0; i < 3; ++i) {
+            motion.velocity[i] = all.after.velocity[i][lane];
+            motion.spin[i] = all.after.spin[i][lane];
+        }
+        body.advance(motion, step);
     }
-    const Motion motion{to_world(rolling.velocity), to_world(rolling.spin)};
-    if (!(motion.velocity.squaredNorm() < 1e6)) return {};
-    return motion;
 }
 
 }  // namespace nezumi::sim

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "engine/world/world.hpp"
 #include "sim/bodies.hpp"
@@ -23,5 +24,15 @@ Supports supports_of(const RobotModel& model, const Vec3& centre, const Rotation
 /// equations that `dWorldStep` sets up for its springs, motors and friction, as long as none of their bounds is active.
 /// Nothing when one may be: a support that would be pulled, a wheel that may slip, a hull that may touch the floor.
 std::optional<Motion> roll_freely(const RobotModel& model, const BodyState& body, const Wheels& speeds, double step);
+
+/// A robot that rolls, step after step.
+struct Rolling {
+    BodyState body;
+    Wheels speeds;      ///< [m/s]
+    bool rolls = true;  ///< no step yet has led to nothing
+};
+/// Advances robots of one model, at most `Lanes::count`, by a step each, as above, to the last bit. One that does not
+/// roll freely in it, or did not before, stays where it is.
+void roll_freely(const RobotModel& model, std::span<Rolling> robots, double step);
 
 }  // namespace nezumi::sim

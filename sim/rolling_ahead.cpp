@@ -2,9 +2,11 @@
 #include "sim/rolling_ahead.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/base/worker_pool.hpp"
 #include "sim/free_rolling.hpp"
+#include "sim/lanes.hpp"
 
 namespace nezumi::sim {
 namespace {
@@ -25,35 +27,76 @@ void RollingAhead::share_out(int steps, const Action& action) {
     }
 }
 
-// Whether it rolls freely all the way; then `to` is where it gets to.
-bool RollingAhead::roll(const SimRobot& robot, int steps, Ahead& to, std::vector<double>& fastest) const {
-    if (robot.gone || robot.has_neighbours || !robot.may_roll()) return false;
-    to = {robot.body.state(), robot.angles};
-    const Wheels turned = robot.turned(step_);
-    for (int i = 0; i < steps; ++i) {
-        const auto motion = roll_freely(*robot.model, to.body, robot.speeds, step_);
-        if (!motion) return false;
-        to.body.advance(*motion, step_);
-        to.angles.left += turned.left;
-        to.angles.right += turned.right;
-        double& most = fastest[static_cast<std::size_t>(i)];
-        most = std::max(most, motion->velocity.squaredNorm());
+// Of one model, at most as many as there are lanes. Those that get through are put there.
+void RollingAhead::roll(std::span<const std::size_t> robots, int steps, std::vector<double>& fastest) {
+    std::array<Rolling, Lanes::count> all;
+    std::array<Wheels, Lanes::count> angles, turned;
+    const std::span<Rolling> rolling = std::span(all).first(robots.size());
+    for (std::size_t k = 0; k < robots.size(); ++k) {
+        const SimRobot& robot = movers_.robots[robots[k]];
+        rolling[k] = {before_[robots[k]].body, robot.speeds};
+        angles[k] = before_[robots[k]].angles;
+        turned[k] = robot.turned(step_);
     }
-    return true;
+    const RobotModel& model = *movers_.robots[robots.front()].model;
+    bool any = true;
+    for (int i = 0; i < steps && any; ++i) {
+        roll_freely(model, rolling, step_);
+        any = false;
+        double& most = fastest[static_cast<std::size_t>(i)];
+        for (std::size_t k = 0; k < rolling.size(); ++k) {
+            if (!rolling[k].rolls) continue;
+            any = true;
+            angles[k].left += turned[k].left;
+            angles[k].right += turned[k].right;
+            most = std::max(most, rolling[k].body.motion.velocity.squaredNorm());
+        }
+    }
+    for (std::size_t k = 0; k < rolling.size(); ++k) {
+        is_ahead_[robots[k]] = rolling[k].rolls ? 1 : 0;
+        if (!rolling[k].rolls) continue;
+        SimRobot& robot = movers_.robots[robots[k]];
+        const BodyState& body = rolling[k].body;
+        robot.leave_to_ode(false);
+        robot.body.arrive(body);
+        robot.angles = angles[k];
+        place_hull(scene_.mover(robot.mover), model, body.centre, body.rotation);
+    }
 }
 
-void RollingAhead::look(int steps) {
-    looked_at_ = steps;
-    ahead_.resize(movers_.robots.size());
+// Those of [begin, end) that are `wanted`, from where they were before.
+template <class Wanted>
+void RollingAhead::roll_all(std::size_t begin, std::size_t end, int steps, std::vector<double>& fastest,
+                            const Wanted& wanted) {
+    std::array<std::size_t, Lanes::count> together{};
+    std::size_t count = 0;
+    const auto try_them = [&] {
+        if (count > 0) roll(std::span(together).first(count), steps, fastest);
+        count = 0;
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+        if (!wanted(i)) continue;
+        if (count > 0 && movers_.robots[together[0]].model != movers_.robots[i].model) try_them();
+        together[count++] = i;
+        if (count == Lanes::count) try_them();
+    }
+    try_them();
+}
+
+void RollingAhead::go(int steps) {
+    taken_ = steps;
+    before_.resize(movers_.robots.size());
     is_ahead_.resize(movers_.robots.size());
     fastest_of_.resize(workers_ != nullptr ? workers_->size() : 1);
     for (auto& fastest : fastest_of_) fastest.assign(static_cast<std::size_t>(steps), 0.0);
     share_out(steps, [this](std::size_t begin, std::size_t end, std::size_t thread) {
-        for (std::size_t i = begin; i < end; ++i) {
-            SimRobot& robot = movers_.robots[i];
-            is_ahead_[i] = roll(robot, looked_at_, ahead_[i], fastest_of_[thread]) ? 1 : 0;
-            if (is_ahead_[i] != 0) robot.leave_to_ode(false);
-        }
+        roll_all(begin, end, taken_, fastest_of_[thread], [this](std::size_t i) {
+            const SimRobot& robot = movers_.robots[i];
+            is_ahead_[i] = 0;
+            if (robot.gone || robot.has_neighbours || !robot.may_roll()) return false;
+            before_[i] = {robot.body.state(), robot.angles};
+            return true;
+        });
     });
     fastest_.assign(static_cast<std::size_t>(steps), 0.0);
     for (const auto& fastest : fastest_of_) {
@@ -66,17 +109,10 @@ void RollingAhead::look(int steps) {
     }
 }
 
-void RollingAhead::arrive(int steps) {
-    const bool is_early = steps < looked_at_;
-    share_out(is_early ? steps : 1, [&](std::size_t begin, std::size_t end, std::size_t thread) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (is_ahead_[i] == 0) continue;
-            SimRobot& robot = movers_.robots[i];
-            if (is_early) roll(robot, steps, ahead_[i], fastest_of_[thread]);
-            robot.body.arrive(ahead_[i].body);
-            robot.angles = ahead_[i].angles;
-            place_hull(scene_.mover(robot.mover), *robot.model, ahead_[i].body.centre, ahead_[i].body.rotation);
-        }
+void RollingAhead::go_back_to(int steps) {
+    if (steps == taken_) return;
+    share_out(steps, [&](std::size_t begin, std::size_t end, std::size_t thread) {
+        roll_all(begin, end, steps, fastest_of_[thread], [this](std::size_t i) { return is_ahead_[i] != 0; });
     });
 }
 

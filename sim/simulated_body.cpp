@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "engine/ports/payload.hpp"
@@ -14,26 +13,27 @@ namespace {
 // A number in (0, 1] from a hash.
 double uniform(std::uint64_t hash) { return (static_cast<double>(hash >> 11) + 1.0) * 0x1p-53; }
 
+// So many distances fit on the stack while they are made into readings: nobody needs them afterwards.
+constexpr std::size_t few_rays = 64;
+
+// How many distances a sensor measures.
+std::size_t rays_of(const SensorSpec& sensor) {
+    if (sensor.kind == SensorSpec::Kind::scan) return static_cast<std::size_t>(sensor.rays);
+    return sensor.kind == SensorSpec::Kind::range ? 1 : 0;
+}
+
 }  // namespace
 
 SimulatedBody::SimulatedBody(const RobotSpec& spec, std::uint64_t seed)
     : spec_(spec), seed_(seed), readings_(spec.sensors.size()), servos_(spec.actuators.size()) {
-    std::size_t rays = 0;
+    bool has_scan = false;
     for (std::size_t i = 0; i < spec.sensors.size(); ++i) {
-        const SensorSpec& sensor = spec.sensors[i];
-        const bool is_scan = sensor.kind == SensorSpec::Kind::scan;
-        if (sensor.kind == SensorSpec::Kind::imu) inertial_.push_back({.sensor = i});
-        if (!is_scan && sensor.kind != SensorSpec::Kind::range) continue;
-        ranging_.push_back({i, rays, is_scan ? static_cast<std::size_t>(sensor.rays) : 1});
-        rays += ranging_.back().count;
+        has_scan = has_scan || spec.sensors[i].kind == SensorSpec::Kind::scan;
+        if (spec.sensors[i].kind == SensorSpec::Kind::imu) inertial_.push_back({.sensor = i});
+        rays_ += rays_of(spec.sensors[i]);
     }
-    seen_.assign(rays, std::numeric_limits<double>::infinity());
+    if (has_scan || rays_ > few_rays) seen_.resize(rays_);
     for (SensorReading& reading : readings_) reading.is_there = true;
-    for (const Ranging& each : ranging_) {
-        if (spec.sensors[each.sensor].kind == SensorSpec::Kind::scan)
-            readings_[each.sensor].values = std::span(seen_).subspan(each.first, each.count);
-    }
-    for (const Inertial& each : inertial_) readings_[each.sensor].values = each.values;
 }
 
 double SimulatedBody::with_noise(const Draw& draw, double value, double deviation) const {
@@ -72,28 +72,20 @@ double SimulatedBody::seen_by(const SensorSpec& sensor, const Draw& draw, double
     return std::clamp(with_noise(draw, std::max(distance, sensor.minimum), sensor.noise), sensor.minimum, sensor.range);
 }
 
-void SimulatedBody::measure_ranges(std::int64_t tick) {
-    read_ranges(seen_);
-    for (const auto& [index, first, count] : ranging_) {
-        const SensorSpec& sensor = spec_.sensors[index];
-        SensorReading& reading = readings_[index];
-        const double seen = seen_[first];
-        if (sensor.kind == SensorSpec::Kind::scan) {
-            for (std::size_t ray = 0; ray < count; ++ray)
-                seen_[first + ray] = seen_by(sensor, {index, tick, ray}, seen_[first + ray]);
-        } else if (sensor.has_response) {
-            reading.physical = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
-            reading.value = sensor.response(seen);
-            if (sensor.noise <= 0 && spec_.noise <= 0) continue;
-            const double noisy = with_noise({index, tick}, reading.value, sensor.noise);
-            if (noisy == reading.value) continue;
-            // What lies behind a noisy value is known from that value alone.
-            reading.value = sensor.response.clamp(noisy);
-            reading.physical = std::clamp(distance_at(sensor.response, reading.value), sensor.minimum, sensor.range);
-        } else {
-            reading.physical = reading.value = seen_by(sensor, {index, tick}, seen);
-        }
+void SimulatedBody::measure_range(const Draw& draw, double seen, SensorReading& reading) const {
+    const SensorSpec& sensor = spec_.sensors[draw.sensor];
+    if (!sensor.has_response) {
+        reading.physical = reading.value = seen_by(sensor, draw, seen);
+        return;
     }
+    reading.physical = seen < sensor.range ? std::max(seen, sensor.minimum) : sensor.range;
+    reading.value = sensor.response(seen);
+    if (sensor.noise <= 0 && spec_.noise <= 0) return;
+    const double noisy = with_noise(draw, reading.value, sensor.noise);
+    if (noisy == reading.value) return;
+    // What lies behind a noisy value is known from that value alone.
+    reading.value = sensor.response.clamp(noisy);
+    reading.physical = std::clamp(distance_at(sensor.response, reading.value), sensor.minimum, sensor.range);
 }
 
 // An accelerometer feels what holds it: at rest, gravity upwards. Accelerations are the mean since the last reading.
@@ -119,8 +111,11 @@ void SimulatedBody::measure_motion(std::int64_t tick, double period) {
 }
 
 std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, double period) {
-    measure_ranges(now.tick);
+    std::array<double, few_rays> few;
+    const std::span<double> seen = seen_.empty() ? std::span(few).first(rays_) : std::span(seen_);
+    read_ranges(seen);
     measure_motion(now.tick, period);
+    std::size_t ray = 0;
     for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
         const SensorSpec& sensor = spec_.sensors[i];
         SensorReading& reading = readings_[i];
@@ -144,12 +139,25 @@ std::span<const SensorReading> SimulatedBody::read_sensors(const Time& now, doub
             case SensorSpec::Kind::color: reading.value = static_cast<double>(floor_color(i)); break;
             case SensorSpec::Kind::reflect: reading.value = percent(reflected_light(i)); break;
             case SensorSpec::Kind::ambient: reading.value = percent(sensor.level); break;
-            case SensorSpec::Kind::range:
+            case SensorSpec::Kind::range: measure_range({i, now.tick}, seen[ray++], reading); break;
             case SensorSpec::Kind::scan:
+                for (std::size_t part = 0; part < rays_of(sensor); ++part, ++ray)
+                    seen[ray] = seen_by(sensor, {i, now.tick, part}, seen[ray]);
+                break;
             case SensorSpec::Kind::imu: break;
         }
     }
     return readings_;
+}
+
+std::span<const double> SimulatedBody::sensor_values(std::size_t index) const {
+    for (const Inertial& each : inertial_) {
+        if (each.sensor == index) return each.values;
+    }
+    if (spec_.sensors[index].kind != SensorSpec::Kind::scan) return {};
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < index; ++i) first += rays_of(spec_.sensors[i]);
+    return std::span(seen_).subspan(first, rays_of(spec_.sensors[index]));
 }
 
 double SimulatedBody::servo_angle(std::size_t index) const { return servos_[index].angle; }

@@ -45,6 +45,7 @@ public:
 
     WheelReading read_wheels(const Time& now, double period) final;
     std::span<const SensorReading> read_sensors(const Time& now, double period) final;
+    std::span<const double> sensor_values(std::size_t index) const final;
     double servo_angle(std::size_t index) const final;
     void aim_servo(std::size_t index, double angle, double speed) final;
 
@@ -65,16 +66,12 @@ private:
     /// `deviation` is the sensor's own; the robot's `noise`, a part of the value, comes to it.
     double with_noise(const Draw& draw, double value, double deviation) const;
     double seen_by(const SensorSpec& sensor, const Draw& draw, double distance) const;
-    void measure_ranges(std::int64_t tick);
+    void measure_range(const Draw& draw, double seen, SensorReading& reading) const;
     void measure_motion(std::int64_t tick, double period);
     void turn_servos(double period);
 
     const RobotSpec& spec_;
     std::uint64_t seed_;
-    // A range sensor or scan: its index in the spec, and its part of `seen_`.
-    struct Ranging {
-        std::size_t sensor, first, count;
-    };
     // An imu: its index in the spec, what it says, and how fast it was [m/s].
     struct Inertial {
         std::size_t sensor;
@@ -82,8 +79,8 @@ private:
         std::optional<Point3D> before{};
     };
 
-    std::vector<Ranging> ranging_;  // in the order of the spec
-    std::vector<double> seen_;      // by those
+    std::size_t rays_ = 0;      // of all range sensors and scans, in the order of the spec
+    std::vector<double> seen_;  // by those rays, where a scan is among them or they are many
     std::vector<Inertial> inertial_;
     std::vector<SensorReading> readings_;  // of all sensors
     std::vector<Servo> servos_;            // by actuator of the spec

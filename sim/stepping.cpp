@@ -51,11 +51,11 @@ int OdeWorld::step_together(int most) {
         neighbours_.list(scene_, movers_);
     }
     most = neighbours_.steps_left(most);
-    ahead_.look(most);
+    ahead_.go(most);
     int taken = 0;
     do step_others(taken++);
     while (taken < most && !neighbours_.expired());
-    ahead_.arrive(taken);
+    ahead_.go_back_to(taken);
     settle();
     return taken;
 }

@@ -20,13 +20,23 @@
 namespace nezumi {
 
 /// The states of OpenRTM's life cycle.
-enum class LifeState { inactive, active, error };
+enum class LifeState : unsigned char { inactive, active, error };
 
 /// "INACTIVE", "ACTIVE", "ERROR".
 std::string_view to_text(LifeState state);
 
 /// The hook of the life cycle that is running.
-enum class Hook { none, on_activated, on_execute, on_deactivated, on_aborting, on_error, on_reset, on_reload, command };
+enum class Hook : unsigned char {
+    none,
+    on_activated,
+    on_execute,
+    on_deactivated,
+    on_aborting,
+    on_error,
+    on_reset,
+    on_reload,
+    command
+};
 
 /// Every hook's name as scripts spell it; Hook::none and Hook::command have none.
 std::string_view to_text(Hook hook);
@@ -71,10 +81,6 @@ public:
 
     Parameters& parameters() { return parameters_; }
     const Parameters& parameters() const { return parameters_; }
-    /// Named sets of parameter values, as the system file gives them.
-    std::map<std::string, ParameterValues, std::less<>> sets;
-    /// The values the system file gave; what a set leaves out has these.
-    ParameterValues configured;
     /// Switches to a named set, whole or not at all. Call it between ticks.
     Expected<void> use(std::string_view set);
     /// The set in use; "" when none is.
@@ -101,11 +107,6 @@ public:
     /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, as a script's
     /// "state". Returns whether it has such a member.
     virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) const { return false; }
-
-    /// Executions a second [Hz], at most the tick's rate; 0: one in every tick.
-    double rate = 0;
-    /// Where the system file names it.
-    Place place;
 
     /// INACTIVE to ACTIVE. In-ports start empty. An error says why not (it is in ERROR, or `on_activated` failed).
     Expected<void> activate(const Time& now);
@@ -181,10 +182,6 @@ protected:
         return result;
     }
 
-    std::vector<std::unique_ptr<InPortBase>> in_ports_;
-    std::vector<std::unique_ptr<OutPortBase>> out_ports_;
-    Parameters parameters_;
-
 private:
     void note_out_of_time(const Error& error);
     template <class End>
@@ -203,8 +200,19 @@ private:
     std::string set_in_use_;
     LogSink log_;
     Error last_error_;
-    std::optional<Error> out_of_time_;
+
+public:
+    /// Where the system file names it.
+    Place place;
+    /// Named sets of parameter values, as the system file gives them.
+    std::map<std::string, ParameterValues, std::less<>> sets;
+    /// The values the system file gave; what a set leaves out has these.
+    ParameterValues configured;
+
+private:
     std::vector<OutOfTime> new_out_of_time_;
+    std::optional<Error> out_of_time_;
+    // From here on what every tick looks at is side by side.
     std::vector<OutOfTime> foreseen_;
     std::int64_t calls_ = 0;
     Time now_;
@@ -215,6 +223,15 @@ private:
     LifeState state_ = LifeState::inactive;
     Hook hook_ = Hook::none;
     bool error_hook_failed_ = false;
+
+public:
+    /// Executions a second [Hz], at most the tick's rate; 0: one in every tick.
+    double rate = 0;
+
+protected:
+    std::vector<std::unique_ptr<InPortBase>> in_ports_;
+    std::vector<std::unique_ptr<OutPortBase>> out_ports_;
+    Parameters parameters_;
 };
 
 /// A component at the edge: it senses before the behaviours of a tick and acts after them.

@@ -88,9 +88,9 @@ public:
 private:
     Expected<std::size_t> index_of(std::string_view name) const;
 
-    std::vector<Parameter> all_;
     std::vector<std::pair<std::size_t, ParameterValue>> staged_;
     std::uint64_t version_ = 0;
+    std::vector<Parameter> all_;
 };
 
 }  // namespace nezumi

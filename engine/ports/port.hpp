@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/few.hpp"
 #include "engine/ports/port_base.hpp"
 
 namespace nezumi {
@@ -39,25 +41,29 @@ public:
     void write(const T& value) { next_pending() = value; }
     /// A slot to fill in place instead of `write`; it holds some old payload.
     T& next_pending() {
-        if (pending_ == pending_slots_.size()) pending_slots_.emplace_back();
-        Message<T>& slot = pending_slots_[pending_++];
+        Few<Message<T>>& slots = slots_[filling_];
+        if (pending_ == slots.size()) slots.push_back({});
+        Message<T>& slot = slots[pending_++];
         slot.tm = unstamped;
         return slot.data;
     }
     void stamp(double tm) override {
         assert(pending_ > 0);
-        pending_slots_[pending_ - 1].tm = tm;
+        slots_[filling_][pending_ - 1].tm = tm;
     }
     /// The first slot that `next_pending` gives in a tick begins as a copy of this, so that what never changes need not
     /// be written again. Only before anything is written.
     void prepare(const T& value) {
         assert(sequence_ == 0 && pending_ == 0);
-        for (auto* slots : {&pending_slots_, &latched_slots_, &earlier_slots_}) slots->assign(1, {value});
+        for (Few<Message<T>>& slots : slots_) {
+            if (slots.empty()) slots.push_back({});
+            slots[0].data = value;
+        }
     }
     /// The value published last; T{} before.
-    const T& read() const { return latched_ > 0 ? latched_slots_[latched_ - 1].data : zero(); }
+    const T& read() const { return latched_ > 0 ? published()[latched_ - 1].data : zero(); }
     /// The messages of the last publication, oldest first.
-    std::span<const Message<T>> messages() const { return {latched_slots_.data(), latched_}; }
+    std::span<const Message<T>> messages() const { return {published().data(), latched_}; }
 
     bool latch(const Time& now) override {
         if (override_ != Override::none) apply_override();
@@ -65,14 +71,14 @@ public:
         // Who took the publication before this one still looks at it: behaviours latch their outputs after their
         // inputs.
         for (InPort<T>* reader : readers_) reader->before_reuse(*this, sequence_ - 1);
-        std::swap(latched_slots_, earlier_slots_);
-        std::swap(latched_slots_, pending_slots_);
+        Few<Message<T>>& slots = slots_[filling_];
+        filling_ = next(filling_);
         latched_ = std::exchange(pending_, 0);
         for (std::size_t i = 0; i < latched_; ++i) {
-            double& tm = latched_slots_[i].tm;
+            double& tm = slots[i].tm;
             if (tm == unstamped) tm = now.seconds;
         }
-        tm_ = latched_slots_[latched_ - 1].tm;
+        tm_ = slots[latched_ - 1].tm;
         latched_tick_ = now.tick;
         latched_at_ = now.seconds;
         count_ += latched_;
@@ -80,7 +86,10 @@ public:
         return true;
     }
     void add_reader(InPort<T>& reader) { readers_.push_back(&reader); }
-    void remove_reader(const InPort<T>& reader) { std::erase(readers_, &reader); }
+    void remove_reader(const InPort<T>& reader) {
+        const auto found = std::find(readers_.begin(), readers_.end(), &reader);
+        if (found != readers_.end()) readers_.erase(found);
+    }
     void discard() override { pending_ = 0; }
     void write_any(const AnyPayload& value) override { write(std::get<T>(value)); }
     bool has_safe() const override { return safe_.has_value(); }
@@ -128,11 +137,15 @@ private:
 
     static constexpr double unstamped = std::numeric_limits<double>::infinity();
 
-    std::vector<Message<T>> pending_slots_;
-    std::vector<Message<T>> latched_slots_;
-    std::vector<Message<T>> earlier_slots_;  // the publication before
-    std::vector<InPort<T>*> readers_;        // connected to it
-    std::size_t latched_ = 0;
+    // Three places in turn: one is filled, the next has the publication before the last, the one after it the last.
+    static constexpr std::size_t places = 3;
+    static constexpr std::uint32_t next(std::uint32_t place) { return (place + 1) % places; }
+    const Few<Message<T>>& published() const { return slots_[next(next(filling_))]; }
+
+    std::size_t latched_ = 0;    // how many messages the last publication has
+    Few<InPort<T>*> readers_;    // connected to it
+    std::uint32_t filling_ = 0;  // the place that is filled
+    std::array<Few<Message<T>>, places> slots_;
     std::optional<T> safe_;
     std::unique_ptr<T> held_;
 };
@@ -250,8 +263,8 @@ private:
         connections_ = sources_.size();
     }
     struct Source {
-        OutPort<T>* port;
-        std::uint64_t seen;  // the sequence number of the publication taken last
+        OutPort<T>* port = nullptr;
+        std::uint64_t seen = 0;  // the sequence number of the publication taken last
     };
 
     void take_published(const Time& now) {
@@ -339,16 +352,17 @@ private:
 
     static constexpr bool holds_heap = !std::is_trivially_copyable_v<T>;
 
-    std::vector<Source> sources_;
-    Message<T> own_;                         // when it is no source's
+    // First what every tick looks at.
     const Message<T>* latest_ = &own_;       // a slot of `looks_at_`, or own_
     const OutPortBase* looks_at_ = nullptr;  // whose slot that is
     std::uint64_t looked_sequence_ = 0;      // of which publication
-    Message<T> taken_;                       // with a queue: what was read last
-    std::vector<Message<T>> queue_;          // a ring of `capacity_`, empty until something arrives
-    std::size_t head_ = 0;
-    std::size_t queued_bytes_ = 0;  // of texts and sequences in the queue
+    Few<Source> sources_;
     std::vector<Message<T>> injected_;
+    Message<T> own_;                 // when it is no source's
+    Message<T> taken_;               // with a queue: what was read last
+    std::vector<Message<T>> queue_;  // a ring of `capacity_`, empty until something arrives
+    std::size_t head_ = 0;
+    std::size_t queued_bytes_ = 0;     // of texts and sequences in the queue
     std::vector<Message<T>> arrived_;  // in the tick `arrival_tick_`, when it is followed
     std::unique_ptr<T> held_;
 };

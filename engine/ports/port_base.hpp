@@ -27,10 +27,10 @@ struct Time {
 /// sender declares no rate.
 inline constexpr double silence = 0.5;
 
-enum class Direction { in, out };
+enum class Direction : unsigned char { in, out };
 
 /// What a person or a scenario may put between a port and its traffic.
-enum class Override {
+enum class Override : unsigned char {
     none,
     held,     ///< one value is sent every tick and nothing else gets through
     dropped,  ///< nothing gets through
@@ -46,17 +46,17 @@ public:
     Port& operator=(const Port&) = delete;
     virtual ~Port() = default;
 
-    const std::string& name() const { return name_; }
-    const std::string& doc() const { return doc_; }
-    void set_doc(std::string doc) { doc_ = std::move(doc); }
+    const std::string& name() const { return texts_->name; }
+    const std::string& doc() const { return texts_->doc; }
+    void set_doc(std::string doc) { texts_->doc = std::move(doc); }
     Direction direction() const { return direction_; }
     /// Place of its message type in `message_types`.
     std::size_t type() const { return type_; }
     std::string_view type_name() const { return message_type_names[type_]; }
     Override override() const { return override_; }
     /// What a person should know about it, for example that its values are clamped; "" for nothing.
-    const std::string& note() const { return note_; }
-    void set_note(std::string note) { note_ = std::move(note); }
+    const std::string& note() const { return texts_->note; }
+    void set_note(std::string note) { texts_->note = std::move(note); }
 
     /// A copy of the value a look shows: of an in-port the latest that arrived, of an out-port the latest that was
     /// latched; the type's zero value before.
@@ -79,18 +79,30 @@ public:
 
 protected:
     Port(std::string name, std::size_t type, Direction direction, std::string doc)
-        : name_(std::move(name)), doc_(std::move(doc)), type_(type), direction_(direction) {}
+        : texts_(new Texts{std::move(name), std::move(doc), {}}),
+          type_(static_cast<unsigned char>(type)),
+          direction_(direction) {}
 
     static constexpr double shortest_stale = 0.1;  // [s]
     static constexpr double rounding = 1e-9;       // [s] sums of periods are no exact numbers
 
-    std::string name_;
-    std::string doc_;
-    std::string note_;
+private:
+    // What a tick does not look at, out of the way of what it does: of a thousand robots' ports no cache holds all.
+    struct Texts {
+        std::string name, doc, note;
+    };
+    std::unique_ptr<Texts> texts_;
+
+protected:
     double tm_ = 0;
     std::uint64_t count_ = 0;
-    std::size_t type_;
+
+private:
+    static_assert(message_type_count <= 256);
+    unsigned char type_;
     Direction direction_;
+
+protected:
     Override override_ = Override::none;
 };
 
@@ -140,12 +152,12 @@ public:
 
 protected:
     using Port::Port;
-    OutPortBase* companion_ = nullptr;
     std::size_t pending_ = 0;  // how many of the pending slots are filled
     std::int64_t latched_tick_ = -1;
     double latched_at_ = 0;  // [s]
     std::uint64_t sequence_ = 0;
     double rate_ = 0;
+    OutPortBase* companion_ = nullptr;
 };
 
 /// An in-port of any type, fed by any number of out-ports of that type.
@@ -208,6 +220,7 @@ protected:
     InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)
         : Port(std::move(name), type, Direction::in, std::move(doc)), capacity_(queue) {}
 
+    mutable bool followed_ = false;  // who looks may ask for it: it changes nothing of what the port does
     std::size_t capacity_;
     std::size_t unread_ = 0;
     std::size_t connections_ = 0;
@@ -215,7 +228,6 @@ protected:
     std::uint64_t disconnections_ = 0;
     std::int64_t arrival_tick_ = -1;
     double arrived_at_ = 0;
-    mutable bool followed_ = false;  // who looks may ask for it: it changes nothing of what the port does
 
 private:
     InPortBase* companion_for(const OutPortBase& source) const {

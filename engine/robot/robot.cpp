@@ -157,11 +157,13 @@ void Robot::publish(const SensorPort& port, std::span<const SensorReading> readi
         oldest = std::min(oldest, readings[sensor].tm);
     }
     const double hertz = port.rate > 0 ? std::min(port.rate, tick_rate()) : tick_rate();
+    const std::span<const double> values =
+        port.count > 0 ? body_->sensor_values(port.sensors.front()) : std::span<const double>();
     if (port.servo) {
         const Pose3D pose = turned(port.pose, *port.servo);
-        port.write(port, readings, hertz, &pose);
+        port.write(port, readings, values, hertz, &pose);
     } else {
-        port.write(port, readings, hertz, nullptr);
+        port.write(port, readings, values, hertz, nullptr);
     }
     if (oldest != now.seconds) port.port->stamp(oldest);
 }

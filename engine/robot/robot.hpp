@@ -89,8 +89,8 @@ private:
     // An out-port that carries sensors' values: how to write them, and which.
     struct SensorPort {
         OutPortBase* port;
-        void (*write)(const SensorPort& port, std::span<const SensorReading> readings, double rate,
-                      const Pose3D* turned);
+        void (*write)(const SensorPort& port, std::span<const SensorReading> readings, std::span<const double> values,
+                      double rate, const Pose3D* turned);
         std::vector<std::size_t> sensors;
         // Of the one sensor that has several values: from the first, so many. 0: each has one.
         std::size_t first, count;

@@ -38,10 +38,11 @@ constexpr bool can_carry = std::is_arithmetic_v<T> || std::is_same_v<T, std::str
 template <class T>
 struct Writer {
     template <class Port>
-    static void write(const Port& port, std::span<const SensorReading> readings, double rate, const Pose3D* turned) {
+    static void write(const Port& port, std::span<const SensorReading> readings, std::span<const double> values,
+                      double rate, const Pose3D* turned) {
         const std::size_t size = port.count > 0 ? port.count : port.sensors.size();
         const auto value = [&](std::size_t i) {
-            if (port.count > 0) return readings[port.sensors.front()].values[port.first + i];
+            if (port.count > 0) return values[port.first + i];
             const SensorReading& reading = readings[port.sensors[i]];
             return port.physical ? reading.physical : reading.value;
         };

@@ -60,9 +60,6 @@ struct SensorReading {
     double tm = 0;          ///< [s] when it was measured
     double value = 0;       ///< what its response makes of it, 0 or 1, an angle [rad], a `FloorColor`, 0 to 100
     double physical = 0;    ///< behind that value: of a range sensor the distance [m], of a gyro the rate [rad/s]
-    /// Of a scan the distances [m] of its rays from right to left, of an imu three rates [rad/s] and three
-    /// accelerations [m/s^2]; good until the next call of `read_sensors`.
-    std::span<const double> values{};
 };
 
 /// One robot's hull, wheels and devices: what a driver or a simulator gives to the engine's `Robot`, which adds ports,
@@ -81,6 +78,9 @@ public:
     /// All sensors of the spec at `now`, in its order, one reading for each; good until the next call. Comes after
     /// `read_wheels`, and not while the robot is not ACTIVE.
     virtual std::span<const SensorReading> read_sensors(const Time& now, double period) = 0;
+    /// What sensor `index` of the spec said in that call, of which one value is not all: of a scan the distances [m] of
+    /// its rays from right to left, of an imu three rates [rad/s] and three accelerations [m/s^2]. Empty for others.
+    virtual std::span<const double> sensor_values(std::size_t /*index*/) const { return {}; }
     /// Angle [rad] of servo `index` of the spec's actuators.
     virtual double servo_angle(std::size_t /*index*/) const { return 0; }
     /// What has failed since the last call: one line for each with what to do about it, told once. The rest goes on.

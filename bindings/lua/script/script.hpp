@@ -171,10 +171,10 @@ public:
 
     /// An element that is not there, read of what a port gave: an error of the same line tells of it.
     struct MissingElement {
-        const PortDeclaration* port = nullptr;
+        CallRecord::ScriptPlace place;
         lua_Integer index = 0;
         std::size_t count = 0;  ///< of the elements that are there
-        CallRecord::ScriptPlace place;
+        const PortDeclaration* port = nullptr;
     };
     void note_missing(const MissingElement& element) { missing_ = element; }
 
@@ -228,16 +228,17 @@ private:
     std::list<PortSlot> slots_;
     std::vector<CommandDeclaration> commands_;
     ScriptAbout about_;
-    Tasks tasks_;
     Probes probes_;
     Parameters parameters_;
-    std::array<int, 9> hooks_{};  // registry references, by Hook
     std::array<int, 9> hook_lines_{};
     std::vector<std::pair<LogLevel, std::string>> early_log_;
-    double failed_seconds_ = 0;      // of CPU time, that the last call that failed had used
+    double failed_seconds_ = 0;  // of CPU time, that the last call that failed had used
+    MissingElement missing_{};   // the last one, in this execution
+    // From here on, and of the last one its port, is what every tick looks at.
+    Tasks tasks_;
+    std::array<int, 9> hooks_{};     // registry references, by Hook
     std::size_t written_bytes_ = 0;  // in this execution
     std::size_t logged_bytes_ = 0;   // likewise
-    MissingElement missing_{};       // the last one, in this execution
     Component* owner_ = nullptr;
     Phase phase_ = Phase::loading;
     bool was_activated_ = false;         // in this version

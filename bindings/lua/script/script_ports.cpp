@@ -80,8 +80,10 @@ int missing_element(lua_State* L) {
     lua_Debug activation;
     if (lua_isinteger(L, 2) != 0 && lua_getstack(L, 1, &activation) != 0 && lua_getinfo(L, "Sl", &activation) != 0 &&
         activation.currentline > 0) {
-        Script::MissingElement element{
-            slot.declaration, lua_tointeger(L, 2), static_cast<std::size_t>(lua_rawlen(L, 1)), {}};
+        Script::MissingElement element{.place = {},
+                                       .index = lua_tointeger(L, 2),
+                                       .count = static_cast<std::size_t>(lua_rawlen(L, 1)),
+                                       .port = slot.declaration};
         element.place.set(activation);
         slot.script->note_missing(element);
     }

@@ -41,6 +41,7 @@ public:
     std::span<const SensorReading> read_sensors(const Time& now, double period) override {
         return body_->read_sensors(now, period);
     }
+    std::span<const double> sensor_values(std::size_t index) const override { return body_->sensor_values(index); }
     // The driver turns a speed into a rate of the motor by the wheel that it believes in.
     void set_wheel_speeds(Wheels speeds) override {
         const DriveSpec &believed = believed_.drive, &truth = truth_.drive;

@@ -19,8 +19,9 @@ namespace nezumi {
 struct FakeHull {
     std::string name;
     Wheels angles;
-    std::vector<double> distances;                  ///< of the range sensors [m]; 0.6 where it is too short
-    std::map<std::size_t, SensorReading> readings;  ///< what a sensor says in place of all that is below
+    std::vector<double> distances;                      ///< of the range sensors [m]; 0.6 where it is too short
+    std::map<std::size_t, SensorReading> readings;      ///< what a sensor says in place of all that is below
+    std::map<std::size_t, std::vector<double>> values;  ///< of sensors that have several
     bool has_encoders = true;
     double measured_late = 0;         ///< [s] by which all stamps are before now
     std::vector<std::string> faults;  ///< told at the next opportunity
@@ -87,6 +88,7 @@ public:
         }
         return readings_;
     }
+    std::span<const double> sensor_values(std::size_t index) const override { return hull_.values.at(index); }
     std::vector<std::string> take_faults() override { return std::exchange(hull_.faults, {}); }
     bool may_drive() const override { return hull_.may_drive; }
     double servo_angle(std::size_t index) const override { return hull_.servos[index]; }

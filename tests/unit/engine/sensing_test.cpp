@@ -270,7 +270,7 @@ TEST_CASE("a scan is a RangeData with the angles of its rays", "[engine][sensor]
     spec.ports.push_back(port);
     FakeRun run(spec);
     const std::vector<double> seen{1, 2, 3, 4, 0.5};
-    run.hull().readings[spec.sensors.size() - 1] = {.is_there = true, .values = seen};
+    run.hull().values[spec.sensors.size() - 1] = seen;
     run.system.tick();
     const auto range = run.value<RangeData>("scan");
     CHECK(range.ranges == seen);
@@ -302,7 +302,7 @@ TEST_CASE("an imu's three rates and three accelerations go out together or apart
     }
     FakeRun run(spec);
     const std::vector<double> felt{1, 2, 3, 4, 5, 9.81};
-    run.hull().readings[spec.sensors.size() - 1] = {.is_there = true, .values = felt};
+    run.hull().values[spec.sensors.size() - 1] = felt;
     run.system.tick();
     CHECK(run.value<std::vector<double>>("both") == felt);
     CHECK(run.value<std::vector<double>>("rates") == std::vector<double>{1, 2, 3});

@@ -23,7 +23,8 @@ TEST_CASE("a scan measures the walls all around, each ray for itself", "[sim][ro
     world.run(0.1);
     const Time now{1, 0.01};
     world.bodies[id]->read_wheels(now, 0.01);
-    const auto values = world.bodies[id]->read_sensors(now, 0.01).back().values;
+    world.bodies[id]->read_sensors(now, 0.01);
+    const auto values = world.bodies[id]->sensor_values(spec.sensors.size() - 1);
     REQUIRE(values.size() == 8);
     CHECK(values[0] == Approx(1.25).margin(0.01));  // behind
     CHECK(values[2] == Approx(2).margin(0.01));     // right
@@ -43,7 +44,8 @@ TEST_CASE("an imu feels gravity, how the robot speeds up and how it turns", "[si
     std::int64_t tick = 0;
     const auto felt = [&] {
         const Time now{++tick, static_cast<double>(tick) * 0.01};
-        const auto values = world.bodies[id]->read_sensors(now, 0.01).back().values;
+        world.bodies[id]->read_sensors(now, 0.01);
+        const auto values = world.bodies[id]->sensor_values(spec.sensors.size() - 1);
         return std::vector<double>(values.begin(), values.end());
     };
     // The mean of what it feels in a second, while its wheels' speeds grow by these [m/s2].
