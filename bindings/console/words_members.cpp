@@ -21,7 +21,10 @@ namespace {
 struct Present {
     Project project;
     SystemSpec spec;
+    AddPreparer preparer;
 };
+
+Present present_of(const LiveSystem& live) { return {live.project(), live.spec(), live.add_preparer()}; }
 
 // What is added belongs to the system's file, at no line of it.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
@@ -48,8 +51,7 @@ Expected<WordEnd> add_entry(Session::Parts& parts, const Arguments& arguments, c
     const auto fields = read_file_value(arguments.lua, arguments.index(2));
     if (!fields) return Unexpected(fields.error());
     auto present = parts.at_system([&] {
-        return std::make_optional(
-            std::pair{Present{parts.live.project(), parts.live.spec()}, is_taken(parts.live.system(), *name->text())});
+        return std::make_optional(std::pair{present_of(parts.live), is_taken(parts.live.system(), *name->text())});
     });
     if (!present) return failure("interrupted");
     auto& [at, has_owner] = *present;
@@ -57,12 +59,18 @@ Expected<WordEnd> add_entry(Session::Parts& parts, const Arguments& arguments, c
         return failure(
             fmt::format("the name '{0}' is taken: remove \"{0}\" frees it, or choose another", shown(*name->text())));
     }
-    SystemWords words(at.project, at.spec);
+    // All files are read and all scripts run here, beside the ticks; the act takes what has come of it.
+    NotedFiles files(at.project.files());
+    const Project project = at.project.through(files);
+    SystemWords words(project, at.spec);
     auto read = words.entry(call_of(word, at), *name->text(), *fields);
     if (read) read = words.finish();
     if (!read) return Unexpected(as_typed(read.error(), at));
     const Entry entry = words.spec().entries.back();
-    const auto added = parts.at_system([&] { return std::make_optional(parts.act(Add{entry})); });
+    auto prepared = at.preparer.beside(entry, std::move(words.spec()), files);
+    if (!prepared) return Unexpected(as_typed(prepared.error(), at));
+    const auto added =
+        parts.at_system([&] { return std::make_optional(parts.live.add(std::move(*prepared), parts.options.who)); });
     if (!added) return failure("interrupted");
     if (!*added) return Unexpected(as_typed(added->error(), at));
     if (!std::visit([](const auto& each) { return each.active; }, entry)) return WordEnd::done;
@@ -89,9 +97,7 @@ Expected<WordEnd> word_marker(Session::Parts& parts, const Arguments& arguments)
     if (!fields) return Unexpected(fields.error());
     if (fields->table() == nullptr)
         return failure("expected a table, as in marker { name = \"target\", id = 7, size = 0.1, at = { 1, 0, 0.1 } }");
-    auto present = parts.at_system([&] {
-        return std::make_optional(Present{parts.live.project(), parts.live.spec()});
-    });
+    auto present = parts.at_system([&] { return std::make_optional(present_of(parts.live)); });
     if (!present) return failure("interrupted");
     SystemWords words(present->project, SystemSpec{});
     const WordCall call = call_of("marker", *present);

@@ -49,11 +49,17 @@ std::string RecordingFiles::whole(const fs::path& path) const { return whole_pat
 
 bool RecordingFiles::is_file(const fs::path& path) const {
     const bool is = disk().is_file(path);
-    if (!is && std::this_thread::get_id() == owner_) {
-        if (std::string gone = whole(path); known_.contains(gone))
-            read_.insert_or_assign(std::move(gone), std::nullopt);
-    }
+    if (!is && std::this_thread::get_id() == owner_) note_missing(path);
     return is;
+}
+
+void RecordingFiles::note_missing(const fs::path& path) const {
+    if (std::string gone = whole(path); known_.contains(gone)) read_.insert_or_assign(std::move(gone), std::nullopt);
+}
+
+void RecordingFiles::adopt(const FilesSeen& seen) const {
+    for (const fs::path& path : seen.missing) note_missing(path);
+    for (const auto& [path, text] : seen.texts) read_.insert_or_assign(whole(path), text);
 }
 
 Expected<std::string> RecordingFiles::read(const fs::path& path, const std::string& shown) const {

@@ -23,11 +23,13 @@ public:
     bool is_file(const std::filesystem::path& path) const override;
     bool is_folder(const std::filesystem::path& path) const override { return disk().is_folder(path); }
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override;
+    void adopt(const FilesSeen& seen) const override;
 
     /// What was read since the last time.
     FileTexts take();
 
 private:
+    void note_missing(const std::filesystem::path& path) const;
     std::string whole(const std::filesystem::path& path) const;
 
     std::thread::id owner_ = std::this_thread::get_id();

@@ -39,7 +39,7 @@ std::optional<double> number_of(const std::string& text) {
     return number;
 }
 
-std::string shown_cell(const std::string& text) { return text.empty() ? "nothing" : text; }
+std::string shown_cell(const std::string& text) { return text.empty() ? "nothing" : shown(text); }
 
 }  // namespace
 
@@ -67,7 +67,7 @@ Expected<void> Golden::compare(const std::string& csv) const {
     for (const std::string& field : names) {
         const auto known = std::find(table_.names().begin(), table_.names().end(), csv_text(field));
         if (field != "time" && known == table_.names().end())
-            return failure(fmt::format("'{}' is only in the file", field));
+            return failure(fmt::format("'{}' is only in the file", shown(field)));
         ids.push_back(field == "time" ? time_column : static_cast<std::size_t>(known - table_.names().begin()));
     }
     for (std::size_t row = 0; row < std::min(rows_.size(), golden.size() - 1); ++row) {

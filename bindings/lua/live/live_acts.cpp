@@ -5,8 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "bindings/lua/files/calibration_file.hpp"
-#include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/live/live_system.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/rewire.hpp"
@@ -79,26 +77,48 @@ Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*
     return result_of(report);
 }
 
+Expected<ActResult> LiveSystem::add(PreparedAdd prepared, const Actor& who) {
+    if (prepared.start != starts_) return failure("the system was started anew while this was read: say it again");
+    const Add same{prepared.given};
+    prepared_ = std::move(prepared);
+    auto added = act(same, who);
+    prepared_.reset();
+    return added;
+}
+
 Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
     SystemSpec& spec = running_->spec;
-    if (options_.build.real_time && std::holds_alternative<RobotEntry>(act.entry))
+    const auto* robot = std::get_if<RobotEntry>(&act.entry);
+    if (options_.build.real_time && robot != nullptr)
         return failure(fmt::format("robot '{}': with --hw all robots are there from the start", name_of(act.entry)));
-    if (const auto* robot = std::get_if<RobotEntry>(&act.entry);
-        robot != nullptr && !spec.models.contains(robot->described_by())) {
-        const auto path = project_.find(FileKind::model, robot->model, robot->place.file);
-        if (!path) return Unexpected(path.error());
-        auto model = read_changed_robot(*path, robot->changes, project_, &spec.files);
-        if (!model) return Unexpected(model.error());
-        spec.models.emplace(robot->described_by(), std::move(*model));
+    if (!prepared_) {
+        SystemSpec part;
+        part.file = spec.file;
+        if (robot != nullptr && spec.models.contains(robot->described_by()))
+            part.models.emplace(robot->described_by(), spec.models.at(robot->described_by()));
+        auto prepared = add_preparer().here(act.entry, std::move(part));
+        if (!prepared) return Unexpected(prepared.error());
+        prepared_ = std::move(*prepared);
     }
-    Entry entry = act.entry;
-    if (auto* robot = std::get_if<RobotEntry>(&entry); robot != nullptr && robot->calibrated) {
-        if (auto used = use_calibration(spec, *robot, project_, {.is_needed = true, .serial = ""}); !used)
-            return Unexpected(used.error());
+    PreparedAdd prepared = *std::exchange(prepared_, std::nullopt);
+    project_.files().adopt(prepared.seen);
+    if (prepared.chunks) running_->chunks.take(*prepared.chunks);
+    for (auto& [name, model] : prepared.models) {
+        const bool is_its_own = robot != nullptr && name != robot->described_by();
+        if (is_its_own) {
+            spec.models.insert_or_assign(name, std::move(model));
+        } else {
+            spec.models.emplace(name, std::move(model));
+        }
     }
-    if (auto added = add_entry(*running_->system, entry, spec, running_->makers); !added)
-        return Unexpected(added.error());
-    spec.entries.push_back(std::move(entry));
+    for (const std::string& file : prepared.files) {
+        if (std::find(spec.files.begin(), spec.files.end(), file) == spec.files.end()) spec.files.push_back(file);
+    }
+    running_->prepared = std::move(prepared.behavior);
+    auto added = add_entry(*running_->system, prepared.entry, spec, running_->makers);
+    running_->prepared.reset();
+    if (!added) return Unexpected(added.error());
+    spec.entries.push_back(std::move(prepared.entry));
     watch_again();
     return ActResult{};
 }

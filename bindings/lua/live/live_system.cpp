@@ -57,10 +57,12 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     next->makers.network = options_.network;
     next->makers.components = options_.components;
     next->makers.behavior =
-        [settings = BehaviorSettings{.project = project_, .budget = options_.budget, .chunks = &next->chunks}](
-            const BehaviorEntry& entry, const MakerContext& context) {
-            return make_behavior(entry, context, settings);
-        };
+        [settings = BehaviorSettings{.project = project_, .budget = options_.budget, .chunks = &next->chunks},
+         prepared = &next->prepared](const BehaviorEntry& entry,
+                                     const MakerContext& context) -> Expected<std::unique_ptr<Component>> {
+        if (*prepared != nullptr) return std::exchange(*prepared, nullptr);
+        return make_behavior(entry, context, settings);
+    };
     BuildOptions options = options_.build;
     options.log = [log = options_.build.log, start = starts_ + 1](LogLine line) {
         line.start = start;
@@ -227,6 +229,13 @@ std::function<std::vector<std::string>()> LiveSystem::look_for_changes() const {
     return [files = running_->reloader->loaded_files(), project = project_] {
         return Reloader::changed(files, [&project](const std::string& path) { return project.read_source(path); });
     };
+}
+
+AddPreparer LiveSystem::add_preparer() const {
+    const System::Settings& settings = running_->system->settings();
+    return {.settings = {.project = project_, .budget = options_.budget, .chunks = &running_->chunks},
+            .context = {.seed = settings.seed, .tick_rate = settings.rate},
+            .start = starts_};
 }
 
 std::function<Expected<void>()> LiveSystem::try_restart() const {

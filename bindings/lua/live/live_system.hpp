@@ -11,6 +11,7 @@
 
 #include "bindings/lua/files/start_values.hpp"
 #include "bindings/lua/live/explain.hpp"
+#include "bindings/lua/live/prepared_add.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "bindings/lua/reload/live_reload.hpp"
 #include "bindings/lua/reload/reloader.hpp"
@@ -84,6 +85,8 @@ public:
     ///   Add does not activate. Remove lets the safe values of a component through; what carries others, and a real
     ///   robot, stays. Its connections and the hands on its ports go with it, its columns of a recording stay empty.
     Expected<ActResult> act(const Act& act, const Actor& who);
+    /// `Add`, of what was prepared beside the ticks; refused where the system has started anew since.
+    Expected<ActResult> add(PreparedAdd prepared, const Actor& who);
     /// Ends what one holds who goes for good, as a connection that closes: a velocity is zero for a tick first.
     void let_go(const Actor& who);
     /// Has an execution of a behaviour looked at, line by line; it runs as it would without. Returns the number of that
@@ -127,6 +130,8 @@ public:
     // that may wait, before the act.
     /// `changed_files`.
     std::function<std::vector<std::string>()> look_for_changes() const;
+    /// Reads and loads what `Add` does, for `add`.
+    AddPreparer add_preparer() const;
     /// Reads what `Restart` reads. The error is the system file's.
     std::function<Expected<void>()> try_restart() const;
     /// Names of components and markers that acts have added and that the system's file does not have: a restart would
@@ -173,7 +178,8 @@ private:
         Actor who;
         std::int64_t tick;
     };
-    std::vector<Ending> endings_;  // of holds, after the tick in which a zero was sent
+    std::optional<PreparedAdd> prepared_;  // of the act that comes
+    std::vector<Ending> endings_;          // of holds, after the tick in which a zero was sent
     std::unique_ptr<Running> running_;
     std::optional<std::uint64_t> hash_before_;  // of the starts before this one
     int starts_ = 0;

@@ -12,6 +12,7 @@ namespace nezumi {
 struct LiveSystem::Running {
     SystemSpec spec;
     ChunkCache chunks;
+    std::unique_ptr<Component> prepared;  // what the maker of behaviours gives next, instead of making it
     Makers makers;
     std::unique_ptr<System> system;
     TraceHash hash;

@@ -31,6 +31,14 @@ public:
     static Project of(const std::filesystem::path& file, std::vector<std::filesystem::path> installed = {},
                       const ProjectFiles& files = disk());
 
+    /// The same, with its files found and read through others, which must outlive all copies of it.
+    Project through(const ProjectFiles& files) const {
+        Project project = *this;
+        project.files_ = &files;
+        return project;
+    }
+    const ProjectFiles& files() const { return *files_; }
+
     /// The folder that has `behaviors/`; empty when there is none.
     const std::filesystem::path& root() const { return root_; }
     const std::vector<std::filesystem::path>& installed() const { return installed_; }

@@ -1,4 +1,4 @@
-// The disk.
+// The disk, and notes of what was found.
 #include "bindings/lua/project/project_files.hpp"
 
 #include <system_error>
@@ -33,6 +33,18 @@ public:
 const ProjectFiles& disk() {
     static const Disk the_disk;
     return the_disk;
+}
+
+bool NotedFiles::is_file(const fs::path& path) const {
+    const bool is = files_.is_file(path);
+    if (!is) seen_.missing.push_back(path);
+    return is;
+}
+
+Expected<std::string> NotedFiles::read(const fs::path& path, const std::string& shown) const {
+    auto text = files_.read(path, shown);
+    if (text) seen_.texts.insert_or_assign(path, *text);
+    return text;
 }
 
 }  // namespace nezumi

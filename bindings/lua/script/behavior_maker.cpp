@@ -3,6 +3,14 @@
 
 namespace nezumi {
 
+ModuleFinder modules_of(const Project& project) {
+    return [project](std::string_view name, std::string_view from) -> Expected<SourceText> {
+        auto path = project.find(FileKind::module, name, std::string(from));
+        if (!path) return Unexpected(path.error());
+        return project.read_source(path->string());
+    };
+}
+
 Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
                                                    const BehaviorSettings& settings) {
     auto source = settings.project.read_source(entry.path);
@@ -11,12 +19,7 @@ Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, c
                          .seed = context.seed,
                          .budget = settings.budget,
                          .memory_limit = settings.memory_limit,
-                         .find_module = [project = settings.project](std::string_view name,
-                                                                     std::string_view from) -> Expected<SourceText> {
-                             auto path = project.find(FileKind::module, name, std::string(from));
-                             if (!path) return Unexpected(path.error());
-                             return project.read_source(path->string());
-                         },
+                         .find_module = modules_of(settings.project),
                          .chunks = settings.chunks,
                          .configured = entry.config,
                          .tick_rate = context.tick_rate};

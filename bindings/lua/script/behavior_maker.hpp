@@ -17,6 +17,9 @@ struct BehaviorSettings {
     ChunkCache* chunks = nullptr;  ///< must outlive the behaviours; null: every behaviour compiles its own
 };
 
+/// Finds the modules of a project.
+ModuleFinder modules_of(const Project& project);
+
 /// For `Makers::behavior`.
 Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
                                                    const BehaviorSettings& settings);

@@ -126,6 +126,11 @@ public:
     void bind(Component& owner);
     /// What every call may use up from now on.
     void set_budget(Budget budget) { context_.budget = budget; }
+    /// Where later versions find their modules and the code that they share from now on.
+    void settle(ModuleFinder find_module, ChunkCache* chunks) {
+        context_.find_module = std::move(find_module);
+        context_.chunks = chunks;
+    }
     /// Opens the ports, or closes them: whether this version is the one that runs. Their slots must be filled.
     void go_live(bool live);
 

@@ -113,6 +113,16 @@ Expected<Chunk> ChunkCache::compile(const SourceText& source, ScriptKind kind) {
     return std::move(*chunk);
 }
 
+void ChunkCache::take(ChunkCache& other) {
+    std::map<std::string, Entry> taken;
+    {
+        const std::lock_guard lock(other.mutex_);
+        taken.swap(other.entries_);
+    }
+    const std::lock_guard lock(mutex_);
+    for (auto& [name, entry] : taken) entries_.insert_or_assign(name, std::move(entry));
+}
+
 std::string ChunkCache::text_of(const ScriptFile& file) const {
     const std::lock_guard lock(mutex_);
     for (const char* const kind : {"\n", "\nmodule"}) {

@@ -23,6 +23,8 @@ class ChunkCache {
 public:
     /// The code of this text, or the first thing that is wrong with it.
     Expected<Chunk> compile(const SourceText& source, ScriptKind kind);
+    /// Takes all that another one remembers.
+    void take(ChunkCache& other);
     /// The text of this file, "" when it is another one by now.
     std::string text_of(const ScriptFile& file) const;
 

@@ -238,13 +238,19 @@ Expected<void> ScriptComponent::execute_on_probation() {
                 .version = version_,
                 .execution = kProbation - probation_left_ + 1,
                 .reload = before.replaced_by};
-    // When no port differs, the version before can take this very tick, unless its time has been used.
-    if (script_->has_used_its_tick() || !before.in_ports.empty() || !before.out_ports.empty() ||
+    // When no port differs, the version before can take this very tick, unless its time is up. How much of it was used
+    // must not decide: equal runs would differ.
+    if (relapse_->error.kind == Error::Kind::out_of_time || !before.in_ports.empty() || !before.out_ports.empty() ||
         !ports_going(before).empty())
         return {};
     relapse_->went_back = true;
+    const bool is_late = script_->has_used_its_tick();
     go_back(false);
-    return script_->call(Hook::on_execute);
+    const Budget budget = script_->context().budget;
+    if (is_late) script_->set_budget({budget.seconds * Script::kReserve});
+    auto again = script_->call(Hook::on_execute);
+    script_->set_budget(budget);
+    return again;
 }
 
 ScriptComponent::Version ScriptComponent::replace(Version next) {

@@ -1,4 +1,4 @@
-// The status line, as a terminal gets it.
+// The status line, as a terminal gets it, and the state as prompts and browsers get it.
 #include <catch2/catch.hpp>
 
 #include <fcntl.h>
@@ -6,11 +6,15 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <regex>
 #include <string>
 
+#include "bindings/cli/run_console.hpp"
 #include "tests/unit/cli/pty_program.hpp"
 
 using namespace nezumi;
+using namespace nezumi::cli;
 
 namespace {
 
@@ -51,6 +55,15 @@ std::string line_before(const std::string& text, std::size_t end) {
     return line;
 }
 
+/// Whether the text tells how late ticks begin: by half of them, by 99 of 100, and the worst, in this order of size.
+bool tells_lateness(const std::string& text) {
+    std::smatch found;
+    const std::regex told("  late by p50 ([0-9.]+) ms, p99 ([0-9.]+) ms, worst ([0-9.]+) ms");
+    if (!std::regex_search(text, found, told)) return false;
+    const auto number = [&](std::size_t i) { return std::atof(found[i].str().c_str()); };
+    return number(1) <= number(2) && number(2) <= number(3) && number(3) > 0;
+}
+
 }  // namespace
 
 TEST_CASE("a terminal without a keyboard shows time, speed and states below the log, and cuts them at its width",
@@ -70,4 +83,31 @@ TEST_CASE("a terminal without a keyboard shows time, speed and states below the 
         ++lines;
     }
     CHECK(lines >= 5);
+}
+
+TEST_CASE("a terminal is told how late ticks begin", "[cli][run]") {
+    const std::string text = on_terminal(140);
+    const std::string line = line_before(text, text.rfind("\r\x1b[J"));
+    CAPTURE(line);
+    CHECK(tells_lateness(line));
+}
+
+TEST_CASE("prompts and browsers are told how late ticks begin, and of a run that has had none nothing", "[cli][run]") {
+    auto live = LiveSystem::make(SystemSpec{}, Project::of("behaviors/systems/any.lua"), {});
+    REQUIRE(live);
+    RunLoop loop(**live, {});
+    RunConsole console(loop, "tiny");
+    std::vector<std::string> told;
+    console.show_status_by([&](const std::string& text, bool) {
+        told.push_back(text);
+        if (told.size() == 2) loop.quit();
+    });
+    loop.add(console);
+    loop.end_at(20);
+    loop.run();
+    REQUIRE(told.size() == 2);
+    CHECK(told.front().find("late by") == std::string::npos);
+    CAPTURE(told.back());
+    CHECK(told.back().starts_with("tiny  1."));
+    CHECK(tells_lateness(told.back()));
 }

@@ -91,6 +91,39 @@ TEST_CASE("reload() and restart() of files that never answer keep no tick and no
     CHECK(Clock::now() - ending < std::chrono::seconds(10));
 }
 
+TEST_CASE("what is added from files that never answer keeps no tick, and is interrupted", "[console][files]") {
+    const auto [file, line] = GENERATE(
+        table<std::string, std::string>({{"late.lua", "behavior 'x' { script = 'late' }"},
+                                         {"part.lua", "behavior 'x' { script = 'whole' }"},
+                                         {"model.lua", "robot 'x' { model = 'model', pose = { x = -1 } }"},
+                                         {"x.calibration.lua", "robot 'x' { model = 'raspimouse', calibrated = true }"},
+                                         {"table.csv", "robot 'x' { model = 'tabled', pose = { x = -1 } }"}}));
+    CAPTURE(file, line);
+    DeadFiles& files = dead_files();
+    const std::string sensor = "sensors = { right_front = { table = 'table.csv' } }";
+    SessionRig it(counter_system,
+                  {{"counter", counter_behavior},
+                   {"late", counter_behavior},
+                   {"part", "return {}"},
+                   {"whole", "require 'part'\nfunction on_execute() end"},
+                   {"model", "return robot_model { base = 'raspimouse' }"},
+                   {"tabled", "return robot_model { base = 'raspimouse', " + sensor + " }"}},
+                  {}, files);
+    it.folder.write("behaviors/table.csv", "0,100\n1,0\n");
+    files.die(file);
+
+    it.session->submit(line);
+    const std::int64_t before = it.live->system().now().tick;
+    const auto until = Clock::now() + std::chrono::milliseconds(200);
+    while (Clock::now() < until || !files.is_asked()) serve(it);
+    CHECK(it.session->is_busy());
+    CHECK(it.live->system().now().tick > before + 10);
+
+    it.session->interrupt();
+    CHECK(it.shown == "! interrupted");
+    CHECK(it.live->system().find("x") == nullptr);
+}
+
 TEST_CASE("restart() tells what is wrong with the system file, and nothing has changed", "[console][files]") {
     SessionRig it;
     it.folder.write("system.lua", "while true do end");

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "bindings/lua/sandbox/watchdog.hpp"
 #include "tests/unit/file_text.hpp"
@@ -155,6 +156,61 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
     const Replayed again = replay(other.path("it.journal"));
     CHECK(again.error.empty());
     CHECK(hash_text(again.hash) == hash_text(live->trace_hash()));
+}
+
+TEST_CASE("what was read and loaded beside the ticks is replayed from the journal", "[journal]") {
+    Small run(counter);
+    const auto add = [&](const std::string& name) {
+        const AddPreparer preparer = run.live->add_preparer();
+        SystemSpec part = run.live->spec();
+        Expected<PreparedAdd> prepared = failure("not yet");
+        std::thread([&] {
+            NotedFiles files(preparer.settings.project.files());
+            const auto path = preparer.settings.project.through(files).find(FileKind::script, name, part.file);
+            prepared = preparer.beside(BehaviorEntry{.name = name, .script = name, .path = path->string()},
+                                       std::move(part), files);
+        }).join();
+        REQUIRE(prepared);
+        REQUIRE(run.live->add(std::move(*prepared), {}));
+        REQUIRE(run.live->act(Activate{name}, {}));
+        run.tick(3);
+    };
+    const std::string script =
+        "local n = require 'step' local out = output('out', 'TimedLong') "
+        "function on_execute() out:write(n) end";
+    run.folder.write("behaviors/first.lua", script);
+    run.folder.write("behaviors/second.lua", script);
+    run.folder.write("behaviors/step.lua", "return 7");
+    run.tick(3);
+    add("first");
+    // A file that was there is there no longer: another one is found in its place, in the replay as well.
+    fs::remove(run.folder.path("behaviors/step.lua"));
+    run.folder.write("behaviors/lib/step.lua", "return 8");
+    add("second");
+    // What comes later is found in the project itself.
+    run.folder.write("behaviors/lib/step.lua", "return 9");
+    REQUIRE(run.live->act(Reload{.files = {run.folder.path("behaviors/lib/step.lua").string()}}, {}));
+    run.tick(3);
+    const std::uint64_t hash = run.end();
+    fs::remove_all(run.folder.path("behaviors"));
+    fs::remove(run.folder.path("system.lua"));
+    const Replayed again = replay(run.file);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
+TEST_CASE("what was prepared for a system that has started anew since is refused", "[journal]") {
+    Small run(counter);
+    run.folder.write("behaviors/late.lua", counter);
+    NotedFiles files(run.live->project().files());
+    auto prepared = run.live->add_preparer().beside(
+        BehaviorEntry{.name = "late", .script = "late", .path = run.folder.path("behaviors/late.lua").string()},
+        run.live->spec(), files);
+    REQUIRE(prepared);
+    REQUIRE(run.live->act(Restart{}, {}));
+    const auto added = run.live->add(std::move(*prepared), {});
+    REQUIRE_FALSE(added);
+    CHECK(added.error().message == "the system was started anew while this was read: say it again");
 }
 
 TEST_CASE("a process that is killed leaves a journal that replays to its last whole line", "[journal]") {

@@ -14,22 +14,57 @@ public:
     explicit RandomScript(std::uint64_t seed) : random_(seed) {}
 
     std::string text() {
-        std::string script =
-            "local range = input('in', 'TimedShortSeq', '', { queue = " + pick({"1", "5"}) +
-            " })\nlocal target = output('out', 'TimedVelocity2D')\nlocal flag = output('flag', 'TimedBoolean')\n"
-            "param('x', " +
-            pick({"0", "0.5", "true", "'text'", "{ 1.0, 2.0 }"}) +
-            ")\nparam('speed', 0.2, { min = -1.0, max = 1.0 })\nlocal a, b, c = 1, {}, 'c'\n"
-            "local function twice(f, ...) return f(...), f(...) end\n";
-        if (one_in(3)) script += "command('go', function(a, b) " + block(2) + " end)\n";
-        for (const char* hook : {"on_activated", "on_execute", "on_deactivated", "on_aborting", "on_error"}) {
+        std::string script = "local range = input('in', 'TimedShortSeq', '', { queue = " + pick({"1", "5"}) +
+                             " })\nlocal target = output('out', 'TimedVelocity2D'" +
+                             pick({"", ", '', { safe = { vx = 0.1 } }", ", '', { safe = {} }"}) +
+                             ")\nlocal flag = output('flag', 'TimedBoolean'" + pick({"", ", '', { safe = true }"}) +
+                             ")\n" + modules() + "param('x', " + pick({"0", "0.5", "true", "'text'", "{ 1.0, 2.0 }"}) +
+                             ")\nparam('speed', 0.2, { min = -1.0, max = 1.0 })\nlocal a, b, c = 1, {}, 'c'\n"
+                             "local function twice(f, ...) return f(...), f(...) end\n";
+        if (one_in(3)) script += "command('go', function(a, b) " + block(2) + " return a, " + value(2) + " end)\n";
+        for (const char* name : {"'one'", "'two'"}) {
+            if (one_in(3)) script += task(name);
+        }
+        for (const char* hook :
+             {"on_activated", "on_execute", "on_deactivated", "on_aborting", "on_error", "on_reset", "on_reload"}) {
             const bool always = std::string(hook) == "on_execute";
-            if (always || one_in(4)) script += std::string("function ") + hook + "()\n" + body() + "end\n";
+            if (always || one_in(4)) script += std::string("function ") + hook + "(...)\n" + body() + "end\n";
         }
         return script;
     }
 
+    /// A module that behaviours require by the name of "part".
+    static const char* module() {
+        return "local M = {}\nfunction M.twice(f, ...) return f(...), f(...) end\n"
+               "function M.later(seconds) wait(seconds) return now() end\nM.list = { 1, 2, 3 }\nreturn M\n";
+    }
+
 private:
+    std::string modules() {
+        if (!one_in(3)) return "local part = {}\n";
+        return pick({"local part = require 'part'\n", "local part = require 'nezumi.filters'\n",
+                     "local part = require 'nezumi.state_machine'\n",
+                     "local _, part = pcall(require, 'no.such.module')\n",
+                     "local part = require 'part' part.list[4] = require 'part'\n"});
+    }
+
+    std::string task(const std::string& name) {
+        return "task(" + name + ", function(...)\n" + body() + pick({"", "wait(0.02) "}) + block(2) + "end" +
+               pick({"", ", { repeating = true }"}) + ")\n";
+    }
+
+    // Fails where no task runs, as in most hooks.
+    std::string waiting(int depth) {
+        switch (std::uniform_int_distribution<int>(0, 3)(random_)) {
+            case 0: return "wait(" + pick({"0", "0.01", "0.05", "-1", "1e9", "0/0", "'x'"}) + ")";
+            case 1: return "wait(" + value(depth - 1) + ")";
+            case 2:
+                return "wait_until(function() " + block(depth - 2) + " return " + value(depth - 1) + " end" +
+                       pick({"", ", { within = 0.05 }", ", { within = 0 }"}) + ")";
+            default: return "part.later(0.01)";
+        }
+    }
+
     bool one_in(int n) { return std::uniform_int_distribution<int>(1, n)(random_) == 1; }
     std::string pick(const std::vector<const char*>& choices) {
         return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(random_)];
@@ -64,7 +99,7 @@ private:
 
     std::string statement(int depth) {
         if (depth <= 0) return place(0) + " = " + value(0);
-        switch (std::uniform_int_distribution<int>(0, 17)(random_)) {
+        switch (std::uniform_int_distribution<int>(0, 21)(random_)) {
             case 0:
                 return "if " + value(depth - 1) + " then " + block(depth - 1) + " else " + block(depth - 1) + " end";
             case 1:
@@ -91,6 +126,10 @@ private:
             case 15:
                 return "table.sort(" + table(depth - 1) +
                        pick({"", ", function(x, y) return x < y end", ", function() return true end"}) + ")";
+            case 16: return waiting(depth);
+            case 17: return pick({"start", "cancel"}) + "(" + pick({"'one'", "'two'", "'none'", "a"}) + ")";
+            case 18: return "probe(" + pick({"'p'", "'q'", "c", "'a b'"}) + ", " + value(depth - 1) + ")";
+            case 19: return "part.list, part.n = " + value(depth - 1) + ", " + value(depth - 1);
             default: return place(depth) + " = " + value(depth - 1);
         }
     }
@@ -164,7 +203,10 @@ private:
             case 2:
                 return "('abc'):gsub(" + pick({"'.'", "'%w+'", "'(a)(b)'", "'%f[%w]'", "'['"}) + ", " +
                        value(depth - 1) + ")";
-            case 3: return "('x'):rep(3000):find(" + pick({"'.-.-.-.-b'", "('x?'):rep(30)", "'x'"}) + ")";
+            // Long ones took half of all time.
+            case 3:
+                return "('x'):rep(" + pick({"30", "100", "100", "3000"}) + "):find(" +
+                       pick({"'.-.-.-.-b'", "('x?'):rep(30)", "'x'"}) + ")";
             default: return "('%s'):" + pick({"upper", "len", "byte", "reverse"}) + "()";
         }
     }

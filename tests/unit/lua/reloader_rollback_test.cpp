@@ -29,6 +29,21 @@ TEST_CASE("a version that fails within its first 10 executions goes back, state 
     CHECK(it.version() == 4);
 }
 
+TEST_CASE("the version before takes the tick of one that fails, however much of its time that has used",
+          "[lua][reload][wallclock]") {
+    ReloadRig world;
+    world.write("it.lua", counter("1"));
+    ScriptComponent& it = world.add("it", "it.lua", {}, Budget{0.4});
+    world.tick(5);
+    const Text slow = GENERATE(as<Text>(), "", "for i = 1, 30000000 do n = i end");  // a third of it
+    CHECK(world.change("it.lua", "local out = output('out', 'TimedLongSeq') local n = 0\nfunction on_execute() " +
+                                     slow + " error('late') end") == "");
+    world.tick();
+    CHECK(it.version() == 1);
+    CHECK(world.out<Longs>("it.out") == Longs{6, 6});
+    CHECK(it.script().context().budget.seconds == 0.4);
+}
+
 TEST_CASE("a failure after the first 10 executions is an error like any other", "[lua][reload]") {
     ReloadRig world;
     ScriptComponent& it = world.add_text("it", counter("1"));

@@ -100,6 +100,17 @@ TEST_CASE("a golden of another length or of other ports differs", "[lua][scenari
     CHECK(outcome_of(rig.run()) == "failed: it_test.lua:3: golden 'it.csv': the file is empty");
 }
 
+TEST_CASE("whatever a golden's file says is shown as text, and not at length", "[lua][scenario][golden]") {
+    ScenarioRig rig(drive);
+    write_golden(rig);
+    const std::string text = text_of_file(rig.folder().path("it.csv"));
+    static_cast<void>(rig.folder().write("it.csv", replaced(text, "time,", "time\x1b[31m,")));
+    CHECK(outcome_of(rig.run()) == "failed: it_test.lua:3: golden 'it.csv': 'time\\x1b[31m' is only in the file");
+    static_cast<void>(
+        rig.folder().write("it.csv", replaced(text, "\n0.01,0,", "\n0.01," + std::string(5000, 'x') + ",")));
+    CHECK(outcome_of(rig.run()).size() < 300);
+}
+
 TEST_CASE("a golden has every message of a tick", "[lua][scenario][golden]") {
     ScenarioRig rig(
         "scenario('it', function(s)\n"

@@ -1,0 +1,26 @@
+// Checks anything as a text of Lua, as an editor has it done: a behaviour, a module, scenarios, whatever its words say.
+// Each slip is one line with a place.
+#include <cstdint>
+#include <string>
+
+#include "bindings/cli/check_files.hpp"
+#include "bindings/cli/lua_kind.hpp"
+#include "tests/fuzz/require.hpp"
+
+using namespace nezumi;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const LiveOptions options = [] {
+        LiveOptions made;
+        made.installed = {"."};
+        return made;
+    }();
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    // Systems and robots have fuzzers of their own.
+    for (const char* const file : {"behaviors/any.lua", "tests/scenarios/any_test.lua"}) {
+        const cli::LuaKind kind = cli::kind_of_file(file, text);
+        if (kind == cli::LuaKind::system || kind == cli::LuaKind::robot) continue;
+        for (const Error& error : cli::check_text(text, file, options)) check(error);
+    }
+    return 0;
+}
