@@ -62,16 +62,15 @@ void Motors::follow(const MotorState& state) {
 }
 
 tl::expected<void, NodeError> Motors::stop_all() {
-    tl::expected<void, NodeError> all;
-    const auto keep_first = [&](tl::expected<void, NodeError> one) {
-        if (all && !one) all = std::move(one);
-    };
-    keep_first(power_.write(encode_switch(false)));
-    if (all) guard_.rest();  // without power nothing turns
-    keep_first(left_.write(encode_number(0)));
-    keep_first(right_.write(encode_number(0)));
+    const auto power = power_.write(encode_switch(false));
+    if (power) guard_.rest();  // without power nothing turns
+    const auto left = left_.write(encode_number(0)), right = right_.write(encode_number(0));
+    if (left && right) guard_.rest();  // nor without pulses
     forget();
-    return all;
+    for (const auto* each : {&power, &left, &right}) {
+        if (!*each) return *each;
+    }
+    return {};
 }
 
 bool Motors::has_guard_stopped() {
