@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <utility>
 
 namespace nezumi::cli {
@@ -80,6 +81,7 @@ Expected<void> GuidedRobot::drive(const Velocity2D& velocity, double seconds, co
     };
     const double begin = system_->now().seconds;
     while (!should_end() && system_->now().seconds < begin + seconds && !(reached && reached())) step(velocity);
+    if (options_.end != nullptr && *options_.end == SIGTERM) robot_->halt();
     const double end = system_->now().seconds + longest_braking;
     while (system_->now().seconds < end && !robot_->stands()) step({});
     if (!should_end()) return {};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -48,11 +49,14 @@ bool all_stand(const System& system) {
     return true;
 }
 
-// Deactivates everything and lets the robots brake.
-void stop(RunLoop& loop) {
+// Deactivates everything and lets the robots brake. Who sends SIGTERM wants an end now: real ones stand with the next
+// tick, which does not wait for its time.
+void stop(RunLoop& loop, int signal) {
+    const bool at_once = signal == SIGTERM;
+    if (at_once) loop.live().halt();
     loop.live().end();
     const System& system = loop.live().system();
-    if (!loop.is_hardware()) loop.set_speed(as_fast_as_possible);
+    if (at_once || !loop.is_hardware()) loop.set_speed(as_fast_as_possible);
     const double end = system.now().seconds + longest_braking;
     do {
         loop.tick();
@@ -159,7 +163,7 @@ public:
         const bool of_given_length = journal_.is_of_given_length(
             !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9));
         if (of_given_length) take_results();
-        stop(loop);
+        stop(loop, stop_signals.received());
         shutdown_buttons.finish();
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
         if (!of_given_length) take_results();

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "engine/base/schedule.hpp"
+#include "engine/system/robot_limits.hpp"
 
 namespace nezumi {
 namespace {
@@ -62,22 +61,6 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, c
     return refuse(no_such("backend", backend, names));
 }
 
-// What a robot may do: of a real one no more than its description allows the hardware.
-Limits limits_of(const RobotEntry& entry, const DriveSpec& drive) {
-    Limits limits = drive.limits;
-    limits.speed = entry.limits.speed.value_or(limits.speed);
-    limits.yaw_rate = entry.limits.yaw_rate.value_or(limits.yaw_rate);
-    limits.acceleration = entry.limits.acceleration.value_or(limits.acceleration);
-    limits.yaw_acceleration = entry.limits.yaw_acceleration.value_or(limits.yaw_acceleration);
-    if (backend_of(entry.backend) == simulated) return limits;
-    const Limits& hardware = drive.hardware_limits;
-    return {.speed = std::min({limits.speed, drive.limits.speed, hardware.speed}),
-            .yaw_rate = std::min({limits.yaw_rate, drive.limits.yaw_rate, hardware.yaw_rate}),
-            .acceleration = std::min({limits.acceleration, drive.limits.acceleration, hardware.acceleration}),
-            .yaw_acceleration =
-                std::min({limits.yaw_acceleration, drive.limits.yaw_acceleration, hardware.yaw_acceleration})};
-}
-
 Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, Body body) {
     const auto model = spec.models.find(entry.described_by());
     if (model == spec.models.end()) return Unexpected(body.error());
@@ -93,6 +76,8 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
         return at(entry.place, body.error());
     }
     made->take_body(std::move(*body));
+    if (const std::string lowered = lowered_limits(entry, model->second.drive); !lowered.empty())
+        system.log(LogLevel::warn, describe({fmt::format("robot '{}': {}", entry.name, lowered), entry.place}));
     const Robot* real = entry.twin_of.empty() ? nullptr : system.find_robot(entry.twin_of);
     if (real == nullptr) return added;
     if (auto ok = made->follow(*real, *system.world()); !ok)

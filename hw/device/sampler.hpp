@@ -53,14 +53,14 @@ public:
     /// Reads every `period` [s], or as fast as the device allows when that is slower.
     Sampler(std::string device, double period) : health_(std::move(device)), period_(period) {}
 
-    /// The newest sample at `now`, by `clock_seconds`; none when there is no recent one. A device that has not answered
-    /// for too long is told as lost.
-    std::optional<Sample<T>> newest(double now) {
-        if (hangs(now)) health_.lost(no_answer);
-        return newest_.at(now);
-    }
+    /// The newest sample at `now`, by `clock_seconds`; none when there is no recent one.
+    std::optional<Sample<T>> newest(double now) const { return newest_.at(now); }
 
-    std::vector<std::string> take_faults() { return health_.take(); }
+    /// A device that has not answered for too long is told as lost.
+    std::vector<std::string> take_faults() {
+        if (hangs(clock_seconds())) health_.lost(no_answer);
+        return health_.take();
+    }
 
     double run() final {
         const double before = clock_seconds();

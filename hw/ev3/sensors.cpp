@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "engine/base/error.hpp"
+
 namespace nezumi::hw {
 
 using Access = Node::Access;
@@ -29,11 +31,14 @@ tl::expected<bool, std::string> ModeSensor::is_in_mode(double now) {
         failures_ = 0;
         return true;
     }
+    const std::string is = fmt::format("'{}'", shown(mode->substr(0, mode->find('\n'))));
     settled_at_ = now + settling;
     scale_ = 0;
     const auto set = nodes_->set_mode.write(mode_.mode);
-    if (!set && ++failures_ >= patience) return tl::unexpected(with_ev3_advice(set.error()));
-    return false;
+    if (++failures_ < patience) return false;
+    if (!set) return tl::unexpected(with_ev3_advice(set.error()));
+    return tl::unexpected(fmt::format("{}: expected {}, got {} again and again: does another program change it?",
+                                      nodes_->get_mode.path(), mode_.mode, is));
 }
 
 tl::expected<std::optional<SensorValues>, std::string> ModeSensor::sample(double now) {

@@ -35,6 +35,7 @@ std::string with_advice(const NodeError& error) {
         case ENOENT:
         case ENODEV:
         case ENXIO: return describe(error) + ": it is unplugged: plug it in again";
+        case EISDIR: return describe(error) + " and no device: is --dev-root right?";
         default: return describe(error) + ": unplug it and plug it in again, and look at what dmesg says";
     }
 }

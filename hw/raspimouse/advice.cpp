@@ -18,6 +18,7 @@ std::string with_advice(const NodeError& error) {
         case EPERM:
             return describe(error) +
                    ": this user may not use it. Try: sudo chmod a+rw /dev/rt*, or write a udev rule for it";
+        case EISDIR: return describe(error) + " and no device: is --dev-root right?";
         default: return describe(error) + ": look at the robot's power and cables, and at what dmesg says";
     }
 }

@@ -18,16 +18,19 @@ constexpr double attention = 0.05;  // the same while the motors have power
 
 }  // namespace
 
-Motors::Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration)
+Motors::Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration,
+               double standing_power)
     : guard_(std::move(guard)),
       power_(folder + "/rtmotoren0", Node::Access::write),
       left_(folder + "/rtmotor_raw_l0", Node::Access::write),
       right_(folder + "/rtmotor_raw_r0", Node::Access::write),
       buzzer_(folder + "/rtbuzzer0", Node::Access::write),
       left_rate_(metres_per_pulse.left, acceleration),
-      right_rate_(metres_per_pulse.right, acceleration) {}
+      right_rate_(metres_per_pulse.right, acceleration),
+      standing_power_(standing_power) {}
 
-Expected<std::shared_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels metres_per_pulse, double acceleration) {
+Expected<std::shared_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels metres_per_pulse, double acceleration,
+                                               double standing_power) {
     const DevicePath power = folder + "/rtmotoren0", left = folder + "/rtmotor_raw_l0",
                      right = folder + "/rtmotor_raw_r0";
     // All are looked at before any is written: where one is missing, nothing is touched.
@@ -39,7 +42,8 @@ Expected<std::shared_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels 
         power,
         {{power.text(), encode_switch(false)}, {left.text(), encode_number(0)}, {right.text(), encode_number(0)}});
     if (!guard) return Unexpected(guard.error());
-    std::shared_ptr<Motors> motors(new Motors(folder, std::move(*guard), metres_per_pulse, acceleration));
+    std::shared_ptr<Motors> motors(
+        new Motors(folder, std::move(*guard), metres_per_pulse, acceleration, standing_power));
     if (auto ok = motors->stop_all(); !ok) return failure("motors: " + with_advice(ok.error()));
     return motors;
 }
@@ -62,16 +66,15 @@ void Motors::follow(const MotorState& state) {
 }
 
 tl::expected<void, NodeError> Motors::stop_all() {
-    tl::expected<void, NodeError> all;
-    const auto keep_first = [&](tl::expected<void, NodeError> one) {
-        if (all && !one) all = std::move(one);
-    };
-    keep_first(power_.write(encode_switch(false)));
-    if (all) guard_.rest();  // without power nothing turns
-    keep_first(left_.write(encode_number(0)));
-    keep_first(right_.write(encode_number(0)));
+    const auto power = power_.write(encode_switch(false));
+    if (power) guard_.rest();  // without power nothing turns
+    const auto left = left_.write(encode_number(0)), right = right_.write(encode_number(0));
+    if (left && right) guard_.rest();  // nor without pulses
     forget();
-    return all;
+    for (const auto* each : {&power, &left, &right}) {
+        if (!*each) return *each;
+    }
+    return {};
 }
 
 bool Motors::has_guard_stopped() {
@@ -97,7 +100,7 @@ MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) 
         goal.power = command.power;
     }
     goal_ = goal;
-    goal.power = goal.power && now - moved_at_ < standing_power && guard_.is_awake(now);
+    goal.power = goal.power && now - moved_at_ < standing_power_ && guard_.is_awake(now);
     return possible(goal);
 }
 

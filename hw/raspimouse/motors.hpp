@@ -34,18 +34,16 @@ struct MotorCommand {
 };
 
 /// A job: the newest command counts. Motor power is off until a command wants it, and again when one no longer does,
-/// when the robot has stood for `standing_power`, when the guard has stopped it, and when a motor fails: then neither
+/// when the robot has stood for some time, when the guard has stopped it, and when a motor fails: then neither
 /// turns, and both are tried again every half a second.
 class Motors final : public Job {
 public:
-    /// [s] of standstill after which the motors' power goes off, until they are to turn again.
-    static constexpr double standing_power = 30;
-
     /// Takes the motors' lease, starts the guard and has all motors stopped and without power. `folder` has the nodes.
-    /// `metres_per_pulse` of the wheels' rims, `acceleration` [m/s^2] that the limits allow it. An error, with what to
-    /// do, when another program drives the motors, or when motors or their power can't be written.
+    /// `metres_per_pulse` of the wheels' rims, `acceleration` [m/s^2] that the limits allow it, `standing_power` [s] of
+    /// standstill after which the motors' power goes off, until they are to turn again. An error, with what to do, when
+    /// another program drives the motors, or when motors or their power can't be written.
     static Expected<std::shared_ptr<Motors>> make(const DevicePath& folder, Wheels metres_per_pulse,
-                                                  double acceleration);
+                                                  double acceleration, double standing_power = 30);
 
     /// From the control loop, once a tick at least: whoever falls silent is stopped by the guard.
     void command(const MotorCommand& command) { newest_.put(command); }
@@ -57,7 +55,8 @@ public:
     void end() override;
 
 private:
-    Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration);
+    Motors(const DevicePath& folder, std::unique_ptr<Guard> guard, Wheels metres_per_pulse, double acceleration,
+           double standing_power);
     /// All motors stopped and without power, whatever they were: every node is written, also after one that failed.
     tl::expected<void, NodeError> stop_all();
     bool has_guard_stopped();
@@ -70,6 +69,7 @@ private:
     GuardWatch guard_;
     Node power_, left_, right_, buzzer_;
     StepRate left_rate_, right_rate_;
+    const double standing_power_;  // [s]
     std::shared_ptr<CommandedWheels> commanded_ = std::make_shared<CommandedWheels>();
     Health health_{"motors"}, buzzer_health_{"buzzer"};
 

@@ -216,6 +216,10 @@ Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view na
 
 void LiveSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
 
+void LiveSystem::halt() {
+    for (Robot* robot : running_->system->robots()) robot->halt();
+}
+
 void LiveSystem::end() {
     if (Network* network = running_->system->network()) network->leave();
     running_->system->stop(0);

@@ -97,6 +97,8 @@ public:
     Expected<std::optional<Explanation>> explanation(std::string_view component, std::int64_t look) const;
     /// `System::set_at_rest`: a loop that is paused has it so where robots are real. No act: a replay has no clock.
     void set_at_rest(bool at_rest);
+    /// `Robot::halt` of each: real robots stand from the next tick on, without braking.
+    void halt();
     /// Tells an observer of every act from now on. It must outlive this or be removed with null.
     void observe_acts(ActObserver* observer) { act_observer_ = observer; }
     /// Calls that are to run out of time, by start and tick: what a replay knows of the clock.

@@ -291,6 +291,39 @@ TEST_CASE("a real robot does no more than its description allows the hardware", 
           Limits{.speed = 0.2, .yaw_rate = 6, .acceleration = 0.1, .yaw_acceleration = 4});
 }
 
+TEST_CASE("limits above a real robot's are told once, with what it gets and what raises that",
+          "[engine][build][hardware][safety]") {
+    Plan plan;
+    plan.spec.models["mouse"].drive.limits = {.speed = 0.5, .yaw_rate = 6, .acceleration = 2, .yaw_acceleration = 12};
+    Limits& hardware = plan.spec.models["mouse"].drive.hardware_limits;
+    hardware = {.speed = 0.2, .yaw_rate = 2, .acceleration = 0.52, .yaw_acceleration = 4};
+    RobotEntry& mouse = plan.robot("mouse");
+    mouse.backend = "mouse_driver";
+    mouse.limits = {.speed = 1.0, .yaw_rate = 2, .acceleration = 1.5, .yaw_acceleration = std::nullopt};
+    std::vector<std::string> told;
+    const auto tell = [&] {
+        told.clear();
+        const auto system = plan.build({.log = [&](const LogLine& line) { told.push_back(line.text); }});
+        activate_all(*system, plan.spec);
+        for (int i = 0; i < 10; ++i) system->tick();
+        return told;
+    };
+    CHECK(tell() == std::vector<std::string>{
+                        "s.lua:1: robot 'mouse': limits: the real robot gets 0.2 m/s instead of 1, 0.52 m/s^2 instead "
+                        "of 1.5: once its odometry is calibrated (nezumi calibrate odometry) it gets 0.5 m/s, 1.5 "
+                        "m/s^2"});
+    hardware = plan.spec.models["mouse"].drive.limits;  // as after a calibration
+    CHECK(tell() == std::vector<std::string>{
+                        "s.lua:1: robot 'mouse': limits: the real robot gets 0.5 m/s instead of 1: its model allows "
+                        "no more, and only in simulation may a system raise that"});
+    mouse.limits.speed = 0.4;
+    CHECK(tell().empty());
+    mouse.limits.speed = 1.0;
+    mouse.backend = "sim";
+    CHECK(tell().empty());
+    CHECK(plan.build()->find_robot("mouse")->guard().limits().speed == 1.0);
+}
+
 TEST_CASE("a robot that is refused while a system runs leaves nothing behind", "[engine][build]") {
     Plan plan;
     plan.robot("first");

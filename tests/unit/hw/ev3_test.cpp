@@ -152,3 +152,27 @@ TEST_CASE("a picture fills the brick's screen as it can, in 32 bits and in one",
     picture.bpp = 16;
     CHECK(paint_screen(picture, {}).empty());
 }
+
+TEST_CASE("a sensor of an EV3 that stays in another mode is told with that mode, and taken up again",
+          "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    REQUIRE(ev3.idle(3, [&] { return ev3.speaks("gyro"); }));
+    fake.fault("in2/mode", "garbage");
+    CHECK(ev3.idle(3, [&] { return ev3.said("/mode: expected GYRO-G&A, got 'what?' again and again: "); }));
+    CHECK_FALSE(ev3.speaks("gyro"));
+    fake.fault("in2/mode", "none");
+    CHECK(ev3.idle(3, [&] { return ev3.speaks("gyro"); }));
+    INFO(ev3.all_log());
+    CHECK(ev3.log.size() == 1);
+}
+
+TEST_CASE("an EV3's battery that does not answer is told", "[hw][ev3][fakes][wallclock]") {
+    FakeEv3 fake;
+    DrivenEv3 ev3(fake);
+    ev3.idle(0.5);
+    fake.fault("battery", "hang");
+    CHECK(ev3.idle(3, [&] { return ev3.said("battery: no answer for 0.3 s: restart its driver, or the robot"); }));
+    fake.fault("battery", "none");
+    CHECK(ev3.idle(4, [&] { return ev3.said("battery: back again"); }));
+}

@@ -242,6 +242,75 @@ TEST_CASE("a program that is not ours reads the fake gamepad as a gamepad", "[hw
     CHECK(text.find("type 3 (EV_ABS), code 1 (ABS_Y), value ") != text.npos);
 }
 
+namespace {
+
+// Runs a Python program on the fake gamepad, whose stick moves meanwhile; skipped where it can't import what it needs.
+std::string output_of_python(const std::string& needs, const std::string& package, const std::string& program) {
+    if (std::system(("/usr/bin/python3 -c '" + needs + "' 2> /dev/null").c_str()) != 0)
+        throw std::runtime_error("SKIPPED: " + package + " is not installed: sudo apt install " + package);
+    FakeGamepad fake;
+    const std::string file = fake.folder.write("reader.py", program).string();
+    std::thread mover([&] {
+        for (int i = 1; i <= 20; ++i) {
+            sleep_for(0.1);
+            fake.set("ABS_Y", 1000 * i);
+        }
+    });
+    std::string text = output_of("timeout 10 /usr/bin/python3 -B " + file + " " + fake.mount() + "/input/event3 2>&1");
+    mover.join();
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("libevdev's binding to Python reads the fake gamepad as a gamepad", "[hw][gamepad][fakes][wallclock]") {
+    const std::string text = output_of_python("import libevdev", "python3-libevdev", R"(
+import libevdev, os, sys, time
+file = open(sys.argv[1], "rb")
+os.set_blocking(file.fileno(), False)
+device = libevdev.Device(file)
+print(device.name)
+stick = device.absinfo[libevdev.EV_ABS.ABS_X]
+print("from", stick.minimum, "to", stick.maximum)
+print("button", device.has(libevdev.EV_KEY.BTN_SOUTH), "key", device.has(libevdev.EV_KEY.KEY_A))
+end, values = time.monotonic() + 5, []
+while not values and time.monotonic() < end:
+    time.sleep(0.01)
+    values += [event.value for event in device.events() if event.matches(libevdev.EV_ABS.ABS_Y)]
+print("moved", 0 < values[0] <= 20000)
+)");
+    CHECK(text == "Microsoft X-Box 360 pad\nfrom -32768 to 32767\nbutton True key False\nmoved True\n");
+}
+
+TEST_CASE("SDL2 reads the fake gamepad as a gamepad", "[hw][gamepad][fakes][wallclock]") {
+    const std::string text = output_of_python(R"(import ctypes; ctypes.CDLL("libSDL2-2.0.so.0"))", "libsdl2-2.0-0", R"(
+import ctypes, os, sys, time
+os.environ.update(SDL_JOYSTICK_DEVICE=sys.argv[1], SDL_JOYSTICK_HIDAPI="0", SDL_VIDEODRIVER="dummy")
+sdl = ctypes.CDLL("libSDL2-2.0.so.0")
+sdl.SDL_JoystickNameForIndex.restype = ctypes.c_char_p
+sdl.SDL_JoystickOpen.restype = ctypes.c_void_p
+sdl.SDL_JoystickGetAxis.restype = ctypes.c_short
+for ask in (sdl.SDL_JoystickNumAxes, sdl.SDL_JoystickNumHats, sdl.SDL_JoystickNumButtons):
+    ask.argtypes = [ctypes.c_void_p]
+sdl.SDL_JoystickGetAxis.argtypes = [ctypes.c_void_p, ctypes.c_int]
+if sdl.SDL_Init(0x200) != 0:
+    sys.exit("SDL_Init failed")
+names = [sdl.SDL_JoystickNameForIndex(i).decode() for i in range(sdl.SDL_NumJoysticks())]
+print(names)
+stick = sdl.SDL_JoystickOpen(0)
+print(sdl.SDL_JoystickNumAxes(stick), "axes", sdl.SDL_JoystickNumHats(stick), "hat",
+      sdl.SDL_JoystickNumButtons(stick), "buttons")
+end = time.monotonic() + 5
+while sdl.SDL_JoystickGetAxis(stick, 1) < 5000 and time.monotonic() < end:
+    sdl.SDL_JoystickUpdate()
+    time.sleep(0.01)
+print("moved", sdl.SDL_JoystickGetAxis(stick, 1) >= 5000)
+)");
+    INFO(text);
+    CHECK(text.find("360") != text.npos);
+    CHECK(text.find("6 axes 1 hat 11 buttons\nmoved True\n") != text.npos);
+}
+
 TEST_CASE("a real gamepad drives a simulated mouse by --hw, and its button stops all robots",
           "[hw][gamepad][run][fakes][safety][wallclock]") {
     FakeGamepad fake;

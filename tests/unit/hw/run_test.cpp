@@ -1,10 +1,13 @@
 // `nezumi run --hw` on the fake mouse: what ends or stalls the program, and how soon the wheels stand.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 
+#include "engine/base/whole_file.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/hw/fake_mouse_rig.hpp"
 
@@ -87,13 +90,13 @@ struct HardwareRun {
 }  // namespace
 
 TEST_CASE("the wheels stand within 50 ms of the program's death", "[hw][run][fakes][safety][wallclock]") {
-    const int signal = GENERATE(SIGKILL, SIGSEGV, SIGABRT);
+    const int signal = GENERATE(SIGTERM, SIGKILL, SIGSEGV, SIGABRT);
     HardwareRun run;
     run.get_going();
     const double time = run.time_to_stand([&] { run.program->send(signal); });
     INFO("signal " << signal);
     CHECK(time < 0.05);
-    CHECK_FALSE(run.fake.motion().power);
+    CHECK(FakeMouse::wait_until([&] { return !run.fake.motion().power; }, 1));
     WARN("stopped " << time * 1e3 << " ms after signal " << signal);
 }
 
@@ -144,13 +147,45 @@ TEST_CASE("the wheels stand within 250 ms of a script's endless loop", "[hw][run
     WARN("stopped " << time * 1e3 << " ms after the button that starts the loop was pressed");
 }
 
-TEST_CASE("a run that ends brakes and takes the motors' power", "[hw][run][fakes][wallclock]") {
+TEST_CASE("a run that is ended by Ctrl-C brakes and takes the motors' power", "[hw][run][fakes][wallclock]") {
     HardwareRun run;
     run.get_going();
-    const double time = run.time_to_stand([&] { run.program->send(SIGTERM); });
+    const double time = run.time_to_stand([&] { run.program->send(SIGINT); });
+    CHECK(time > 0.15);
     CHECK(time < 0.15 / 0.52 + 0.2);
     CHECK(run.program->wait() == 0);
     CHECK_FALSE(run.fake.motion().power);
+}
+
+TEST_CASE("a run that SIGTERM ends leaves no motion, and its files whole", "[hw][run][fakes][safety][wallclock]") {
+    HardwareRun run("", "raspimouse", {"--record", "run.csv", "--ports", "driver.out.vx", "--journal", "acts"});
+    run.get_going();
+    run.program->send(SIGTERM);
+    REQUIRE(run.program->wait() == 0);
+    INFO(run.program->error);
+    CHECK_FALSE(run.fake.moves());
+    CHECK_FALSE(run.fake.motion().power);
+    const std::string rows = *read_whole(run.fake.folder.path("run.csv").string(), "run.csv");
+    CHECK(std::count(rows.begin(), rows.end(), '\n') > 20);
+    CHECK(rows.ends_with('\n'));
+    CHECK_FALSE(std::filesystem::exists(run.fake.folder.path("acts~")));
+    const std::string acts = *read_whole(run.fake.folder.path("acts").string(), "acts");
+    CHECK(acts.find("\"end\"") != acts.npos);
+}
+
+TEST_CASE("SIGTERM stops a robot that a person is guided through at once", "[hw][run][fakes][safety][wallclock]") {
+    FakeMouse fake;
+    fake.folder.write("system.lua", "robot 'mouse' { model = 'raspimouse' }");
+    Program program({"calibrate", "odometry", "system.lua", "--yes", "--dev-root", fake.dev()},
+                    fake.folder.path("").string());
+    REQUIRE(FakeMouse::wait_until([&] { return fake.motion().left > 200; }, 20));
+    const double begin = clock_seconds();
+    program.send(SIGTERM);
+    REQUIRE(FakeMouse::wait_until([&] { return !fake.moves(); }, 3));
+    CHECK(fake.motion().still_since - begin < 0.05);
+    CHECK(program.wait() == 2);
+    CHECK(program.error.ends_with("ended before it was done: the robot stands\n"));
+    CHECK_FALSE(fake.motion().power);
 }
 
 TEST_CASE("a second program on the same mouse is refused, and the first drives on",
