@@ -137,7 +137,8 @@ TEST_CASE("a camera that is faster than it was asked to be gives as many picture
     CHECK(rate < 11);
 }
 
-TEST_CASE("a camera that is unplugged is silent, told once, and taken up again", "[hw][camera][fakes][wallclock]") {
+TEST_CASE("a camera that is unplugged is silent, told once, and taken up again",
+          "[hw][camera][fakes][threads][wallclock]") {
     FakeMouse fake;
     DrivenCamera driven(fake.roots());
     REQUIRE(driven.sees());
@@ -193,7 +194,7 @@ TEST_CASE("what is the matter with a camera is told once with what to do, and wh
 }
 
 TEST_CASE("a camera that fails, falls silent or hangs while it is used does not hold up a tick, and comes back",
-          "[hw][camera][fakes][wallclock]") {
+          "[hw][camera][fakes][threads][wallclock]") {
     const std::string fault = GENERATE("eio", "enodev", "silent", "hang");
     INFO(fault);
     FakeMouse fake;

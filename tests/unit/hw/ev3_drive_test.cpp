@@ -59,7 +59,7 @@ TEST_CASE("an EV3 drives a square, and its odometry is right within 1 %", "[hw][
     WARN("odometry off by " << missed * 1e3 << " mm after a square of " << 4 * side << " m");
 }
 
-TEST_CASE("an EV3's sensors say what is there, in our units", "[hw][ev3][fakes][wallclock]") {
+TEST_CASE("an EV3's sensors say what is there, in our units", "[hw][ev3][fakes][threads][wallclock]") {
     FakeEv3 fake({"0.6"});  // a wall 0.05 m before that
     DrivenEv3 ev3(fake);
     fake.say("floor 300 300 300");
@@ -104,7 +104,7 @@ TEST_CASE("an EV3's arm gets its target once, with its speed, and turns there", 
     CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * degree).margin(0.03));
 }
 
-TEST_CASE("an EV3 shows lights and pictures", "[hw][ev3][fakes][wallclock]") {
+TEST_CASE("an EV3 shows lights and pictures", "[hw][ev3][fakes][threads][wallclock]") {
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
     send(ev3, "leds", std::vector<bool>{true, false, false, true});
@@ -250,7 +250,7 @@ TEST_CASE("a sensor that another program has switched to another mode is switche
 }
 
 TEST_CASE("a sensor that does not answer a change of mode in time is told once, and taken up again",
-          "[hw][ev3][fakes][wallclock]") {
+          "[hw][ev3][fakes][threads][wallclock]") {
     FakeEv3 fake;
     fake.fault("in2/mode", "timeout");
     DrivenEv3 ev3(fake);

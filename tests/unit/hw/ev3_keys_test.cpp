@@ -34,7 +34,7 @@ TEST_CASE("each key of an EV3 is pressed for itself", "[hw][ev3][fakes][wallcloc
     }
 }
 
-TEST_CASE("keys of an EV3 that fail are told once, and taken up again", "[hw][ev3][fakes][wallclock]") {
+TEST_CASE("keys of an EV3 that fail are told once, and taken up again", "[hw][ev3][fakes][threads][wallclock]") {
     const auto [fault, why] = GENERATE(table<std::string, std::string>({
         {"missing", "no such device: is this an EV3 brick with ev3dev?"},
         {"eio", "input/output error: is this an EV3 brick with ev3dev?"},

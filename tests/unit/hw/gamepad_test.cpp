@@ -71,7 +71,7 @@ std::string output_of(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamepad][fakes][wallclock]") {
+TEST_CASE("a gamepad's stick, axes and buttons arrive on the ports", "[hw][gamepad][fakes][threads][wallclock]") {
     FakeGamepad fake;
     DrivenStick driven(fake.roots());
     REQUIRE(driven.points_to({0, 0}));
@@ -107,7 +107,7 @@ TEST_CASE("what a gamepad did while its events were lost is not missed", "[hw][g
 }
 
 TEST_CASE("a gamepad that is unplugged sends the middle once, is silent, and is taken up again",
-          "[hw][gamepad][fakes][safety][wallclock]") {
+          "[hw][gamepad][fakes][safety][threads][wallclock]") {
     FakeGamepad fake;
     DrivenStick driven(fake.roots());
     fake.set("ABS_Y", -32768);
@@ -205,7 +205,7 @@ TEST_CASE("a gamepad is the one that was asked for, and what it lacks is said", 
 }
 
 TEST_CASE("a gamepad that fails or hangs lets go of its stick, and is taken up again",
-          "[hw][gamepad][fakes][safety][wallclock]") {
+          "[hw][gamepad][fakes][safety][threads][wallclock]") {
     const std::string fault = GENERATE("eio", "hang");
     FakeGamepad fake;
     DrivenStick driven(fake.roots());

@@ -120,7 +120,7 @@ TEST_CASE("the motors stand within 250 ms of a stall, and turn again with the ne
     CHECK(content(engine.folder.path("motor")) == "400");
 }
 
-TEST_CASE("an engine whose motors rest need not beat", "[hw][guard][wallclock]") {
+TEST_CASE("an engine whose motors rest need not beat", "[hw][guard][threads][wallclock]") {
     const Engine engine([](Guard& guard) {
         guard.rest();
         for (;;) pause();
@@ -130,7 +130,7 @@ TEST_CASE("an engine whose motors rest need not beat", "[hw][guard][wallclock]")
 }
 
 TEST_CASE("the engine sees that its guard stopped the motors, does not answer, or is dead",
-          "[hw][guard][safety][wallclock]") {
+          "[hw][guard][safety][threads][wallclock]") {
     const Scratch folder;
     const std::string lease = folder.write("power", "1").string();
     auto started = Guard::start(lease, {{lease, "0"}});

@@ -174,7 +174,7 @@ TEST_CASE("a mouse drives a square over the counters' wrap, and its odometry is 
 }
 
 TEST_CASE("velocity is measured at the wheels, and sensors' values have the time of their reading",
-          "[hw][mouse][fakes][wallclock]") {
+          "[hw][mouse][fakes][threads][wallclock]") {
     FakeMouse fake({"0.25"});  // a wall's front at 0.2 m
     DrivenMouse mouse(fake);
     mouse.run(0.5, {.vx = 0.1});
@@ -267,7 +267,7 @@ TEST_CASE("each device that fails in motion stops the robot or its own port alon
     CHECK(drive(2, [&] { return fake.moves() && (*fault.silent == '\0' || mouse.speaks(fault.silent)); }));
 }
 
-TEST_CASE("a driver that is loaded anew is taken up, motors first", "[hw][mouse][fakes][safety][wallclock]") {
+TEST_CASE("a driver that is loaded anew is taken up, motors first", "[hw][mouse][fakes][safety][threads][wallclock]") {
     FakeMouse fake;
     DrivenMouse mouse(fake);
     mouse.run(0.5, {.vx = 0.1});

@@ -180,7 +180,7 @@ TEST_CASE("the real synthesizer makes speech that a player takes", "[hw][sound][
     CHECK(speaker.take_faults().empty());
 }
 
-TEST_CASE("an EV3 beeps and speaks by its port, one after the other", "[hw][ev3][sound][fakes][wallclock]") {
+TEST_CASE("an EV3 beeps and speaks by its port, one after the other", "[hw][ev3][sound][fakes][threads][wallclock]") {
     const Programs programs({"aplay", "espeak-ng"});
     FakeEv3 fake;
     DrivenEv3 ev3(fake);

@@ -57,7 +57,7 @@ TEST_CASE("a device's thread works when it is woken, and once more at the end", 
     CHECK(job->ended);
 }
 
-TEST_CASE("a device's thread that hangs is left behind with all that it uses", "[hw][device][wallclock]") {
+TEST_CASE("a device's thread that hangs is left behind with all that it uses", "[hw][device][threads][wallclock]") {
     auto job = std::make_shared<CountingJob>();
     job->hang = true;
     const double before = clock_seconds();
@@ -83,7 +83,7 @@ TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][
     CHECK(device->take_faults().empty());
 }
 
-TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw][device][wallclock]") {
+TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw][device][threads][wallclock]") {
     const auto device = std::make_shared<Thermometer>();
     const Worker worker(device);
     device->broken = true;
