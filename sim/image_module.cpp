@@ -62,8 +62,10 @@ bool nezumi_decode_image(const std::uint8_t* bytes, std::size_t size, nezumi::si
                          std::string& problem) {
     try {
         return nezumi::sim::decode(bytes, size, picture, problem);
+    } catch (const cv::Exception& thrown) {  // an assertion of its has several lines
+        problem = "OpenCV gives up: " + thrown.err.substr(0, thrown.err.find('\n'));
     } catch (const std::exception& thrown) {
         problem = thrown.what();
-        return false;
     }
+    return false;
 }

@@ -18,8 +18,9 @@ local function run(s, seconds, feeds, done)
       if type(value) == "number" then
         s:hold(path, deviating(value, 100))
       elseif #value > 0 then
-        for i = 1, #value do value[i] = deviating(value[i], 0.6) end
-        s:hold(path, value)
+        local all = {}
+        for i = 1, #value do all[i] = deviating(value[i], 0.6) end
+        s:hold(path, all)
       end
     end
     if done and done() then return true end

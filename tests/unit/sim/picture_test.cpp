@@ -77,6 +77,11 @@ TEST_CASE("what is no picture is told so, with its name", "[sim][floor]") {
     CHECK(refusal(torn).find("'" + torn + "' can't be read as a picture: ") == 0);
     const std::string empty = scratch.write("empty.jpg", "").string();
     CHECK(refusal(empty) == "'" + empty + "' can't be read as a picture: it is empty");
+    std::string wide = bitmap();
+    wide.replace(18, 4, "\xff\xff\xff\x7f", 4);  // its width
+    const std::string too_wide = scratch.write("wide.bmp", wide).string();
+    CHECK(refusal(too_wide).find("'" + too_wide + "' can't be read as a picture: OpenCV gives up: ") == 0);
+    CHECK(refusal(too_wide).find('\n') == std::string::npos);
     const std::string gone = scratch.path("gone.jpg").string();
     CHECK(refusal(gone).find("'" + gone + "' can't be read as a picture: ") == 0);
 }
