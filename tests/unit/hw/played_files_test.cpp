@@ -168,7 +168,7 @@ TEST_CASE("what a log does not know is not there", "[hw][log]") {
 }
 
 TEST_CASE("a log of a robot stands for it: the same drivers say the same, and write the same",
-          "[hw][log][fakes][threads][wallclock]") {
+          "[hw][log][fakes][wallclock]") {
     const std::string model = GENERATE("raspimouse", "ev3");
     INFO(model);
     const Scratch folder;
