@@ -69,7 +69,8 @@ robot "mouse" { model = "raspimouse", pose = { x = -0.1, y = 0, heading = 0 } }
     WebRobot robot = next_robot(browser);
     CHECK(robot.contacts.empty());
     while (!is_at_the_wall(robot)) robot = next_robot(browser);
-    // It bounces as it arrives, and climbs a little as it pushes: which moment a browser is shown depends on the machine.
+    // It bounces as it arrives, and climbs a little as it pushes: which moment a browser is shown depends on the
+    // machine.
     const auto is_tilted_up = [](const WebRobot& shown) { return shown.pitch < -0.05 && shown.pitch > -0.25; };
     for (int i = 0; i < 300 && !(is_at_the_wall(robot) && is_tilted_up(robot)); ++i) robot = next_robot(browser);
     CHECK(robot.collided);
