@@ -149,6 +149,8 @@ std::string row(Fake& fake, Driven& driven, const FailingDevice& device, const s
         // Which of a device's nodes is missed first is chance.
         for (const char* node : {"rtled", "rtswitch", "rtcounter_"})
             said = std::regex_replace(said, std::regex(std::string(node) + "[a-z]?[0-9]"), std::string(node) + "...");
+        // And whether the motors' loss is seen by an error of theirs, by their nodes, or by the guard.
+        said = std::regex_replace(said, std::regex("`(motors: (/dev/|the driver)|guard of the motors: )[^`]*`; "), "");
     }
     end_fault(fake, device, fault);
     const std::string mark = device.use != nullptr ? mark_of(fake, device) : "";
