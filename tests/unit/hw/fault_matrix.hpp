@@ -145,6 +145,8 @@ std::string row(Fake& fake, Driven& driven, const FailingDevice& device, const s
         if (!driven.speaks(port)) silent += (silent.empty() ? "`" : ", `") + port + "`";
     }
     std::string said = told(driven.log, places);
+    // Whether an open node fails first or its place is found empty is chance.
+    if (fault == "missing") said = std::regex_replace(said, std::regex("no such device"), "no such file or directory");
     if (fault == "reload") {
         // Which of a device's nodes is missed first is chance.
         for (const char* node : {"rtled", "rtswitch", "rtcounter_"})
