@@ -1,6 +1,6 @@
 // Gives kept inputs to their fuzzer without libFuzzer, so that every build and compiler tries them: each as it is, cut
 // short, and with bytes changed at random, the same each time.
-// Usage: fuzz_kept_inputs NAME PATH...     files, and folders of files
+// Usage: fuzz_kept_inputs NAME PATH...     files, and folders with all that is in them
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -69,7 +69,8 @@ int main(int argc, char** argv) {
         if (!std::filesystem::is_directory(path))
             files.push_back(path);
         else
-            for (const auto& entry : std::filesystem::directory_iterator(path)) files.push_back(entry.path());
+            for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
+                if (entry.is_regular_file()) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     int inputs = 0;

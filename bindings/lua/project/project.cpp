@@ -7,6 +7,7 @@
 #include <set>
 #include <system_error>
 
+#include "engine/base/visible.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {
@@ -115,8 +116,10 @@ std::vector<std::string> Project::names(FileKind kind, const fs::path& named_in)
 
 Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in) const {
     if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
-    if (name.find('\0') != std::string_view::npos)
-        return failure(fmt::format("the name of a {} has a zero byte in it", word(kind)));
+    // It stands in messages, and in the names of the files that are looked for.
+    if (visible(name) != name || name.find_first_of("\n\t") != std::string_view::npos)
+        return failure(
+            fmt::format("the name of a {} has a control character in it: '{}'", word(kind), nezumi::shown(name)));
     const fs::path naming = (working_ / named_in).lexically_normal();
     const std::vector<fs::path> folders = this->folders(kind, naming);
     const fs::path file = file_name(kind, name);

@@ -93,7 +93,11 @@ TEST_CASE("a name that is nowhere is told with the nearest one and all places", 
                Catch::Contains("(did you mean 'systems/s.lua'?)"));
     CHECK(found(project, scratch, FileKind::script, "", in) == "the name of a script is empty");
     CHECK(found(project, scratch, FileKind::model, std::string_view("a\0b", 3), in) ==
-          "the name of a robot model has a zero byte in it");
+          "the name of a robot model has a control character in it: 'a\\x00b'");
+    CHECK(found(project, scratch, FileKind::module, "a\nb", in) ==
+          "the name of a module has a control character in it: 'a\\x0ab'");
+    CHECK(found(project, scratch, FileKind::script, "a\u202eb", in) ==
+          "the name of a script has a control character in it: 'a\\u202eb'");
 }
 
 TEST_CASE("modules are found in behaviors/lib too, the project's own before the installed ones", "[lua][project]") {
