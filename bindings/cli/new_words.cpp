@@ -12,6 +12,7 @@
 
 #include "bindings/lua/sandbox/lexer.hpp"
 #include "engine/base/names.hpp"
+#include "engine/base/trimmed.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi::cli {
@@ -67,12 +68,6 @@ bool is_string(std::string_view text) {
     const Token token = lexer.next();
     return token.kind == Token::Kind::literal && token.text.size() == text.size() && text.size() >= 2 &&
            text.back() == text.front();
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    return text;
 }
 
 // { 1.0, 0.5 }

@@ -14,6 +14,7 @@
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "engine/base/trimmed.hpp"
 
 namespace nezumi {
 namespace {
@@ -50,9 +51,7 @@ void show_results(Session::Parts& parts, lua_State* L, int base) {
 
 // Whoever types the bare word that leaves wants to leave, not to read what it does.
 bool is_goodbye(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t\n");
-    if (begin == std::string_view::npos) return false;
-    text = text.substr(begin, text.find_last_not_of(" \t\n") + 1 - begin);
+    text = trimmed(text);
     return text == "quit" || text == "exit";
 }
 

@@ -42,6 +42,10 @@ Expected<WordEnd> word_reload(Session::Parts& parts, const Arguments&) {
         parts.show("no script has changed");
         return WordEnd::done;
     }
+    // What does not load, or not within its time, costs the ticks nothing.
+    const auto attempt = parts.at_system([&] { return parts.live.try_reload(files); });
+    if (!attempt) return failure("interrupted");
+    if (auto loads = attempt(); !loads) return Unexpected(loads.error());
     const auto text = parts.at_system([&]() -> std::optional<Expected<std::string>> {
         const auto report = parts.act(Reload{.files = std::move(files)});
         if (!report) return Unexpected(report.error());

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <set>
 
+#include "engine/base/trimmed.hpp"
 #include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi::openrtm {
@@ -45,14 +46,9 @@ std::vector<std::string> parts_of(const std::string& text) {
     return parts;
 }
 
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 template <class T>
 std::optional<ParameterValue> number_from(const std::string& text) {
-    const std::string whole = trimmed(text);
+    const std::string_view whole = trimmed(text);
     T number{};
     const auto read = std::from_chars(whole.data(), whole.data() + whole.size(), number);
     if (read.ec != std::errc() || read.ptr != whole.data() + whole.size()) return std::nullopt;
@@ -60,7 +56,7 @@ std::optional<ParameterValue> number_from(const std::string& text) {
 }
 
 std::optional<ParameterValue> truth_from(const std::string& text) {
-    const std::string whole = trimmed(text);
+    const std::string_view whole = trimmed(text);
     if (whole == "true" || whole == "1") return ParameterValue(true);
     if (whole == "false" || whole == "0") return ParameterValue(false);
     return std::nullopt;

@@ -30,10 +30,6 @@ const SweepRange* to_range(lua_State* lua, int index) {
     return is_range ? static_cast<const SweepRange*>(lua_touserdata(lua, index)) : nullptr;
 }
 
-std::string type_at(lua_State* lua, int index) {
-    return lua_type(lua, index) <= LUA_TNIL ? "nothing" : luaL_typename(lua, index);
-}
-
 // Raw fields of the table at `index` (absolute) with names; an error for any other key.
 Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::string_view what) {
     std::vector<std::string> names;
@@ -157,7 +153,7 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
     Scenario scenario;
     scenario.place = place;
     if (lua_type(lua, 1) != LUA_TSTRING) {
-        return failure(fmt::format("scenario: expected a name, got {}", type_at(lua, 1)));
+        return failure(fmt::format("scenario: expected a name, got {}", Arguments{lua}.kind(1)));
     }
     std::size_t length = 0;
     const char* name = lua_tolstring(lua, 1, &length);
@@ -169,11 +165,12 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
     const std::string what = fmt::format("scenario '{}'", nezumi::shown(scenario.name));
     const bool has_options = !lua_isfunction(lua, 2);
     if (has_options && lua_type(lua, 2) != LUA_TTABLE && lua_type(lua, 2) > LUA_TNIL) {
-        return failure(fmt::format("{}: expected options (a table) or a function, got {}", what, type_at(lua, 2)));
+        return failure(
+            fmt::format("{}: expected options (a table) or a function, got {}", what, Arguments{lua}.kind(2)));
     }
     if (has_options && !lua_isfunction(lua, 3)) {
         return failure(fmt::format("{}: expected a function after the {}, got {}", what,
-                                   lua_type(lua, 2) == LUA_TTABLE ? "options" : "name", type_at(lua, 3)));
+                                   lua_type(lua, 2) == LUA_TTABLE ? "options" : "name", Arguments{lua}.kind(3)));
     }
     if (lua_gettop(lua) > (has_options ? 3 : 2)) {
         return failure(
@@ -215,7 +212,7 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
 Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& scenario) {
     if (lua_type(lua, index) != LUA_TTABLE)
         return failure(fmt::format("option 'sweep' expected a table, as in {{ speed = {{ 0.1, 0.2 }} }}, got {}",
-                                   type_at(lua, index)));
+                                   Arguments{lua}.kind(index)));
     const auto names = names_of(lua, index, "option 'sweep'");
     if (!names) return Unexpected(names.error());
     bool drawn = false;
@@ -252,8 +249,8 @@ Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& sce
             runs *= static_cast<double>(size);
             key.values = std::move(list);
         } else {
-            return failure(
-                fmt::format("{} expected a list of values or range(lo, hi), got {}", what, type_at(lua, values)));
+            return failure(fmt::format("{} expected a list of values or range(lo, hi), got {}", what,
+                                       Arguments{lua}.kind(values)));
         }
         lua_pop(lua, 1);
         scenario.sweep.keys.push_back(std::move(key));

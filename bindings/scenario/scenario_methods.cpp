@@ -20,10 +20,6 @@ namespace {
 // The address is the key of the metatable of `s` in the registry.
 constexpr char object_key = 0;
 
-std::string type_at(lua_State* lua, int index) {
-    return lua_type(lua, index) <= LUA_TNIL ? "nothing" : luaL_typename(lua, index);
-}
-
 bool is_object(lua_State* lua, int index) {
     if (lua_type(lua, index) != LUA_TUSERDATA || lua_getmetatable(lua, index) == 0) return false;
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &object_key);
@@ -180,9 +176,9 @@ Expected<double> ScenarioRun::Methods::seconds(lua_State* lua, int index, std::s
     double value = 0;
     Mismatch why;
     if (lua_type(lua, index) <= LUA_TNIL || !detail::read_number(lua, index, 1e9, value, &why) || value < 0) {
-        return failure(fmt::format(
-            "{} expected seconds from 0 on, got {}", what,
-            lua_type(lua, index) == LUA_TNUMBER ? fmt::format("{}", lua_tonumber(lua, index)) : type_at(lua, index)));
+        return failure(fmt::format("{} expected seconds from 0 on, got {}", what,
+                                   lua_type(lua, index) == LUA_TNUMBER ? fmt::format("{}", lua_tonumber(lua, index))
+                                                                       : Arguments{lua}.kind(index)));
     }
     return value;
 }
@@ -201,16 +197,16 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
     terms.kind = kind;
     terms.place = calling_place(lua);
     if (lua_type(lua, 2) != LUA_TSTRING)
-        return raise(run, fmt::format("expected a name (what should hold), got {}", type_at(lua, 2)));
+        return raise(run, fmt::format("expected a name (what should hold), got {}", Arguments{lua}.kind(2)));
     terms.name = one_line(std::string(string_at(lua, 2)));
     const bool has_options = lua_type(lua, 3) != LUA_TFUNCTION;
     const int function = has_options ? 4 : 3;
     if (has_options && lua_type(lua, 3) != LUA_TTABLE && lua_type(lua, 3) > LUA_TNIL)
-        return raise(
-            run, fmt::format("'{}': expected options (a table) or a function, got {}", terms.name, type_at(lua, 3)));
+        return raise(run, fmt::format("'{}': expected options (a table) or a function, got {}", terms.name,
+                                      Arguments{lua}.kind(3)));
     if (lua_type(lua, function) != LUA_TFUNCTION)
         return raise(run, fmt::format("'{}': expected a function that says true or false, got {}", terms.name,
-                                      type_at(lua, function)));
+                                      Arguments{lua}.kind(function)));
     const bool watches = kind == Expectation::Kind::always || kind == Expectation::Kind::never;
     if (has_options) {
         auto check = FieldCheck::of_options(fmt::format("'{}'", terms.name));
@@ -249,7 +245,7 @@ int ScenarioRun::Methods::run_seconds(ScenarioRun& run, lua_State* lua) {
 // What is told of a check that fails is a text, or a number as Lua writes it.
 std::optional<int> ScenarioRun::Methods::wrong_message(ScenarioRun& run, lua_State* lua, int index) {
     if (lua_isnoneornil(lua, index) || lua_isstring(lua, index) != 0) return std::nullopt;
-    return raise(run, fmt::format("expected a message (a text), got {}", type_at(lua, index)));
+    return raise(run, fmt::format("expected a message (a text), got {}", Arguments{lua}.kind(index)));
 }
 
 int ScenarioRun::Methods::check(ScenarioRun& run, lua_State* lua) {
@@ -266,7 +262,7 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     constexpr const char* names[] = {"the actual value", "the expected value", "the tolerance"};
     for (int i = 0; i < 3; ++i) {
         if (lua_type(lua, i + 2) != LUA_TNUMBER)
-            return raise(run, fmt::format("expected {} (a number), got {}", names[i], type_at(lua, i + 2)));
+            return raise(run, fmt::format("expected {} (a number), got {}", names[i], Arguments{lua}.kind(i + 2)));
         values[i] = lua_tonumber(lua, i + 2);
     }
     const auto [actual, expected, tolerance] = values;
@@ -283,7 +279,7 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
 
 int ScenarioRun::Methods::measure(ScenarioRun& run, lua_State* lua) {
     if (lua_type(lua, 2) != LUA_TSTRING)
-        return raise(run, fmt::format("expected a name (what is measured), got {}", type_at(lua, 2)));
+        return raise(run, fmt::format("expected a name (what is measured), got {}", Arguments{lua}.kind(2)));
     Measure measure{.name = std::string(string_at(lua, 2))};
     const std::string what = fmt::format("'{}'", shown(measure.name));
     if (measure.name.empty() || one_line(measure.name) != measure.name)
@@ -291,12 +287,12 @@ int ScenarioRun::Methods::measure(ScenarioRun& run, lua_State* lua) {
     if (is_column_of_measures(measure.name))
         return raise(run, fmt::format("{}: --measures has a column of this name: choose another", what));
     if (lua_type(lua, 3) != LUA_TNUMBER)
-        return raise(run, fmt::format("{}: expected a number, got {}", what, type_at(lua, 3)));
+        return raise(run, fmt::format("{}: expected a number, got {}", what, Arguments{lua}.kind(3)));
     measure.value = lua_tonumber(lua, 3);
     if (!std::isfinite(measure.value))
         return raise(run, fmt::format("{}: expected a finite number, got {}", what, measure.value));
     if (lua_type(lua, 4) > LUA_TNIL && lua_type(lua, 4) != LUA_TSTRING)
-        return raise(run, fmt::format("{}: expected a unit as in \"s\", got {}", what, type_at(lua, 4)));
+        return raise(run, fmt::format("{}: expected a unit as in \"s\", got {}", what, Arguments{lua}.kind(4)));
     if (lua_type(lua, 4) == LUA_TSTRING) measure.unit = one_line(std::string(string_at(lua, 4)));
     const auto same = [&](const Measure& other) { return other.name == measure.name; };
     const auto& taken = run.result_.measures;

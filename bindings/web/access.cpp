@@ -7,16 +7,12 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/base/trimmed.hpp"
+
 namespace nezumi::web {
 namespace {
 
 constexpr int forbidden = 403;
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
-}
 
 // The token of "nezumi, token.TOKEN", in any order; "" when it says anything else.
 std::string_view token_in(std::string_view protocols) {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <istream>
 
+#include "engine/base/trimmed.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -15,12 +17,6 @@ namespace {
 constexpr double largest = 1e6;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::string_view trim(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 // The end of the field that begins at `at`: its comma, or the row's end. npos when a quote is not closed.
 std::size_t end_of_field(std::string_view row, std::size_t at) {
@@ -118,7 +114,7 @@ std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row)
 }
 
 std::string csv_text(std::string_view field) {
-    field = trim(field);
+    field = trimmed(field);
     std::string text;
     for (bool again = false; field.starts_with('"'); again = true) {
         if (again) text += '"';
@@ -126,7 +122,7 @@ std::string csv_text(std::string_view field) {
         text += field.substr(1, quote - 1);
         field.remove_prefix(quote + 1);
     }
-    return text.append(trim(field));
+    return text.append(trimmed(field));
 }
 
 bool read_csv_row(std::istream& in, std::string& row) {
@@ -142,7 +138,7 @@ Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string&
     std::vector<CsvRow> rows;
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trim(text.substr(0, end));
+        const std::string_view line = trimmed(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.empty() || line.front() == '#') continue;
 
@@ -150,7 +146,7 @@ Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string&
         const auto written = split_csv_row(line);
         if (!written) return failure("a quote is not closed", place);
         std::vector<std::string> fields;
-        for (const std::string_view field : *written) fields.emplace_back(trim(csv_text(field)));
+        for (const std::string_view field : *written) fields.emplace_back(trimmed(csv_text(field)));
         // Spreadsheets fill rows up with empty fields.
         while (fields.size() > (order ? order->size() : 0) && fields.back().empty()) fields.pop_back();
         if (std::all_of(fields.begin(), fields.end(), [](const std::string& field) { return field.empty(); })) continue;

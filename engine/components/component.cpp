@@ -68,10 +68,12 @@ Expected<void> Component::use(std::string_view set) {
     return {};
 }
 
-void Component::note_out_of_time(const Error& error) {
+void Component::note_out_of_time(OutOfTime ended) {
     constexpr std::size_t most = 16;
-    out_of_time_ = error;
-    if (new_out_of_time_.size() < most) new_out_of_time_.push_back({calls_, error});
+    out_of_time_ = ended.error;
+    // A call that ended because one within it did follows from that one.
+    const bool follows = !new_out_of_time_.empty() && new_out_of_time_.back().call > ended.call;
+    if (!follows && new_out_of_time_.size() < most) new_out_of_time_.push_back(std::move(ended));
 }
 
 void Component::log(LogLevel level, std::string text) const {

@@ -169,24 +169,24 @@ protected:
 
     /// What `now` is between ticks, when something runs that is no part of the life cycle.
     void set_now(const Time& now) { now_ = now; }
-    /// Runs `hook` as the hook that is running now.
+    /// Runs `hook` as the hook that is running now. Calls may be nested: each is one that can run out of its time.
     template <class Function>
     auto run(Hook hook, Function&& function) {
         const Hook before = std::exchange(hook_, hook);
-        if (hook != Hook::on_reload) ++calls_;
+        const std::int64_t call = hook == Hook::on_reload ? 0 : ++calls_;
         auto result = function();
         hook_ = before;
-        if (hook == Hook::on_reload) return result;
-        if (!foreseen_.empty()) take_foreseen([&](const Error& error) { result = Unexpected(error); });
-        if (!result && result.error().kind == Error::Kind::out_of_time) note_out_of_time(result.error());
+        if (call == 0) return result;
+        if (!foreseen_.empty()) take_foreseen(call, [&](const Error& error) { result = Unexpected(error); });
+        if (!result && result.error().kind == Error::Kind::out_of_time) note_out_of_time({call, result.error()});
         return result;
     }
 
 private:
-    void note_out_of_time(const Error& error);
+    void note_out_of_time(OutOfTime ended);
     template <class End>
-    void take_foreseen(const End& end) {
-        const auto is_due = [this](const OutOfTime& each) { return each.call == calls_; };
+    void take_foreseen(std::int64_t call, const End& end) {
+        const auto is_due = [call](const OutOfTime& each) { return each.call == call; };
         const auto found = std::find_if(foreseen_.begin(), foreseen_.end(), is_due);
         if (found == foreseen_.end()) return;
         end(found->error);

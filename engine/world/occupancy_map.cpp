@@ -11,18 +11,13 @@
 #include <optional>
 #include <span>
 
+#include "engine/base/trimmed.hpp"
+
 namespace nezumi {
 namespace {
 
 constexpr std::int64_t most_pixels = 64'000'000;
 constexpr double least_resolution = 1e-3;  // [m]
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t begin = text.find_first_not_of(blanks);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
 
 std::string_view without_quotes(std::string_view text) {
     const bool quoted =

@@ -5,16 +5,12 @@
 #include <charconv>
 #include <optional>
 
+#include "engine/base/trimmed.hpp"
+
 namespace nezumi {
 namespace {
 
-// Without the blanks at its ends.
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks(" \t\r\n\v\f\0", 7);
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
+constexpr std::string_view blanks(" \t\r\n\v\f\0", 7);
 
 // A whole number of decimal digits, `most` if it is larger; nothing for any other text.
 std::optional<int> read_number(std::string_view text, int most) {
@@ -28,16 +24,16 @@ std::optional<int> read_number(std::string_view text, int most) {
 }  // namespace
 
 Sound read_sound(std::string_view told) {
-    const std::string_view text = trimmed(told);
+    const std::string_view text = trimmed(told, blanks);
     if (text.empty()) return {};
     if (text == "beep") return {Sound::Kind::tone, 440, 0.2, {}};
     constexpr std::string_view tone = "tone,";
     if (text.substr(0, tone.size()) == tone) {
         const std::string_view numbers = text.substr(tone.size());
         const auto comma = std::min(numbers.find(','), numbers.size());
-        const auto hertz = read_number(trimmed(numbers.substr(0, comma)), highest_tone);
+        const auto hertz = read_number(trimmed(numbers.substr(0, comma), blanks), highest_tone);
         const auto milliseconds =
-            read_number(trimmed(numbers.substr(std::min(comma + 1, numbers.size()))), longest_tone);
+            read_number(trimmed(numbers.substr(std::min(comma + 1, numbers.size())), blanks), longest_tone);
         if (hertz && milliseconds) return {Sound::Kind::tone, static_cast<double>(*hertz), *milliseconds / 1000.0, {}};
     }
     return {Sound::Kind::speech, 0, 0, std::string(text)};

@@ -42,6 +42,7 @@ tl::expected<bool, std::string> ModeSensor::is_in_mode(double now) {
 }
 
 tl::expected<std::optional<SensorValues>, std::string> ModeSensor::sample(double now) {
+    if (nodes_ && now < settled_at_) return std::nullopt;  // a mode asked for meanwhile would be no failure
     if (!nodes_) {
         const auto folder = class_.find(mode_.driver, port_);
         if (!folder) return tl::unexpected(folder.error());

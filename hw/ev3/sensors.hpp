@@ -36,8 +36,9 @@ public:
     static constexpr double period = 0.02;  ///< [s] between readings
     /// [s] after a change of mode that values are not believed: a change takes up to 50 ms, and 20 ms are stale.
     static constexpr double settling = 0.08;
-    /// A change of mode that the sensor does not take is tried so often before it is told.
-    static constexpr int patience = 3;
+    /// A change of mode that the sensor does not take is tried so often before it is told: for 0.8 s, as a slow brick
+    /// may take longer than others.
+    static constexpr int patience = 10;
 
     /// Whether it has ever said something. From any thread.
     bool was_there() const { return was_there_; }

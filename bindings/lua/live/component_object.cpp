@@ -304,7 +304,7 @@ Expected<ComponentAt> find_component(const ObjectRef& ref) {
 Expected<ComponentAt> Objects::to_component(lua_State* L, int index) const {
     if (const ObjectRef* ref = to_object(L, index, ObjectKind::component)) return find_component(*ref);
     if (lua_type(L, index) != LUA_TSTRING) {
-        std::string got = lua_isnoneornil(L, index) ? "nothing" : luaL_typename(L, index);
+        std::string got(Arguments{L}.kind(index));
         if (to_object(L, index, ObjectKind::port) != nullptr) got = "a port";
         return failure("expected a component or its name, got " + got);
     }

@@ -10,6 +10,7 @@
 
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/sandbox/lexer.hpp"
+#include "engine/base/trimmed.hpp"
 #include "engine/robot/robot.hpp"
 
 namespace nezumi {
@@ -34,12 +35,6 @@ std::vector<std::string_view> lines_of(std::string_view text) {
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return lines;
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
-    return text;
 }
 
 // Those that the line names, `config.speed` and such too.

@@ -235,6 +235,12 @@ std::function<std::vector<std::string>()> LiveSystem::look_for_changes() const {
     };
 }
 
+std::function<Expected<void>()> LiveSystem::try_reload(const std::vector<std::string>& files) const {
+    return [parts = running_->reloader->rehearsal(files)]() -> Expected<void> {
+        return parts ? Reloader::rehearse(*parts) : Unexpected(parts.error());
+    };
+}
+
 AddPreparer LiveSystem::add_preparer() const {
     const System::Settings& settings = running_->system->settings();
     return {.settings = {.project = project_, .budget = options_.budget, .chunks = &running_->chunks},

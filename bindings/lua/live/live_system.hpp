@@ -132,6 +132,8 @@ public:
     // that may wait, before the act.
     /// `changed_files`.
     std::function<std::vector<std::string>()> look_for_changes() const;
+    /// Loads what `Reload` of these files would, and lets it go: the error is why it would be refused.
+    std::function<Expected<void>()> try_reload(const std::vector<std::string>& files) const;
     /// Reads and loads what `Add` does, for `add`.
     AddPreparer add_preparer() const;
     /// Reads what `Restart` reads. The error is the system file's.

@@ -223,8 +223,7 @@ Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
             fmt::format("expected a port, got the component {}: write {}.PORT", ref->component(), ref->component()));
     }
     if (lua_type(L, index) != LUA_TSTRING) {
-        return failure(fmt::format("expected a port or \"name.port\", got {}",
-                                   lua_isnoneornil(L, index) ? "nothing" : luaL_typename(L, index)));
+        return failure(fmt::format("expected a port or \"name.port\", got {}", Arguments{L}.kind(index)));
     }
     LiveSystem& live = core_->current();
     const std::string_view path = text_at(L, index);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bindings/lua/files/read_options.hpp"
+#include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "engine/ports/usage.hpp"
 
@@ -32,8 +33,8 @@ Expected<Act> read_move(const System& system, const std::string& marker, lua_Sta
         if (known.name == marker) pose = known.pose;
     }
     if (lua_type(L, index) != LUA_TTABLE)
-        return failure(fmt::format("pose: expected a table {{ x =, y =, z =, heading = }}, got {}",
-                                   lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
+        return failure(
+            fmt::format("pose: expected a table {{ x =, y =, z =, heading = }}, got {}", Arguments{L}.kind(index)));
     const auto place = read_fields<MarkerPlace>(L, index, "pose");
     if (!place) return Unexpected(place.error());
     pose.position = {place->x.value_or(pose.position.x), place->y.value_or(pose.position.y),
@@ -50,8 +51,8 @@ Expected<Act> read_move_thing(const System& system, const std::string& thing, lu
         pose = {{known.pose.position.x, known.pose.position.y}, known.pose.orientation.y};
     }
     if (lua_type(L, index) != LUA_TTABLE)
-        return failure(fmt::format("pose: expected a table {{ x =, y =, heading = }}, got {}",
-                                   lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
+        return failure(
+            fmt::format("pose: expected a table {{ x =, y =, heading = }}, got {}", Arguments{L}.kind(index)));
     const auto place = read_fields<MarkerPlace>(L, index, "pose");
     if (!place) return Unexpected(place.error());
     if (place->z) return failure("pose: a thing keeps its height: leave out z");
@@ -64,8 +65,8 @@ Expected<Act> read_move_thing(const System& system, const std::string& thing, lu
 
 Expected<Pose2D> read_pose(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TTABLE)
-        return failure(fmt::format("pose: expected a table {{ x =, y =, heading = }}, got {}",
-                                   lua_type(L, index) == LUA_TNONE ? "nothing" : luaL_typename(L, index)));
+        return failure(
+            fmt::format("pose: expected a table {{ x =, y =, heading = }}, got {}", Arguments{L}.kind(index)));
     const int top = lua_gettop(L);
     const int table = lua_checkstack(L, 8) != 0 && push_behind_lock(L, index) ? lua_gettop(L) : lua_absindex(L, index);
     if (detail::push_raw_field(L, table, "position")) {

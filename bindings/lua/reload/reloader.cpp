@@ -106,8 +106,12 @@ Expected<std::vector<Reloader::Rehearsal>> Reloader::rehearsal(const std::vector
 }
 
 Expected<void> Reloader::rehearse(const std::vector<Rehearsal>& parts) {
+    ChunkCache chunks;  // the system's own goes when it is started anew
     for (const Rehearsal& part : parts) {
-        auto script = Script::load(part.source, part.context, {.parameters = &part.parameters, .state = &part.state});
+        ScriptContext context = part.context;
+        context.chunks = &chunks;
+        auto script = Script::load(part.source, std::move(context),
+                                   {.parameters = &part.parameters, .state = &part.state});
         if (script) continue;
         Error error = script.error();
         error.message += fmt::format("; still running version {}", part.running);
@@ -159,7 +163,7 @@ Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
         ScriptComponent& component = *changes[i].first;
         let_ports_go(component, next[i], report);
         component.commit(std::move(next[i]), reloads_);
-        component.begin_probation(system_.settings().out_of_time_is_fatal);
+        component.begin_probation();
         if (!contains(on_probation_, component.name())) on_probation_.push_back(component.name());
         report.components.push_back(component.name());
     }

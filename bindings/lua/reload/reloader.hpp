@@ -57,7 +57,7 @@ public:
     };
     /// What `reload_files` would load.
     Expected<std::vector<Rehearsal>> rehearsal(const std::vector<std::string>& paths) const;
-    /// Loads it and lets it go. May run beside the ticks.
+    /// Loads it and lets it go. May run beside the ticks, and outlive the system.
     static Expected<void> rehearse(const std::vector<Rehearsal>& parts);
 
     /// What the preparation of a component may take [s of CPU time]; 0: what its calls may.

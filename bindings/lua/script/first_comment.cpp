@@ -4,18 +4,12 @@
 #include <algorithm>
 
 #include "bindings/lua/sandbox/lexer.hpp"
+#include "engine/base/trimmed.hpp"
 
 namespace nezumi {
 namespace {
 
 constexpr std::size_t most = 2000;  // [bytes]
-
-// The line without blanks at its ends.
-std::string_view trimmed(std::string_view line) {
-    constexpr std::string_view blanks = " \t\r";
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    return line.substr(0, line.find_last_not_of(blanks) + 1);
-}
 
 }  // namespace
 

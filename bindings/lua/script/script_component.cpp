@@ -210,9 +210,8 @@ void ScriptComponent::go_back(bool keep_settings) {
     replace(std::move(back));
 }
 
-void ScriptComponent::begin_probation(bool time_is_fatal) {
+void ScriptComponent::begin_probation() {
     probation_left_ = kProbation;
-    time_is_fatal_ = time_is_fatal;
     relapse_.reset();
 }
 
@@ -227,8 +226,10 @@ Expected<void> ScriptComponent::execute_looked_at() {
 
 Expected<void> ScriptComponent::execute_on_probation() {
     if (relapse_) return {};  // waits to be taken back
-    auto ok = script_->call(Hook::on_execute);
-    if (ok || (time_is_fatal_ && ok.error().kind == Error::Kind::out_of_time)) {
+    // Each version's execution is a call of its own, so that a replay knows which of them ran out of its time.
+    const auto execute = [this] { return run(Hook::on_execute, [this] { return script_->call(Hook::on_execute); }); };
+    auto ok = execute();
+    if (ok) {
         --probation_left_;
         return ok;
     }
@@ -248,7 +249,7 @@ Expected<void> ScriptComponent::execute_on_probation() {
     go_back(false);
     const Budget budget = script_->context().budget;
     if (is_late) script_->set_budget({budget.seconds * Script::kReserve});
-    auto again = script_->call(Hook::on_execute);
+    auto again = execute();
     script_->set_budget(budget);
     return again;
 }

@@ -90,8 +90,8 @@ public:
         int reload = 0;          ///< number of the reload that brought it
         bool went_back = false;  ///< the version before has run in its place already; else the component waits
     };
-    /// From now on failures do not lead to ERROR; with `time_is_fatal` but for those of time.
-    void begin_probation(bool time_is_fatal);
+    /// From now on failures do not lead to ERROR.
+    void begin_probation();
     bool on_probation() const { return probation_left_ > 0; }
     /// What happened, once.
     std::optional<Relapse> take_relapse() { return std::exchange(relapse_, std::nullopt); }
@@ -127,7 +127,6 @@ private:
     std::vector<Version> past_;  // oldest first
     int activation_ = 0;         // counts them
     int probation_left_ = 0;     // executions
-    bool time_is_fatal_ = false;
     std::optional<Relapse> relapse_;
     bool looks_ahead_ = false;
     std::int64_t looks_ = 0;

@@ -186,3 +186,16 @@ TEST_CASE("what is added reads its files and runs its script beside the ticks", 
     CHECK_FALSE(added.interrupted);
     CHECK(added.spent < most_of_a_line);
 }
+
+TEST_CASE("a script that never ends its loading is refused by reload() beside the ticks",
+          "[console][stall][wallclock][watchdog]") {
+    double spent = 1e9;
+    for (int attempt = 0; attempt < 4 && spent >= most_of_a_line; ++attempt) {
+        SessionRig it(counter_system, {{"counter", counter_behavior}});
+        it.folder.write("behaviors/counter.lua", "while true do end\n");
+        spent = run(it, "reload()", std::chrono::milliseconds(20'000)).spent;
+        CHECK_THAT(it.shown, Catch::Contains("counter.lua:1: ran for more than 0.1 s: is there an endless loop?; "
+                                             "still running version 1"));
+    }
+    CHECK(spent < most_of_a_line);
+}

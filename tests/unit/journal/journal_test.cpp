@@ -311,6 +311,34 @@ end
     }
 }
 
+TEST_CASE("a version on probation that the clock ended is taken back in the replay too", "[journal][watchdog]") {
+    Small it(counter, Budget{0.02});
+    it.tick(5);
+    const std::string endless = "while n % 2 == 1 do end";
+    const std::string slow = "local out = output('out', 'TimedLong')\nlocal n = 0\nfunction on_execute() n = n + 1 " +
+                             endless + " out:write(-1) error('late') end\n";
+    it.folder.write("behaviors/it.lua", slow);
+    REQUIRE(it.live->act(Reload{.files = {it.folder.path("behaviors/it.lua").string()}}, {}));
+    it.tick(2);
+    const auto* component = it.live->system().find("it");
+    CHECK(component->state() == LifeState::active);
+    CHECK(component->version() == 1);
+    it.tick(5);
+    const std::uint64_t hash = it.end();
+    CHECK_THAT(text_of_file(it.file), Contains("out_of_time"));
+
+    SECTION("although it is endless") {}
+    SECTION("although it would fail by itself there") {
+        std::string text = text_of_file(it.file);
+        const auto at = text.find(endless);
+        REQUIRE(at != std::string::npos);
+        write(it.file, text.replace(at, endless.size(), ""));
+    }
+    const Replayed again = replay(it.file);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
 TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
     Small it(counter);
     it.tick(3);

@@ -129,7 +129,7 @@ public:
         LiveOptions options;
         options.world = sim::make_world;
         options.budget = budget;
-        // A version on probation that runs out of its time is told in the log alone.
+        // A reload that runs out of its time is told in the log alone.
         bool is_told = false;
         options.build.log = [&](const LogLine& line) {
             is_told = is_told || line.text.find("ran for more than") != std::string::npos;
