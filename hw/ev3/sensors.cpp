@@ -28,14 +28,14 @@ tl::expected<bool, std::string> ModeSensor::is_in_mode(double now) {
     const auto mode = nodes_->get_mode.read();
     if (!mode) return tl::unexpected(with_ev3_advice(mode.error()));
     if (mode->starts_with(mode_.mode) && mode->substr(mode_.mode.size()).find_first_not_of('\n') == mode->npos) {
-        failures_ = 0;
+        attempts_ = 0;
         return true;
     }
     const std::string is = fmt::format("'{}'", shown(mode->substr(0, mode->find('\n'))));
     settled_at_ = now + settling;
     scale_ = 0;
     const auto set = nodes_->set_mode.write(mode_.mode);
-    if (++failures_ < patience) return false;
+    if (++attempts_ < (set ? most_attempts : most_failures)) return false;
     if (!set) return tl::unexpected(with_ev3_advice(set.error()));
     return tl::unexpected(fmt::format("{}: expected {}, got {} again and again: does another program change it?",
                                       nodes_->get_mode.path(), mode_.mode, is));
@@ -49,7 +49,7 @@ tl::expected<std::optional<SensorValues>, std::string> ModeSensor::sample(double
         nodes_.emplace(*folder);
         settled_at_ = now + settling;
         scale_ = 0;
-        failures_ = 0;
+        attempts_ = 0;
         ++plugged_in_;
     }
     const auto is_ready = is_in_mode(now);

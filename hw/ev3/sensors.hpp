@@ -36,9 +36,9 @@ public:
     static constexpr double period = 0.02;  ///< [s] between readings
     /// [s] after a change of mode that values are not believed: a change takes up to 50 ms, and 20 ms are stale.
     static constexpr double settling = 0.08;
-    /// A change of mode that the sensor does not take is tried so often before it is told: for 0.8 s, as a slow brick
-    /// may take longer than others.
-    static constexpr int patience = 10;
+    /// How often a change of mode is tried before it is told that it fails, and that it is asked for in vain: for 0.8 s,
+    /// as a slow brick may take longer than others.
+    static constexpr int most_failures = 3, most_attempts = 10;
 
     /// Whether it has ever said something. From any thread.
     bool was_there() const { return was_there_; }
@@ -61,7 +61,7 @@ private:
     std::optional<Nodes> nodes_;
     double settled_at_ = 0;
     double scale_ = 1;
-    int failures_ = 0;
+    int attempts_ = 0;
     int plugged_in_ = 0;
     std::atomic<bool> was_there_ = false;
 };
