@@ -254,6 +254,7 @@ TEST_CASE("a sensor that does not answer a change of mode in time is told once, 
     FakeEv3 fake;
     fake.fault("in2/mode", "timeout");
     DrivenEv3 ev3(fake);
+    CHECK(ev3.run(5, {}, [&] { return !ev3.log.empty(); }));
     ev3.run(0.5);
     REQUIRE(ev3.log.size() == 1);
     CHECK(ev3.said("sensor 'gyro': "));
