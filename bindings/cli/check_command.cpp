@@ -63,7 +63,7 @@ public:
         for (Error& error : errors) {
             // A script that several systems name is wrong once.
             if (std::find(errors_.begin(), errors_.end(), error) != errors_.end()) continue;
-            if (!json_) fmt::print("{}\n", visible(describe(error)));
+            if (!json_) fmt::print("{}\n", visible_message(describe(error)));
             errors_.push_back(std::move(error));
             status_ = std::max(status_, static_cast<int>(kFailed));
         }

@@ -124,6 +124,7 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     Makers makers;
     makers.world = options.world;
     makers.bodies = options.bodies;
+    makers.drivers = options.drivers;
     makers.components = options.components;
     makers.network = options.network;
     if (!makers.world) leave_out_bodies(*spec, makers);

@@ -12,6 +12,7 @@
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "engine/base/visible.hpp"
+#include "hw/drivers.hpp"
 
 namespace nezumi::cli {
 
@@ -29,6 +30,7 @@ std::vector<std::filesystem::path> installed_folders() {
 LiveOptions simulated_systems() {
     LiveOptions live = nezumi::simulated_systems(installed_folders());
     live.network = dds::make_silent_networks();
+    for (const auto& [name, maker] : hw::drivers({})) live.drivers.push_back(name);
     return live;
 }
 

@@ -289,8 +289,8 @@ private:
         if (devices_ && !devices_->finish()) status = kFailed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;
-            screen_.say(
-                fmt::format("nezumi: {} ended in ERROR: {}", component->name(), describe(component->last_error())));
+            screen_.say(fmt::format("nezumi: {} ended in ERROR: {}", component->name(),
+                                    visible_message(describe(component->last_error()))));
             status = kFailed;
         }
         if (options_.trace_hash) {

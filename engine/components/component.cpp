@@ -147,7 +147,6 @@ void Component::execute(const Time& now) {
         }
         return;
     }
-    parameters_.take_staged();
     dt_ = executed_at_ < 0 ? 1.0 / (rate > 0 ? rate : tick_rate_) : now.seconds - executed_at_;
     executed_at_ = now.seconds;
     ++executions_;
@@ -155,6 +154,7 @@ void Component::execute(const Time& now) {
 }
 
 void Component::latch_inputs(const Time& now) {
+    parameters_.take_staged();
     for (const auto& port : in_ports_) {
         const bool overflowed = port->dropped() > 0;
         port->latch(now);

@@ -307,13 +307,13 @@ Expected<std::size_t> Parameters::index_of(std::string_view name) const {
 }
 
 Expected<void> Parameters::set(std::string_view name, const ParameterValue& value) {
-    return stage(name, value).map([this] { take_staged(); });
+    return stage(name, value, true).map([this] { take_staged(); });
 }
 
 Expected<void> Parameters::set_all(const ParameterValues& values) {
     const std::size_t before = staged_.size();
     for (const auto& [name, value] : values) {
-        if (auto ok = stage(name, value); !ok) {
+        if (auto ok = stage(name, value, true); !ok) {
             staged_.resize(before);
             return ok;
         }
@@ -330,20 +330,21 @@ void Parameters::follow_default(std::string_view name) {
     ++version_;
 }
 
-Expected<void> Parameters::stage(std::string_view name, const ParameterValue& value) {
+Expected<void> Parameters::stage(std::string_view name, const ParameterValue& value, bool from_outside) {
     const auto index = index_of(name);
     if (!index) return Unexpected(index.error());
     auto allowed = check_value(all_[*index].spec, value);
     if (!allowed) return Unexpected(allowed.error());
-    staged_.emplace_back(*index, std::move(*allowed));
+    staged_.push_back({*index, std::move(*allowed), from_outside});
     return {};
 }
 
 bool Parameters::take_staged() {
     if (staged_.empty()) return false;
-    for (auto& [index, value] : staged_) {
+    for (auto& [index, value, from_outside] : staged_) {
         all_[index].value = std::move(value);
         all_[index].set = true;
+        all_[index].from_outside = from_outside;
     }
     staged_.clear();
     ++version_;
@@ -352,6 +353,12 @@ bool Parameters::take_staged() {
 
 void Parameters::adopt(const Parameters& earlier) {
     for (const Parameter& parameter : all_) adopt(earlier, parameter.spec.name);
+}
+
+void Parameters::adopt_from_outside(const Parameters& earlier) {
+    for (const Parameter& parameter : earlier.all_) {
+        if (parameter.from_outside) adopt(earlier, parameter.spec.name);
+    }
 }
 
 void Parameters::adopt(const Parameters& earlier, std::string_view name) {
@@ -364,6 +371,7 @@ void Parameters::adopt(const Parameters& earlier, std::string_view name) {
     if (!allowed) return;
     parameter.value = std::move(*allowed);
     parameter.set = true;
+    parameter.from_outside = before->from_outside;
     ++version_;
 }
 

@@ -56,7 +56,8 @@ public:
     struct Parameter {
         ParameterSpec spec;
         ParameterValue value;
-        bool set = false;  ///< somebody gave it a value; else it follows the default, also of a later version
+        bool set = false;           ///< somebody gave it a value; else it follows the default, also of a later version
+        bool from_outside = false;  ///< and that was not its component, since this version began
     };
 
     /// Adds a parameter at its default. An error when the declaration is wrong or the name is taken.
@@ -72,13 +73,15 @@ public:
     Expected<void> set_all(const ParameterValues& values);
     /// Gives one back its default, as if nobody had ever set it. An unknown name is none.
     void follow_default(std::string_view name);
-    /// Sets one value that holds from the next `take_staged`. Checked now.
-    Expected<void> stage(std::string_view name, const ParameterValue& value);
+    /// For the component itself: sets one value that holds from the next `take_staged`. Checked now.
+    Expected<void> stage(std::string_view name, const ParameterValue& value) { return stage(name, value, false); }
     /// Lets the staged values take effect. Returns whether there were any.
     bool take_staged();
 
     /// Takes over from an earlier version of the component every value that somebody set and that still fits.
     void adopt(const Parameters& earlier);
+    /// The same of those alone that were set from outside.
+    void adopt_from_outside(const Parameters& earlier);
     /// The same for one of them.
     void adopt(const Parameters& earlier, std::string_view name);
 
@@ -88,7 +91,14 @@ public:
 private:
     Expected<std::size_t> index_of(std::string_view name) const;
 
-    std::vector<std::pair<std::size_t, ParameterValue>> staged_;
+    struct Staged {
+        std::size_t index;
+        ParameterValue value;
+        bool from_outside;
+    };
+    Expected<void> stage(std::string_view name, const ParameterValue& value, bool from_outside);
+
+    std::vector<Staged> staged_;
     std::uint64_t version_ = 0;
     std::vector<Parameter> all_;
 };

@@ -252,6 +252,13 @@ private:
         port.add_reader(*this);
         connections_ = sources_.size();
     }
+    void move_last_behind(std::span<const OutPortBase* const> before) override {
+        const auto is_before = [&](const Source& source) {
+            return std::find(before.begin(), before.end(), source.port) != before.end();
+        };
+        Source* const last = sources_.end() - 1;
+        std::rotate(std::find_if_not(sources_.begin(), last, is_before), last, sources_.end());
+    }
     void detach(const OutPortBase& source) override {
         const auto found =
             std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.port == &source; });

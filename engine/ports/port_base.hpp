@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -191,10 +192,20 @@ public:
     /// How often it was disconnected from a source.
     std::uint64_t disconnections() const { return disconnections_; }
 
-    /// Connects it, and its companion to the source's, when both have one of the same type.
+    /// Connects it, and its companion to the source's, when both have one of the same type. It comes after all other
+    /// sources; or, where `before` are those that it follows, right after them.
     void connect(OutPortBase& source) {
         attach(source);
         if (InPortBase* other = companion_for(source)) other->attach(*source.companion());
+    }
+    void connect(OutPortBase& source, std::span<const OutPortBase* const> before) {
+        connect(source);
+        move_last_behind(before);
+        InPortBase* other = companion_for(source);
+        if (other == nullptr) return;
+        std::vector<const OutPortBase*> companions;
+        for (const OutPortBase* each : before) companions.push_back(each->companion());
+        other->move_last_behind(companions);
     }
     void disconnect(const OutPortBase& source) {
         detach(source);
@@ -215,6 +226,8 @@ public:
 
 protected:
     virtual void attach(OutPortBase& source) = 0;
+    /// The source that was attached last is moved up to where only these come before it.
+    virtual void move_last_behind(std::span<const OutPortBase* const> before) = 0;
     virtual void detach(const OutPortBase& source) = 0;
 
     InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)

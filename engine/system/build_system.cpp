@@ -61,9 +61,17 @@ Body add_body(System& system, const RobotEntry& entry, const SystemSpec& spec, c
     return refuse(no_such("backend", backend, names));
 }
 
-Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, Body body) {
+Expected<Component*> add_robot(System& system, const RobotEntry& entry, const SystemSpec& spec, const Makers& makers,
+                               Body body) {
     const auto model = spec.models.find(entry.described_by());
     if (model == spec.models.end()) return Unexpected(body.error());
+    const std::string& driver = model->second.hardware.driver;
+    if (!driver.empty() && !makers.drivers.empty()) {
+        const std::vector<std::string_view> known(makers.drivers.begin(), makers.drivers.end());
+        if (std::find(known.begin(), known.end(), driver) == known.end())
+            return failure(fmt::format("robot '{}': hardware: {}", entry.name, no_such("driver", driver, known)),
+                           entry.place);
+    }
     auto robot = Robot::make(entry.name, model->second, limits_of(entry, model->second.drive));
     if (!robot) return at(entry.place, robot.error());
     Robot* made = robot->get();
@@ -147,7 +155,7 @@ Expected<Component*> add_native(System& system, const ComponentEntry& entry, con
 Expected<Component*> add_entry(System& system, const Entry& entry, const SystemSpec& spec, const Makers& makers) {
     if (const auto* given = std::get_if<RobotEntry>(&entry)) {
         const RobotEntry robot = as_run(*given, spec, makers);
-        return add_robot(system, robot, spec, add_body(system, robot, spec, makers));
+        return add_robot(system, robot, spec, makers, add_body(system, robot, spec, makers));
     }
     if (const auto* behavior = std::get_if<BehaviorEntry>(&entry)) return add_behavior(system, *behavior, makers);
     return add_native(system, std::get<ComponentEntry>(entry), makers);

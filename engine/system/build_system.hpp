@@ -40,6 +40,8 @@ struct Makers {
     NetworkMaker network;  ///< may be empty: then a system of several hosts is refused
     /// Bodies of all other backends. They are in no world: neither kind of robot sees the other.
     ByBackend<BodyMaker> bodies;
+    /// Names of all drivers that robots may name, also where nothing is real; empty: any.
+    std::vector<std::string> drivers{};
     std::function<Expected<std::unique_ptr<Component>>(const BehaviorEntry& entry, const MakerContext& context)>
         behavior;
     /// Native components by type, then by backend.

@@ -183,13 +183,18 @@ Expected<void> System::reach(std::string_view from, std::string_view to) {
         fmt::format("{} is on another host: that needs the word network in the system's file", shown(remote)));
 }
 
-Expected<void> System::connect(std::string_view from, std::string_view to) {
-    if (auto reached = reach(from, to); !reached) return reached;
+Expected<Connection> System::wire(std::string_view from, std::string_view to, std::optional<std::uint64_t> number) {
+    if (auto reached = reach(from, to); !reached) return Unexpected(reached.error());
     const auto source = split(from);
     if (!source) return Unexpected(source.error());
     const auto sink = split(to);
     if (!sink) return Unexpected(sink.error());
-    const auto made = wiring_.connect(*source->first, source->second, *sink->first, sink->second);
+    grouped_ = false;
+    return wiring_.connect(*source->first, source->second, *sink->first, sink->second, number);
+}
+
+Expected<void> System::connect(std::string_view from, std::string_view to) {
+    const auto made = wire(from, to, std::nullopt);
     if (!made) return Unexpected(made.error());
     if (made->to->sources().size() == 2 && dynamic_cast<Device*>(made->to_component) != nullptr) {
         log(LogLevel::warn,
@@ -197,8 +202,12 @@ Expected<void> System::connect(std::string_view from, std::string_view to) {
                 "{} is fed by several connections: the last one in the order of the connect lines wins (said once)",
                 to));
     }
-    grouped_ = false;
     return {};
+}
+
+Expected<void> System::connect_again(const Dropped& dropped) {
+    const auto made = wire(dropped.from, dropped.to, dropped.number);
+    return made ? Expected<void>() : Unexpected(made.error());
 }
 
 Expected<void> System::disconnect(std::string_view from, std::string_view to) {
@@ -212,8 +221,12 @@ Expected<void> System::disconnect(std::string_view from, std::string_view to) {
     return {};
 }
 
-std::vector<std::string> System::disconnect_all(const Port& port) {
-    std::vector<std::string> all = peers(port);
+std::vector<System::Dropped> System::disconnect_all(const Port& port) {
+    std::vector<Dropped> all;
+    for (const Connection& each : wiring_.connections()) {
+        if (each.from == &port || each.to == &port)
+            all.push_back({path(*each.from_component, *each.from), path(*each.to_component, *each.to), each.number});
+    }
     wiring_.disconnect_all(port, now_);
     grouped_ = false;
     return all;

@@ -105,8 +105,15 @@ public:
     Expected<void> disconnect(std::string_view from, std::string_view to);
     /// "name.port" of the ports at the other ends.
     std::vector<std::string> peers(const Port& port) const { return wiring_.peers(port); }
-    /// Drops every connection of a port, which is about to go. Returns the peers.
-    std::vector<std::string> disconnect_all(const Port& port);
+    /// A connection that has been dropped.
+    struct Dropped {
+        std::string from, to;      ///< "name.port"
+        std::uint64_t number = 0;  ///< its place among all
+    };
+    /// Drops every connection of a port, which is about to go.
+    std::vector<Dropped> disconnect_all(const Port& port);
+    /// Makes it again, in its former place among the connections.
+    Expected<void> connect_again(const Dropped& dropped);
 
     /// Whose hand is on the port "name.port", which is held, dropped or frozen; nullptr when nobody's is.
     const Actor* holder(std::string_view path) const;
@@ -132,6 +139,10 @@ public:
     void stop(int brake_ticks);
     /// What ended the run, when something did.
     const std::optional<Error>& fatal_error() const { return fatal_error_; }
+    /// Ends the run with this error, where none has ended it.
+    void fail(const Error& why) {
+        if (!fatal_error_) fatal_error_ = why;
+    }
 
     /// Tells an observer of every tick from now on, in the order of these calls. It must outlive the system or be
     /// removed.
@@ -155,6 +166,7 @@ private:
     template <class Action>
     void share_out(std::size_t count, const Action& action);
     void flush_logs();
+    Expected<Connection> wire(std::string_view from, std::string_view to, std::optional<std::uint64_t> number);
     void end_when_out_of_time();
     void step(World* world);
     Component* find_component(std::string_view name) const;

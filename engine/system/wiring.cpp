@@ -55,7 +55,7 @@ std::vector<std::string_view> port_names(const Component& component, Direction d
 }
 
 Expected<Connection> Wiring::connect(Component& from, std::string_view out_name, Component& to,
-                                     std::string_view in_name) {
+                                     std::string_view in_name, std::optional<std::uint64_t> number) {
     OutPortBase* out = from.find_out_port(out_name);
     InPortBase* in = to.find_in_port(in_name);
     const Port* first = from.find_port(out_name);
@@ -70,8 +70,17 @@ Expected<Connection> Wiring::connect(Component& from, std::string_view out_name,
     const std::vector<const OutPortBase*> sources = in->sources();
     if (std::find(sources.begin(), sources.end(), out) != sources.end())
         return failure(fmt::format("{} is connected to {} already", path(from, *out), path(to, *in)));
-    in->connect(*out);
-    return connections_.emplace_back(Connection{&from, out, &to, in});
+    const Connection made{&from, out, &to, in, number.value_or(made_)};
+    if (!number) ++made_;
+    const auto place = std::upper_bound(connections_.begin(), connections_.end(), made.number,
+                                        [](std::uint64_t own, const Connection& c) { return own < c.number; });
+    std::vector<const OutPortBase*> before;
+    for (auto each = connections_.begin(); each != place; ++each) {
+        if (each->to == in) before.push_back(each->from);
+    }
+    in->connect(*out, before);
+    connections_.insert(place, made);
+    return made;
 }
 
 bool Wiring::disconnect(const Port& from, const Port& to) {

@@ -1,6 +1,8 @@
 // Who is connected to whom: the connections between ports of a system's components.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +17,7 @@ struct Connection {
     OutPortBase* from;
     Component* to_component;
     InPortBase* to;
+    std::uint64_t number;  ///< counts all that are made; one that is made again keeps its own
 };
 
 /// "name.port".
@@ -25,12 +28,13 @@ std::vector<std::string_view> port_names(const Component& component, Direction d
 
 class Wiring {
 public:
-    /// In the order in which they were made.
+    /// In the order of their numbers.
     const std::vector<Connection>& connections() const { return connections_; }
 
     /// Connects an out-port to an in-port, by their names. An error says why not, with the nearest name or the port
-    /// that would fit.
-    Expected<Connection> connect(Component& from, std::string_view out, Component& to, std::string_view in);
+    /// that would fit. With the number of a connection that went it takes the place that this one had.
+    Expected<Connection> connect(Component& from, std::string_view out, Component& to, std::string_view in,
+                                 std::optional<std::uint64_t> number = std::nullopt);
     /// Takes a connection away. Returns whether there was one.
     bool disconnect(const Port& from, const Port& to);
     /// Drops every connection of a port. What it has published still arrives.
@@ -45,6 +49,7 @@ private:
     void drop(const Time& now, const Leaves& leaves, const Meets& meets);
 
     std::vector<Connection> connections_;
+    std::uint64_t made_ = 0;
 };
 
 }  // namespace nezumi

@@ -36,7 +36,7 @@ protected:
 
     /// What there is to do with this picture. An error says why nothing can be seen in it: it is told once in the log.
     virtual Expected<Look> look_at(const CameraImage& image) = 0;
-    /// Writes what was seen.
+    /// Writes what was seen, which gets the stamp of its picture.
     virtual void publish(const Seen& seen) = 0;
 
     /// A parameter, as a part of the component's constructor.
@@ -83,6 +83,7 @@ private:
 
     void start() {
         auto look = look_at(image_.read());
+        exposed_at_ = image_.tm();
         fault_ = look ? std::string() : look.error().message;
         look_.start(now(), value<double>("latency"), look ? std::move(*look) : Look([] { return Seen{}; }));
     }
@@ -94,12 +95,17 @@ private:
         if (!fault_.empty() && !told_) log(LogLevel::warn, fault_ + ": nothing can be seen in it");
         told_ = !fault_.empty();
         publish(**seen);
+        // What is known of the world is as old as the picture.
+        for (const auto& port : out_ports()) {
+            if (port->pending() > 0) port->stamp(exposed_at_);
+        }
         return {};
     }
 
     bool wait_;
     InPort<CameraImage>& image_;
-    std::string fault_;  // why nothing can be seen in the picture that is looked at
+    double exposed_at_ = 0;  // [s] stamp of the picture that is looked at
+    std::string fault_;      // why nothing can be seen in the picture that is looked at
     bool told_ = false;
     DelayedTask<Seen> look_;
 };

@@ -55,6 +55,8 @@ Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& 
         return Disturb{name, push->vx, push->vy, push->va};
     }
     if (lua_type(L, 2) != LUA_TSTRING) return failure("press: expected the name of a button");
+    if (!lua_isnoneornil(L, 3) && !lua_isboolean(L, 3))
+        return failure(fmt::format("press: expected true or false, got {}", Arguments{L}.kind(3)));
     const bool pressed = lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0;
     return Press{name, std::string(text_at(L, 2)), pressed};
 }

@@ -66,6 +66,8 @@ Expected<ActResult> LiveSystem::perform(const Reload& act, const Actor& /*who*/)
         report = reloader.reload(**script, {file.path, act.shown.empty() ? file.shown : act.shown, act.text});
     }
     if (report) watch_again();
+    if (!report && report.error().kind == Error::Kind::out_of_time && options_.build.out_of_time_is_fatal)
+        running_->system->fail(report.error());
     return result_of(report);
 }
 

@@ -53,6 +53,7 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     next->spec = std::move(spec);
     next->makers.world = options_.world;
     next->makers.bodies = options_.bodies;
+    next->makers.drivers = options_.drivers;
     next->makers.rig = options_.rig;
     next->makers.network = options_.network;
     next->makers.components = options_.components;
@@ -236,6 +237,8 @@ std::function<std::vector<std::string>()> LiveSystem::look_for_changes() const {
 }
 
 std::function<Expected<void>()> LiveSystem::try_reload(const std::vector<std::string>& files) const {
+    // There loading that takes too long ends the run, which an attempt does not.
+    if (options_.build.out_of_time_is_fatal) return [] { return Expected<void>(); };
     return [parts = running_->reloader->rehearsal(files)]() -> Expected<void> {
         return parts ? Reloader::rehearse(*parts) : Unexpected(parts.error());
     };

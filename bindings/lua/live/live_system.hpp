@@ -28,6 +28,7 @@ struct LiveOptions {
     const ProjectFiles* files = &disk();           ///< must outlive the system
     WorldFactory world;                            ///< may be empty: then there can be no robots
     decltype(Makers::bodies) bodies;               ///< makers of real robots by backend
+    std::vector<std::string> drivers;              ///< `Makers::drivers`
     RigMaker rig;                                  ///< what sees real robots from outside
     NetworkMaker network;                          ///< may be empty: then a system of several hosts is refused
     decltype(Makers::components) components;       ///< native components by type

@@ -27,6 +27,17 @@ std::string_view word(FileKind kind) {
 
 bool ends_in_lua(std::string_view name) { return name.size() > 4 && name.substr(name.size() - 4) == ".lua"; }
 
+// "lib.pid", "lib/pid": it stays below the folders that are looked in.
+bool is_module_name(std::string_view name) {
+    bool begins = true;  // a name
+    for (const char c : name) {
+        const bool ends = c == '.' || c == '/';
+        if (begins && ends) return false;
+        begins = ends;
+    }
+    return !begins;
+}
+
 // The name as a path with its ending.
 fs::path file_name(FileKind kind, std::string_view name) {
     std::string text(name);
@@ -120,6 +131,9 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
     if (visible(name) != name || name.find_first_of("\n\t") != std::string_view::npos)
         return failure(
             fmt::format("the name of a {} has a control character in it: '{}'", word(kind), nezumi::shown(name)));
+    if (kind == FileKind::module && !is_module_name(name))
+        return failure(fmt::format("there is no module '{}': expected names with dots between them, as in 'lib.pid'",
+                                   nezumi::shown(name)));
     const fs::path naming = (working_ / named_in).lexically_normal();
     const std::vector<fs::path> folders = this->folders(kind, naming);
     const fs::path file = file_name(kind, name);

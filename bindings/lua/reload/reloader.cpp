@@ -110,8 +110,8 @@ Expected<void> Reloader::rehearse(const std::vector<Rehearsal>& parts) {
     for (const Rehearsal& part : parts) {
         ScriptContext context = part.context;
         context.chunks = &chunks;
-        auto script = Script::load(part.source, std::move(context),
-                                   {.parameters = &part.parameters, .state = &part.state});
+        auto script =
+            Script::load(part.source, std::move(context), {.parameters = &part.parameters, .state = &part.state});
         if (script) continue;
         Error error = script.error();
         error.message += fmt::format("; still running version {}", part.running);
@@ -164,7 +164,7 @@ Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
         let_ports_go(component, next[i], report);
         component.commit(std::move(next[i]), reloads_);
         component.begin_probation();
-        if (!contains(on_probation_, component.name())) on_probation_.push_back(component.name());
+        watch_probation(component);
         report.components.push_back(component.name());
     }
     if (!changes.empty()) report.version = changes.front().first->version();
@@ -183,8 +183,11 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
     for (Port* port : component.ports_going(next)) {
         const std::string path = component.name() + "." + port->name();
         const bool in = port->direction() == Direction::in;
-        const std::vector<std::string> peers = system_.disconnect_all(*port);
-        for (const std::string& peer : peers) lost_.emplace_back(in ? peer : path, in ? path : peer);
+        std::vector<std::string> peers;
+        for (System::Dropped& dropped : system_.disconnect_all(*port)) {
+            peers.push_back(in ? dropped.from : dropped.to);
+            lost_.push_back(std::move(dropped));
+        }
         const auto& ports = next.script->ports();
         const auto successor =
             std::find_if(ports.begin(), ports.end(), [&](const PortDeclaration& d) { return d.name == port->name(); });
@@ -201,13 +204,13 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
 
 // A port that is there again, after a slip or a rollback, gets back what it was connected to.
 void Reloader::connect_again(ReloadReport& report) {
-    std::erase_if(lost_, [&](const auto& connection) {
-        const auto& [from, to] = connection;
-        const auto source = system_.port(from);
-        const auto sink = system_.port(to);
+    std::erase_if(lost_, [&](const System::Dropped& lost) {
+        const auto source = system_.port(lost.from);
+        const auto sink = system_.port(lost.to);
         if (!source || !sink || (*source)->type() != (*sink)->type()) return false;
         if ((*source)->direction() != Direction::out || (*sink)->direction() != Direction::in) return false;
-        if (system_.connect(from, to)) report.notes.push_back(fmt::format("{} is connected to {} again", from, to));
+        if (system_.connect_again(lost))
+            report.notes.push_back(fmt::format("{} is connected to {} again", lost.from, lost.to));
         return true;
     });
 }
@@ -241,6 +244,7 @@ ReloadReport Reloader::go_back(int reload, bool keep_settings) {
         if (before == nullptr || before->replaced_by != reload) continue;
         let_ports_go(*component, *before, report);
         component->go_back(keep_settings);
+        watch_probation(*component);
         report.components.push_back(component->name());
         report.version = component->version();
     }
@@ -264,25 +268,46 @@ Expected<ReloadReport> Reloader::rollback(ScriptComponent& component) {
     return report;
 }
 
+void Reloader::watch_probation(const ScriptComponent& component) {
+    if (component.on_probation() && !contains(on_probation_, component.name()))
+        on_probation_.push_back(component.name());
+}
+
 void Reloader::after_tick() {
     if (on_probation_.empty()) return;
-    for (const std::string& name : on_probation_) {
+    struct Relapsed {
+        std::vector<std::string> names;  // of components that failed alike
+        ScriptComponent::Relapse what;
+        ReloadReport report;
+    };
+    std::vector<Relapsed> all;
+    for (const std::string& name : std::vector(on_probation_)) {
         auto* component = dynamic_cast<ScriptComponent*>(system_.find(name));
         auto relapse = component != nullptr ? component->take_relapse() : std::nullopt;
         if (!relapse) continue;
+        auto same = std::find_if(all.begin(), all.end(), [&](const Relapsed& each) {
+            return each.what.reload == relapse->reload && each.what.version == relapse->version &&
+                   each.what.execution == relapse->execution && describe(each.what.error) == describe(relapse->error);
+        });
         ReloadReport report = go_back(relapse->reload, false);
-        if (relapse->went_back) {
+        if (relapse->went_back && !contains(report.components, name))
             report.components.insert(report.components.begin(), name);
-            report.version = component->version();
-        }
+        if (same == all.end()) same = all.insert(all.end(), {{}, std::move(*relapse), {}});
+        same->names.push_back(name);
+        std::ranges::move(report.components, std::back_inserter(same->report.components));
+        std::ranges::move(report.notes, std::back_inserter(same->report.notes));
+    }
+    for (const Relapsed& each : all) {
+        // Those that had gone back with another one have nothing left to go back to.
         std::vector<std::string> back;
-        for (const Group& group : groups_of(report))
+        for (const Group& group :
+             groups_of(each.report.components.empty() ? ReloadReport{.components = each.names} : each.report))
             back.push_back(fmt::format("version {} in {}", group.version, list_of(group.components)));
         system_.log(LogLevel::error,
-                    fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to {}", name,
-                                relapse->version, relapse->execution, ScriptComponent::kProbation,
-                                describe(relapse->error), fmt::join(back, " and ")));
-        for (const std::string& note : report.notes) system_.log(LogLevel::warn, note);
+                    fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to {}",
+                                list_of(each.names), each.what.version, each.what.execution,
+                                ScriptComponent::kProbation, describe(each.what.error), fmt::join(back, " and ")));
+        for (const std::string& note : each.report.notes) system_.log(LogLevel::warn, note);
     }
     std::erase_if(on_probation_, [this](const std::string& name) {
         const auto* component = dynamic_cast<ScriptComponent*>(system_.find(name));

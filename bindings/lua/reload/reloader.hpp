@@ -81,14 +81,15 @@ private:
     };
     std::vector<Group> groups_of(const ReloadReport& report) const;
     ReloadReport go_back(int reload, bool keep_settings);
+    void watch_probation(const ScriptComponent& component);
 
     System& system_;
     Reader read_;
     int reloads_ = 0;
     double preparation_seconds_ = 0;
-    std::vector<std::string> on_probation_;                  // names of components
-    std::vector<ScriptFile> attempted_;                      // modules of the version that was refused last
-    std::vector<std::pair<std::string, std::string>> lost_;  // connections that ended with a port
+    std::vector<std::string> on_probation_;  // names of components
+    std::vector<ScriptFile> attempted_;      // modules of the version that was refused last
+    std::vector<System::Dropped> lost_;      // connections that ended with a port
 };
 
 }  // namespace nezumi

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "bindings/lua/sandbox/lexer.hpp"
@@ -43,6 +44,22 @@ std::string with_shown_token(std::string_view message) {
     return fmt::format("{}{}{}'", visible(message.substr(0, at)), near, shown(token));
 }
 
+// What Lua finds only at the end of a block, it tells with the line itself: "break outside loop at line 3 near <eof>".
+Error at_its_line(Error error) {
+    constexpr std::string_view at_line = " at line ";
+    const bool is_jump = error.message.starts_with("break ") || error.message.starts_with("no visible label ") ||
+                         error.message.starts_with("<goto ");
+    const std::size_t at = error.message.find(at_line);
+    if (!is_jump || at == error.message.npos) return error;
+    const char* const begin = error.message.data() + at + at_line.size();
+    const char* const end = error.message.data() + error.message.size();
+    const auto read = std::from_chars(begin, end, error.place.line);
+    std::string rest(read.ptr, end);
+    if (const std::size_t near = rest.find(" near "); near != rest.npos) rest.erase(near);
+    error.message = error.message.substr(0, at) + rest;
+    return error;
+}
+
 // "file:12: text" into place and text. Lua shortens a long name to its last bytes.
 Error place_of_syntax_error(std::string_view message, const std::string& file) {
     std::size_t at = std::min<std::size_t>(file.size(), LUA_IDSIZE - 1);
@@ -51,7 +68,7 @@ Error place_of_syntax_error(std::string_view message, const std::string& file) {
         for (++at; at < message.size() && message[at] >= '0' && message[at] <= '9'; ++at) {
             line = line * 10 + (message[at] - '0');
         }
-        if (message.substr(at, 2) == ": ") return {with_shown_token(message.substr(at + 2)), {file, line}};
+        if (message.substr(at, 2) == ": ") return at_its_line({with_shown_token(message.substr(at + 2)), {file, line}});
     }
     return {with_shown_token(message), {file}};
 }

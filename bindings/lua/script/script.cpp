@@ -176,6 +176,15 @@ Expected<void> Script::begin_call() {
     return {};
 }
 
+void Script::discard_unsafe() {
+    for (PortSlot& slot : slots_) {
+        auto* out = slot.port != nullptr && slot.port->direction() == Direction::out
+                        ? static_cast<OutPortBase*>(slot.port)
+                        : nullptr;
+        if (out != nullptr && out->has_safe()) out->discard();
+    }
+}
+
 // Arguments: the script, the hook. Its function may be missing.
 int Script::call_with_tasks(lua_State* L) {
     auto& script = *static_cast<Script*>(lua_touserdata(L, 1));
@@ -185,6 +194,8 @@ int Script::call_with_tasks(lua_State* L) {
         script.tasks_.run(L, script.seconds());
     } else {
         script.tasks_.end(L, script.seconds());
+        // What tasks write while they are closed is no answer to the stop: the values that are safe are.
+        if (hook == Hook::on_deactivated) script.discard_unsafe();
     }
     const int function = script.hooks_[static_cast<std::size_t>(hook)];
     if (function == LUA_NOREF) return 0;

@@ -217,6 +217,8 @@ private:
     // What comes before each call: shows parameters that have changed, and counts anew.
     Expected<void> begin_call();
     static int call_with_tasks(lua_State* L);
+    /// Takes back what waits in out-ports that have a safe value.
+    void discard_unsafe();
     Expected<Chunk> compile(const SourceText& source, ScriptKind kind) const;
     Error to_error(const CallError& error) const;
     std::string hint(const Error& error) const;

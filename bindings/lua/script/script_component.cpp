@@ -201,10 +201,14 @@ void ScriptComponent::go_back(bool keep_settings) {
     assert(!past_.empty());
     Version back = std::move(past_.back());
     past_.pop_back();
-    if (keep_settings) back.parameters.adopt(parameters_);
+    if (keep_settings) {
+        back.parameters.adopt(parameters_);
+    } else {
+        back.parameters.adopt_from_outside(parameters_);
+    }
     make_ports(back);
     fill_slots(back);
-    probation_left_ = 0;
+    probation_left_ = past_.empty() ? 0 : back.probation_left;
     // Its tasks go on where they stood, unless all have been ended since.
     if (state() == LifeState::active && back.activation != activation_) back.script->tasks().start_all(now().seconds);
     replace(std::move(back));
@@ -259,6 +263,7 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
     old.script = std::move(script_);
     old.number = version_;
     old.activation = activation_;
+    old.probation_left = probation_left_;
     old.parameters = std::move(parameters_);
     old.in_ports = std::move(in_ports_);
     old.out_ports = std::move(out_ports_);

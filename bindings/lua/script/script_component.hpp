@@ -61,6 +61,7 @@ public:
         std::vector<std::string> warnings;  ///< what could not be taken over from the version before
         int replaced_by = 0;                ///< number of the reload that replaced it
         int activation = 0;                 ///< the how manieth it was active in: its tasks are of that one
+        int probation_left = 0;             ///< executions that it was still on probation for
     };
 
     /// Loads another version, which takes over the state and the parameters of the one that runs. Touches nothing. The
@@ -77,7 +78,8 @@ public:
 
     /// The version to go back to; null when there is none.
     const Version* version_before() const { return past_.empty() ? nullptr : &past_.back(); }
-    /// Goes back to it as it was, state included. With `keep_settings` parameters keep what somebody set since.
+    /// Goes back to it as it was, state and what is left of its probation included. Parameters keep what was set from
+    /// outside since; with `keep_settings` also what the component itself did.
     void go_back(bool keep_settings);
 
     /// Executions for which a new version is on probation: when one fails, the version before takes its place.

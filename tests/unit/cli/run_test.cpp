@@ -272,6 +272,14 @@ TEST_CASE("a component in ERROR at the end is said, and makes the status 1", "[c
     CHECK(outcome.error.find("it.lua:2: no way") != std::string::npos);
 }
 
+TEST_CASE("an error of several lines forges no line of the log, at the end either", "[cli][run]") {
+    const Project project("function on_execute() error('a\\n[    9.000] info  it: all is well') end\n");
+    const Outcome outcome = project.run({"--duration", "0.05"});
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.error, Catch::Contains("it.lua:1: a\n            | [    9.000] info  it: all is well\n"));
+    CHECK(outcome.error.find("\n[    9.000] info") == std::string::npos);
+}
+
 TEST_CASE("probes and what is printed never change the trace hash", "[cli][run]") {
     const auto hash = [](const std::string& more) {
         const Project project("local out = output('out', 'TimedDouble')\nfunction on_execute()\n  out:write(now()) " +

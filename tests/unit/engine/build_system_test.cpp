@@ -246,6 +246,16 @@ TEST_CASE("a robot that names its driver is simulated where the run has no drive
     CHECK_FALSE(plan.build()->find_robot("mouse")->is_real());
 }
 
+TEST_CASE("a driver that nobody knows is refused, also where nothing is real", "[engine][system]") {
+    Plan plan;
+    plan.robot("mouse");
+    plan.spec.models.at("mouse").hardware.driver = "raspimose";
+    CHECK_FALSE(plan.build()->find_robot("mouse")->is_real());
+    plan.makers.drivers = {"ev3", "raspimouse"};
+    CHECK(plan.refusal() ==
+          "s.lua:1: robot 'mouse': hardware: there is no driver 'raspimose' (did you mean 'raspimouse'?)");
+}
+
 TEST_CASE("one robot of a system may be real and the others simulated", "[engine][build][hardware]") {
     Plan plan;
     plan.robot("first");

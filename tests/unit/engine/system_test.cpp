@@ -250,8 +250,29 @@ TEST_CASE("peers are told from both ends, and a connection can be cut", "[engine
     CHECK(refusal(system.disconnect("a.out", "b.inn")) == "b has no port 'inn' (did you mean 'in'?)");
     REQUIRE(system.disconnect("a.out", "b.in"));
     CHECK(system.peers(**system.port("a.out")) == Names{"b.queue"});
-    CHECK(system.disconnect_all(**system.port("a.out")) == Names{"b.queue"});
+    const auto dropped = system.disconnect_all(**system.port("a.out"));
+    REQUIRE(dropped.size() == 1);
+    CHECK(dropped[0].from == "a.out");
+    CHECK(dropped[0].to == "b.queue");
     CHECK(system.connections().empty());
+}
+
+TEST_CASE("a connection that is made again has its former place", "[engine][system][connect]") {
+    System system({}, nullptr);
+    for (const char* name : {"a", "b", "c", "sink"}) add(system, name);
+    for (const char* from : {"a.out", "b.out", "c.out"}) REQUIRE(system.connect(from, "sink.in"));
+    const std::string gone = GENERATE("a.out", "b.out", "c.out");
+    const auto dropped = system.disconnect_all(**system.port(gone));
+    REQUIRE(dropped.size() == 1);
+    REQUIRE(system.connect_again(dropped[0]));
+    CHECK(system.peers(**system.port("sink.in")) == Names{"a.out", "b.out", "c.out"});
+    const auto sources = dynamic_cast<InPortBase&>(**system.port("sink.in")).sources();
+    REQUIRE(sources.size() == 3);
+    CHECK(sources[0] == *system.port("a.out"));
+    CHECK(sources[1] == *system.port("b.out"));
+    CHECK(sources[2] == *system.port("c.out"));
+    REQUIRE(system.connect("a.out", "sink.queue"));
+    CHECK(system.connections().back().to == "sink.queue");
 }
 
 TEST_CASE("a component can't have a name that is taken, no identifier or a word of the console", "[engine][system]") {

@@ -17,8 +17,13 @@ TEST_CASE("a text that is no Lua is refused with its line", "[lua][compile]") {
     CHECK(error_of("\nfunction on_execute( end") == "a.lua:2: <name> or '...' expected near 'end'");
     CHECK(error_of("x = 'abc") == "a.lua:1: unfinished string near <eof>");
     CHECK(error_of("x = 1\n\nif x then") == "a.lua:3: 'end' expected near <eof>");
-    CHECK(error_of("goto nowhere") == "a.lua:1: no visible label 'nowhere' for <goto> at line 1");
-    CHECK(error_of("break") == "a.lua:1: break outside loop at line 1");
+    CHECK(error_of("goto nowhere") == "a.lua:1: no visible label 'nowhere' for <goto>");
+    CHECK(error_of("break") == "a.lua:1: break outside loop");
+    CHECK(error_of("function f()\n  g()\n  break\n  g()\nend\n") == "a.lua:3: break outside loop");
+    CHECK(error_of("function f()\n  goto on\n  g()\nend\n") == "a.lua:2: no visible label 'on' for <goto>");
+    CHECK(error_of("do\n  goto on\n  local x = 1\n  ::on:: x = 2\nend\n") ==
+          "a.lua:2: <goto on> jumps into the scope of local 'x'");
+    CHECK(error_of("if x then\n") == "a.lua:2: 'end' expected (to close 'if' at line 1) near <eof>");
     CHECK(error_of("local x <const> = 1 x = 2") == "a.lua:1: attempt to assign to const variable 'x'");
     CHECK(error_of("\x1bLua") == "a.lua:1: this is bytecode: only Lua source text is run");
     CHECK(error_of("\xEF\xBB\xBF\x1bLua") == "a.lua:1: this is bytecode: only Lua source text is run");

@@ -214,6 +214,10 @@ TEST_CASE("a robot shows the truth, its lights and its limits, and can be carrie
     CHECK(it.run("mouse:teleport { x = -0.5, heading = 1 } return mouse.truth.pose.position.x, "
                  "mouse.truth.pose.heading") == "-0.5 1.0");
     CHECK(it.run("return mouse.limits.speed, #mouse.leds, mouse.buzzer") == "0.5 4 0");
+    for (const auto& [given, kind] :
+         {std::pair<std::string, std::string>{"'no'", "string"}, {"1", "number"}, {"{}", "table"}})
+        CHECK(it.run("mouse:press('switch1', " + given + ")") ==
+              "box.lua:1: press: expected true or false, got " + kind);
     CHECK(it.run("mouse:press('switch1')").empty());
     it.tick();
     CHECK(it.run("return mouse.switch3bit_out.value[2]") == "true");

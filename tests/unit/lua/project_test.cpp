@@ -120,6 +120,21 @@ TEST_CASE("modules are found in behaviors/lib too, the project's own before the 
     CHECK(found(project, scratch, FileKind::module, "nezumi.pid", in) == "behaviors/nezumi/pid.lua");
 }
 
+TEST_CASE("modules are looked for below the project's folders alone, whatever their names say", "[lua][project]") {
+    const Scratch scratch;
+    scratch.write("behaviors/b.lua", "");
+    scratch.write("outside.lua", "");
+    const Project project = Project::of(scratch.path("behaviors/b.lua"));
+    const std::string whole = scratch.path("outside").string();
+    std::string dotted = whole;
+    std::replace(dotted.begin(), dotted.end(), '/', '.');
+    for (const std::string& name : {whole, dotted, std::string("..outside"), std::string("a..outside"),
+                                    std::string("../outside"), std::string("lib."), std::string(".")}) {
+        CHECK(found(project, scratch, FileKind::module, name, "behaviors/b.lua") ==
+              "there is no module '" + shown(name) + "': expected names with dots between them, as in 'lib.pid'");
+    }
+}
+
 TEST_CASE("a folder is no file", "[lua][project]") {
     const Scratch scratch;
     scratch.write("behaviors/x.lua/y", "");

@@ -127,3 +127,77 @@ TEST_CASE("rollback goes back step by step, as far as versions are kept", "[lua]
     CHECK(world.change("it.lua", counter("1")) == "");
     CHECK(it.version() == 13);  // a number is given once
 }
+
+TEST_CASE("connections that come again after a slip or a roll-back keep their order", "[lua][reload]") {
+    ReloadRig world;
+    const auto source = [](const Text& value) {
+        return "local out = output('out', 'TimedLong')\nfunction on_execute() out:write(" + value + ") end\n";
+    };
+    ScriptComponent& first = world.add_text("first", source("1"));
+    world.add_text("second", source("2"));
+    ScriptComponent& sink = world.add_text("sink", "input('from', 'TimedLong')");
+    REQUIRE(world.system.connect("first.out", "sink.from"));
+    REQUIRE(world.system.connect("second.out", "sink.from"));
+    world.tick(2);
+    CHECK(world.out<std::int32_t>("sink.from") == 2);
+    const Text text = GENERATE(as<Text>(), "local o = output('slip', 'TimedLong')\nfunction on_execute() end\n",
+                               "function on_execute() error('x') end\n");
+    CHECK(world.change("first.lua", text) == "");
+    world.tick(12);
+    if (first.version() != 1) CHECK(world.change("first.lua", source("1")) == "");
+    world.tick(2);
+    CHECK(world.system.peers(*sink.find_in_port("from")) == std::vector<Text>{"first.out", "second.out"});
+    CHECK(world.out<std::int32_t>("sink.from") == 2);
+}
+
+TEST_CASE("a version that a roll-back brings back during its own probation is still on probation", "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it = world.add_text("it", counter("1"));
+    const auto failing_in = [](const Text& execution) {
+        return "local n = 0\nfunction on_execute() n = n + 1 if n == " + execution + " then error('late') end end\n";
+    };
+    world.tick(2);
+    CHECK(world.change("it.lua", failing_in("8")) == "");
+    world.tick(3);
+    CHECK(world.change("it.lua", failing_in("3")) == "");
+    world.tick(3);
+    CHECK(it.version() == 2);
+    world.tick(6);
+    CHECK(it.version() == 1);
+    CHECK(to_text(it.state()) == "ACTIVE");
+    CHECK(world.said("it: version 2 failed in execution 8 of its first 10: it.lua:2: late; back to version 1 in it"));
+}
+
+TEST_CASE("a parameter that was set from outside during probation outlives the roll-back, the version's own does not",
+          "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it = world.add_text("it", "param('k', 1) param('own', 1)\n" + counter("1"));
+    world.tick(2);
+    CHECK(world.change("it.lua",
+                       "param('k', 1) param('own', 1)\nlocal n = 0\nfunction on_execute() n = n + 1 config.own = 7 "
+                       "if n == 6 then error('late') end end\n") == "");
+    world.tick(3);
+    REQUIRE(it.parameters().set("k", std::int64_t{30}));
+    world.tick(6);
+    CHECK(it.version() == 1);
+    CHECK(it.parameters().find("k")->value == ParameterValue(std::int64_t{30}));
+    CHECK(it.parameters().find("own")->value == ParameterValue(std::int64_t{1}));
+}
+
+TEST_CASE("components of one file that fail alike are told in one line", "[lua][reload]") {
+    ReloadRig world;
+    world.write("all.lua", counter("1"));
+    for (const char* name : {"b1", "b2", "b3"}) world.add(name, "all.lua");
+    world.tick();
+    CHECK(world.change("all.lua", "function on_execute() error('x') end") == "");
+    world.log.clear();
+    world.tick(3);
+    std::vector<Text> told;
+    for (const Text& line : world.log) {
+        if (line.find("failed") != Text::npos) told.push_back(line);
+    }
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].ends_with(
+        "b1, b2, b3: version 2 failed in execution 1 of its first 10: all.lua:1: x; back to version 1 in "
+        "b1, b2, b3"));
+}

@@ -54,6 +54,27 @@ end)");
     }
 }
 
+TEST_CASE("config.x = v in a script holds from the next tick in every state and at every rate", "[lua][parameters]") {
+    const auto value = [](const ScriptRig& rig) { return rig.component->parameters().find("x")->value; };
+    const auto set = [](ScriptRig& rig, std::int64_t to) {
+        PlainData arguments;
+        arguments.values.emplace_back(to);
+        REQUIRE(rig.component->call_command("set", arguments, rig.now));
+    };
+    const Text text = "param('x', 1)\ncommand('set', function(v) config.x = v end)\n";
+    ScriptRig inactive(text);
+    set(inactive, 44);
+    CHECK(value(inactive) == ParameterValue(std::int64_t{1}));
+    inactive.component->latch_inputs(inactive.now);
+    CHECK(value(inactive) == ParameterValue(std::int64_t{44}));
+
+    ScriptRig broken(text + "function on_execute() error('x') end function on_aborting() config.x = 5 end\n");
+    broken.activate().tick();
+    CHECK(broken.status() == "ERROR");
+    broken.component->latch_inputs(broken.now);
+    CHECK(value(broken) == ParameterValue(std::int64_t{5}));
+}
+
 TEST_CASE("an unknown parameter is an error with the nearest name, read or set", "[lua][parameters]") {
     const std::string head = "param('speed_x', 0.0)";
     CHECK(failure_of(head, "return config.sped_x") ==

@@ -246,6 +246,26 @@ function on_deactivated() note("deactivated") end
     CHECK(rig.seen("t", "status") == "waiting");
 }
 
+TEST_CASE("what tasks write while a deactivation closes them stands in for no safe value", "[lua][tasks]") {
+    const auto [hook, velocity, number] = GENERATE(table<Text, double, std::int32_t>(
+        {{"", 0.0, -1}, {"function on_deactivated() vel:write { vx = 0.2 } count:write(5) end", 0.2, 5}}));
+    TaskRig rig(R"(
+local vel = output("vel", "TimedVelocity2D")
+local count = output("count", "TimedLong", { safe = -1 })
+local plain = output("plain", "TimedLong")
+task("t", function()
+  local closed <close> = setmetatable({}, { __close = function() vel:write { vx = 0.3 } count:write(77) plain:write(8) end })
+  wait(1)
+end)
+)" + hook);
+    rig.tick(2);
+    REQUIRE(rig.component->deactivate(rig.now));
+    rig.tick();
+    CHECK(rig.out<Velocity2D>("vel").read().vx == velocity);
+    CHECK(rig.out<std::int32_t>("count").read() == number);
+    CHECK(rig.out<std::int32_t>("plain").read() == 8);
+}
+
 TEST_CASE("an error ends tasks before on_aborting, and a closer that fails is an error", "[lua][tasks]") {
     TaskRig rig(R"(
 task("t", function()

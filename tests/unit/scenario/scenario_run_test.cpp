@@ -89,6 +89,18 @@ TEST_CASE("a scenario that takes longer than its timeout fails", "[lua][scenario
           "wait_until 'more' had not happened since 2.00 s");
 }
 
+TEST_CASE("a reload that never ends its loading ends the scenario: it could not be run",
+          "[lua][scenario][run][watchdog]") {
+    for (const char* text : {"while true do end", "function on_reload() while true do end end"}) {
+        const std::string outcome =
+            outcome_of("s:load 'systems/stop_at_wall.lua'\ns:run(0.1)\ns:reload('controller', { text = \"" +
+                       std::string(text) + "\" })\ns:run(0.1)");
+        CHECK(outcome.starts_with("could not run: "));
+        CHECK_THAT(outcome,
+                   Catch::Contains(":1: ran for more than 2 s: is there an endless loop?; still running version 1"));
+    }
+}
+
 TEST_CASE("an endless loop ends with its line, and the scenario could not be run", "[lua][scenario][run][watchdog]") {
     CHECK(outcome_of("while true do end") ==
           "could not run: it_test.lua:2: ran for more than 2 s: is there an endless loop?");
