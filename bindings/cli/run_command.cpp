@@ -35,6 +35,7 @@
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "bindings/lua/script/script_words.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -195,8 +195,9 @@ Expected<std::unique_ptr<System>> build_system(const SystemSpec& spec, const Mak
     auto body = bodies.begin();
     for (const Entry& entry : spec.entries) {
         const auto* robot = std::get_if<RobotEntry>(&entry);
-        auto added = robot != nullptr ? add_robot(*system, as_run(*robot, spec, makers), spec, std::move(*body++))
-                                      : add_entry(*system, entry, spec, makers);
+        auto added = robot != nullptr
+                         ? add_robot(*system, as_run(*robot, spec, makers), spec, makers, std::move(*body++))
+                         : add_entry(*system, entry, spec, makers);
         if (!added) return Unexpected(added.error());
     }
     if (spec.network || spec.ros) {

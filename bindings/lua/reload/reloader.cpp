@@ -283,19 +283,19 @@ void Reloader::after_tick() {
     std::vector<Relapsed> all;
     for (const std::string& name : std::vector(on_probation_)) {
         auto* component = dynamic_cast<ScriptComponent*>(system_.find(name));
-        auto relapse = component != nullptr ? component->take_relapse() : std::nullopt;
-        if (!relapse) continue;
-        auto same = std::find_if(all.begin(), all.end(), [&](const Relapsed& each) {
-            return each.what.reload == relapse->reload && each.what.version == relapse->version &&
-                   each.what.execution == relapse->execution && describe(each.what.error) == describe(relapse->error);
-        });
-        ReloadReport report = go_back(relapse->reload, false);
-        if (relapse->went_back && !contains(report.components, name))
-            report.components.insert(report.components.begin(), name);
-        if (same == all.end()) same = all.insert(all.end(), {{}, std::move(*relapse), {}});
-        same->names.push_back(name);
-        std::ranges::move(report.components, std::back_inserter(same->report.components));
-        std::ranges::move(report.notes, std::back_inserter(same->report.notes));
+        if (component == nullptr) continue;
+        for (ScriptComponent::Relapse& relapse : component->take_relapses()) {
+            auto same = std::find_if(all.begin(), all.end(), [&](const Relapsed& each) {
+                return each.what.reload == relapse.reload && each.what.version == relapse.version &&
+                       each.what.execution == relapse.execution && each.what.error == relapse.error;
+            });
+            ReloadReport report = go_back(relapse.reload, false);
+            if (relapse.went_back) report.components.insert(report.components.begin(), name);
+            if (same == all.end()) same = all.insert(all.end(), {{}, std::move(relapse), {}});
+            same->names.push_back(name);
+            std::ranges::move(report.components, std::back_inserter(same->report.components));
+            std::ranges::move(report.notes, std::back_inserter(same->report.notes));
+        }
     }
     for (const Relapsed& each : all) {
         // Those that had gone back with another one have nothing left to go back to.

@@ -216,7 +216,7 @@ void ScriptComponent::go_back(bool keep_settings) {
 
 void ScriptComponent::begin_probation() {
     probation_left_ = kProbation;
-    relapse_.reset();
+    relapses_.clear();
 }
 
 Expected<void> ScriptComponent::execute_looked_at() {
@@ -229,7 +229,7 @@ Expected<void> ScriptComponent::execute_looked_at() {
 }
 
 Expected<void> ScriptComponent::execute_on_probation() {
-    if (relapse_) return {};  // waits to be taken back
+    if (!relapses_.empty() && !relapses_.back().went_back) return {};  // waits to be taken back
     // Each version's execution is a call of its own, so that a replay knows which of them ran out of its time.
     const auto execute = [this] { return run(Hook::on_execute, [this] { return script_->call(Hook::on_execute); }); };
     auto ok = execute();
@@ -239,21 +239,22 @@ Expected<void> ScriptComponent::execute_on_probation() {
     }
     for (const auto& port : out_ports_) port->discard();
     const Version& before = past_.back();
-    relapse_ = {.error = std::move(ok.error()),
-                .version = version_,
-                .execution = kProbation - probation_left_ + 1,
-                .reload = before.replaced_by};
+    relapses_.push_back({.error = std::move(ok.error()),
+                         .version = version_,
+                         .execution = kProbation - probation_left_ + 1,
+                         .reload = before.replaced_by});
+    Relapse& relapse = relapses_.back();
     // When no port differs, the version before can take this very tick, unless its time is up. How much of it was used
     // must not decide: equal runs would differ.
-    if (relapse_->error.kind == Error::Kind::out_of_time || !before.in_ports.empty() || !before.out_ports.empty() ||
+    if (relapse.error.kind == Error::Kind::out_of_time || !before.in_ports.empty() || !before.out_ports.empty() ||
         !ports_going(before).empty())
         return {};
-    relapse_->went_back = true;
+    relapse.went_back = true;
     const bool is_late = script_->has_used_its_tick();
     go_back(false);
     const Budget budget = script_->context().budget;
     if (is_late) script_->set_budget({budget.seconds * Script::kReserve});
-    auto again = execute();
+    auto again = on_probation() ? execute_on_probation() : execute();
     script_->set_budget(budget);
     return again;
 }

@@ -95,8 +95,8 @@ public:
     /// From now on failures do not lead to ERROR.
     void begin_probation();
     bool on_probation() const { return probation_left_ > 0; }
-    /// What happened, once.
-    std::optional<Relapse> take_relapse() { return std::exchange(relapse_, std::nullopt); }
+    /// What happened, once: several where a version that came back failed in the same tick.
+    std::vector<Relapse> take_relapses() { return std::exchange(relapses_, {}); }
 
 protected:
     Expected<void> on_activated() override {
@@ -129,7 +129,7 @@ private:
     std::vector<Version> past_;  // oldest first
     int activation_ = 0;         // counts them
     int probation_left_ = 0;     // executions
-    std::optional<Relapse> relapse_;
+    std::vector<Relapse> relapses_;
     bool looks_ahead_ = false;
     std::int64_t looks_ = 0;
     LineTrace::Seen looked_at_{};

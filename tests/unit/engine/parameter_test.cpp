@@ -319,7 +319,9 @@ TEST_CASE("a value that a script sets while it executes holds from its next exec
         return self.parameters().stage("speed_r", 0.7);
     };
     REQUIRE(it.activate({0, 0}));
-    it.execute({0, 0});
-    it.execute({1, 0.01});
+    for (const Time now : {Time{0, 0}, Time{1, 0.01}}) {
+        it.latch_inputs(now);
+        it.execute(now);
+    }
     CHECK(seen == std::vector<ParameterValue>{0.0, 0.7});
 }

@@ -168,6 +168,25 @@ TEST_CASE("a version that a roll-back brings back during its own probation is st
     CHECK(world.said("it: version 2 failed in execution 8 of its first 10: it.lua:2: late; back to version 1 in it"));
 }
 
+TEST_CASE("a version that comes back and fails in the same tick goes back as well", "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it = world.add_text("it", counter("1"));
+    const auto failing_in = [](const Text& execution) {
+        return "local out = output('out', 'TimedLongSeq') local n = 0\nfunction on_execute() n = n + 1 if n == " +
+               execution + " then error('late') end end\n";
+    };
+    world.tick(2);
+    CHECK(world.change("it.lua", failing_in("4")) == "");
+    world.tick(3);
+    CHECK(world.change("it.lua", failing_in("2")) == "");
+    world.tick(2);
+    CHECK(it.version() == 1);
+    CHECK(to_text(it.state()) == "ACTIVE");
+    CHECK(world.out<Longs>("it.out") == Longs{3, 3});  // in the very tick
+    CHECK(world.said("it: version 3 failed in execution 2 of its first 10: it.lua:2: late; back to version 1 in it"));
+    CHECK(world.said("it: version 2 failed in execution 4 of its first 10: it.lua:2: late; back to version 1 in it"));
+}
+
 TEST_CASE("a parameter that was set from outside during probation outlives the roll-back, the version's own does not",
           "[lua][reload]") {
     ReloadRig world;

@@ -59,9 +59,9 @@ TEST_CASE("config.x = v in a script holds from the next tick in every state and 
     const auto set = [](ScriptRig& rig, std::int64_t to) {
         PlainData arguments;
         arguments.values.emplace_back(to);
-        REQUIRE(rig.component->call_command("set", arguments, rig.now));
+        REQUIRE(rig.component->call_command("give", arguments, rig.now));
     };
-    const Text text = "param('x', 1)\ncommand('set', function(v) config.x = v end)\n";
+    const std::string text = "param('x', 1)\ncommand('give', function(v) config.x = v end)\n";
     ScriptRig inactive(text);
     set(inactive, 44);
     CHECK(value(inactive) == ParameterValue(std::int64_t{1}));
