@@ -46,6 +46,26 @@ Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::stri
     return names;
 }
 
+// Whether a run of `swept` has the name of `other`, which has no sweep: "drives [speed=0.1]".
+bool has_run_called(const Scenario& swept, const Scenario& other) {
+    const std::string prefix = swept.name + " ";
+    if (swept.sweep.keys.empty() || !other.sweep.keys.empty() || !other.name.starts_with(prefix)) return false;
+    const std::string_view values = std::string_view(other.name).substr(prefix.size());
+    const auto point = find_point(swept.sweep, values);
+    return point && text_of(*point) == values;
+}
+
+// Results, folders of failures and --filter know a run by its name.
+Expected<void> check_names_of_runs(const Scenario& scenario, const Scenario& before) {
+    const std::string what = fmt::format("scenario '{}'", shown(scenario.name));
+    const std::string where = fmt::format("the scenario of {}:{}", before.place.file, before.place.line);
+    if (has_run_called(before, scenario))
+        return failure(fmt::format("{}: the name is taken by a run of {}", what, where));
+    if (has_run_called(scenario, before))
+        return failure(fmt::format("{}: its run '{}' has the name of {}", what, shown(before.name), where));
+    return {};
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem::path& path,
@@ -185,6 +205,9 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
     }
     if (has_options && lua_type(lua, 2) == LUA_TTABLE) {
         if (auto ok = read_options(lua, 2, scenario); !ok) return Unexpected(ok.error());
+    }
+    for (const Scenario& other : scenarios_) {
+        if (auto ok = check_names_of_runs(scenario, other); !ok) return Unexpected(ok.error());
     }
     return scenario;
 }
