@@ -38,12 +38,22 @@ struct Tried : Scratch {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// Whether a process has begun others.
-bool has_children(pid_t process) {
+// How many processes one has begun that are not over.
+std::size_t children_of(pid_t process) {
     const std::string number = std::to_string(process);
     std::ifstream children("/proc/" + number + "/task/" + number + "/children");
-    pid_t child = 0;
-    return static_cast<bool>(children >> child);
+    std::size_t count = 0;
+    for (pid_t child = 0; children >> child;) ++count;
+    return count;
+}
+
+// The results that a session keeps.
+std::size_t results_in(const std::filesystem::path& folder) {
+    std::error_code none;
+    std::size_t count = 0;
+    for (std::filesystem::directory_iterator file(folder / "results", none), end; file != end; file.increment(none))
+        count += file->path().extension().empty() ? 1 : 0;
+    return count;
 }
 
 }  // namespace
@@ -218,14 +228,7 @@ TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test
         "  if p.n == 3 then s:run(1e7) end\n"
         "end)\n");
     Program program({"test", "it_test.lua", "--jobs", "1"}, tried.path("").string());
-    const auto kept = [&] {
-        std::error_code none;
-        std::size_t count = 0;
-        for (std::filesystem::directory_iterator file(tried.path("nezumi-test/results"), none), end; file != end;
-             file.increment(none))
-            count += file->path().extension().empty() ? 1 : 0;
-        return count;
-    };
+    const auto kept = [&] { return results_in(tried.path("nezumi-test")); };
     for (int i = 0; i < 20'000 && kept() < 2; ++i) usleep(1000);
     program.send(SIGINT);
     CHECK(program.wait() == 2);
@@ -233,6 +236,33 @@ TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test
     const auto resumed = tried.test({"it_test.lua", "--resume", "--filter", "n=1"});
     CHECK(resumed.status == 0);
     CHECK(kept() == 2);
+}
+
+TEST_CASE("an interrupted session tells of all runs that were over, in their order", "[cli][test][parts]") {
+    const Tried tried(
+        "scenario('it', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
+        "  s:load 'systems/stop_at_wall.lua'\n"
+        "  if p.n == 1 then s:run(1e7) end\n"
+        "  s:measure('doubled', 2 * p.n)\n"
+        "  s:check(p.n ~= 2, 'no')\n"
+        "end)\n");
+    for (const int signal : {SIGINT, SIGHUP}) {
+        Program program({"test", "it_test.lua", "--jobs", "2", "--junit", "it.xml", "--measures", "it.csv", "-o",
+                         std::to_string(signal)},
+                        tried.path("").string());
+        // Only the first run is not over.
+        const auto kept = [&] { return results_in(tried.path(std::to_string(signal))); };
+        for (int i = 0; i < 20'000 && (kept() < 2 || children_of(program.process()) > 1); ++i) usleep(1000);
+        program.send(signal);
+        CHECK(program.wait() == 2);
+        CHECK(program.out.starts_with("FAILED it [n=2]\n    it_test.lua:5: check failed: no\n"));
+        CHECK(contains(program.out, "\nok     it [n=3]  ("));
+        CHECK(contains(program.out, "\n2 runs: 1 passed, 1 failed (seed 124, "));
+        CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume goes on with the others\n");
+        CHECK(text_of_file(tried.path("it.csv")) ==
+              "scenario,run,seed,passed,n,doubled\nit,it [n=2],124,false,2,4\nit,it [n=3],124,true,3,6\n");
+        CHECK(contains(text_of_file(tried.path("it.xml")), "tests=\"2\" failures=\"1\" errors=\"0\""));
+    }
 }
 
 TEST_CASE("what can't be said of parts is refused", "[cli][test][parts]") {
@@ -269,7 +299,7 @@ TEST_CASE("an interruption ends all runs at once", "[cli][test]") {
         "end)\n");
     Program program({"test", "it_test.lua", "--jobs", "2"}, tried.path("").string());
     // When its runs have begun it reads its signals; before, one would end it as any program.
-    for (int i = 0; i < 20'000 && !has_children(program.process()); ++i) usleep(1000);
+    for (int i = 0; i < 20'000 && children_of(program.process()) == 0; ++i) usleep(1000);
     program.send(SIGINT);
     CHECK(program.wait() == 2);
     CHECK(program.error == "nezumi: interrupted: not all scenarios have run\n");

@@ -54,6 +54,38 @@ TEST_CASE("an interruption ends all processes at once", "[lua][scenario][pool]")
     CHECK(run_in_processes(tasks, 2) == PoolEnd::interrupted);
 }
 
+TEST_CASE("an interruption loses no answer of a task that was over", "[lua][scenario][pool]") {
+    std::vector<std::size_t> all;
+    PoolTasks tasks;
+    tasks.count = 4;
+    tasks.run = [](std::size_t task) -> std::string {
+        if (task == 3) kill(getppid(), SIGTERM);
+        while (task == 0 || task == 3) pause();
+        return "fine";
+    };
+    tasks.take = [&](std::size_t task, const Expected<std::string>& answer) {
+        CHECK(answer.value_or("") == "fine");
+        all.push_back(task);
+    };
+    CHECK(run_in_processes(tasks, 2) == PoolEnd::interrupted);
+    CHECK(all == std::vector<std::size_t>{1, 2});
+}
+
+TEST_CASE("a hangup interrupts as a signal to stop does, unless it is ignored", "[lua][scenario][pool]") {
+    PoolTasks tasks;
+    tasks.count = 1;
+    tasks.run = [](std::size_t) -> std::string {
+        kill(getppid(), SIGHUP);
+        usleep(100'000);
+        return "fine";
+    };
+    tasks.take = [](std::size_t, const Expected<std::string>&) {};
+    CHECK(run_in_processes(tasks, 1) == PoolEnd::interrupted);
+    const auto before = std::signal(SIGHUP, SIG_IGN);
+    CHECK(run_in_processes(tasks, 1) == PoolEnd::done);
+    std::signal(SIGHUP, before);
+}
+
 TEST_CASE("a pool tells after each task how many are over", "[lua][scenario][pool]") {
     std::vector<std::size_t> told;
     PoolTasks tasks;
