@@ -4,7 +4,6 @@
 #include <csignal>
 #include <unistd.h>
 
-#include "bindings/scenario/faults.hpp"
 #include "bindings/scenario/process_pool.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "engine/trace/text_plot.hpp"
@@ -137,24 +136,6 @@ TEST_CASE("TAP counts all, and escapes what it would take for a directive", "[lu
         text.starts_with("TAP version 13\n1..2\nok 1 - a_test.lua: x \\# SKIP\nnot ok 2 - a_test.lua: x \\# SKIP\n"
                          "  ---\n  message: \"no \\\"file\\\"\"\n  severity: error\n  at: \"a_test.lua:4\"\n"));
     CHECK(text.ends_with("  ...\n"));
-}
-
-TEST_CASE("faults end in their time, and a later one replaces the one before", "[lua][scenario][faults]") {
-    std::string ended;
-    Faults faults;
-    faults.begin("w mouse press a", 0, 1, [&] { ended += 'a'; });
-    faults.begin("w mouse press b", 0, 2, [&] { ended += 'b'; });
-    faults.begin("w mouse.port", 0, 5, [&] { ended += 'x'; });
-    faults.begin("w mouse.port", 0, 3, [&] { ended += 'p'; });
-    faults.begin("w mouser press a", 0, 9, [&] { ended += 'm'; });
-    faults.end_due(0.99);
-    CHECK(ended.empty());
-    faults.end_due(1);
-    CHECK(ended == "a");
-    CHECK(faults.restore("w mouse") == 1);
-    CHECK(ended == "ab");
-    faults.end_due(5);
-    CHECK(ended == "abp");
 }
 
 TEST_CASE("a plot shows its curves between the least and the greatest value", "[lua][scenario][report]") {
