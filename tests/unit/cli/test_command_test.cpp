@@ -1,6 +1,7 @@
 // `nezumi test` as a person or a script calls it: status, lists, files, signals.
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
@@ -161,6 +162,21 @@ TEST_CASE("nezumi test --measures writes a row for each run", "[cli][test]") {
           "drives,drives [speed=0.2],124,false,0.2,0.4\n");
     CHECK(tried.test({"it_test.lua", "--measures", "none/it.csv"}).error ==
           "none/it.csv: can't be written: No such file or directory\n");
+}
+
+TEST_CASE("results that are beyond a file's limit are told, and the file before stays", "[cli][test]") {
+    const Tried tried;
+    static_cast<void>(tried.write("it.xml", "before"));
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit less{100, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &less);
+    const auto told = tried.test({"it_test.lua", "--filter", "passes", "--junit", "it.xml"});
+    setrlimit(RLIMIT_FSIZE, &before);
+    CHECK(told.status == 2);
+    CHECK(told.error == "it.xml: can't be written: File too large\n");
+    CHECK(text_of_file(tried.path("it.xml")) == "before");
+    CHECK_FALSE(std::filesystem::exists(tried.path("it.xml.new")));
 }
 
 TEST_CASE("nezumi test --quiet says nothing of runs that pass", "[cli][test]") {
