@@ -91,7 +91,13 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     if (run.current().options().build.real_time)
         return raise(run, fmt::format("'{}': a real robot is never the same twice: leave this to simulation", name));
     Place place = calling_place(lua);
-    auto file = std::filesystem::path(place.file).parent_path() / name;
+    auto file = (std::filesystem::path(place.file).parent_path() / name).lexically_normal();
+    for (const GoldenUse& other : run.result_.goldens) {
+        if (other.file != file) continue;
+        return raise(run, fmt::format("'{}': is the golden of {}:{} already: choose another name", name,
+                                      other.place.file, other.place.line));
+    }
+    run.result_.goldens.push_back({file.string(), place});
     run.goldens_.emplace_back(std::move(file), name, options.tolerance, std::move(place), channels);
     return 0;
 }

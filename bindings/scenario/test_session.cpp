@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bindings/scenario/golden.hpp"
 #include "bindings/scenario/process_pool.hpp"
 
 namespace nezumi {
@@ -213,6 +214,12 @@ private:
             RunResult result = agree(results_[index], scenario_of(run).place);
             if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
             told_.push_back(index);
+            if (auto own = goldens_.add(result.goldens, run.name); !own) {
+                result.outcome = RunOutcome::could_not_run;
+                result.error = own.error();
+                result.facts.clear();
+                results_[index].assign(1, result);
+            }
             if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
             tell(report_of(plan_, run, std::move(result), options_), is_kept);
         }
@@ -364,6 +371,7 @@ private:
     std::map<Made, RunResult> known_;              // those whose turn has not come
     std::vector<std::vector<RunResult>> results_;  // of each run, as often as it is made
     std::vector<std::size_t> kept_;                // of each run, so often by an earlier session
+    GoldenOwners goldens_;
     std::map<std::size_t, RunReport> simplified_;
     std::size_t taken_ = 0;          // so many of `mine_`
     std::size_t next_ = 0;           // of `mine_`, to be told of
