@@ -14,6 +14,7 @@
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "engine/ports/usage.hpp"
+#include "engine/robot/robot.hpp"
 
 namespace nezumi {
 namespace {
@@ -235,7 +236,10 @@ int ScenarioRun::Methods::act(ScenarioRun& run, const Act& act) {
 
 int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
     if (const auto component = run.objects_->to_component(lua, 2)) {
-        // A robot: what presses and pushes it. A component: what was done to its ports as well.
+        if (dynamic_cast<const Robot*>(component->component) == nullptr)
+            return raise(run, fmt::format("{} is no robot: expected a robot, or a port as in \"{}.NAME\"",
+                                          component->component->name(), component->component->name()));
+        // What presses and pushes it, and what was done to its ports.
         run.faults_.restore(key_of(component->live, component->component->name()));
         for (const auto& port : component->component->in_ports())
             run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));

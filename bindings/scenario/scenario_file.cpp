@@ -46,6 +46,19 @@ Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::stri
     return names;
 }
 
+bool is_finite(const PlainData::Value& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number == nullptr || std::isfinite(*number);
+}
+
+// Of tables every number.
+bool is_finite(const PlainData& data) {
+    const auto are_finite = [](const auto& entry) { return is_finite(entry.first) && is_finite(entry.second); };
+    return std::all_of(data.values.begin(), data.values.end(), [](const auto& value) { return is_finite(value); }) &&
+           std::all_of(data.tables.begin(), data.tables.end(),
+                       [&](const auto& table) { return std::all_of(table.begin(), table.end(), are_finite); });
+}
+
 // Whether a run of `swept` has the name of `other`, which has no sweep: "drives [speed=0.1]".
 bool has_run_called(const Scenario& swept, const Scenario& other) {
     const std::string prefix = swept.name + " ";
@@ -264,9 +277,14 @@ Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& sce
                 if (!dropped.empty())
                     return failure(fmt::format("{}: value {} is no plain data: {}", what, i, dropped.front().what));
                 SweepValue value = to_sweep_value(std::move(*data));
-                const auto same = [&value](const SweepValue& other) { return other.text == value.text; };
-                if (std::any_of(list.begin(), list.end(), same))
-                    return failure(fmt::format("{} has the value {} twice", what, value.text));
+                if (!is_finite(value.data))
+                    return failure(fmt::format("{} expected finite numbers, got {}", what, value.text));
+                const auto called_so = [&value](const SweepValue& other) { return other.text == value.text; };
+                if (const auto other = std::find_if(list.begin(), list.end(), called_so); other != list.end()) {
+                    if (*other == value) return failure(fmt::format("{} has the value {} twice", what, value.text));
+                    return failure(
+                        fmt::format("{} has two values that are both {} in the names of their runs", what, value.text));
+                }
                 list.push_back(std::move(value));
             }
             runs *= static_cast<double>(size);

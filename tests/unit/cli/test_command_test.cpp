@@ -204,6 +204,7 @@ TEST_CASE("parts of a session are merged to what the whole would have told", "[c
     CHECK(contains(missing.out,
                    "could not run passes [speed=0.2]\n    this run is missing: no folder has its result; "
                    "--shard 2/2 --resume makes it\n"));
+    CHECK(contains(tried.test({"--merge", "one", "--tap"}).out, "\n  at: \"it_test.lua:1\"\n"));
     CHECK(tried.test({"it_test.lua", "--shard", "2/2", "-o", "two"}).status == 2);
     const auto merged = tried.test({"--merge", "one", "two", "--tap", "--measures", "it.csv", "--junit", "it.xml"});
     CHECK(merged.status == whole.status);

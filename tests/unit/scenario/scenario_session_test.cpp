@@ -156,6 +156,12 @@ TEST_CASE("declarations are checked", "[lua][scenario][session]") {
           "1: range: expected lo <= hi, and a step above 0");
     CHECK(refused("scenario('a', { sweep = { x = { 1, 'b', 1 } } }, function() end)") ==
           "1: scenario 'a': option 'sweep': 'x' has the value 1 twice");
+    CHECK(refused("scenario('a', { sweep = { x = { 1, '1' } } }, function() end)") ==
+          "1: scenario 'a': option 'sweep': 'x' has two values that are both 1 in the names of their runs");
+    CHECK(refused("scenario('a', { sweep = { x = { 1, 1 / 0 } } }, function() end)") ==
+          "1: scenario 'a': option 'sweep': 'x' expected finite numbers, got inf");
+    CHECK(refused("scenario('a', { sweep = { x = { { 1, { y = 0 / 0 } } } } }, function() end)")
+              .starts_with("1: scenario 'a': option 'sweep': 'x' expected finite numbers, got {1, {y="));
     CHECK(refused("scenario('a', { samples = 3 }, function() end)") ==
           "1: scenario 'a': option 'samples': there is no sweep to draw from");
     CHECK(refused("scenaro('a', function() end)") == "1: unknown global 'scenaro' (did you mean 'scenario'?)");
