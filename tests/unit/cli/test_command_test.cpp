@@ -263,6 +263,7 @@ TEST_CASE("an interrupted session tells of all runs that were over, in their ord
         "  s:measure('doubled', 2 * p.n)\n"
         "  s:check(p.n ~= 2, 'no')\n"
         "end)\n");
+    const auto before = std::signal(SIGHUP, SIG_DFL);  // nohup ignores it
     for (const int signal : {SIGINT, SIGHUP}) {
         Program program({"test", "it_test.lua", "--jobs", "2", "--junit", "it.xml", "--measures", "it.csv", "-o",
                          std::to_string(signal)},
@@ -280,6 +281,7 @@ TEST_CASE("an interrupted session tells of all runs that were over, in their ord
               "scenario,run,seed,passed,n,doubled\nit,it [n=2],124,false,2,4\nit,it [n=3],124,true,3,6\n");
         CHECK(contains(text_of_file(tried.path("it.xml")), "tests=\"2\" failures=\"1\" errors=\"0\""));
     }
+    std::signal(SIGHUP, before);
 }
 
 TEST_CASE("what can't be said of parts is refused", "[cli][test][parts]") {

@@ -79,8 +79,9 @@ TEST_CASE("a hangup interrupts as a signal to stop does, unless it is ignored", 
         return "fine";
     };
     tasks.take = [](std::size_t, const Expected<std::string>&) {};
+    const auto before = std::signal(SIGHUP, SIG_DFL);  // nohup ignores it
     CHECK(run_in_processes(tasks, 1) == PoolEnd::interrupted);
-    const auto before = std::signal(SIGHUP, SIG_IGN);
+    std::signal(SIGHUP, SIG_IGN);
     CHECK(run_in_processes(tasks, 1) == PoolEnd::done);
     std::signal(SIGHUP, before);
 }
