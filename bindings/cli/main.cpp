@@ -1,4 +1,5 @@
 // nezumi: parses the command line and runs the sub-command that it names.
+#include <csignal>
 #include <exception>
 #include <string>
 
@@ -11,6 +12,7 @@ using namespace nezumi;
 
 int main(int count, char** words) {
     cli::open_missing_standard_files();
+    std::signal(SIGXFSZ, SIG_IGN);  // writing beyond a file's limit is an error like others, also to whoever is started
     int status = cli::kCouldNotRun;
     std::string problem;
     try {

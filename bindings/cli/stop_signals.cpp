@@ -54,7 +54,6 @@ StopSignals::StopSignals() {
     }
     action.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &action, &pipe_before_);
-    sigaction(SIGXFSZ, &action, &size_before_);
 }
 
 void StopSignals::at_second(std::function<void()> action) {
@@ -76,7 +75,6 @@ StopSignals::~StopSignals() {
     }
     for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
     sigaction(SIGPIPE, &pipe_before_, nullptr);
-    sigaction(SIGXFSZ, &size_before_, nullptr);
 }
 
 const volatile std::sig_atomic_t& StopSignals::received() const { return last_signal; }

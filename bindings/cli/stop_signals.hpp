@@ -9,8 +9,8 @@
 namespace nezumi::cli {
 
 /// While one exists, SIGINT, SIGTERM and SIGHUP are only noted, the first time; and writing to a pipe that nobody reads
-/// or beyond a file's limit is an error like others. A signal that was ignored before (nohup, a shell's background
-/// jobs) stays ignored. One at a time.
+/// is an error like others. A signal that was ignored before (nohup, a shell's background jobs) stays ignored. One at a
+/// time.
 class StopSignals {
 public:
     StopSignals();
@@ -29,8 +29,7 @@ public:
 
 private:
     std::array<struct sigaction, signals.size()> before_{};
-    struct sigaction pipe_before_ {
-    }, size_before_{};
+    struct sigaction pipe_before_ {};
     std::thread hurry_;
 };
 

@@ -92,6 +92,18 @@ Expected<void> Golden::compare(const std::string& csv) const {
     return {};
 }
 
+Expected<void> GoldenOwners::add(const std::vector<GoldenUse>& uses, const std::string& run) {
+    for (const GoldenUse& use : uses) {
+        const auto [owner, is_first] = owners_.try_emplace(use.file, Owner{run, use.place});
+        if (is_first) continue;
+        const auto& [other, place] = owner->second;
+        return failure(fmt::format("golden '{}': is that of {}, {}:{}, already: choose another name",
+                                   std::filesystem::path(use.file).filename().string(), other, place.file, place.line),
+                       use.place);
+    }
+    return {};
+}
+
 Expected<void> Golden::finish(bool update) const {
     if (update) {
         const auto written = write_whole(file_, text());

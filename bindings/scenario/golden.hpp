@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bindings/scenario/run_result.hpp"
 #include "engine/base/error.hpp"
 #include "engine/trace/trace_table.hpp"
 
@@ -44,6 +46,20 @@ private:
     Place place_;
     TraceTable table_;
     std::vector<Row> rows_;
+};
+
+/// Which run has which golden. Two that write one file would undo each other's work.
+class GoldenOwners {
+public:
+    /// Notes those of a run, once; an error at the place of one that another run has.
+    Expected<void> add(const std::vector<GoldenUse>& uses, const std::string& run);
+
+private:
+    struct Owner {
+        std::string run;
+        Place place;
+    };
+    std::map<std::string, Owner> owners_;  // by file
 };
 
 }  // namespace nezumi

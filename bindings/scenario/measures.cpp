@@ -16,8 +16,26 @@ namespace {
 
 constexpr std::array<std::string_view, 4> fixed_columns{"scenario", "run", "seed", "passed"};
 
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 void add_once(std::vector<std::string>& names, const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (!has(names, name)) names.push_back(name);
+}
+
+// The columns of parameters: no two columns have the same name.
+std::vector<std::string> columns_of(const std::vector<std::string>& parameters,
+                                    const std::vector<std::string>& measures) {
+    std::vector<std::string> columns;
+    for (const std::string& name : parameters) {
+        std::string column = name;
+        while (is_column_of_measures(column) || has(measures, column) || has(columns, column) ||
+               (column != name && has(parameters, column)))
+            column.insert(0, "p.");
+        columns.push_back(std::move(column));
+    }
+    return columns;
 }
 
 std::string cell(const std::string& text) {
@@ -80,11 +98,7 @@ std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t see
         for (const Measure& measure : run.measures) add_once(measures, measure.name);
     }
     std::string out = fmt::format("{}", fmt::join(fixed_columns, ","));
-    for (const std::string& name : parameters) {
-        const bool taken =
-            is_column_of_measures(name) || std::find(measures.begin(), measures.end(), name) != measures.end();
-        out += "," + cell(taken ? "p." + name : name);
-    }
+    for (const std::string& column : columns_of(parameters, measures)) out += "," + cell(column);
     for (const std::string& name : measures) out += "," + cell(name);
     out += "\n";
     for (const MeasuredRun& run : runs) {

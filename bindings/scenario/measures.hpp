@@ -45,7 +45,7 @@ std::string text_of(const MeasureSummary& summary);
 
 /// CSV (RFC 4180): a row for each run, the columns scenario, run, seed, passed, the parameters and the measures. A text
 /// is itself, without Lua's quotes. What a run does not have is an empty cell. A parameter that is called like another
-/// column is called `p.NAME`.
+/// column is called `p.NAME`, or `p.p.NAME` where that is another one too.
 std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t seed);
 
 /// Whether a measure may not be called so: it is another column.

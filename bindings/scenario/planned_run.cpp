@@ -38,6 +38,21 @@ std::string command_for(const PlannedFile& file, const PlannedRun& run, const Te
 
 }  // namespace
 
+RunResult agree(std::vector<RunResult> results, const Place& place) {
+    RunResult first = results.front();
+    for (std::size_t i = 1; i < results.size(); ++i) {
+        if (results[i].hash == first.hash && results[i].outcome == first.outcome) continue;
+        if (first.outcome == RunOutcome::could_not_run) break;
+        if (results[i].outcome == RunOutcome::could_not_run) return std::move(results[i]);
+        first.outcome = RunOutcome::failed;
+        first.error = {fmt::format("the same run differs: the first has hash {:016x}, number {} has {:016x}",
+                                   first.hash, i + 1, results[i].hash),
+                       place};
+        break;
+    }
+    return first;
+}
+
 RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const TestSessionOptions& options) {
     const PlannedFile& file = plan.files[run.file];
     const Scenario& scenario = file.scenarios[run.scenario];

@@ -39,6 +39,9 @@ struct TestSessionOptions {
 /// One run in this process; when it fails, once more to keep its files and plots (unless `quick`).
 RunResult run_planned(const TestPlan& plan, const PlannedRun& run, const TestSessionOptions& options, bool quick);
 
+/// The results of one run, made several times: they must be alike. At least one; `place` is the scenario's.
+RunResult agree(std::vector<RunResult> results, const Place& place);
+
 /// What is told of a run's result.
 RunReport report_of(const TestPlan& plan, const PlannedRun& run, RunResult result, const TestSessionOptions& options);
 

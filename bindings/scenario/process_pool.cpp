@@ -28,8 +28,8 @@ struct Running {
     std::string answer;
 };
 
-// SIGINT and SIGTERM as a file to poll, while this lives. Without a descriptor for it they end the program as they
-// come, and its children with it.
+// SIGINT, SIGTERM and SIGHUP as a file to poll, while this lives. Without a descriptor for it they end the program as
+// they come, and its children with it.
 class StopSignals {
 public:
     StopSignals() {
@@ -37,6 +37,7 @@ public:
         sigemptyset(&stops);
         sigaddset(&stops, SIGINT);
         sigaddset(&stops, SIGTERM);
+        if (!is_ignored(SIGHUP)) sigaddset(&stops, SIGHUP);
         sigprocmask(SIG_BLOCK, &stops, &before_);
         file_ = signalfd(-1, &stops, SFD_CLOEXEC | SFD_NONBLOCK);
         if (file_ < 0) restore();
@@ -58,6 +59,12 @@ public:
     void restore() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
 
 private:
+    // As nohup has it: a blocked signal would come all the same.
+    static bool is_ignored(int signal) {
+        struct sigaction action {};
+        return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+    }
+
     sigset_t before_{};
     int file_ = -1;
 };
@@ -126,6 +133,19 @@ bool read_some(Running& running) {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
+// Ends a process. An error, unless it was over before.
+Expected<std::string> stop(Running& running) {
+    kill(running.process, SIGKILL);
+    siginfo_t ended{};
+    while (waitid(P_PID, static_cast<id_t>(running.process), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+    }
+    // What it said is in the pipe. Whoever else may have that open is not waited for.
+    fcntl(running.pipe, F_SETFL, O_NONBLOCK);
+    while (read_some(running)) {
+    }
+    return collect(running);
+}
+
 }  // namespace
 
 PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t jobs) {
@@ -157,9 +177,9 @@ PoolEnd run_in_processes(const PoolTasks& tasks, std::size_t jobs) {
             if ((files.front().revents & POLLIN) != 0) {
                 signals.take();
                 for (Running& each : running) {
-                    kill(each.process, SIGKILL);
-                    static_cast<void>(collect(each));
+                    if (auto answer = stop(each)) done.emplace(each.task, std::move(answer));
                 }
+                for (auto& [task, answer] : done) tasks.take(task, std::move(answer));
                 return PoolEnd::interrupted;
             }
             for (std::size_t i = running.size(); i-- > 0;) {

@@ -75,6 +75,14 @@ std::string yaml_text(std::string_view text) {
     return out + "\"";
 }
 
+// Where it went wrong: a file, and its line if that is known.
+std::string place_text(const RunReport& report) {
+    const Place& place = report.result.error.place;
+    const std::string& file = place.file.empty() ? report.file : place.file;
+    const int line = place.file.empty() ? report.line : place.line;
+    return line > 0 ? fmt::format("{}:{}", file, line) : file;
+}
+
 // A description must not contain what TAP takes for a directive or for escaping.
 std::string tap_name(std::string_view name) {
     std::string out;
@@ -103,7 +111,7 @@ public:
         write_("  ---\n");
         write_(fmt::format("  message: {}\n", yaml_text(error.message)));
         write_(fmt::format("  severity: {}\n", report.result.outcome == RunOutcome::failed ? "fail" : "error"));
-        write_(fmt::format("  at: {}\n", yaml_text(fmt::format("{}:{}", error.place.file, error.place.line))));
+        write_(fmt::format("  at: {}\n", yaml_text(place_text(report))));
         write_("  details:\n");
         for (const std::string& line : failure_lines(report)) write_(fmt::format("    - {}\n", yaml_text(line)));
         write_("  ...\n");

@@ -16,8 +16,8 @@ bool all_fields(Archive& archive, Result& result) {
     return archive(result.outcome) && archive(result.error.message) && archive(result.error.place.file) &&
            archive(result.error.place.line) && archive(result.error.place.column) && archive(result.error.kind) &&
            archive(result.facts) && archive(result.margins) && archive(result.printed) && archive(result.measures) &&
-           archive(result.folder) && archive(result.files) && archive(result.seconds) && archive(result.wall_seconds) &&
-           archive(result.hash);
+           archive(result.goldens) && archive(result.folder) && archive(result.files) && archive(result.seconds) &&
+           archive(result.wall_seconds) && archive(result.hash);
 }
 
 // Bytes of another machine may say anything.
@@ -34,6 +34,12 @@ template <class Archive, class AnyMeasure>
 requires std::is_same_v<std::remove_const_t<AnyMeasure>, Measure>
 bool each_field(Archive& archive, AnyMeasure& measure) {
     return archive(measure.name) && archive(measure.value) && archive(measure.unit);
+}
+
+template <class Archive, class AnyUse>
+requires std::is_same_v<std::remove_const_t<AnyUse>, GoldenUse>
+bool each_field(Archive& archive, AnyUse& use) {
+    return archive(use.file) && archive(use.place.file) && archive(use.place.line) && archive(use.place.column);
 }
 
 std::string to_bytes(const RunResult& result) {

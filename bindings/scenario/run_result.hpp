@@ -25,6 +25,14 @@ struct Measure {
     bool operator==(const Measure&) const = default;
 };
 
+/// A golden that a run compared with, or wrote.
+struct GoldenUse {
+    std::string file;  ///< its path
+    Place place;       ///< of `s:golden`
+
+    bool operator==(const GoldenUse&) const = default;
+};
+
 struct RunResult {
     RunOutcome outcome = RunOutcome::passed;
     Error error{};                     ///< what failed, with the scenario's line
@@ -32,6 +40,7 @@ struct RunResult {
     std::vector<std::string> margins;  ///< how near the conditions came to their limits, a line each
     std::vector<std::string> printed;  ///< what the scenario printed, and what was warned of
     std::vector<Measure> measures{};   ///< in the order in which they were taken, each name once
+    std::vector<GoldenUse> goldens{};  ///< each file once
     std::string folder;                ///< where the files of a failure lie; empty: there are none
     std::vector<std::string> files;    ///< their names
     double seconds = 0;                ///< simulated

@@ -7,12 +7,14 @@
 
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/read_options.hpp"
+#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "engine/ports/usage.hpp"
+#include "engine/robot/robot.hpp"
 
 namespace nezumi {
 namespace {
@@ -27,6 +29,24 @@ std::string_view text_or_empty(lua_State* lua, int index) {
     std::size_t length = 0;
     const char* text = lua_tolstring(lua, index, &length);
     return {text, length};
+}
+
+Expected<ActResult> act_on(LiveSystem* live, const Act& what) { return live->act(what, scenario_actor); }
+
+// What puts an override in, as it is now.
+Act act_of(Override kind, const std::string& path, const Port& port) {
+    switch (kind) {
+        case Override::held: return Hold{path, port.override_value()};
+        case Override::dropped: return Drop{path};
+        case Override::frozen: return Freeze{path};
+        case Override::none: break;
+    }
+    return Release{path};
+}
+
+// An act that is done when its time has come: what it was to be done to may be gone by then.
+std::function<void()> later(LiveSystem* live, Act what) {
+    return [live, what = std::move(what)] { static_cast<void>(act_on(live, what)); };
 }
 
 // Each run of a sweep has a golden of its own: "stop.csv" is "stop-speed=0.1.csv".
@@ -72,7 +92,13 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
     if (run.current().options().build.real_time)
         return raise(run, fmt::format("'{}': a real robot is never the same twice: leave this to simulation", name));
     Place place = calling_place(lua);
-    auto file = std::filesystem::path(place.file).parent_path() / name;
+    auto file = (std::filesystem::path(place.file).parent_path() / name).lexically_normal();
+    for (const GoldenUse& other : run.result_.goldens) {
+        if (other.file != file) continue;
+        return raise(run, fmt::format("'{}': is the golden of {}:{} already: choose another name", name,
+                                      other.place.file, other.place.line));
+    }
+    run.result_.goldens.push_back({file.string(), place});
     run.goldens_.emplace_back(std::move(file), name, options.tolerance, std::move(place), channels);
     return 0;
 }
@@ -128,17 +154,35 @@ int ScenarioRun::Methods::port_fault(ScenarioRun& run, lua_State* lua, Override 
     if (!at) return raise(run, at.error().message);
     const auto duration = seconds(lua, 3, "the duration", &for_ever);
     if (!duration) return raise(run, duration.error().message);
-    const bool drops = kind == Override::dropped;
-    const auto done = at->live->act(drops ? Act{Drop{at->path()}} : Act{Freeze{at->path()}}, scenario_actor);
-    if (!done) return raise(run, done.error().message);
-    run.faults_.begin(key_of(at->live, at->path()), run.worlds_.now(), *duration,
-                      [live = at->live, path = at->path(), kind] {
-                          const auto port = live->system().port(path);
-                          // Something else may have been put in its place meanwhile: s:hold.
-                          if (port && (*port)->override() == kind)
-                              static_cast<void>(live->act(Release{path}, scenario_actor));
-                      });
+    const std::string path = at->path();
+    const std::string key = key_of(at->live, path);
+    const Override before = at->port->override();
+    const Act restored = act_of(before, path, *at->port);
+    const Act fault = act_of(kind, path, *at->port);
+    if (auto done = act_on(at->live, fault); !done) return raise(run, done.error().message);
+    // A hold, or a release, has taken the place of the faults before.
+    if (before == Override::held || before == Override::none) run.faults_.forget(key);
+    if (before != Override::none && !run.faults_.has(key)) run.faults_.lies_under(key, later(at->live, restored));
+    const auto is_there = [live = at->live, path, kind] {
+        const auto port = live->system().port(path);
+        return port && (*port)->override() == kind;
+    };
+    run.faults_.begin(key, run.worlds_.now(), *duration,
+                      {.put = later(at->live, fault), .undo = later(at->live, Release{path}), .is_there = is_there});
     return 0;
+}
+
+// Ends a hold. Of what is dropped or frozen it ends the hold that lies under that.
+int ScenarioRun::Methods::release(ScenarioRun& run, lua_State* lua) {
+    if (const auto at = run.objects_->to_port(lua, 2)) {
+        const std::string key = key_of(at->live, at->path());
+        const Override kind = at->port->override();
+        if (kind != Override::held && kind != Override::none && run.faults_.has(key)) {
+            if (run.faults_.forget_under(key)) return 0;
+            return raise(run, fmt::format("{} is {}, not held: s:restore ends that", at->path(), to_text(kind)));
+        }
+    }
+    return act_on_port(run, lua, "release");
 }
 
 int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
@@ -156,11 +200,10 @@ int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
     const auto push = read_push(lua, 3, Describe<Push>::in_scenarios);
     if (!push) return raise(run, push.error().message);
     const std::string name = at->component->name();
-    if (auto ok = at->live->act(Disturb{name, push->vx, push->vy, push->va}, scenario_actor); !ok)
-        return raise(run, ok.error().message);
-    run.faults_.begin(key_of(at->live, name + " disturb"), run.worlds_.now(), duration, [live = at->live, name] {
-        static_cast<void>(live->act(Disturb{name}, scenario_actor));  // unless the robot is gone
-    });
+    const Disturb fault{name, push->vx, push->vy, push->va};
+    if (auto ok = act_on(at->live, fault); !ok) return raise(run, ok.error().message);
+    run.faults_.begin(key_of(at->live, name + " disturb"), run.worlds_.now(), duration,
+                      {.put = later(at->live, fault), .undo = later(at->live, Disturb{name})});
     return 0;
 }
 
@@ -172,11 +215,10 @@ int ScenarioRun::Methods::press(ScenarioRun& run, lua_State* lua) {
     const auto duration = seconds(lua, 4, "the duration", &for_ever);
     if (!duration) return raise(run, duration.error().message);
     const std::string name = at->component->name();
-    if (auto ok = at->live->act(Press{name, sensor, true}, scenario_actor); !ok) return raise(run, ok.error().message);
+    const Press fault{name, sensor, true};
+    if (auto ok = act_on(at->live, fault); !ok) return raise(run, ok.error().message);
     run.faults_.begin(key_of(at->live, name + " press " + sensor), run.worlds_.now(), *duration,
-                      [live = at->live, name, sensor] {
-                          static_cast<void>(live->act(Press{name, sensor, false}, scenario_actor));
-                      });
+                      {.put = later(at->live, fault), .undo = later(at->live, Press{name, sensor, false})});
     return 0;
 }
 
@@ -194,7 +236,10 @@ int ScenarioRun::Methods::act(ScenarioRun& run, const Act& act) {
 
 int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
     if (const auto component = run.objects_->to_component(lua, 2)) {
-        // A robot: what presses and pushes it. A component: what was done to its ports as well.
+        if (dynamic_cast<const Robot*>(component->component) == nullptr)
+            return raise(run, fmt::format("{} is no robot: expected a robot, or a port as in \"{}.NAME\"",
+                                          component->component->name(), component->component->name()));
+        // What presses and pushes it, and what was done to its ports.
         run.faults_.restore(key_of(component->live, component->component->name()));
         for (const auto& port : component->component->in_ports())
             run.faults_.restore(key_of(component->live, component->component->name() + "." + port->name()));
@@ -221,7 +266,7 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts()
          "(port, value)"},
         {"hold", [](ScenarioRun& run, lua_State* lua) { return act_on_port(run, lua, "hold"); }, 3,
          "(port, value, { take = true })"},
-        {"release", [](ScenarioRun& run, lua_State* lua) { return act_on_port(run, lua, "release"); }, 1, "(port)"},
+        {"release", release, 1, "(port)"},
         {"drop", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::dropped); }, 2,
          "(port, seconds)"},
         {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }, 2,

@@ -46,6 +46,39 @@ Expected<std::vector<std::string>> names_of(lua_State* lua, int index, std::stri
     return names;
 }
 
+bool is_finite(const PlainData::Value& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number == nullptr || std::isfinite(*number);
+}
+
+// Of tables every number.
+bool is_finite(const PlainData& data) {
+    const auto are_finite = [](const auto& entry) { return is_finite(entry.first) && is_finite(entry.second); };
+    return std::all_of(data.values.begin(), data.values.end(), [](const auto& value) { return is_finite(value); }) &&
+           std::all_of(data.tables.begin(), data.tables.end(),
+                       [&](const auto& table) { return std::all_of(table.begin(), table.end(), are_finite); });
+}
+
+// Whether a run of `swept` has the name of `other`, which has no sweep: "drives [speed=0.1]".
+bool has_run_called(const Scenario& swept, const Scenario& other) {
+    const std::string prefix = swept.name + " ";
+    if (swept.sweep.keys.empty() || !other.sweep.keys.empty() || !other.name.starts_with(prefix)) return false;
+    const std::string_view values = std::string_view(other.name).substr(prefix.size());
+    const auto point = find_point(swept.sweep, values);
+    return point && text_of(*point) == values;
+}
+
+// Results, folders of failures and --filter know a run by its name.
+Expected<void> check_names_of_runs(const Scenario& scenario, const Scenario& before) {
+    const std::string what = fmt::format("scenario '{}'", shown(scenario.name));
+    const std::string where = fmt::format("the scenario of {}:{}", before.place.file, before.place.line);
+    if (has_run_called(before, scenario))
+        return failure(fmt::format("{}: the name is taken by a run of {}", what, where));
+    if (has_run_called(scenario, before))
+        return failure(fmt::format("{}: its run '{}' has the name of {}", what, shown(before.name), where));
+    return {};
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem::path& path,
@@ -186,6 +219,9 @@ Expected<Scenario> ScenarioFile::read_call(lua_State* lua, const Place& place) {
     if (has_options && lua_type(lua, 2) == LUA_TTABLE) {
         if (auto ok = read_options(lua, 2, scenario); !ok) return Unexpected(ok.error());
     }
+    for (const Scenario& other : scenarios_) {
+        if (auto ok = check_names_of_runs(scenario, other); !ok) return Unexpected(ok.error());
+    }
     return scenario;
 }
 
@@ -241,9 +277,14 @@ Expected<void> ScenarioFile::read_sweep(lua_State* lua, int index, Scenario& sce
                 if (!dropped.empty())
                     return failure(fmt::format("{}: value {} is no plain data: {}", what, i, dropped.front().what));
                 SweepValue value = to_sweep_value(std::move(*data));
-                const auto same = [&value](const SweepValue& other) { return other.text == value.text; };
-                if (std::any_of(list.begin(), list.end(), same))
-                    return failure(fmt::format("{} has the value {} twice", what, value.text));
+                if (!is_finite(value.data))
+                    return failure(fmt::format("{} expected finite numbers, got {}", what, value.text));
+                const auto called_so = [&value](const SweepValue& other) { return other.text == value.text; };
+                if (const auto other = std::find_if(list.begin(), list.end(), called_so); other != list.end()) {
+                    if (*other == value) return failure(fmt::format("{} has the value {} twice", what, value.text));
+                    return failure(
+                        fmt::format("{} has two values that are both {} in the names of their runs", what, value.text));
+                }
                 list.push_back(std::move(value));
             }
             runs *= static_cast<double>(size);

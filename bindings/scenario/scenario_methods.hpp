@@ -64,6 +64,7 @@ private:
     static int load(ScenarioRun& run, lua_State* lua);
     static int reload(ScenarioRun& run, lua_State* lua);
     static int act_on_port(ScenarioRun& run, lua_State* lua, std::string_view word);
+    static int release(ScenarioRun& run, lua_State* lua);
     static int port_fault(ScenarioRun& run, lua_State* lua, Override kind);
     static int disturb(ScenarioRun& run, lua_State* lua);
     static int press(ScenarioRun& run, lua_State* lua);

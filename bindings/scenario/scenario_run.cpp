@@ -52,6 +52,11 @@ Expected<void> ScenarioRun::open() {
     if (!objects) return Unexpected(objects.error());
     objects_ = std::move(*objects);
     objects_->set_prepare([this] { return settle_or_note(); });
+    objects_->set_prepare_change([this]() -> Expected<void> {
+        if (!looking_) return {};
+        setup_error_ = Error{"a condition only looks: parameters are set by the scenario"};
+        return Unexpected(*setup_error_);
+    });
     word_host_.push_entry = [this](lua_State* lua, std::string_view name) {
         objects_->push_component(lua, described_.back().live, name);
     };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bindings/scenario/golden.hpp"
 #include "bindings/scenario/process_pool.hpp"
 
 namespace nezumi {
@@ -23,22 +25,6 @@ RunResult result_of(const Expected<std::string>& answer) {
     auto result = answer ? from_bytes(*answer) : Expected<RunResult>(Unexpected(answer.error()));
     if (result) return std::move(*result);
     return {.outcome = RunOutcome::could_not_run, .error = result.error()};
-}
-
-// The results of the same run, made several times: they must be alike.
-RunResult agree(std::vector<RunResult> results, const Scenario& scenario) {
-    RunResult first = results.front();
-    for (std::size_t i = 1; i < results.size(); ++i) {
-        if (results[i].hash == first.hash && results[i].outcome == first.outcome) continue;
-        if (first.outcome == RunOutcome::could_not_run) break;
-        if (results[i].outcome == RunOutcome::could_not_run) return std::move(results[i]);
-        first.outcome = RunOutcome::failed;
-        first.error = {fmt::format("the same run differs: the first has hash {:016x}, number {} has {:016x}",
-                                   first.hash, i + 1, results[i].hash),
-                       scenario.place};
-        break;
-    }
-    return first;
 }
 
 // Runs by their number in the plan.
@@ -151,6 +137,7 @@ private:
         if (options_.progress) tasks.progress = [&](std::size_t done) { options_.progress(done, tasks.count); };
         take_known();
         end_.interrupted = run_in_processes(tasks, options_.jobs) == PoolEnd::interrupted;
+        if (end_.interrupted) take_out_of_turn();
     }
 
     // In a process of its own. The result is kept here, so that it outlives whoever waits for it.
@@ -183,6 +170,21 @@ private:
         tell_finished(false);
     }
 
+    // Runs before them are missing: their turn will not come.
+    void take_out_of_turn() {
+        for (auto& [made, result] : known_) results_[made.first].push_back(std::move(result));
+        known_.clear();
+    }
+
+    // Whether it is known what a run came to. Of a session that was interrupted one failure says it, however often the
+    // run was to be made.
+    bool is_over(std::size_t run) const {
+        const std::vector<RunResult>& results = results_[run];
+        const auto passed = [](const RunResult& result) { return result.outcome == RunOutcome::passed; };
+        return results.size() == options_.repeat ||
+               (end_.interrupted && !std::all_of(results.begin(), results.end(), passed));
+    }
+
     RunResult find_merged(std::size_t run, std::size_t repetition, std::size_t shards) const {
         for (const ResultStore& store : merged_) {
             if (auto kept = store.find(key_of(run, repetition))) return std::move(kept->result);
@@ -192,19 +194,32 @@ private:
                                       run % shards + 1, shards)}};
     }
 
-    // Tells of all runs whose turn it is. Failures of random sweeps wait for the end.
+    // Tells of all runs whose turn it is, and after an interruption of all that are known. Failures of random sweeps
+    // wait for the end.
     void tell_finished(bool all) {
-        for (; told_ < mine_.size() && results_[mine_[told_]].size() == options_.repeat; ++told_) {
-            const std::size_t index = mine_[told_];
+        for (; next_ < mine_.size(); ++next_) {
+            const std::size_t index = mine_[next_];
+            if (!is_over(index)) {
+                if (end_.interrupted) continue;
+                return;
+            }
             const PlannedRun& run = plan_.runs[index];
             const bool is_kept = kept_[index] == options_.repeat;
             const auto simpler = simplified_.find(index);
             if (simpler != simplified_.end()) {
+                told_.push_back(index);
                 tell(simpler->second, is_kept);
                 continue;
             }
-            RunResult result = agree(results_[index], scenario_of(run));
+            RunResult result = agree(results_[index], scenario_of(run).place);
             if (!all && run.drawn && result.outcome == RunOutcome::failed) return;
+            told_.push_back(index);
+            if (auto own = goldens_.add(result.goldens, run.name); !own) {
+                result.outcome = RunOutcome::could_not_run;
+                result.error = own.error();
+                result.facts.clear();
+                results_[index].assign(1, result);
+            }
             if (run.drawn && result.outcome == RunOutcome::failed) shorten(run, result);
             tell(report_of(plan_, run, std::move(result), options_), is_kept);
         }
@@ -212,9 +227,9 @@ private:
 
     // The runs as they were planned: the simplest failure of a random sweep is another one, which was sought.
     void measure() {
-        for (std::size_t i = 0; i < told_; ++i) {
-            const PlannedRun& run = plan_.runs[mine_[i]];
-            const RunResult result = agree(results_[mine_[i]], scenario_of(run));
+        for (const std::size_t index : told_) {
+            const PlannedRun& run = plan_.runs[index];
+            const RunResult result = agree(results_[index], scenario_of(run).place);
             end_.measured.push_back({.scenario = scenario_of(run).name,
                                      .name = run.name,
                                      .point = run.point,
@@ -333,7 +348,8 @@ private:
 
     // What nobody resumes or merges goes.
     void tidy_up() {
-        end_.can_resume = end_.interrupted && keeps() && told_ > 0;
+        const auto is_kept = [](const std::vector<RunResult>& results) { return !results.empty(); };
+        end_.can_resume = end_.interrupted && keeps() && std::any_of(results_.begin(), results_.end(), is_kept);
         if (end_.interrupted || options_.keep || !keeps()) return;
         for (const std::size_t run : mine_) {
             for (std::size_t i = 0; i < options_.repeat; ++i) keep_->forget(key_of(run, i));
@@ -355,9 +371,11 @@ private:
     std::map<Made, RunResult> known_;              // those whose turn has not come
     std::vector<std::vector<RunResult>> results_;  // of each run, as often as it is made
     std::vector<std::size_t> kept_;                // of each run, so often by an earlier session
+    GoldenOwners goldens_;
     std::map<std::size_t, RunReport> simplified_;
-    std::size_t taken_ = 0;  // so many of `mine_`
-    std::size_t told_ = 0;   // and so many of these
+    std::size_t taken_ = 0;          // so many of `mine_`
+    std::size_t next_ = 0;           // of `mine_`, to be told of
+    std::vector<std::size_t> told_;  // runs
     SessionEnd end_;
 };
 

@@ -83,6 +83,9 @@ struct ObjectAccess {
     static Objects::Core& core(Objects& objects) { return *objects.core_; }
     static const Actor& who(const Objects& objects) { return objects.core_->who; }
     static bool hardware(const Objects& objects) { return objects.hardware_; }
+    static Expected<void> prepare_change(const Objects& objects) {
+        return objects.prepare_change_ ? objects.prepare_change_() : Expected<void>();
+    }
     /// Runs `body()` where the system may be looked at and acted on.
     template <class Body>
     static Expected<Answer> visit(const Objects& objects, Body&& body) {

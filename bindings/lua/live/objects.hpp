@@ -64,6 +64,8 @@ public:
     void set_visit(std::function<bool(const std::function<void()>&)> visit) { visit_ = std::move(visit); }
     /// Is called before each look and act, whose error its own is.
     void set_prepare(std::function<Expected<void>()> prepare) { prepare_ = std::move(prepare); }
+    /// Is called before each change of a parameter, whose error its own is.
+    void set_prepare_change(std::function<Expected<void>()> prepare) { prepare_change_ = std::move(prepare); }
     /// Is called with every port that a script looks at. Must not throw.
     void on_look(std::function<void(const PortAt&)> look) { look_ = std::move(look); }
 
@@ -108,6 +110,7 @@ private:
     std::function<void(const PortAt&)> look_;
     std::function<bool(const std::function<void()>&)> visit_;
     std::function<Expected<void>()> prepare_;
+    std::function<Expected<void>()> prepare_change_;
     std::unique_ptr<Core> core_;
     friend struct ObjectAccess;
 };

@@ -113,6 +113,7 @@ int config_newindex(lua_State* L) {
             if (component.parameters().find(*name) == nullptr)
                 return failure(unknown(component.name() + ": unknown parameter", *name, parameter_names(component)));
             if (!value) return failure(fmt::format("parameter '{}': {}", *name, value.error().message));
+            if (auto ready = ObjectAccess::prepare_change(objects); !ready) return Unexpected(ready.error());
             return answer_of(at->live->act(SetParameter{component.name(), std::string(*name), std::move(*value)},
                                            ObjectAccess::who(objects)));
         });

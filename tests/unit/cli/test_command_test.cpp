@@ -1,6 +1,7 @@
 // `nezumi test` as a person or a script calls it: status, lists, files, signals.
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
@@ -38,12 +39,22 @@ struct Tried : Scratch {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// Whether a process has begun others.
-bool has_children(pid_t process) {
+// How many processes one has begun that are not over.
+std::size_t children_of(pid_t process) {
     const std::string number = std::to_string(process);
     std::ifstream children("/proc/" + number + "/task/" + number + "/children");
-    pid_t child = 0;
-    return static_cast<bool>(children >> child);
+    std::size_t count = 0;
+    for (pid_t child = 0; children >> child;) ++count;
+    return count;
+}
+
+// The results that a session keeps.
+std::size_t results_in(const std::filesystem::path& folder) {
+    std::error_code none;
+    std::size_t count = 0;
+    for (std::filesystem::directory_iterator file(folder / "results", none), end; file != end; file.increment(none))
+        count += file->path().extension().empty() ? 1 : 0;
+    return count;
 }
 
 }  // namespace
@@ -153,6 +164,21 @@ TEST_CASE("nezumi test --measures writes a row for each run", "[cli][test]") {
           "none/it.csv: can't be written: No such file or directory\n");
 }
 
+TEST_CASE("results that are beyond a file's limit are told, and the file before stays", "[cli][test]") {
+    const Tried tried;
+    static_cast<void>(tried.write("it.xml", "before"));
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit less{100, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &less);
+    const auto told = tried.test({"it_test.lua", "--filter", "passes", "--junit", "it.xml"});
+    setrlimit(RLIMIT_FSIZE, &before);
+    CHECK(told.status == 2);
+    CHECK(told.error == "it.xml: can't be written: File too large\n");
+    CHECK(text_of_file(tried.path("it.xml")) == "before");
+    CHECK_FALSE(std::filesystem::exists(tried.path("it.xml.new")));
+}
+
 TEST_CASE("nezumi test --quiet says nothing of runs that pass", "[cli][test]") {
     const Tried tried;
     const auto passed = tried.test({"it_test.lua", "--filter", "passes", "--quiet"});
@@ -178,6 +204,7 @@ TEST_CASE("parts of a session are merged to what the whole would have told", "[c
     CHECK(contains(missing.out,
                    "could not run passes [speed=0.2]\n    this run is missing: no folder has its result; "
                    "--shard 2/2 --resume makes it\n"));
+    CHECK(contains(tried.test({"--merge", "one", "--tap"}).out, "\n  at: \"it_test.lua:1\"\n"));
     CHECK(tried.test({"it_test.lua", "--shard", "2/2", "-o", "two"}).status == 2);
     const auto merged = tried.test({"--merge", "one", "two", "--tap", "--measures", "it.csv", "--junit", "it.xml"});
     CHECK(merged.status == whole.status);
@@ -218,14 +245,7 @@ TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test
         "  if p.n == 3 then s:run(1e7) end\n"
         "end)\n");
     Program program({"test", "it_test.lua", "--jobs", "1"}, tried.path("").string());
-    const auto kept = [&] {
-        std::error_code none;
-        std::size_t count = 0;
-        for (std::filesystem::directory_iterator file(tried.path("nezumi-test/results"), none), end; file != end;
-             file.increment(none))
-            count += file->path().extension().empty() ? 1 : 0;
-        return count;
-    };
+    const auto kept = [&] { return results_in(tried.path("nezumi-test")); };
     for (int i = 0; i < 20'000 && kept() < 2; ++i) usleep(1000);
     program.send(SIGINT);
     CHECK(program.wait() == 2);
@@ -233,6 +253,35 @@ TEST_CASE("an interrupted session says that it can go on, and does", "[cli][test
     const auto resumed = tried.test({"it_test.lua", "--resume", "--filter", "n=1"});
     CHECK(resumed.status == 0);
     CHECK(kept() == 2);
+}
+
+TEST_CASE("an interrupted session tells of all runs that were over, in their order", "[cli][test][parts]") {
+    const Tried tried(
+        "scenario('it', { timeout = 1e8, sweep = { n = { 1, 2, 3 } } }, function(s, p)\n"
+        "  s:load 'systems/stop_at_wall.lua'\n"
+        "  if p.n == 1 then s:run(1e7) end\n"
+        "  s:measure('doubled', 2 * p.n)\n"
+        "  s:check(p.n ~= 2, 'no')\n"
+        "end)\n");
+    const auto before = std::signal(SIGHUP, SIG_DFL);  // nohup ignores it
+    for (const int signal : {SIGINT, SIGHUP}) {
+        Program program({"test", "it_test.lua", "--jobs", "2", "--junit", "it.xml", "--measures", "it.csv", "-o",
+                         std::to_string(signal)},
+                        tried.path("").string());
+        // Only the first run is not over.
+        const auto kept = [&] { return results_in(tried.path(std::to_string(signal))); };
+        for (int i = 0; i < 20'000 && (kept() < 2 || children_of(program.process()) > 1); ++i) usleep(1000);
+        program.send(signal);
+        CHECK(program.wait() == 2);
+        CHECK(program.out.starts_with("FAILED it [n=2]\n    it_test.lua:5: check failed: no\n"));
+        CHECK(contains(program.out, "\nok     it [n=3]  ("));
+        CHECK(contains(program.out, "\n2 runs: 1 passed, 1 failed (seed 124, "));
+        CHECK(program.error == "nezumi: interrupted: not all scenarios have run; --resume goes on with the others\n");
+        CHECK(text_of_file(tried.path("it.csv")) ==
+              "scenario,run,seed,passed,n,doubled\nit,it [n=2],124,false,2,4\nit,it [n=3],124,true,3,6\n");
+        CHECK(contains(text_of_file(tried.path("it.xml")), "tests=\"2\" failures=\"1\" errors=\"0\""));
+    }
+    std::signal(SIGHUP, before);
 }
 
 TEST_CASE("what can't be said of parts is refused", "[cli][test][parts]") {
@@ -269,7 +318,7 @@ TEST_CASE("an interruption ends all runs at once", "[cli][test]") {
         "end)\n");
     Program program({"test", "it_test.lua", "--jobs", "2"}, tried.path("").string());
     // When its runs have begun it reads its signals; before, one would end it as any program.
-    for (int i = 0; i < 20'000 && !has_children(program.process()); ++i) usleep(1000);
+    for (int i = 0; i < 20'000 && children_of(program.process()) == 0; ++i) usleep(1000);
     program.send(SIGINT);
     CHECK(program.wait() == 2);
     CHECK(program.error == "nezumi: interrupted: not all scenarios have run\n");

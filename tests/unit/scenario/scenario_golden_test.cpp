@@ -127,3 +127,36 @@ TEST_CASE("a golden has every message of a tick", "[lua][scenario][golden]") {
     CHECK(text_of_file(rig.folder().path("it.csv")) ==
           "time,teller.out\n0.01," + said + "0.01," + more + "0.02," + said + "0.02," + more);
 }
+
+TEST_CASE("a golden is that of one line of one run", "[lua][scenario][golden]") {
+    ScenarioRig twice(
+        "scenario('it', function(s)\n"
+        "  s:load 'systems/stop_at_wall.lua'\n"
+        "  s:golden('it.csv', 'controller.out')\n"
+        "  s:golden('./it.csv', 'mouse.current_pose_out')\n"
+        "end)\n");
+    twice.options.update_goldens = true;
+    CHECK(outcome_of(twice.run()) ==
+          "could not run: it_test.lua:4: golden: './it.csv': is the golden of it_test.lua:3 already: choose another "
+          "name");
+
+    ScenarioRig both(
+        "scenario('one', function(s)\n"
+        "  s:load 'systems/stop_at_wall.lua' s:golden('it.csv', 'controller.out') s:run(0.1)\n"
+        "end)\n"
+        "scenario('two', function(s)\n"
+        "  s:load 'systems/stop_at_wall.lua' s:golden('it.csv', 'mouse.current_pose_out') s:run(0.1)\n"
+        "end)\n");
+    const std::string path = both.folder().path("it_test.lua").string();
+    for (const bool update : {true, false}) {
+        both.options.update_goldens = update;
+        both.options.repeat = update ? 1 : 2;
+        const SessionEnd end = both.session();
+        CHECK(end.status() == 2);
+        REQUIRE(end.reports.size() == 2);
+        CHECK(describe(end.reports.back().result.error) ==
+              path + ":5: golden 'it.csv': is that of one, " + path + ":2, already: choose another name");
+        CHECK_FALSE(end.measured.back().passed);
+    }
+    CHECK(both.session("one").summary.could_not_run == 0);
+}

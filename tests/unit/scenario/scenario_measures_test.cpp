@@ -94,3 +94,11 @@ TEST_CASE("a session sums up what its runs measured, each as it was planned", "[
     }
     CHECK(rig.said.find("\nx [m] of it: 9 runs, min ") != std::string::npos);
 }
+
+TEST_CASE("no two columns of the table have the same name", "[scenario][measures]") {
+    const auto text = [](const std::string& value) { return SweepValue{.data = {}, .text = value}; };
+    MeasuredRun run = measured("x", 4);
+    run.point = {{"a", text("1")}, {"p.a", text("2")}, {"run", text("3")}};
+    run.measures = {{"a", 5, ""}, {"p.a", 6, ""}};
+    CHECK(measures_csv({run}, 124) == "scenario,run,seed,passed,p.p.a,p.p.p.a,p.run,a,p.a\na,x,124,true,1,2,3,5,6\n");
+}

@@ -4,7 +4,6 @@
 #include <csignal>
 #include <unistd.h>
 
-#include "bindings/scenario/faults.hpp"
 #include "bindings/scenario/process_pool.hpp"
 #include "bindings/scenario/reporter.hpp"
 #include "engine/trace/text_plot.hpp"
@@ -52,6 +51,39 @@ TEST_CASE("an interruption ends all processes at once", "[lua][scenario][pool]")
     };
     tasks.take = [&](std::size_t, const Expected<std::string>&) { FAIL("nothing was to be done"); };
     CHECK(run_in_processes(tasks, 2) == PoolEnd::interrupted);
+}
+
+TEST_CASE("an interruption loses no answer of a task that was over", "[lua][scenario][pool]") {
+    std::vector<std::size_t> all;
+    PoolTasks tasks;
+    tasks.count = 4;
+    tasks.run = [](std::size_t task) -> std::string {
+        if (task == 3) kill(getppid(), SIGTERM);
+        while (task == 0 || task == 3) pause();
+        return "fine";
+    };
+    tasks.take = [&](std::size_t task, const Expected<std::string>& answer) {
+        CHECK(answer.value_or("") == "fine");
+        all.push_back(task);
+    };
+    CHECK(run_in_processes(tasks, 2) == PoolEnd::interrupted);
+    CHECK(all == std::vector<std::size_t>{1, 2});
+}
+
+TEST_CASE("a hangup interrupts as a signal to stop does, unless it is ignored", "[lua][scenario][pool]") {
+    PoolTasks tasks;
+    tasks.count = 1;
+    tasks.run = [](std::size_t) -> std::string {
+        kill(getppid(), SIGHUP);
+        usleep(100'000);
+        return "fine";
+    };
+    tasks.take = [](std::size_t, const Expected<std::string>&) {};
+    const auto before = std::signal(SIGHUP, SIG_DFL);  // nohup ignores it
+    CHECK(run_in_processes(tasks, 1) == PoolEnd::interrupted);
+    std::signal(SIGHUP, SIG_IGN);
+    CHECK(run_in_processes(tasks, 1) == PoolEnd::done);
+    std::signal(SIGHUP, before);
 }
 
 TEST_CASE("a pool tells after each task how many are over", "[lua][scenario][pool]") {
@@ -105,24 +137,6 @@ TEST_CASE("TAP counts all, and escapes what it would take for a directive", "[lu
         text.starts_with("TAP version 13\n1..2\nok 1 - a_test.lua: x \\# SKIP\nnot ok 2 - a_test.lua: x \\# SKIP\n"
                          "  ---\n  message: \"no \\\"file\\\"\"\n  severity: error\n  at: \"a_test.lua:4\"\n"));
     CHECK(text.ends_with("  ...\n"));
-}
-
-TEST_CASE("faults end in their time, and a later one replaces the one before", "[lua][scenario][faults]") {
-    std::string ended;
-    Faults faults;
-    faults.begin("w mouse press a", 0, 1, [&] { ended += 'a'; });
-    faults.begin("w mouse press b", 0, 2, [&] { ended += 'b'; });
-    faults.begin("w mouse.port", 0, 5, [&] { ended += 'x'; });
-    faults.begin("w mouse.port", 0, 3, [&] { ended += 'p'; });
-    faults.begin("w mouser press a", 0, 9, [&] { ended += 'm'; });
-    faults.end_due(0.99);
-    CHECK(ended.empty());
-    faults.end_due(1);
-    CHECK(ended == "a");
-    CHECK(faults.restore("w mouse") == 1);
-    CHECK(ended == "ab");
-    faults.end_due(5);
-    CHECK(ended == "abp");
 }
 
 TEST_CASE("a plot shows its curves between the least and the greatest value", "[lua][scenario][report]") {

@@ -127,6 +127,21 @@ TEST_CASE("declarations are checked", "[lua][scenario][session]") {
     };
     CHECK(refused("scenario('a', function() end)\nscenario('a', function() end)")
               .starts_with("2: scenario 'a': the name is taken by the scenario of "));
+    const std::string swept = "scenario('a', { sweep = { x = { 1, 2 }, y = { 'b' } } }, function() end)\n";
+    const std::string drawn = "scenario('a', { sweep = { x = range(0, 3) } }, function() end)\n";
+    const auto named = [](const std::string& name) { return "scenario('" + name + "', function() end)\n"; };
+    const auto both_places = [&](const std::string& text, const std::string& begin) {
+        const std::string said = refused(text);
+        CAPTURE(said);
+        CHECK(said.starts_with("2: scenario " + begin));
+        CHECK(said.ends_with("it_test.lua:1"));
+    };
+    both_places(swept + named("a [x=1, y=b]"), "'a [x=1, y=b]': the name is taken by a run of the scenario of ");
+    both_places(named("a [x=1, y=b]") + swept, "'a': its run 'a [x=1, y=b]' has the name of the scenario of ");
+    both_places(drawn + named("a [x=2.0]"), "'a [x=2.0]': the name is taken by a run of the scenario of ");
+    for (const char* other : {"a [x=3, y=b]", "a [x=1]", "a x=1", "a []"})
+        CHECK(refused(swept + named(other)) == "accepted");
+    CHECK(refused(drawn + named("a [x=2]")) == "accepted");
     CHECK(refused("scenario('a', { timout = 3 }, function() end)") ==
           "1: scenario 'a': unknown option 'timout' (did you mean 'timeout'?)");
     CHECK(refused("scenario('a',\n{ timeout = 0 }, function() end)") ==
@@ -141,6 +156,12 @@ TEST_CASE("declarations are checked", "[lua][scenario][session]") {
           "1: range: expected lo <= hi, and a step above 0");
     CHECK(refused("scenario('a', { sweep = { x = { 1, 'b', 1 } } }, function() end)") ==
           "1: scenario 'a': option 'sweep': 'x' has the value 1 twice");
+    CHECK(refused("scenario('a', { sweep = { x = { 1, '1' } } }, function() end)") ==
+          "1: scenario 'a': option 'sweep': 'x' has two values that are both 1 in the names of their runs");
+    CHECK(refused("scenario('a', { sweep = { x = { 1, 1 / 0 } } }, function() end)") ==
+          "1: scenario 'a': option 'sweep': 'x' expected finite numbers, got inf");
+    CHECK(refused("scenario('a', { sweep = { x = { { 1, { y = 0 / 0 } } } } }, function() end)")
+              .starts_with("1: scenario 'a': option 'sweep': 'x' expected finite numbers, got {1, {y="));
     CHECK(refused("scenario('a', { samples = 3 }, function() end)") ==
           "1: scenario 'a': option 'samples': there is no sweep to draw from");
     CHECK(refused("scenaro('a', function() end)") == "1: unknown global 'scenaro' (did you mean 'scenario'?)");

@@ -108,6 +108,8 @@ TEST_CASE("what is wrong in the words of faults and reloads is told with what ca
     CHECK(with_world("s:disturb('mouse', { turn = 0.1 })") ==
           begin + "disturb: unknown field 'turn': expected vx, vy, va, seconds");
     CHECK(with_world("s:disturb('mouse', { va = 1, seconds = 0.1 }) s:run(0.2)") == "passed");
+    CHECK(with_world("s:behavior('idle', { script = 'none' }) s:restore('idle')") ==
+          begin + "restore: idle is no robot: expected a robot, or a port as in \"idle.NAME\"");
     CHECK(with_world("s:restore('mose')") == begin + "restore: there is no component 'mose' (did you mean 'mouse'?)");
     const std::map<std::string, std::string> reloads{
         {"{ text = '', 5 }", "unknown option '[1]': expected file, text"},
@@ -183,4 +185,15 @@ TEST_CASE("a scenario's function declares what it is given", "[scenario][slips]"
     static_cast<void>(rig.session());
     CHECK(rig.said.find("scenario 'it': the function gets the scenario and its values; its parameter 'extra' is never "
                         "given: leave it out") != std::string::npos);
+}
+
+TEST_CASE("a condition only looks: it sets no parameter", "[lua][scenario][words]") {
+    const std::string begin = "local w = s:load 'systems/stop_at_wall.lua'\n";
+    const std::string set = "function() w.controller.config.speed_x = 0.3 return true end)\n";
+    CHECK(outcome_of(begin + "s:always('it', " + set + "s:run(0.1)") ==
+          "could not run: it_test.lua:3: always 'it': a condition only looks: parameters are set by the scenario");
+    CHECK(outcome_of(begin + "s:run(0.1) s:wait_until('it', { within = 1 }, " + set) ==
+          "could not run: it_test.lua:3: wait_until 'it': a condition only looks: parameters are set by the scenario");
+    CHECK(outcome_of(begin + "s:always('it', function() return w.controller.config.speed_x > 0 end)\n"
+                             "s:run(0.1) w.controller.config.speed_x = 0.3 s:run(0.1)") == "passed");
 }
