@@ -36,8 +36,8 @@ public:
     static constexpr double period = 0.02;  ///< [s] between readings
     /// [s] after a change of mode that values are not believed: a change takes up to 50 ms, and 20 ms are stale.
     static constexpr double settling = 0.08;
-    /// How often a change of mode is tried before it is told that it fails, and that it is asked for in vain: for 0.8 s,
-    /// as a slow brick may take longer than others.
+    /// How often a change of mode is tried before it is told that it fails, and that it is asked for in vain: for 0.8
+    /// s, as a slow brick may take longer than others.
     static constexpr int most_failures = 3, most_attempts = 10;
 
     /// Whether it has ever said something. From any thread.

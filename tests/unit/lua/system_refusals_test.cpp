@@ -296,7 +296,8 @@ TEST_CASE("a zero byte ends no name in a system file", "[lua][system_file]") {
     const std::string mouse = "robot 'm' { model = 'raspimouse' } ";
     CHECK_THAT(error("robot('m\\0x', { model = 'raspimouse' })"), Catch::Contains("a name consists"));
     CHECK_THAT(error("robot('m', { model = 'raspimouse\\0x' })"), Catch::Contains("has a control character in it: '"));
-    CHECK_THAT(error("behavior('c', { script = 'robot_controller\\0x' })"), Catch::Contains("has a control character in it: '"));
+    CHECK_THAT(error("behavior('c', { script = 'robot_controller\\0x' })"),
+               Catch::Contains("has a control character in it: '"));
     CHECK_THAT(error(mouse + "connect('m\\0x.ir_sensor_out', 'm.target_velocity_in')"),
                Catch::Contains("'m?x.ir_sensor_out'"));
     CHECK_THAT(error("arena { csv 'map.csv\\0x' }"), Catch::Contains("has a control character in it: '"));
