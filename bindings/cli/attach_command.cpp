@@ -74,7 +74,7 @@ int attach(const AttachOptions& options) {
         const auto timeout = options.timeout > 0 ? std::optional(options.timeout) : std::nullopt;
         return run_text(client, *options.eval, {}, timeout) ? kDone : kFailed;
     }
-    if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}) ? kDone : kFailed;
+    if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}).well ? kDone : kFailed;
 
     const auto end = run_prompt(
         client, {.greeting = "attached to " + list_of({reached->system}) + "; help() tells more, Ctrl-D leaves",

@@ -208,6 +208,7 @@ private:
         console_->server().ask_peers_by(
             [this](const PeerWish& wish) { return rtm_ ? rtm_->ask(wish) : refused_peers(); });
         loop_->after_tick([this] { console_->after_tick(); });
+        if (options_.batch) loop_->end_waits_while([this] { return console_->batch_works(); });
         // A run that nobody can attach to is better than none.
         if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
@@ -274,6 +275,17 @@ private:
         return Unexpected(error);
     }
 
+    // Whether commands of --batch have not had what they were to have.
+    bool tell_cut_off() {
+        if (!options_.batch || !(loop_->interrupted() || loop_->came_to_end())) return false;
+        const int line = console_->unfinished_line();
+        const std::string why = loop_->interrupted()
+                                    ? "a signal ended the run"
+                                    : fmt::format("--duration ended the run at {:g} s", options_.duration);
+        if (line > 0) screen_.say(fmt::format("line {}: not run to its end: {}", line, why));
+        return line > 0 || loop_->interrupted();
+    }
+
     Expected<int> finish(const std::string& how) {
         real_time_.reset();
         if (recorder_) {
@@ -284,8 +296,7 @@ private:
         }
         // What --batch says is the same each time, and how long it took is not.
         if (!options_.batch) screen_.say(how);
-        const bool cut_off = options_.batch && loop_->interrupted();
-        int status = (!console_ || console_->all_well()) && !cut_off ? kDone : kFailed;
+        int status = (!console_ || console_->all_well()) && !tell_cut_off() ? kDone : kFailed;
         if (devices_ && !devices_->finish()) status = kFailed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;

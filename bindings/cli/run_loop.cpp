@@ -69,7 +69,8 @@ std::vector<LogLine> RunLoop::problems() const {
 
 bool RunLoop::ended() const {
     const System& system = live_.system();
-    return quit_ || interrupted() || system.fatal_error() || system.now().seconds >= end_at_ - 1e-9;
+    if (quit_ || interrupted() || system.fatal_error()) return true;
+    return is_at_end() && !(works_ && stands_still() && works_());
 }
 
 void RunLoop::follow_restart() {

@@ -82,6 +82,11 @@ void ConsoleServer::after_tick() {
     }
 }
 
+bool ConsoleServer::batch_works() const {
+    return std::any_of(consoles_.begin(), consoles_.end(),
+                       [](const auto& each) { return each.second.batch && each.second.running; });
+}
+
 void ConsoleServer::tell(const Event& event, LogLevel level) {
     std::map<ClientId, LogLevel> listeners;
     {

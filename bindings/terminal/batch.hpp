@@ -17,9 +17,15 @@ struct BatchFiles {
     FILE* error = stderr;  ///< errors, with the line that they are from, and the log
 };
 
+/// How commands ended.
+struct BatchEnd {
+    bool well = true;  ///< all that were run succeeded
+    int unfinished =
+        0;  ///< line of the first one that was cut off, or never begun, because the system had ended; 0: none
+};
+
 /// Runs one command after the other until there are no more or the system ends. An error costs its command and no more.
-/// Returns whether all of them succeeded.
-bool run_batch(ConsoleClient& client, const BatchFiles& files);
+BatchEnd run_batch(ConsoleClient& client, const BatchFiles& files);
 
 /// Runs one command, and interrupts it when there is no answer after `timeout` [s]. Returns whether it succeeded.
 bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files,

@@ -205,6 +205,31 @@ TEST_CASE("commands that are cut off cost the exit status", "[cli][run]") {
     REQUIRE(program.wait_for_output("begins"));
     program.send(SIGINT);
     CHECK(program.wait() == 1);
+    CHECK(program.error.find("line 2: not run to its end: a signal ended the run\n") != std::string::npos);
+}
+
+TEST_CASE("a batch whose time is over before its commands says which line was not run, and ends with 1", "[cli][run]") {
+    const Scratch files;
+    const auto run = [&](const std::string& commands) {
+        files.write("commands", commands);
+        return run_nezumi({"run", stop_at_wall, "--batch", "--duration", "1"}, "", files.path("commands").string());
+    };
+    const Outcome cut = run("run(0.5)\nprint('b')\nrun(5)\nnope\n");
+    CHECK(cut.status == 1);
+    CHECK(cut.out == "b\n");
+    CHECK(cut.error == "line 3: not run to its end: --duration ended the run at 1 s\n");
+
+    const Outcome never = run("run(1) print('all of the line')\n\n\nprint('never')\n");
+    CHECK(never.status == 1);
+    CHECK(never.out == "all of the line\n");
+    CHECK(never.error == "line 4: not run to its end: --duration ended the run at 1 s\n");
+
+    for (const char* whole : {"run(1)\n", "run(1) print(1)\n \n", "run(0.5)\nquit()\nrun(9)\n"}) {
+        const Outcome outcome = run(whole);
+        INFO(whole << outcome.error);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.error.empty());
+    }
 }
 
 TEST_CASE("a signal ends a run in good order: robots stopped, files complete, status 0", "[cli][run]") {
