@@ -42,17 +42,20 @@ Lateness RunLoop::lateness() const {
 }
 
 void RunLoop::pause() {
+    ++moves_;
     ticks_left_ = 0;
     live_.set_at_rest(is_hardware());
 }
 
 void RunLoop::resume() {
+    ++moves_;
     live_.set_at_rest(false);
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
     ticks_left_ = kForever;
 }
 
 void RunLoop::advance(std::int64_t ticks) {
+    ++moves_;
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
     ticks_left_ = std::clamp<std::int64_t>(ticks, 0, kForever - 1);
 }

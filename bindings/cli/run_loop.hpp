@@ -75,6 +75,7 @@ public:
     bool is_paused() const override { return ticks_left_ == 0; }
     void advance(std::int64_t ticks) override;
     bool is_advancing() const override { return ticks_left_ > 0 && ticks_left_ < kForever; }
+    std::uint64_t moves() const override { return moves_; }
     void set_speed(double factor) override;
     double speed() const override { return options_.speed; }
     void quit() override { quit_ = true; }
@@ -118,6 +119,7 @@ private:
     Lateness before_;               // of the pacers before this one
     Clock::time_point served_{};
     std::int64_t ticks_left_ = kForever;
+    std::uint64_t moves_ = 0;
     double advanced_ = 0;
     int starts_ = 0;
     bool more_waits_ = false;

@@ -315,7 +315,7 @@ void Session::interrupt() {
     parts.worker.serve_posts();
     auto jobs = std::exchange(parts.jobs, {});
     if (parts.job) {
-        if (is_waiting()) parts.clock.pause();
+        if (is_waiting() && parts.clock.moves() == parts.moves) parts.clock.pause();
         parts.worker.revoke();
         parts.revoked = Worker::Clock::now();
         if (!parts.job->answer) parts.show_error("interrupted");

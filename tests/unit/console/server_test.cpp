@@ -164,6 +164,33 @@ TEST_CASE("step waits for its ticks, and what follows comes after them", "[conso
     CHECK(it.eval(client, "run()").back() == "failed");
 }
 
+TEST_CASE("what another console does with time ends a wait with an error, never as if the time had passed",
+          "[console][server]") {
+    const std::string other = GENERATE("step(5)", "run(0.1)", "run(30)", "pause()", "run()", "restart()");
+    ServerRig it;
+    ConsoleClient waiting = it.open();
+    ConsoleClient acting = it.open();
+    const std::string wait = GENERATE("step(50)", "run(0.5)");
+    const std::int64_t id =
+        waiting.send({.kind = Request::Kind::eval, .text = wait + " print('as if nothing had been')"});
+    for (int turns = 0; turns < 10'000 && !it.is_advancing(); ++turns) it.serve();
+    for (int ticks = 0; ticks < 16; ++ticks) it.serve();
+    INFO(wait << " beside " << other);
+    it.eval(acting, other);
+    CHECK(it.until_answer(waiting, id) ==
+          Said{"!interrupted: another console has stopped, moved or restarted time", "failed"});
+}
+
+TEST_CASE("a wait that is over is not ended by what another console does next", "[console][server]") {
+    ServerRig it;
+    ConsoleClient waiting = it.open();
+    const std::int64_t id = waiting.send({.kind = Request::Kind::eval, .text = "step(5)"});
+    for (int turns = 0; turns < 10'000 && !it.is_advancing(); ++turns) it.serve();
+    it.turn(static_cast<int>(it.left));
+    it.resume();
+    CHECK(it.until_answer(waiting, id) == Said{"well"});
+}
+
 TEST_CASE("each console has a level of its own for the log", "[console][server]") {
     ServerRig it;
     ConsoleClient quiet = it.open();
