@@ -206,6 +206,7 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     options.output.show = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});
     };
+    options.output.takes_more = [this, id] { return transport_.takes_more(id); };
     options.output.show_in_place = [this, id](std::string_view text) {
         transport_.send(
             id, {.kind = Event::Kind::output, .text = std::string(text), .level = std::string(Event::in_place)});

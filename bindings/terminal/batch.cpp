@@ -28,6 +28,8 @@ public:
     BatchEnd run_all();
     /// From now on no command may take longer.
     void limit(double seconds) { longest_ = std::chrono::duration<double>(seconds); }
+    /// Something that was to be shown is not.
+    bool has_lost() const { return lost_ || left_out_; }
     /// `line`: of the file, the first of the text; 0 when it is from none.
     bool run(const std::string& text, int line);
 
@@ -45,11 +47,12 @@ private:
     ConsoleClient& client_;
     BatchFiles files_;
     LineReader reader_;
-    bool ended_ = false;   // the input is at its end
-    bool lost_ = false;    // the output is closed
-    bool unread_ = false;  // the input can't be read to its end
-    bool fed_ = false;     // the reader may hold another line
-    bool bye_ = false;     // the system has said that it ends
+    bool ended_ = false;     // the input is at its end
+    bool lost_ = false;      // the output is closed
+    bool left_out_ = false;  // the system has left out what it could not send in time
+    bool unread_ = false;    // the input can't be read to its end
+    bool fed_ = false;       // the reader may hold another line
+    bool bye_ = false;       // the system has said that it ends
     bool told_ = false;
     int first_line_ = 0;  // of the running command
     int unfinished_ = 0;  // line of the first command that got no answer
@@ -75,7 +78,7 @@ BatchEnd Batch::run_all() {
         first = line + 1;
     }
     if (!client_.is_open() && unfinished_ == 0 && has_more_input()) unfinished_ = line;
-    return {.well = !is_cut_off() && well && !lost_ && !unread_, .unfinished = unfinished_};
+    return {.well = !is_cut_off() && well && !has_lost() && !unread_, .unfinished = unfinished_};
 }
 
 // Whether there is a command that nobody has taken; never waits for one.
@@ -181,7 +184,7 @@ void Batch::show(const Event& event) {
             return;
         case Event::Kind::error: tell(place(event.text)); return;
         case Event::Kind::log: tell(event.text); return;
-        case Event::Kind::lost: tell(fmt::format("({} more were left out)", event.count)); return;
+        case Event::Kind::lost: left_out_ = true; return tell(fmt::format("({} more were left out)", event.count));
         case Event::Kind::answer:
         case Event::Kind::completions:
         case Event::Kind::keys:
@@ -217,7 +220,7 @@ BatchEnd run_batch(ConsoleClient& client, const BatchFiles& files) {
 bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files, std::optional<double> timeout) {
     Batch batch(client, files);
     if (timeout) batch.limit(*timeout);
-    return batch.run(text, 0);
+    return batch.run(text, 0) && !batch.has_lost();
 }
 
 }  // namespace nezumi

@@ -27,7 +27,8 @@ struct BatchEnd {
 /// Runs one command after the other until there are no more or the system ends. An error costs its command and no more.
 BatchEnd run_batch(ConsoleClient& client, const BatchFiles& files);
 
-/// Runs one command, and interrupts it when there is no answer after `timeout` [s]. Returns whether it succeeded.
+/// Runs one command, and interrupts it when there is no answer after `timeout` [s]. Returns whether it succeeded,
+/// and all of what it shows got through.
 bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files,
               std::optional<double> timeout = {});
 

@@ -1,6 +1,7 @@
 // Commands from scripts: `nezumi run --batch` and `nezumi attach`.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -60,6 +61,24 @@ struct Running : Place {
 };
 
 }  // namespace
+
+TEST_CASE("the option --eval shows all of a long output, also where it is read late", "[cli][attach]") {
+    Running running;
+    constexpr int lines = 100'000;
+    Program eval({"attach", "--eval", "for i = 1, " + std::to_string(lines) + " do print(i) end"});
+    usleep(500'000);
+    CHECK(eval.wait() == 0);
+    CHECK(eval.error.empty());
+    CHECK(std::count(eval.out.begin(), eval.out.end(), '\n') == lines);
+    running.program.send(SIGINT);
+    CHECK(running.program.wait() == 0);
+}
+
+TEST_CASE("output of --eval that nobody can take costs the exit status", "[cli][attach]") {
+    Running running;
+    Program eval({"attach", "--eval", "print('lost')"}, "", "", {.out = "/dev/full"});
+    CHECK(eval.wait() == 1);
+}
 
 TEST_CASE("the option --batch runs commands in order; time moves only by step and run", "[cli][batch]") {
     const Place place;

@@ -164,6 +164,36 @@ TEST_CASE("step waits for its ticks, and what follows comes after them", "[conso
     CHECK(it.eval(client, "run()").back() == "failed");
 }
 
+TEST_CASE("a line that shows more than its client takes waits for it, loses nothing, and the others go on",
+          "[console][server]") {
+    ServerRig it;
+    ConsoleClient late = it.open();
+    ConsoleClient other = it.open();
+    constexpr int lines = 40'000;
+    const std::int64_t id =
+        late.send({.kind = Request::Kind::eval,
+                   .text = "for i = 1, " + std::to_string(lines) + " do print(i, ('x'):rep(60)) end"});
+    for (int turns = 0; turns < 300; ++turns) it.serve();
+    CHECK(it.eval(other, "1 + 1") == Said{"2", "well"});
+    // A full output is no work: the loop that ticks need not come back for it.
+    CHECK_FALSE(it.server.serve(Clock::now() + std::chrono::milliseconds(1)));
+    const Said said = it.until_answer(late, id);
+    REQUIRE(said.size() == lines + 1);
+    CHECK(said[lines - 1].starts_with(std::to_string(lines) + "\t"));
+    CHECK(said.back() == "well");
+}
+
+TEST_CASE("a line that waits for a client that never reads ends with an interrupt", "[console][server]") {
+    ServerRig it;
+    ConsoleClient client = it.open();
+    client.send({.kind = Request::Kind::eval, .text = "while true do print(('x'):rep(1000)) end"});
+    for (int turns = 0; turns < 300; ++turns) it.serve();
+    const std::int64_t interrupt = client.send({.kind = Request::Kind::interrupt, .text = {}});
+    const Said said = it.until_answer(client, interrupt - 1);
+    CHECK(said.back() == "failed");
+    CHECK(it.eval(client, "1 + 1") == Said{"2", "well"});
+}
+
 TEST_CASE("what another console does with time ends a wait with an error, never as if the time had passed",
           "[console][server]") {
     const std::string other = GENERATE("step(5)", "run(0.1)", "run(30)", "pause()", "run()", "restart()");
