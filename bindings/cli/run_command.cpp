@@ -35,6 +35,7 @@
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "bindings/lua/script/script_words.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -268,11 +269,16 @@ private:
             picture_ = look_at(*live_, trajectories_, std::filesystem::path(options_.file).stem().string());
     }
 
-    // The run is none: no file is left that could be taken for its result.
+    // The run is none: no file is left that could be taken for its result. The rows that are whole stay, with a note.
     Expected<int> give_up(const Error& error) {
-        if (recorder_) recorder_->discard();
+        std::string why = visible(describe(error));
+        std::replace(why.begin(), why.end(), '\n', ' ');
+        if (recorder_) recorder_->end_here(why);
         journal_.give_up(describe(error));
-        return Unexpected(error);
+        if (!recorder_ || recorder_->told_of_older().empty()) return Unexpected(error);
+        Error told = error;
+        told.message += fmt::format(" (the recording ends there{})", recorder_->told_of_older());
+        return Unexpected(std::move(told));
     }
 
     // Whether commands of --batch have not had what they were to have.
@@ -304,10 +310,7 @@ private:
                 fmt::format("nezumi: {} ended in ERROR: {}", component->name(), describe(component->last_error())));
             status = kFailed;
         }
-        if (options_.trace_hash) {
-            put_text(stdout, fmt::format("trace hash: {:016x}\n", hash_));
-            if (std::fflush(stdout) != 0) return failure("the trace hash can't be written to standard output");
-        }
+        if (options_.trace_hash) put_text(stdout, fmt::format("trace hash: {:016x}\n", hash_));
         return status;
     }
 

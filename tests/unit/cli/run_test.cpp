@@ -264,7 +264,9 @@ function on_execute() log.info("begins") while true do end end
     CHECK(program.wait() == -SIGINT);
 }
 
-TEST_CASE("a script that reaches its budget ends a headless run, and leaves no files", "[cli][run]") {
+TEST_CASE(
+    "a script that reaches its budget ends a headless run; of its files the rows that are whole stay, with a note",
+    "[cli][run]") {
     const Project project(
         "local out = output('out', 'TimedDouble', 'a number')\n"
         "function on_execute()\n  out:write(1)\n  while now() > 0.05 do end\nend\n");
@@ -273,7 +275,13 @@ TEST_CASE("a script that reaches its budget ends a headless run, and leaves no f
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
     CHECK(outcome.error.find("it.lua:4: ") != std::string::npos);
-    CHECK_FALSE(std::filesystem::exists(csv));
+    const auto rows = lines_of(text_of_file(csv));
+    REQUIRE(rows.size() > 5);
+    CHECK(rows[0] == "time,it.out");
+    CHECK(rows[1] == "0,1");
+    CHECK(rows[rows.size() - 2].ends_with(",1"));
+    CHECK(rows.back().starts_with("# the recording ends here: "));
+    CHECK(rows.back().find("it.lua:4: ") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(png));
 }
 
