@@ -173,10 +173,12 @@ TEST_CASE("a line that shows more than its client takes waits for it, loses noth
     const std::int64_t id =
         late.send({.kind = Request::Kind::eval,
                    .text = "for i = 1, " + std::to_string(lines) + " do print(i, ('x'):rep(60)) end"});
-    for (int turns = 0; turns < 300; ++turns) it.serve();
-    CHECK(it.eval(other, "1 + 1") == Said{"2", "well"});
     // A full output is no work: the loop that ticks need not come back for it.
-    CHECK_FALSE(it.server.serve(Clock::now() + std::chrono::milliseconds(1)));
+    bool works = true;
+    for (int turns = 0; turns < 20'000 && works; ++turns)
+        works = it.server.serve(Clock::now() + std::chrono::milliseconds(1)) || turns < 10;
+    CHECK_FALSE(works);
+    CHECK(it.eval(other, "1 + 1") == Said{"2", "well"});
     const Said said = it.until_answer(late, id);
     REQUIRE(said.size() == lines + 1);
     CHECK(said[lines - 1].starts_with(std::to_string(lines) + "\t"));
@@ -208,7 +210,9 @@ TEST_CASE("what another console does with time ends a wait with an error, never 
     INFO(wait << " beside " << other);
     it.eval(acting, other);
     CHECK(it.until_answer(waiting, id) ==
-          Said{"!interrupted: another console has stopped, moved or restarted time", "failed"});
+          Said{"!" + wait.substr(0, wait.find('(')) +
+                   ": interrupted: another console has stopped, moved or restarted time",
+               "failed"});
 }
 
 TEST_CASE("a wait that is over is not ended by what another console does next", "[console][server]") {
