@@ -95,6 +95,7 @@ int check(const CheckOptions& options) {
         }
         return findings.finish(options.name);
     }
+    if (!options.name.empty()) return refuse("check: --name is for what comes from standard input: give - as the file");
     const FoundFiles found = lua_files(options.paths);
     for (const Error& error : found.errors) findings.could_not(error);
     for (const std::filesystem::path& file : found.files) {

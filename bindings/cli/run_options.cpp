@@ -86,8 +86,9 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
 
 // Where the page is served: not to machines.
 Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
-    for (const auto& [option, given] : {std::pair{"--port", words.port}, {"--listen", words.listen}}) {
-        if (given.empty()) continue;
+    for (const auto& [option, given] :
+         {std::pair{"--port", !words.port.empty()}, {"--listen", !words.listen.empty()}, {"--open", words.open}}) {
+        if (!given) continue;
         if (headless) return failure(fmt::format("{}: a run for machines serves no page: leave it out", option));
         if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
     }
@@ -204,7 +205,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     if (!words.duration.empty()) {
         const auto duration = number<double>(words.duration);
         if (!duration || !(*duration >= 0 && *duration <= longest))
-            return wrong("--duration", "seconds, 0 or more", words.duration);
+            return wrong("--duration", fmt::format("seconds from 0 to {:.0f}", longest), words.duration);
         options.duration = *duration;
     }
     if (!words.seed.empty()) {

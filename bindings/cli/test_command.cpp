@@ -199,6 +199,9 @@ int finish(const TestOptions& command, const SessionEnd& end) {
 
 int test(const TestOptions& command) {
     if (auto ok = check_options(command); !ok) return refuse(ok.error());
+    std::error_code gone;
+    static_cast<void>(std::filesystem::current_path(gone));
+    if (gone) return refuse("test: the folder that this is run in has been deleted: change to one that is there");
     if (auto ok = need_simulation({{"test without --hw", !command.hw && !command.list && !command.merge},
                                    {"--plots", !command.plots.empty()}});
         !ok)

@@ -74,10 +74,17 @@ TEST_CASE("the option --eval shows all of a long output, also where it is read l
     CHECK(running.program.wait() == 0);
 }
 
-TEST_CASE("output of --eval that nobody can take costs the exit status", "[cli][attach]") {
-    Running running;
-    Program eval({"attach", "--eval", "print('lost')"}, "", "", {.out = "/dev/full"});
-    CHECK(eval.wait() == 1);
+TEST_CASE("options of attach that do not go together are refused", "[cli][attach]") {
+    const auto said = [](const std::vector<std::string>& words) {
+        const Outcome outcome = run_nezumi(words);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        return outcome.error;
+    };
+    CHECK(said({"attach", "--list", "--eval", "1"}) == "nezumi: --list only lists what runs: leave out --eval\n");
+    CHECK(said({"attach", "--list", "--timeout", "1"}) == "nezumi: --timeout is for --eval\n");
+    CHECK(said({"attach", "--ssh-config", "x", "--list"}) ==
+          "nezumi: --ssh-config is for a system on another computer, as in ssh:pi@mouse\n");
 }
 
 TEST_CASE("the option --batch runs commands in order; time moves only by step and run", "[cli][batch]") {

@@ -188,7 +188,7 @@ TEST_CASE("a result is never written over a script, nor over what another option
     CHECK(said({"marker", "7", "-o", "g_test.lua"}) == script("--output", "g_test.lua"));
 
     CHECK(said({"run", "x", "--record", "same", "--journal", "./same"}) ==
-          "nezumi: --record and --journal would write the same file, './same': give each its own\n");
+          "nezumi: --record and --journal would write the same file, 'same': give each its own\n");
     CHECK(said({"run", "x", "--record", "a.svg", "--picture", "a.svg"}) ==
           "nezumi: --picture and --record would write the same file, 'a.svg': give each its own\n");
     CHECK(said({"test", "--junit", "X", "--measures", "X"}) ==
