@@ -60,12 +60,17 @@ Expected<int> attach_by_ssh(const AttachOptions& options, const std::string& whi
 }
 
 int attach(const AttachOptions& options) {
-    if (constexpr std::string_view by_ssh = "ssh:"; options.which.starts_with(by_ssh)) {
+    constexpr std::string_view by_ssh = "ssh:";
+    const bool is_remote = options.which.starts_with(by_ssh);
+    if (options.list && options.eval) return refuse("--list only lists what runs: leave out --eval");
+    if (options.timeout > 0 && !options.eval) return refuse("--timeout is for --eval");
+    if (!options.ssh_config.empty() && !is_remote)
+        return refuse("--ssh-config is for a system on another computer, as in ssh:pi@mouse");
+    if (is_remote) {
         const auto status = attach_by_ssh(options, options.which.substr(by_ssh.size()));
         return status ? *status : refuse(status.error());
     }
     if (options.list) return list_systems();
-    if (options.timeout > 0 && !options.eval) return refuse("--timeout is for --eval");
     auto reached = connect_to_system(options.which);
     if (!reached) return refuse(reached.error());
     ConsoleClient client(std::move(reached->socket));
@@ -74,7 +79,7 @@ int attach(const AttachOptions& options) {
         const auto timeout = options.timeout > 0 ? std::optional(options.timeout) : std::nullopt;
         return run_text(client, *options.eval, {}, timeout) ? kDone : kFailed;
     }
-    if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}) ? kDone : kFailed;
+    if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}).well ? kDone : kFailed;
 
     const auto end = run_prompt(
         client, {.greeting = "attached to " + list_of({reached->system}) + "; help() tells more, Ctrl-D leaves",

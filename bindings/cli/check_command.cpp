@@ -20,9 +20,11 @@ namespace {
 
 constexpr std::string_view standard_input = "-";
 
+constexpr const char* unnamed = "stdin";
+
 struct CheckOptions {
     std::vector<std::string> paths;
-    std::string name = "stdin";
+    std::string name = unnamed;
     bool json = false;
 };
 
@@ -95,6 +97,8 @@ int check(const CheckOptions& options) {
         }
         return findings.finish(options.name);
     }
+    if (options.name != unnamed)
+        return refuse("check: --name is for what comes from standard input: give - as the file");
     const FoundFiles found = lua_files(options.paths);
     for (const Error& error : found.errors) findings.could_not(error);
     for (const std::filesystem::path& file : found.files) {

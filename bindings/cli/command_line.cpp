@@ -10,6 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "bindings/cli/command_checks.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/status.hpp"
 #include "engine/base/error.hpp"
@@ -112,6 +113,10 @@ std::string usage_error(const CLI::App& app, const CLI::App& command, const CLI:
         return fmt::format("{}: {}", text.substr(0, text.find(": ")),
                            text.find("At Most 1") != text.npos ? "is given more than once" : "a value is missing");
     } else if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && text.ends_with(" is required")) {
+        // A slip in an option's name comes first: it may be what took the place.
+        const auto extras = app.remaining(true);
+        if (std::any_of(extras.begin(), extras.end(), [](const auto& word) { return word.starts_with('-'); }))
+            return about_extras(command, extras);
         return fmt::format("{} is missing", text.substr(0, text.find(' ')));
     }
     return std::string(text);
@@ -137,13 +142,20 @@ int run_command_line(const Command& program, const std::vector<std::string>& wor
     // The commands are looked up here: CLI11 would call one that it does not know an unexpected argument.
     const Command* command = &program;
     std::string path;
+    std::size_t depth = 0;
     for (const std::string& word : words) {
         if (command->commands.empty() || word.starts_with('-')) break;
         const Command* const below = find(*command, word);
         if (below == nullptr) return refuse(no_command(*command, path, &word));
         command = below;
         path += " " + command->name;
+        ++depth;
     }
+    const auto refuse_usage = [&](const std::string& why) {
+        return refuse(fmt::format("{}; see {}{} --help", why, program.name, path));
+    };
+    const std::vector<std::string> own(words.begin() + static_cast<std::ptrdiff_t>(depth), words.end());
+    if (const std::string why = missing_value(*command, own); !why.empty()) return refuse_usage(why);
 
     CLI::App app{program.help, program.name};
     declare(app, program);
@@ -154,8 +166,9 @@ int run_command_line(const Command& program, const std::vector<std::string>& wor
     } catch (const CLI::ParseError& error) {
         const CLI::App* innermost = &app;
         while (!innermost->get_subcommands().empty()) innermost = innermost->get_subcommands().front();
-        return refuse(fmt::format("{}; see {}{} --help", usage_error(app, *innermost, error), program.name, path));
+        return refuse_usage(usage_error(app, *innermost, error));
     }
+    if (const std::string why = lost_file(*command); !why.empty()) return refuse(why);
     return command->run ? command->run() : refuse(no_command(*command, path, nullptr));
 }
 

@@ -23,13 +23,21 @@ struct FlagText {
 using OptionValue = std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*,
                                  std::uint64_t*, std::optional<std::uint64_t>*, double*, FlagText*>;
 
+/// What a command does with the file that an option names.
+enum class FileUse : unsigned char {
+    none,    ///< the option names no file, or the command looks after it itself
+    result,  ///< written: never a script, nor what another option writes or reads
+    source,  ///< read
+};
+
 struct Option {
     /// "--seed" or "-o,--output"; without dashes it is known by its place: "FILE", or "[FILE]" when it may be left out.
     std::string name;
     OptionValue value;
     std::string help;
-    std::string form = {};   ///< how a value is written: "N|max"
-    OptionCheck check = {};  ///< of a text as it was typed; that none is empty is checked anyway
+    std::string form = {};         ///< how a value is written: "N|max"
+    OptionCheck check = {};        ///< of a text as it was typed; that none is empty is checked anyway
+    FileUse file = FileUse::none;  ///< what is done with the file that it names
 };
 
 /// By which names an option is known: "-o" and "--output"; "FILE" where it is known by its place.

@@ -83,7 +83,12 @@ Command marker_command() {
                         {"--size", &options->size, "the edge of the black border [m], as a system file says it", "M",
                          number_from(least_size, 1)},
                         {"--paper", &options->paper, "what it is printed on", "A4|A5|A3|letter"},
-                        {"-o,--output", &options->file, "write this file (default: standard output)", "FILE.pdf"}},
+                        {"-o,--output",
+                         &options->file,
+                         "write this file (default: standard output)",
+                         "FILE.pdf",
+                         {},
+                         FileUse::result}},
             .run = [options] { return write_markers(*options); },
             .footer =
                 "For example `nezumi marker 7 --size 0.1 > tag.pdf`. Print it without scaling (\"actual size\", "

@@ -152,11 +152,4 @@ void Recorder::end_here(std::string_view why) {
     end_with_note(error_ ? error_->message : why);
 }
 
-void Recorder::discard() {
-    const std::lock_guard lock(*mutex_);
-    sealed_ = complete_ = true;
-    writer_->close();
-    file_.discard();
-}
-
 }  // namespace nezumi::cli

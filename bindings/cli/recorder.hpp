@@ -41,11 +41,11 @@ public:
     /// are whole stay, with a last line that begins with # and says why, and so does the older file, under a name that
     /// the error tells.
     Expected<void> finish();
-    /// Completes the file while another thread is in the middle of a tick that does not end: a last line that begins
-    /// with # says why. Nothing is recorded any more.
+    /// Completes the file of a run that is none, also while another thread is in the middle of a tick that does not
+    /// end: a last line that begins with # says why, in one line. Nothing is recorded any more.
     void end_here(std::string_view why);
-    /// Takes the file away: what was there before is there again.
-    void discard();
+    /// `ResultFile::told_of_older`.
+    std::string told_of_older() const { return file_.told_of_older(); }
     /// What keeps the file from being written, as soon as something does.
     const std::optional<Error>& error() const { return error_; }
 

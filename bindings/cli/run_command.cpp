@@ -209,6 +209,7 @@ private:
         console_->server().ask_peers_by(
             [this](const PeerWish& wish) { return rtm_ ? rtm_->ask(wish) : refused_peers(); });
         loop_->after_tick([this] { console_->after_tick(); });
+        if (options_.batch) loop_->end_waits_while([this] { return console_->batch_works(); });
         // A run that nobody can attach to is better than none.
         if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
@@ -268,11 +269,27 @@ private:
             picture_ = look_at(*live_, trajectories_, std::filesystem::path(options_.file).stem().string());
     }
 
-    // The run is none: no file is left that could be taken for its result.
+    // The run is none: no file is left that could be taken for its result. The rows that are whole stay, with a note.
     Expected<int> give_up(const Error& error) {
-        if (recorder_) recorder_->discard();
+        std::string why = visible(describe(error));
+        std::replace(why.begin(), why.end(), '\n', ' ');
+        if (recorder_) recorder_->end_here(why);
         journal_.give_up(describe(error));
-        return Unexpected(error);
+        if (!recorder_ || recorder_->told_of_older().empty()) return Unexpected(error);
+        Error told = error;
+        told.message += fmt::format(" (the recording ends there{})", recorder_->told_of_older());
+        return Unexpected(std::move(told));
+    }
+
+    // Whether commands of --batch have not had what they were to have.
+    bool tell_cut_off() {
+        if (!options_.batch || !(loop_->interrupted() || loop_->came_to_end())) return false;
+        const int line = console_->unfinished_line();
+        const std::string why = loop_->interrupted()
+                                    ? "a signal ended the run"
+                                    : fmt::format("--duration ended the run at {:g} s", options_.duration);
+        if (line > 0) screen_.say(fmt::format("line {}: not run to its end: {}", line, why));
+        return line > 0 || loop_->interrupted();
     }
 
     Expected<int> finish(const std::string& how) {
@@ -285,8 +302,7 @@ private:
         }
         // What --batch says is the same each time, and how long it took is not.
         if (!options_.batch) screen_.say(how);
-        const bool cut_off = options_.batch && loop_->interrupted();
-        int status = (!console_ || console_->all_well()) && !cut_off ? kDone : kFailed;
+        int status = (!console_ || console_->all_well()) && !tell_cut_off() ? kDone : kFailed;
         if (devices_ && !devices_->finish()) status = kFailed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;
@@ -294,10 +310,7 @@ private:
                                     visible_message(describe(component->last_error()))));
             status = kFailed;
         }
-        if (options_.trace_hash) {
-            put_text(stdout, fmt::format("trace hash: {:016x}\n", hash_));
-            if (std::fflush(stdout) != 0) return failure("the trace hash can't be written to standard output");
-        }
+        if (options_.trace_hash) put_text(stdout, fmt::format("trace hash: {:016x}\n", hash_));
         return status;
     }
 

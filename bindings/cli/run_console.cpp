@@ -66,7 +66,9 @@ Expected<void> RunConsole::open_batch() {
     if (!socket) return Unexpected(socket.error());
     loop_.pause();
     client_ = std::thread([this, client = ConsoleClient(std::move(*socket))]() mutable {
-        all_well_ = run_batch(client, {.own = true});
+        const BatchEnd end = run_batch(client, {.own = true});
+        all_well_ = end.well;
+        unfinished_ = end.unfinished;
         left_ = true;
         client.close();
     });

@@ -39,6 +39,10 @@ public:
     bool say(const std::string& text);
     /// No command has failed.
     bool all_well() const { return all_well_; }
+    /// The line of --batch that was cut off, or never run, when the run ended; 0: none. After `close`.
+    int unfinished_line() const { return unfinished_; }
+    /// A command of --batch is at work.
+    bool batch_works() const { return server_ && server_->batch_works(); }
 
     ConsoleServer& server() { return *server_; }
     /// Is given the state in one line, about once a second.
@@ -59,6 +63,7 @@ private:
     std::thread client_;              // of whoever started the run
     std::atomic<bool> left_ = false;  // it
     std::atomic<bool> all_well_ = true;
+    std::atomic<int> unfinished_ = 0;
     std::function<void(const std::string&, bool)> show_;
     Pacer::Clock::time_point shown_{};
     double simulated_ = 0;  // [s] at shown_

@@ -42,17 +42,20 @@ Lateness RunLoop::lateness() const {
 }
 
 void RunLoop::pause() {
+    ++moves_;
     ticks_left_ = 0;
     live_.set_at_rest(is_hardware());
 }
 
 void RunLoop::resume() {
+    ++moves_;
     live_.set_at_rest(false);
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
     ticks_left_ = kForever;
 }
 
 void RunLoop::advance(std::int64_t ticks) {
+    ++moves_;
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
     ticks_left_ = std::clamp<std::int64_t>(ticks, 0, kForever - 1);
 }
@@ -69,7 +72,8 @@ std::vector<LogLine> RunLoop::problems() const {
 
 bool RunLoop::ended() const {
     const System& system = live_.system();
-    return quit_ || interrupted() || system.fatal_error() || system.now().seconds >= end_at_ - 1e-9;
+    if (quit_ || interrupted() || system.fatal_error()) return true;
+    return is_at_end() && !(works_ && stands_still() && works_());
 }
 
 void RunLoop::follow_restart() {

@@ -58,6 +58,9 @@ public:
     void end_when(const volatile std::sig_atomic_t& flag) { end_ = &flag; }
     /// The run ends when simulated time gets there [s].
     void end_at(double seconds) { end_at_ = seconds; }
+    /// While this holds and time stands still there, that end waits: a command that has had all its time gets to its
+    /// end.
+    void end_waits_while(std::function<bool()> works) { works_ = std::move(works); }
 
     /// Runs until the end: `quit`, `end_when`, `end_at`, or an error that the system can't go on after.
     void run();
@@ -72,6 +75,7 @@ public:
     bool is_paused() const override { return ticks_left_ == 0; }
     void advance(std::int64_t ticks) override;
     bool is_advancing() const override { return ticks_left_ > 0 && ticks_left_ < kForever; }
+    std::uint64_t moves() const override { return moves_; }
     void set_speed(double factor) override;
     double speed() const override { return options_.speed; }
     void quit() override { quit_ = true; }
@@ -81,6 +85,8 @@ public:
     double advanced() const { return advanced_; }
     /// Whether `end_when` has ended the run.
     bool interrupted() const { return end_ != nullptr && *end_ != 0; }
+    /// Whether `end_at` has, and nothing else.
+    bool came_to_end() const { return !quit_ && !interrupted() && is_at_end(); }
     Lateness lateness() const;
     LiveSystem& live() { return live_; }
     const LiveSystem& live() const { return live_; }
@@ -90,6 +96,7 @@ private:
     static constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
 
     bool ended() const;
+    bool is_at_end() const { return live_.system().now().seconds >= end_at_ - 1e-9; }
     /// Whether no tick comes: time has stopped.
     bool stands_still() const { return is_paused() && !is_hardware(); }
     void follow_restart();
@@ -103,6 +110,7 @@ private:
     LiveSystem& live_;
     Options options_;
     double end_at_ = as_fast_as_possible;
+    std::function<bool()> works_;
     const volatile std::sig_atomic_t* end_ = nullptr;
     std::vector<Attendant*> attendants_;
     std::vector<std::function<void()>> before_tick_;
@@ -111,6 +119,7 @@ private:
     Lateness before_;               // of the pacers before this one
     Clock::time_point served_{};
     std::int64_t ticks_left_ = kForever;
+    std::uint64_t moves_ = 0;
     double advanced_ = 0;
     int starts_ = 0;
     bool more_waits_ = false;

@@ -86,8 +86,9 @@ Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
 
 // Where the page is served: not to machines.
 Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
-    for (const auto& [option, given] : {std::pair{"--port", words.port}, {"--listen", words.listen}}) {
-        if (given.empty()) continue;
+    for (const auto& [option, given] :
+         {std::pair{"--port", !words.port.empty()}, {"--listen", !words.listen.empty()}, {"--open", words.open}}) {
+        if (!given) continue;
         if (headless) return failure(fmt::format("{}: a run for machines serves no page: leave it out", option));
         if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
     }
@@ -140,23 +141,50 @@ std::vector<Option> run_options(RunWords& words) {
          "take the parameters of this file, which the console's save has written; by path or name", "FILE.lua"},
         {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
         {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
-        {"--picture", &words.picture, "draw the arena, the robots and their paths when the run ends", "FILE.png|svg"},
-        {"--record", &words.record, "write what ports publish as CSV, a row for every tick", "FILE.csv"},
+        {"--picture",
+         &words.picture,
+         "draw the arena, the robots and their paths when the run ends",
+         "FILE.png|svg",
+         {},
+         FileUse::result},
+        {"--record",
+         &words.record,
+         "write what ports publish as CSV, a row for every tick",
+         "FILE.csv",
+         {},
+         FileUse::result},
         {"--ports", &words.ports,
          "with --record: only these, in this order: ports, truth, config, state, or parts of them, as in "
          "mouse.truth.pose (default: all out-ports)",
          "NAME.WHAT,..."},
-        {"--journal", &words.journal, "write every act on the running system, with its tick", "OUT"},
-        {"--replay", &words.replay,
+        {"--journal",
+         &words.journal,
+         "write every act on the running system, with its tick",
+         "OUT",
+         {},
+         FileUse::result},
+        {"--replay",
+         &words.replay,
          "perform a journal again, headless and as fast as possible unless --speed is given; it ends where and as that "
          "run ended. No other file is read",
-         "OUT"},
+         "OUT",
+         {},
+         FileUse::source},
         {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
         {"--dev-root", &words.dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
         {"--sys-root", &words.sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
-        {"--device-log", &words.device_log, "with --hw: write all that the robots' drivers read and write", "FILE"},
-        {"--device-log-play", &words.played_log,
-         "with --hw: a device log stands for the robots, and what is written now is compared with it", "FILE"},
+        {"--device-log",
+         &words.device_log,
+         "with --hw: write all that the robots' drivers read and write",
+         "FILE",
+         {},
+         FileUse::result},
+        {"--device-log-play",
+         &words.played_log,
+         "with --hw: a device log stands for the robots, and what is written now is compared with it",
+         "FILE",
+         {},
+         FileUse::source},
     };
 }
 
@@ -177,7 +205,7 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
     if (!words.duration.empty()) {
         const auto duration = number<double>(words.duration);
         if (!duration || !(*duration >= 0 && *duration <= longest))
-            return wrong("--duration", "seconds, 0 or more", words.duration);
+            return wrong("--duration", fmt::format("seconds from 0 to {:.0f}", longest), words.duration);
         options.duration = *duration;
     }
     if (!words.seed.empty()) {

@@ -199,6 +199,9 @@ int finish(const TestOptions& command, const SessionEnd& end) {
 
 int test(const TestOptions& command) {
     if (auto ok = check_options(command); !ok) return refuse(ok.error());
+    std::error_code gone;
+    static_cast<void>(std::filesystem::current_path(gone));
+    if (gone) return refuse("test: the folder that this is run in has been deleted: change to one that is there");
     if (auto ok = need_simulation({{"test without --hw", !command.hw && !command.list && !command.merge},
                                    {"--plots", !command.plots.empty()}});
         !ok)
@@ -291,9 +294,18 @@ Command test_command() {
               "NAME=SOCKET,..."},
              {"--dev-root", &options->dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
              {"--sys-root", &options->sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
-             {"--junit", &options->junit, "write the results to this file, as JUnit's XML", "FILE"},
-             {"--measures", &options->measures, "write what s:measure kept to this file, as CSV: a row for each run",
-              "FILE.csv"},
+             {"--junit",
+              &options->junit,
+              "write the results to this file, as JUnit's XML",
+              "FILE",
+              {},
+              FileUse::result},
+             {"--measures",
+              &options->measures,
+              "write what s:measure kept to this file, as CSV: a row for each run",
+              "FILE.csv",
+              {},
+              FileUse::result},
              {"--plots", &options->plots,
               "draw each measure over each swept parameter into this folder, as SVG: medians and quartiles", "DIR"},
              {"--tap", &options->tap, "print the results as TAP"},

@@ -29,6 +29,8 @@ public:
     virtual void advance(std::int64_t ticks) = 0;
     /// Ticks of an `advance` are still to come.
     virtual bool is_advancing() const = 0;
+    /// How often `pause`, `resume` and `advance` have been called: another number, and somebody has taken time over.
+    virtual std::uint64_t moves() const = 0;
 
     /// Simulated seconds a second, positive; infinity: as fast as possible.
     virtual void set_speed(double factor) = 0;

@@ -134,6 +134,16 @@ void leave_out_rtm(SystemSpec& spec) {
     });
 }
 
+// The behaviour whose script this file is; "" for none.
+std::string user_of_script(const SystemSpec& spec, const std::filesystem::path& file) {
+    for (const Entry& entry : spec.entries) {
+        const auto* behavior = std::get_if<BehaviorEntry>(&entry);
+        std::error_code none;
+        if (behavior != nullptr && std::filesystem::equivalent(behavior->path, file, none)) return behavior->name;
+    }
+    return "";
+}
+
 }  // namespace
 
 PresentSystem present_system(const LiveSystem& live) {
@@ -147,7 +157,13 @@ PresentSystem present_system(const LiveSystem& live) {
     leave_out_rtm(spec);
     leave_out_twins(spec);
     for (Entry& entry : spec.entries) {
-        std::visit([&](auto& each) { bring_up_to_date(each, *system.find(each.name)); }, entry);
+        std::visit(
+            [&](auto& each) {
+                const Component& component = *system.find(each.name);
+                bring_up_to_date(each, component);
+                each.active = component.state() != LifeState::inactive;  // what is in ERROR is to work
+            },
+            entry);
     }
     return {std::move(spec), live.project(), live.options().installed};
 }
@@ -158,6 +174,10 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
                       {.word = "save", .file = "a system file", .what = "a system", .endings = {".lua"}});
     if (!named) return Unexpected(named.error());
     const std::filesystem::path& path = *named;
+    if (const std::string user = user_of_script(present.spec, path); !user.empty()) {
+        return failure(
+            fmt::format("'{}' is the script of {}: give the system's file another name", path.string(), user));
+    }
     const Project project = Project::of(path, present.installed);
     SystemSpec& spec = present.spec;
     if (spec.arena.floor) spec.arena.floor->image = name_of(project, spec.arena.floor->image, path);

@@ -82,6 +82,11 @@ void ConsoleServer::after_tick() {
     }
 }
 
+bool ConsoleServer::batch_works() const {
+    return std::any_of(consoles_.begin(), consoles_.end(),
+                       [](const auto& each) { return each.second.batch && each.second.running; });
+}
+
 void ConsoleServer::tell(const Event& event, LogLevel level) {
     std::map<ClientId, LogLevel> listeners;
     {
@@ -201,6 +206,7 @@ Expected<Session*> ConsoleServer::session_of(ClientId id, Console& console) {
     options.output.show = [this, id](std::string_view text) {
         transport_.send(id, {.kind = Event::Kind::output, .text = std::string(text)});
     };
+    options.output.takes_more = [this, id] { return transport_.takes_more(id); };
     options.output.show_in_place = [this, id](std::string_view text) {
         transport_.send(
             id, {.kind = Event::Kind::output, .text = std::string(text), .level = std::string(Event::in_place)});

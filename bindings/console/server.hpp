@@ -57,6 +57,8 @@ public:
     bool serve(Clock::time_point until);
     /// After every tick.
     void after_tick();
+    /// A command of a `Use::batch` has begun and is not answered.
+    bool batch_works() const;
     /// Readable when something has come that `serve` should deal with.
     int file() const { return transport_.file(); }
 

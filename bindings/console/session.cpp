@@ -189,7 +189,10 @@ void Session::complete(std::string text, std::size_t cursor, std::function<void(
 
 bool Session::is_busy() const { return parts_->job || !parts_->jobs.empty(); }
 
-bool Session::is_waiting() const { return parts_->job && parts_->waiting && parts_->clock.is_advancing(); }
+bool Session::is_waiting() const {
+    const auto& takes_more = parts_->options.output.takes_more;
+    return parts_->job && ((parts_->waiting && parts_->clock.is_advancing()) || (takes_more && !takes_more()));
+}
 
 void Session::finish(bool well) {
     parts_->job.reset();
@@ -247,7 +250,7 @@ void Session::replace_stuck() {
 
 void Session::serve(Worker::Clock::time_point until) {
     begin_next();
-    parts_->worker.serve(until);
+    parts_->worker.serve(until, parts_->options.output.takes_more);
     quit_if_asked();
 }
 
@@ -315,7 +318,7 @@ void Session::interrupt() {
     parts.worker.serve_posts();
     auto jobs = std::exchange(parts.jobs, {});
     if (parts.job) {
-        if (is_waiting()) parts.clock.pause();
+        if (parts.waiting && parts.clock.is_advancing() && parts.clock.moves() == parts.moves) parts.clock.pause();
         parts.worker.revoke();
         parts.revoked = Worker::Clock::now();
         if (!parts.job->answer) parts.show_error("interrupted");

@@ -28,7 +28,9 @@ enum class Key { up, down, left, right, space, escape, faster, slower };
 struct SessionOutput {
     /// One or more lines, without the last end of line: results, what words show, what `print` prints.
     std::function<void(std::string_view text)> show;
-    /// The same for a drawing that takes the place of the one before. Empty: `show`.
+    /// Whether more can be taken now. While it can't be, the line that runs waits, and only that. Empty: always.
+    std::function<bool()> takes_more{};
+    /// The same as `show` for a drawing that takes the place of the one before. Empty: `show`.
     std::function<void(std::string_view text)> show_in_place{};
     /// The same for errors of what was typed.
     std::function<void(std::string_view text)> show_error;
@@ -109,7 +111,7 @@ public:
     void complete(std::string text, std::size_t cursor, std::function<void(Completion)> answer);
     /// Something that was handed in is not finished yet.
     bool is_busy() const;
-    /// It waits for ticks to pass (`step`, `run`) and wants nothing meanwhile.
+    /// It waits for ticks to pass (`step`, `run`), or for its output to be taken, and wants nothing meanwhile.
     bool is_waiting() const;
     /// Does what inputs want of the system now, until about then.
     void serve(std::chrono::steady_clock::time_point until);

@@ -88,6 +88,7 @@ struct Session::Parts {
     std::deque<Job> jobs;                              ///< handed in and not begun
     std::optional<Job> job;                            ///< that runs
     bool waiting = false;                              ///< for the ticks of an `advance` of the clock
+    std::uint64_t moves = 0;                           ///< of the clock, with that `advance`
     std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was, which may not have ended yet
     std::optional<Worker::Clock::time_point> quits;    ///< when a line asked for the run's end
     std::vector<Watch> watches;

@@ -23,6 +23,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds farewell{300};
 // How long nobody is let in after the process had no descriptor for a client.
 constexpr int no_descriptor_pause = 200;  // ms
+// Who may wait with what it says does so from here on.
+constexpr std::size_t high_water = Transport::max_backlog / 2;
 // Lines are written in portions of about this size.
 constexpr std::size_t portion = std::size_t{1} << 16;
 
@@ -113,7 +115,7 @@ ClientId Transport::add(FileHandle socket, Flow flow) {
 
 std::vector<Transport::Incoming> Transport::take() {
     const std::lock_guard lock(mutex_);
-    if (incoming_.empty()) return {};
+    if (incoming_.empty() && !std::exchange(drained_news_, false)) return {};
     clear(news_);
     return std::exchange(incoming_, {});
 }
@@ -124,6 +126,14 @@ void Transport::finish_request(ClientId id) {
     if (found == clients_.end() || found->second->requests == 0) return;
     --found->second->requests;
     signal(wake_);
+}
+
+bool Transport::takes_more(ClientId id) {
+    const std::lock_guard lock(mutex_);
+    const auto found = clients_.find(id);
+    if (found == clients_.end() || found->second->flow == Flow::lossless) return true;
+    found->second->awaited = found->second->backlog > high_water;
+    return !found->second->awaited;
 }
 
 void Transport::send(ClientId id, Event event) {
@@ -142,12 +152,13 @@ void Transport::send(ClientId id, Event event) {
 
 // With the lock held.
 void Transport::put(Client& client, Event event) {
-    const bool full = client.backlog > (client.lost > 0 ? max_backlog / 2 : max_backlog);
+    const bool full = client.backlog > (client.lost > 0 ? high_water : max_backlog);
     if (full && client.flow == Flow::lossy && only_shows(event)) {
         ++client.lost;
         return;
     }
-    if (client.lost > 0 && !full)
+    // Before an answer it is told in any case: after it a client may leave.
+    if (client.lost > 0 && (!full || event.kind == Event::Kind::answer))
         client.events.push_back({.kind = Event::Kind::lost, .text = {}, .count = std::exchange(client.lost, 0)});
     client.backlog += size_of(event);
     client.events.push_back(std::move(event));
@@ -262,6 +273,11 @@ void Transport::write_to(Client& client) {
             }
             for (const Event& event : events) client.backlog -= std::min(client.backlog, size_of(event));
             if (client.flow == Flow::lossless) drained_.notify_all();
+            if (client.awaited && client.backlog <= high_water) {
+                client.awaited = false;
+                drained_news_ = true;
+                signal(news_);
+            }
         }
         client.writing.clear();
         client.written = 0;

@@ -36,7 +36,7 @@ public:
 
     /// How a client's events are kept while it does not take them.
     enum class Flow {
-        lossy,    ///< what only shows something is left out, and counted, past `max_backlog`
+        lossy,    ///< what only shows something is left out, and counted, past `max_backlog`; see `takes_more`
         lossless  ///< `send` waits past `max_backlog`: for runs without a clock
     };
 
@@ -68,6 +68,9 @@ public:
     std::vector<Incoming> take();
     /// A request has been dealt with: its client may send another.
     void finish_request(ClientId client);
+    /// Whether nothing of what is sent now is left out, with a good reserve. When it says no, `file` becomes readable
+    /// as soon as it would say yes. Yes for a lossless client, and for one that is gone.
+    bool takes_more(ClientId client);
     /// Never waits for a lossy client. Events to clients that are gone are dropped.
     void send(ClientId client, Event event);
 
@@ -78,6 +81,7 @@ private:
         std::deque<Event> events;  // that wait
         std::size_t backlog = 0;   // [bytes] of them, about
         std::size_t lost = 0;
+        bool awaited = false;      // somebody wants to know when it takes more
         std::size_t requests = 0;  // not finished
         // Of the thread alone:
         LineReader reader{};
@@ -105,6 +109,7 @@ private:
     uid_t user_ = geteuid();
     std::map<ClientId, std::unique_ptr<Client>> clients_;  // removed by the thread alone
     std::vector<Incoming> incoming_;
+    bool drained_news_ = false;  // news_ is for who waits for `takes_more`
     ClientId last_id_ = 0;
     bool ends_ = false;
     std::thread thread_;

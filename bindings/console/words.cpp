@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace nezumi {
@@ -11,17 +13,45 @@ namespace {
 
 enum class Outcome : unsigned char { done, number, table, failed };
 
+// Lets the ticks pass that a word waits for, and nobody else decide how many they are.
+class Wait {
+public:
+    explicit Wait(Session::Parts& parts)
+        : parts_(parts), start_(parts.live.starts()), end_(parts.live.system().now().tick + parts.ticks) {
+        parts.clock.advance(parts.ticks);
+        parts.moves = parts.clock.moves();
+    }
+
+    bool is_over() const { return is_here() || is_taken_over() || !parts_.clock.is_advancing(); }
+    Expected<void> end() const {
+        if (is_here() || !is_taken_over()) return {};
+        return failure("interrupted: another console has stopped, moved or restarted time");
+    }
+
+private:
+    bool is_here() const { return parts_.live.starts() == start_ && parts_.live.system().now().tick == end_; }
+    bool is_taken_over() const { return parts_.live.starts() != start_ || parts_.clock.moves() != parts_.moves; }
+
+    Session::Parts& parts_;
+    int start_;
+    std::int64_t end_;
+};
+
 // Runs a word between two ticks, and lets the time pass that it waits for.
 Expected<WordEnd> run(Session::Parts& parts, const Word& word, const Arguments& arguments) {
     if (word.beside) return word.run(parts, arguments);
     Expected<WordEnd> end = failure("interrupted");
-    bool waits = false;
+    std::optional<Wait> wait;
     parts.worker.perform([&] {
-        if (!waits) end = word.run(parts, arguments);
-        if (!end || *end != WordEnd::wait) return true;
-        if (!std::exchange(waits, true)) parts.clock.advance(parts.ticks);
-        parts.waiting = parts.clock.is_advancing();
-        return !parts.waiting;
+        if (!wait) {
+            end = word.run(parts, arguments);
+            if (!end || *end != WordEnd::wait) return true;
+            wait.emplace(parts);
+        }
+        parts.waiting = !wait->is_over();
+        if (parts.waiting) return false;
+        if (auto ended = wait->end(); !ended) end = Unexpected(ended.error());
+        return true;
     });
     return end;
 }

@@ -10,6 +10,7 @@
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/base/visible.hpp"
 
 namespace nezumi {
 namespace {
@@ -150,11 +151,12 @@ Expected<WordEnd> word_errors(Session::Parts& parts, const Arguments&) {
     for (const LogLine& line : parts.clock.problems()) {
         const std::string start = line.start == parts.live.starts() ? "" : fmt::format("start {}, ", line.start);
         add(fmt::format("[{}{:.3f}] {}{}{}: {}", start, line.seconds, to_text(line.level),
-                        line.component.empty() ? "" : " ", line.component, line.text));
+                        line.component.empty() ? "" : " ", line.component, visible_message(line.text)));
     }
     for (const auto& component : parts.live.system().components()) {
         if (component->state() == LifeState::error)
-            add(fmt::format("{} is in ERROR: {}", component->name(), describe(component->last_error())));
+            add(fmt::format("{} is in ERROR: {}", component->name(),
+                            visible_message(describe(component->last_error()))));
     }
     parts.show(text.empty() ? "no errors" : text);
     return WordEnd::done;

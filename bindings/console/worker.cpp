@@ -11,6 +11,7 @@
 #include <cassert>
 #include <csignal>
 #include <ctime>
+#include <optional>
 #include <utility>
 
 #include "bindings/lua/sandbox/watchdog.hpp"
@@ -108,9 +109,14 @@ void Worker::serve_posts() {
     for (std::size_t count = posts_.size(); count > 0 && serve_post(lock); --count) continue;
 }
 
-void Worker::serve(Clock::time_point until) {
+void Worker::serve(Clock::time_point until, const std::function<bool()>& takes_more) {
     Lock lock(mutex_);
     do {
+        if (takes_more && (!posts_.empty() || asked_ != nullptr)) {
+            lock.unlock();
+            if (!takes_more()) return;
+            lock.lock();
+        }
         if (serve_post(lock)) continue;
         if (asked_ == nullptr) return;
         const Work& work = *asked_;  // stays while its job waits, which only this thread can end
@@ -168,8 +174,13 @@ bool Worker::join(Clock::time_point until) {
 }
 
 void Worker::post(std::size_t bytes, std::function<void()> work) {
+    std::optional<CallPause> pause;
     Lock lock(mutex_);
-    wake_.wait(lock, [this] { return revoked_ || posted_ < most_posted; });
+    const auto may_post = [this] { return revoked_ || posted_ < most_posted; };
+    if (!may_post()) {
+        pause.emplace();  // waiting for a reader is no time of its own
+        wake_.wait(lock, may_post);
+    }
     if (revoked_) return;
     posts_.push_back({bytes + 64, std::move(work)});
     posted_ += bytes + 64;

@@ -56,8 +56,9 @@ public:
     void start(std::function<void()> job);
     /// No job runs.
     bool is_idle() const;
-    /// Does what the job has asked for, in its order, until about `until`.
-    void serve(Clock::time_point until);
+    /// Does what the job has asked for, in its order, until about `until`, and no more once `takes_more`, where there
+    /// is one, says no: then the job waits.
+    void serve(Clock::time_point until, const std::function<bool()>& takes_more = {});
     /// Does what was posted, and nothing else.
     void serve_posts();
     /// Ends the job, soon: nothing of it gets through from now on, and calls into Lua end as those out of time do.

@@ -25,15 +25,18 @@ class Batch {
 public:
     Batch(ConsoleClient& client, const BatchFiles& files) : client_(client), files_(files) {}
 
-    bool run_all();
+    BatchEnd run_all();
     /// From now on no command may take longer.
     void limit(double seconds) { longest_ = std::chrono::duration<double>(seconds); }
+    /// Something that was to be shown is not.
+    bool has_lost() const { return lost_ || left_out_; }
     /// `line`: of the file, the first of the text; 0 when it is from none.
     bool run(const std::string& text, int line);
 
 private:
     std::optional<std::string> read_line();
     std::optional<std::string> give_up_input();
+    bool has_more_input();
     bool is_complete(const std::string& text);
     bool is_cut_off();  // the system is gone without a word; says so once
     std::optional<Event> wait_for_answer(std::int64_t id);
@@ -44,22 +47,24 @@ private:
     ConsoleClient& client_;
     BatchFiles files_;
     LineReader reader_;
-    bool ended_ = false;   // the input is at its end
-    bool lost_ = false;    // the output is closed
-    bool unread_ = false;  // the input can't be read to its end
-    bool fed_ = false;     // the reader may hold another line
-    bool bye_ = false;     // the system has said that it ends
+    bool ended_ = false;     // the input is at its end
+    bool lost_ = false;      // the output is closed
+    bool left_out_ = false;  // the system has left out what it could not send in time
+    bool unread_ = false;    // the input can't be read to its end
+    bool fed_ = false;       // the reader may hold another line
+    bool bye_ = false;       // the system has said that it ends
     bool told_ = false;
-    std::string rest_;    // of the input: an incomplete line
     int first_line_ = 0;  // of the running command
+    int unfinished_ = 0;  // line of the first command that got no answer
     std::optional<std::chrono::duration<double>> longest_;
 };
 
-bool Batch::run_all() {
+BatchEnd Batch::run_all() {
     bool well = true;
     std::string text;
     int first = 1;
-    for (int line = 1; client_.is_open() && !lost_; ++line) {
+    int line = 1;
+    for (; client_.is_open() && !lost_; ++line) {
         auto next = read_line();
         if (next) text += (text.empty() ? "" : "\n") + *next;
         if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
@@ -72,13 +77,33 @@ bool Batch::run_all() {
         if (!next) break;
         first = line + 1;
     }
-    return !is_cut_off() && well && !lost_ && !unread_;
+    if (!client_.is_open() && unfinished_ == 0 && has_more_input()) unfinished_ = line;
+    return {.well = !is_cut_off() && well && !has_lost() && !unread_, .unfinished = unfinished_};
+}
+
+// Whether there is a command that nobody has taken; never waits for one.
+bool Batch::has_more_input() {
+    const auto says_something = [](std::string_view text) {
+        return text.find_first_not_of(" \t\r\n") != std::string_view::npos;
+    };
+    while (auto line = reader_.next()) {
+        if (!*line || says_something(**line)) return true;
+    }
+    pollfd polled{.fd = files_.input, .events = POLLIN, .revents = 0};
+    std::array<char, 65536> piece{};
+    while (!ended_ && poll(&polled, 1, 0) > 0) {
+        const ssize_t got = read(files_.input, piece.data(), piece.size());
+        if (got <= 0) return false;
+        if (says_something({piece.data(), static_cast<std::size_t>(got)})) return true;
+    }
+    return false;
 }
 
 bool Batch::run(const std::string& text, int line) {
     first_line_ = line;
     const auto answer = wait_for_answer(client_.send({.kind = Request::Kind::eval, .text = text}));
     if (answer) return answer->ok;
+    if (unfinished_ == 0) unfinished_ = line;
     if (is_cut_off()) return false;
     if (!files_.own) tell(place("the system has ended"));
     return files_.own;
@@ -159,7 +184,7 @@ void Batch::show(const Event& event) {
             return;
         case Event::Kind::error: tell(place(event.text)); return;
         case Event::Kind::log: tell(event.text); return;
-        case Event::Kind::lost: tell(fmt::format("({} more were left out)", event.count)); return;
+        case Event::Kind::lost: left_out_ = true; return tell(fmt::format("({} more were left out)", event.count));
         case Event::Kind::answer:
         case Event::Kind::completions:
         case Event::Kind::keys:
@@ -187,7 +212,7 @@ std::string Batch::place(std::string_view message) const {
 
 }  // namespace
 
-bool run_batch(ConsoleClient& client, const BatchFiles& files) {
+BatchEnd run_batch(ConsoleClient& client, const BatchFiles& files) {
     client.send({.kind = Request::Kind::hello, .text = {}, .log = true});
     return Batch(client, files).run_all();
 }
@@ -195,7 +220,7 @@ bool run_batch(ConsoleClient& client, const BatchFiles& files) {
 bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files, std::optional<double> timeout) {
     Batch batch(client, files);
     if (timeout) batch.limit(*timeout);
-    return batch.run(text, 0);
+    return batch.run(text, 0) && !batch.has_lost();
 }
 
 }  // namespace nezumi

@@ -17,11 +17,18 @@ struct BatchFiles {
     FILE* error = stderr;  ///< errors, with the line that they are from, and the log
 };
 
-/// Runs one command after the other until there are no more or the system ends. An error costs its command and no more.
-/// Returns whether all of them succeeded.
-bool run_batch(ConsoleClient& client, const BatchFiles& files);
+/// How commands ended.
+struct BatchEnd {
+    bool well = true;  ///< all that were run succeeded
+    int unfinished =
+        0;  ///< line of the first one that was cut off, or never begun, because the system had ended; 0: none
+};
 
-/// Runs one command, and interrupts it when there is no answer after `timeout` [s]. Returns whether it succeeded.
+/// Runs one command after the other until there are no more or the system ends. An error costs its command and no more.
+BatchEnd run_batch(ConsoleClient& client, const BatchFiles& files);
+
+/// Runs one command, and interrupts it when there is no answer after `timeout` [s]. Returns whether it succeeded,
+/// and all of what it shows got through.
 bool run_text(ConsoleClient& client, const std::string& text, const BatchFiles& files,
               std::optional<double> timeout = {});
 

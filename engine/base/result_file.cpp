@@ -37,9 +37,16 @@ std::string rename_aside(const std::string& path) {
 
 Expected<ResultFile> ResultFile::open(const std::string& file) {
     ResultFile result;
-    result.descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (result.descriptor_ < 0) return Unexpected(problem_with(file));
     struct stat status {};
+    // The reader of a pipe is not waited for: it may never come.
+    result.descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+    if (result.descriptor_ < 0) {
+        Error problem = problem_with(file);
+        if (errno == ENXIO && stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))
+            problem.message = "is a pipe that nobody reads: start its reader first, or give a file";
+        return Unexpected(std::move(problem));
+    }
+    fcntl(result.descriptor_, F_SETFL, fcntl(result.descriptor_, F_GETFL) & ~O_NONBLOCK);
     if (fstat(result.descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return result;
     std::error_code none;
     result.path_ = std::filesystem::canonical(file, none);

@@ -13,7 +13,7 @@ namespace nezumi {
 /// written as they are.
 class ResultFile {
 public:
-    /// An error says why the file can't be written; then it is as it was.
+    /// An error says why the file can't be written, as a pipe that nobody reads; then it is as it was.
     static Expected<ResultFile> open(const std::string& file);
 
     /// Open for writing, empty; to be closed by whoever takes it.

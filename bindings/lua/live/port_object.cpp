@@ -188,6 +188,23 @@ int port_tostring(lua_State* L) {
     });
 }
 
+// What an object is, for those who expected a port.
+std::string told(const ObjectRef& ref) {
+    switch (ref.kind) {
+        case ObjectKind::system: return "the system";
+        case ObjectKind::component: return fmt::format("the component {}", ref.component());
+        case ObjectKind::ports: return fmt::format("the ports of {}", ref.component());
+        case ObjectKind::port: return fmt::format("the port {}.{}", ref.component(), ref.port());
+        case ObjectKind::config:
+        case ObjectKind::remote_config: return fmt::format("the parameters of {}", ref.component());
+        case ObjectKind::truth: return fmt::format("the truth of {}", ref.component());
+        case ObjectKind::hosts: return "the hosts";
+        case ObjectKind::host: return fmt::format("the host {}", ref.component());
+        case ObjectKind::remote: return fmt::format("the component {} of another host", ref.component());
+    }
+    return "";
+}
+
 }  // namespace
 
 const ObjectFunctions& port_functions() {
@@ -223,7 +240,9 @@ Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
             fmt::format("expected a port, got the component {}: write {}.PORT", ref->component(), ref->component()));
     }
     if (lua_type(L, index) != LUA_TSTRING) {
-        return failure(fmt::format("expected a port or \"name.port\", got {}", Arguments{L}.kind(index)));
+        const ObjectRef* ref = to_object(L, index);
+        return failure(fmt::format("expected a port or \"name.port\", got {}",
+                                   ref != nullptr ? told(*ref) : std::string(Arguments{L}.kind(index))));
     }
     LiveSystem& live = core_->current();
     const std::string_view path = text_at(L, index);

@@ -1,6 +1,7 @@
 // Commands from scripts: `nezumi run --batch` and `nezumi attach`.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -60,6 +61,31 @@ struct Running : Place {
 };
 
 }  // namespace
+
+TEST_CASE("the option --eval shows all of a long output, also where it is read late", "[cli][attach]") {
+    Running running;
+    constexpr int lines = 100'000;
+    Program eval({"attach", "--eval", "for i = 1, " + std::to_string(lines) + " do print(i) end"});
+    usleep(500'000);
+    CHECK(eval.wait() == 0);
+    CHECK(eval.error.empty());
+    CHECK(std::count(eval.out.begin(), eval.out.end(), '\n') == lines);
+    running.program.send(SIGINT);
+    CHECK(running.program.wait() == 0);
+}
+
+TEST_CASE("options of attach that do not go together are refused", "[cli][attach]") {
+    const auto said = [](const std::vector<std::string>& words) {
+        const Outcome outcome = run_nezumi(words);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.out.empty());
+        return outcome.error;
+    };
+    CHECK(said({"attach", "--list", "--eval", "1"}) == "nezumi: --list only lists what runs: leave out --eval\n");
+    CHECK(said({"attach", "--list", "--timeout", "1"}) == "nezumi: --timeout is for --eval\n");
+    CHECK(said({"attach", "--ssh-config", "x", "--list"}) ==
+          "nezumi: --ssh-config is for a system on another computer, as in ssh:pi@mouse\n");
+}
 
 TEST_CASE("the option --batch runs commands in order; time moves only by step and run", "[cli][batch]") {
     const Place place;

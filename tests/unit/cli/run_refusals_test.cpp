@@ -1,9 +1,13 @@
 // What `nezumi run` can't do: one plain line, exit status 2, nothing half done.
 #include <catch2/catch.hpp>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/unit/cli/run_program.hpp"
@@ -100,9 +104,18 @@ TEST_CASE("what is wrong with an option is said", "[cli][run]") {
           "nezumi: --speed: expected a factor from 0.001 to 1000000, or max, got 'fast'\n");
     CHECK(said({"run", "x.lua", "--speed", "-1"}) ==
           "nezumi: --speed: expected a factor from 0.001 to 1000000, or max, got '-1'\n");
-    CHECK(said({"run", "x.lua", "--duration", "-1"}) == "nezumi: --duration: expected seconds, 0 or more, got '-1'\n");
+    CHECK(said({"run", "x.lua", "--duration", "-1"}) ==
+          "nezumi: --duration: expected seconds from 0 to 1000000000, got '-1'\n");
     CHECK(said({"run", "x.lua", "--duration", "nan"}) ==
-          "nezumi: --duration: expected seconds, 0 or more, got 'nan'\n");
+          "nezumi: --duration: expected seconds from 0 to 1000000000, got 'nan'\n");
+    CHECK(said({"run", "x.lua", "--duration", "1e300"}) ==
+          "nezumi: --duration: expected seconds from 0 to 1000000000, got '1e300'\n");
+    CHECK(said({"run", "x.lua", "--open", "--headless"}) ==
+          "nezumi: --open: a run for machines serves no page: leave it out\n");
+    CHECK(said({"run", "x.lua", "--open", "--no-web"}) ==
+          "nezumi: --open: --no-web serves no page: leave out one of them\n");
+    CHECK(said({"check", "x.lua", "--name", "y.lua"}) ==
+          "nezumi: check: --name is for what comes from standard input: give - as the file\n");
     CHECK(said({"run", "x.lua", "--ports", "a.b"}) ==
           "nezumi: --ports chooses what --record writes: give --record FILE.csv as well\n");
     for (const char* option : {"--speed", "--duration", "--seed", "--threads", "--picture", "--record", "--sounds"}) {
@@ -128,6 +141,43 @@ TEST_CASE("what is wrong with an option is said", "[cli][run]") {
     CHECK(said({"run"}) == "nezumi: FILE is missing; see nezumi run --help\n");
     CHECK(said({"run", "x.lua", "--speed"}) == "nezumi: --speed: a value is missing; see nezumi run --help\n");
     CHECK(said({"rum", "x.lua"}).find("there is no command 'rum' (did you mean 'run'?)") != std::string::npos);
+}
+
+TEST_CASE("a pipe that nobody reads is refused as a file for results, and one that is read is written", "[cli][run]") {
+    const Scratch scratch;
+    const std::string pipe = scratch.path("pipe").string(), drawing = scratch.path("pipe.svg").string();
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    REQUIRE(mkfifo(drawing.c_str(), 0600) == 0);
+    const auto run = [](const std::string& option, const std::string& file) {
+        return run_nezumi({"run", "behaviors/systems/stop_at_wall.lua", "--headless", "--speed", "max", "--duration",
+                           "0.05", "--ports", "controller.out", "--record", "/dev/null", option, file});
+    };
+    for (const auto& [option, file] : {std::pair{"--journal", pipe}, {"--picture", drawing}}) {
+        const Outcome outcome = run(option, file);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.error == file + ": is a pipe that nobody reads: start its reader first, or give a file\n");
+    }
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    REQUIRE(reader >= 0);
+    CHECK(run("--journal", pipe).status == 0);
+    char first = 0;
+    CHECK(read(reader, &first, 1) == 1);
+    CHECK(first == '{');
+    close(reader);
+}
+
+TEST_CASE("tests in a folder that has been deleted are refused in plain words", "[cli][test]") {
+    const Scratch scratch;
+    const std::string gone = scratch.path("gone").string();
+    std::filesystem::create_directory(gone);
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(gone);
+    std::filesystem::remove(gone);
+    const Outcome outcome = run_nezumi({"test"});
+    std::filesystem::current_path(before);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.error ==
+          "nezumi: test: the folder that this is run in has been deleted: change to one that is there\n");
 }
 
 TEST_CASE("a value that --set or --params can't give is refused with the option or the line", "[cli][run]") {

@@ -205,6 +205,31 @@ TEST_CASE("commands that are cut off cost the exit status", "[cli][run]") {
     REQUIRE(program.wait_for_output("begins"));
     program.send(SIGINT);
     CHECK(program.wait() == 1);
+    CHECK(program.error.find("line 2: not run to its end: a signal ended the run\n") != std::string::npos);
+}
+
+TEST_CASE("a batch whose time is over before its commands says which line was not run, and ends with 1", "[cli][run]") {
+    const Scratch files;
+    const auto run = [&](const std::string& commands) {
+        files.write("commands", commands);
+        return run_nezumi({"run", stop_at_wall, "--batch", "--duration", "1"}, "", files.path("commands").string());
+    };
+    const Outcome cut = run("run(0.5)\nprint('b')\nrun(5)\nnope\n");
+    CHECK(cut.status == 1);
+    CHECK(cut.out == "b\n");
+    CHECK(cut.error == "line 3: not run to its end: --duration ended the run at 1 s\n");
+
+    const Outcome never = run("run(1) print('all of the line')\n\n\nprint('never')\n");
+    CHECK(never.status == 1);
+    CHECK(never.out == "all of the line\n");
+    CHECK(never.error == "line 4: not run to its end: --duration ended the run at 1 s\n");
+
+    for (const char* whole : {"run(1)\n", "run(1) print(1)\n \n", "run(0.5)\nquit()\nrun(9)\n"}) {
+        const Outcome outcome = run(whole);
+        INFO(whole << outcome.error);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.error.empty());
+    }
 }
 
 TEST_CASE("a signal ends a run in good order: robots stopped, files complete, status 0", "[cli][run]") {
@@ -239,7 +264,9 @@ function on_execute() log.info("begins") while true do end end
     CHECK(program.wait() == -SIGINT);
 }
 
-TEST_CASE("a script that reaches its budget ends a headless run, and leaves no files", "[cli][run]") {
+TEST_CASE(
+    "a script that reaches its budget ends a headless run; of its files the rows that are whole stay, with a note",
+    "[cli][run]") {
     const Project project(
         "local out = output('out', 'TimedDouble', 'a number')\n"
         "function on_execute()\n  out:write(1)\n  while now() > 0.05 do end\nend\n");
@@ -248,7 +275,13 @@ TEST_CASE("a script that reaches its budget ends a headless run, and leaves no f
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
     CHECK(outcome.error.find("it.lua:4: ") != std::string::npos);
-    CHECK_FALSE(std::filesystem::exists(csv));
+    const auto rows = lines_of(text_of_file(csv));
+    REQUIRE(rows.size() > 5);
+    CHECK(rows[0] == "time,it.out");
+    CHECK(rows[1] == "0,1");
+    CHECK(rows[rows.size() - 2].ends_with(",1"));
+    CHECK(rows.back().starts_with("# the recording ends here: "));
+    CHECK(rows.back().find("it.lua:4: ") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(png));
 }
 

@@ -164,6 +164,67 @@ TEST_CASE("step waits for its ticks, and what follows comes after them", "[conso
     CHECK(it.eval(client, "run()").back() == "failed");
 }
 
+TEST_CASE("a line that shows more than its client takes waits for it, loses nothing, and the others go on",
+          "[console][server]") {
+    ServerRig it;
+    ConsoleClient late = it.open();
+    ConsoleClient other = it.open();
+    constexpr int lines = 40'000;
+    const std::int64_t id =
+        late.send({.kind = Request::Kind::eval,
+                   .text = "for i = 1, " + std::to_string(lines) + " do print(i, ('x'):rep(60)) end"});
+    // A full output is no work: the loop that ticks need not come back for it.
+    bool works = true;
+    for (int turns = 0; turns < 20'000 && works; ++turns)
+        works = it.server.serve(Clock::now() + std::chrono::milliseconds(1)) || turns < 10;
+    CHECK_FALSE(works);
+    CHECK(it.eval(other, "1 + 1") == Said{"2", "well"});
+    const Said said = it.until_answer(late, id);
+    REQUIRE(said.size() == lines + 1);
+    CHECK(said[lines - 1].starts_with(std::to_string(lines) + "\t"));
+    CHECK(said.back() == "well");
+}
+
+TEST_CASE("a line that waits for a client that never reads ends with an interrupt", "[console][server]") {
+    ServerRig it;
+    ConsoleClient client = it.open();
+    client.send({.kind = Request::Kind::eval, .text = "while true do print(('x'):rep(1000)) end"});
+    for (int turns = 0; turns < 300; ++turns) it.serve();
+    const std::int64_t interrupt = client.send({.kind = Request::Kind::interrupt, .text = {}});
+    const Said said = it.until_answer(client, interrupt - 1);
+    CHECK(said.back() == "failed");
+    CHECK(it.eval(client, "1 + 1") == Said{"2", "well"});
+}
+
+TEST_CASE("what another console does with time ends a wait with an error, never as if the time had passed",
+          "[console][server]") {
+    const std::string other = GENERATE("step(5)", "run(0.1)", "run(30)", "pause()", "run()", "restart()");
+    ServerRig it;
+    ConsoleClient waiting = it.open();
+    ConsoleClient acting = it.open();
+    const std::string wait = GENERATE("step(50)", "run(0.5)");
+    const std::int64_t id =
+        waiting.send({.kind = Request::Kind::eval, .text = wait + " print('as if nothing had been')"});
+    for (int turns = 0; turns < 10'000 && !it.is_advancing(); ++turns) it.serve();
+    for (int ticks = 0; ticks < 16; ++ticks) it.serve();
+    INFO(wait << " beside " << other);
+    it.eval(acting, other);
+    CHECK(it.until_answer(waiting, id) ==
+          Said{"!" + wait.substr(0, wait.find('(')) +
+                   ": interrupted: another console has stopped, moved or restarted time",
+               "failed"});
+}
+
+TEST_CASE("a wait that is over is not ended by what another console does next", "[console][server]") {
+    ServerRig it;
+    ConsoleClient waiting = it.open();
+    const std::int64_t id = waiting.send({.kind = Request::Kind::eval, .text = "step(5)"});
+    for (int turns = 0; turns < 10'000 && !it.is_advancing(); ++turns) it.serve();
+    it.turn(static_cast<int>(it.left));
+    it.resume();
+    CHECK(it.until_answer(waiting, id) == Said{"well"});
+}
+
 TEST_CASE("each console has a level of its own for the log", "[console][server]") {
     ServerRig it;
     ConsoleClient quiet = it.open();

@@ -84,6 +84,7 @@ struct HostsRig : ClockControl {
     bool is_paused() const override { return true; }
     void advance(std::int64_t /*ticks*/) override {}
     bool is_advancing() const override { return false; }
+    std::uint64_t moves() const override { return 0; }
     void set_speed(double /*factor*/) override {}
     double speed() const override { return 1; }
     void quit() override {}

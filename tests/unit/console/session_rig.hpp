@@ -63,10 +63,11 @@ struct SessionRig : LiveRig, ClockControl {
     void add(std::string_view text) { shown += (shown.empty() ? "" : "\n") + std::string(text); }
 
     bool is_hardware() const override { return hardware; }
-    void pause() override { paused = true, left = 0; }
-    void resume() override { paused = false, left = 0; }
+    void pause() override { ++moved, paused = true, left = 0; }
+    void resume() override { ++moved, paused = false, left = 0; }
     bool is_paused() const override { return paused; }
-    void advance(std::int64_t ticks) override { paused = false, left = ticks; }
+    void advance(std::int64_t ticks) override { ++moved, paused = false, left = ticks; }
+    std::uint64_t moves() const override { return moved; }
     bool is_advancing() const override { return left > 0; }
     void set_speed(double factor) override { factor_ = factor; }
     double speed() const override { return factor_; }
@@ -87,6 +88,7 @@ struct SessionRig : LiveRig, ClockControl {
     bool quitting = false;
     bool keys = false;
     std::int64_t left = 0;
+    std::uint64_t moved = 0;
     double factor_ = 1;
     int finished = 0;
     int finished_at_quit = 0;

@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
 
 #include "bindings/console/words.hpp"
 #include "bindings/lua/files/system_file.hpp"
@@ -296,6 +299,69 @@ TEST_CASE("what was added while the system ran is saved with the rest", "[consol
     REQUIRE(saved->entries.size() == 4);
     CHECK(std::get<RobotEntry>(saved->entries[2]).pose.position.y == 0.5);
     CHECK(std::get<BehaviorEntry>(saved->entries[3]).rate == 50);
+}
+
+TEST_CASE("no line of a message can be taken for a line of the log", "[console][session]") {
+    SessionRig it(counter_system, {{"counter", R"(
+input("in", "TimedShortSeq", "numbers") output("out", "TimedVelocity2D", "velocity")
+param("speed_x", 1.0)
+function on_execute()
+  state.n = (state.n or 0) + 1
+  if state.n == 1 then log.warn("w\n[   9.000] error forged") end
+  if state.n == 2 then error("e\n[   9.000] error forged") end
+end
+)"}});
+    it.turn(3);
+    const std::string errors = it.type("errors()");
+    CHECK_THAT(errors, Contains("controller: w\n") && Contains("controller is in ERROR: "));
+    CHECK_THAT(errors, Contains("error forged") && !Contains("\n[   9.000] error forged"));
+}
+
+TEST_CASE("who is active is saved as it is", "[console][session]") {
+    const std::string fails = "param('x', 1)\nfunction on_execute() error('broken') end\n";
+    const std::string idles = "param('x', 1)\nfunction on_execute() end\n";
+    SessionRig it(R"(
+robot "mouse" { model = "raspimouse" }
+behavior "begun" { script = "idles", active = false }
+behavior "ended" { script = "idles" }
+behavior "broken" { script = "fails" }
+component "stick" { type = "Joystick" }
+)",
+                  {{"idles", idles}, {"fails", fails}});
+    CHECK(it.type("begun:activate() ended:deactivate() stick:deactivate()").empty());
+    it.turn(2);
+    CHECK(it.type("return broken.status, begun.status, ended.status") == "\"ERROR\"\t\"ACTIVE\"\t\"INACTIVE\"");
+    const std::string file = it.folder.path("saved.lua").string();
+    CHECK_THAT(it.type("save '" + file + "'"), StartsWith("saved "));
+    const auto spec = read_system_file(file, Project::of(file, {source_root()}));
+    REQUIRE(spec.has_value());
+    std::map<std::string, bool> active;
+    for (const Entry& entry : spec->entries)
+        active[name_of(entry)] = std::visit([](const auto& each) { return each.active; }, entry);
+    CHECK(active == std::map<std::string, bool>{
+                        {"mouse", true}, {"begun", true}, {"ended", false}, {"broken", true}, {"stick", false}});
+}
+
+TEST_CASE("a system is not saved over a script of its own", "[console][session]") {
+    SessionRig it;
+    const std::string script = it.folder.path("behaviors/counter.lua").string();
+    CHECK(it.type("save '" + script + "'") ==
+          "! save: '" + script + "' is the script of controller: give the system's file another name");
+    CHECK(text_of_file(script) == counter_behavior);
+    CHECK_FALSE(std::filesystem::exists(script + "~"));
+}
+
+TEST_CASE("what is no port is said by its name", "[console][session]") {
+    SessionRig it;
+    for (const std::string word : {"watch", "release", "disconnect"}) {
+        CHECK(it.type(word + "(mouse.truth)") ==
+              "! " + word + ": expected a port or \"name.port\", got the truth of mouse");
+        CHECK(it.type(word + "(controller.config)") ==
+              "! " + word + ": expected a port or \"name.port\", got the parameters of controller");
+    }
+    CHECK(it.type("watch(controller.ports)") ==
+          "! watch: expected a port or \"name.port\", got the ports of controller");
+    CHECK(it.type("watch(system)") == "! watch: expected a port or \"name.port\", got the system");
 }
 
 TEST_CASE("the present wiring and configuration is saved as a system file", "[console][session]") {

@@ -152,6 +152,26 @@ TEST_CASE("a client that does not read loses output, is told how much, and delay
     CHECK(shown * text.size() < 3 * Transport::max_backlog);
 }
 
+TEST_CASE("what was left out is told before the answer, after which a client may leave", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
+    CHECK(transport.takes_more(id));
+    for (int i = 0; i < 5000; ++i) transport.send(id, {.kind = Event::Kind::output, .text = std::string(1000, 'x')});
+    CHECK_FALSE(transport.takes_more(id));
+    transport.send(id, {.kind = Event::Kind::answer, .id = 1, .text = {}});
+    ConsoleClient client(std::move(pair.client));
+    std::size_t shown = 0;
+    std::size_t lost = 0;
+    for (auto event = client.next(10000); event && event->kind != Event::Kind::answer; event = client.next(10000)) {
+        if (event->kind == Event::Kind::output) ++shown;
+        if (event->kind == Event::Kind::lost) lost += event->count;
+    }
+    CHECK(lost > 0);
+    CHECK(shown + lost == 5000);
+    CHECK(transport.takes_more(id));
+}
+
 TEST_CASE("a lossless client gets everything, as fast as it reads", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
