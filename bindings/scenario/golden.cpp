@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -94,15 +95,19 @@ Expected<void> Golden::compare(const std::string& csv) const {
 
 Expected<void> GoldenOwners::add(const std::vector<GoldenUse>& uses, const std::string& run) {
     for (const GoldenUse& use : uses) {
-        const auto [owner, is_first] = owners_.try_emplace(use.file, Owner{run, use.place});
-        if (is_first) continue;
-        const auto& [other, place] = owner->second;
-        return failure(fmt::format("golden '{}': is that of {}, {}:{}, already: choose another name",
-                                   std::filesystem::path(use.file).filename().string(), other, place.file, place.line),
-                       use.place);
+        if (use.written == 0) continue;
+        const auto& [other, first] = owners_.try_emplace(use.file, Owner{run, use}).first->second;
+        if (first.written == use.written) continue;
+        return failure(
+            fmt::format("golden '{}': {}, {}:{}, has written another one there: choose another name",
+                        std::filesystem::path(use.file).filename().string(), other, first.place.file, first.place.line),
+            use.place);
     }
     return {};
 }
+
+// Not 0, which says that nothing was written.
+std::uint64_t Golden::fingerprint() const { return std::hash<std::string>{}(text()) | 1; }
 
 Expected<void> Golden::finish(bool update) const {
     if (update) {

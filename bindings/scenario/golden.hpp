@@ -1,6 +1,7 @@
 // A committed trace that a run must follow within a tolerance.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -29,6 +30,8 @@ public:
     void add(double now);
     /// Compares with the file, or writes it. The error names the first cell that differs.
     Expected<void> finish(bool update) const;
+    /// A hash of what `finish` writes.
+    std::uint64_t fingerprint() const;
 
 private:
     struct Row {
@@ -48,16 +51,17 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Which run has which golden. Two that write one file would undo each other's work.
+/// Which run has written which golden. Several may compare with one; two that write it differently would undo each
+/// other's work.
 class GoldenOwners {
 public:
-    /// Notes those of a run, once; an error at the place of one that another run has.
+    /// Notes those that a run has written; an error at the place of one that another run has written differently.
     Expected<void> add(const std::vector<GoldenUse>& uses, const std::string& run);
 
 private:
     struct Owner {
         std::string run;
-        Place place;
+        GoldenUse use;
     };
     std::map<std::string, Owner> owners_;  // by file
 };

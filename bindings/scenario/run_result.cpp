@@ -39,7 +39,8 @@ bool each_field(Archive& archive, AnyMeasure& measure) {
 template <class Archive, class AnyUse>
 requires std::is_same_v<std::remove_const_t<AnyUse>, GoldenUse>
 bool each_field(Archive& archive, AnyUse& use) {
-    return archive(use.file) && archive(use.place.file) && archive(use.place.line) && archive(use.place.column);
+    return archive(use.file) && archive(use.place.file) && archive(use.place.line) && archive(use.place.column) &&
+           archive(use.written);
 }
 
 std::string to_bytes(const RunResult& result) {

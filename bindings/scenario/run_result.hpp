@@ -27,8 +27,9 @@ struct Measure {
 
 /// A golden that a run compared with, or wrote.
 struct GoldenUse {
-    std::string file;  ///< its path
-    Place place;       ///< of `s:golden`
+    std::string file;           ///< its path
+    Place place;                ///< of `s:golden`
+    std::uint64_t written = 0;  ///< a hash of the text that it wrote; 0: it compared
 
     bool operator==(const GoldenUse&) const = default;
 };

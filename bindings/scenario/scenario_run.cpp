@@ -123,8 +123,10 @@ void ScenarioRun::take_outcome(const CallResult& called) {
     for (const auto& watch : watches_) {
         if (!watch->looked && !look(file_.state().lua(), *watch)) return;
     }
-    for (const Golden& golden : goldens_) {
-        if (auto same = golden.finish(settings_.update_goldens); !same) return stop(RunOutcome::failed, same.error());
+    for (std::size_t i = 0; i < goldens_.size(); ++i) {
+        const bool update = settings_.update_goldens;
+        if (auto same = goldens_[i].finish(update); !same) return stop(RunOutcome::failed, same.error());
+        if (update) result_.goldens[i].written = goldens_[i].fingerprint();
     }
 }
 
