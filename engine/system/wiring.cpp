@@ -70,17 +70,18 @@ Expected<Connection> Wiring::connect(Component& from, std::string_view out_name,
     const std::vector<const OutPortBase*> sources = in->sources();
     if (std::find(sources.begin(), sources.end(), out) != sources.end())
         return failure(fmt::format("{} is connected to {} already", path(from, *out), path(to, *in)));
-    const Connection made{&from, out, &to, in, number.value_or(made_)};
-    if (!number) ++made_;
-    const auto place = std::upper_bound(connections_.begin(), connections_.end(), made.number,
+    if (!number) {
+        in->connect(*out);
+        return connections_.emplace_back(Connection{&from, out, &to, in, made_++});
+    }
+    const auto place = std::upper_bound(connections_.begin(), connections_.end(), *number,
                                         [](std::uint64_t own, const Connection& c) { return own < c.number; });
     std::vector<const OutPortBase*> before;
     for (auto each = connections_.begin(); each != place; ++each) {
         if (each->to == in) before.push_back(each->from);
     }
     in->connect(*out, before);
-    connections_.insert(place, made);
-    return made;
+    return *connections_.insert(place, {&from, out, &to, in, *number});
 }
 
 bool Wiring::disconnect(const Port& from, const Port& to) {
