@@ -1,0 +1,127 @@
+// What `save` writes, and where.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "bindings/lua/files/system_file.hpp"
+#include "tests/unit/console/session_rig.hpp"
+#include "tests/unit/file_text.hpp"
+#include "tests/unit/source_root.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("what was added while the system ran is saved with the rest", "[console][session]") {
+    SessionRig it;
+    RobotEntry robot = std::get<RobotEntry>(it.live->spec().entries[0]);
+    robot.name = "second";
+    robot.model = "raspimouse";
+    robot.pose.position = {0, 0.5};
+    const SystemSpec& spec = it.live->spec();
+    REQUIRE(it.live->act(Add{robot}, {}));
+    CHECK_FALSE(it.live->act(Add{robot}, {}));  // the name is taken: nothing is added
+    BehaviorEntry behavior = std::get<BehaviorEntry>(spec.entries[1]);
+    behavior.name = "other";
+    behavior.rate = 50;
+    REQUIRE(it.live->act(Add{behavior}, {}));
+    it.type("connect(other.out, second.target_velocity_in)");
+    const std::string file = it.folder.path("saved.lua").string();
+    CHECK(it.type("save '" + file + "'") == "saved " + file + ": 4 components, 3 connections");
+    const auto saved = read_system_file(file, Project::of(file, {source_root()}));
+    REQUIRE(saved.has_value());
+    REQUIRE(saved->entries.size() == 4);
+    CHECK(std::get<RobotEntry>(saved->entries[2]).pose.position.y == 0.5);
+    CHECK(std::get<BehaviorEntry>(saved->entries[3]).rate == 50);
+}
+
+TEST_CASE("who is active is saved as it is", "[console][session]") {
+    const std::string fails = "param('x', 1)\nfunction on_execute() error('broken') end\n";
+    const std::string idles = "param('x', 1)\nfunction on_execute() end\n";
+    SessionRig it(R"(
+robot "mouse" { model = "raspimouse" }
+behavior "begun" { script = "idles", active = false }
+behavior "ended" { script = "idles" }
+behavior "broken" { script = "fails" }
+component "stick" { type = "Joystick" }
+)",
+                  {{"idles", idles}, {"fails", fails}});
+    CHECK(it.type("begun:activate() ended:deactivate() stick:deactivate()").empty());
+    it.turn(2);
+    CHECK(it.type("return broken.status, begun.status, ended.status") == "\"ERROR\"\t\"ACTIVE\"\t\"INACTIVE\"");
+    const std::string file = it.folder.path("saved.lua").string();
+    CHECK_THAT(it.type("save '" + file + "'"), StartsWith("saved "));
+    const auto spec = read_system_file(file, Project::of(file, {source_root()}));
+    REQUIRE(spec.has_value());
+    std::map<std::string, bool> active;
+    for (const Entry& entry : spec->entries)
+        active[name_of(entry)] = std::visit([](const auto& each) { return each.active; }, entry);
+    CHECK(active == std::map<std::string, bool>{
+                        {"mouse", true}, {"begun", true}, {"ended", false}, {"broken", true}, {"stick", false}});
+}
+
+TEST_CASE("a system is not saved over a script of its own", "[console][session]") {
+    SessionRig it;
+    const std::string script = it.folder.path("behaviors/counter.lua").string();
+    CHECK(it.type("save '" + script + "'") ==
+          "! save: '" + script + "' is the script of controller: give the system's file another name");
+    CHECK(text_of_file(script) == counter_behavior);
+    CHECK_FALSE(std::filesystem::exists(script + "~"));
+}
+
+TEST_CASE("the present wiring and configuration is saved as a system file", "[console][session]") {
+    SessionRig it;
+    const std::string file = it.folder.path("saved.lua").string();
+    it.type("controller.config.stop_d = 99 disconnect(mouse.ir_sensor_out)");
+    CHECK(it.type("save '" + file + "'") == "saved " + file + ": 2 components, 1 connection");
+    const auto spec = read_system_file(file, Project::of(file, {source_root()}));
+    REQUIRE(spec.has_value());
+    CHECK(spec->connections.size() == 1);
+    const auto& controller = std::get<BehaviorEntry>(spec->entries[1]);
+    CHECK(controller.config == ParameterValues{{"stop_d", std::int64_t{99}}});
+    it.type("restart() controller:use 'fast'");
+    CHECK_THAT(it.type("save '" + file + "'"), Contains("what was there is now " + file + "~"));
+    CHECK_THAT(text_of_file(file), Contains("set = \"fast\""));
+    CHECK_THAT(text_of_file(file + "~"), Contains("stop_d = 99"));
+    CHECK(it.type("save(3)") == "! save: expected the name of a file, as in save \"system.lua\", got number");
+}
+
+TEST_CASE("a system is saved as a Lua file within its project, and nowhere else", "[console][session]") {
+    SessionRig it;
+    const Scratch outside;
+    const std::string home = it.folder.path("").parent_path().string();
+    for (const std::string& name :
+         {outside.path("x.lua").string(), home + "/../x.lua", std::string("/nowhere/at/all.lua")}) {
+        CAPTURE(name);
+        CHECK(it.type("save '" + name + "'") ==
+              "! save: '" + name + "' lies outside of the project: a system is saved in " + home + " or below");
+        CHECK_FALSE(std::filesystem::exists(name));
+    }
+    std::filesystem::create_directory_symlink(outside.path(""), it.folder.path("link"));
+    CHECK_THAT(it.type("save '" + home + "/link/x.lua'"), Contains("lies outside of the project"));
+    CHECK(it.type("save '" + home + "/notes.txt'") ==
+          "! save: a system file ends in .lua: write save \"" + home + "/notes.lua\"");
+    CHECK_THAT(it.type("save '" + home + "/a\\0b.lua'"), Contains("there is a control character in it"));
+    CHECK_THAT(it.type("save '" + home + "/a\\nb.lua'"), Contains("there is a control character in it"));
+    CHECK(it.type("save '" + home + "/behaviors/deep'") ==
+          "saved " + home + "/behaviors/deep.lua: 2 components, 2 connections");
+}
+
+TEST_CASE("a saved system names a floor's picture as a person would", "[console][session]") {
+    // A picture of one white pixel.
+    const std::string png(
+        "\211PNG\015\012\032\012\000\000\000\015IHDR\000\000\000\001\000\000\000\001\010\000\000\000\000\072\176\233U"
+        "\000\000\000\012IDATx\234c\370\017\000\001\001\001\000\261\070\366\024\000\000\000\000IEND\256B\140\202",
+        67);
+    SessionRig it;
+    it.folder.write("behaviors/maps/room.png", png);
+    it.folder.write("system.lua", counter_system + "arena { floor { image = 'maps/room.png', size = { 1, 1 } } }");
+    REQUIRE(it.live->act(Restart{}, {}));
+    const std::string saved = it.folder.path("deep/er/saved.lua").string();
+    it.folder.write("deep/er/.keep", "");
+    CHECK_THAT(it.type("save '" + saved + "'"), StartsWith("saved "));
+    CHECK_THAT(text_of_file(saved), Contains("image = \"maps/room.png\""));
+    CHECK(read_system_file(saved, Project::of(saved, {source_root()})).has_value());
+}
