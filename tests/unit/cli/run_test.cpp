@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/cli/behavior_project.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -15,21 +15,6 @@ using namespace nezumi;
 namespace {
 
 const std::string stop_at_wall = "behaviors/systems/stop_at_wall.lua";
-
-/// A project of one behaviour, in a system of its own.
-class Project {
-public:
-    explicit Project(const std::string& behavior, const std::string& system = "behavior \"it\" { script = \"it\" }\n") {
-        scratch.write("behaviors/it.lua", behavior);
-        file = scratch.write("system.lua", system).string();
-    }
-    Outcome run(std::vector<std::string> options) const {
-        options.insert(options.begin(), {"run", file, "--headless", "--speed", "max"});
-        return run_nezumi(options);
-    }
-    Scratch scratch;
-    std::string file;
-};
 
 }  // namespace
 
@@ -55,10 +40,10 @@ TEST_CASE("equal seeds give equal trace hashes, whatever the speed and the threa
 }
 
 TEST_CASE("the option --seed wins over the file's seed", "[cli][run]") {
-    const Project project(R"(local out = output("out", "TimedDouble", "a number")
+    const BehaviorProject project(R"(local out = output("out", "TimedDouble", "a number")
 function on_execute() out:write(math.random()) end
 )",
-                          "seed(7)\nbehavior \"it\" { script = \"it\" }\n");
+                                  "seed(7)\nbehavior \"it\" { script = \"it\" }\n");
     const auto hash = [&](std::vector<std::string> options) {
         options.insert(options.end(), {"--duration", "0.1", "--trace-hash"});
         return project.run(options).out;
@@ -86,7 +71,7 @@ TEST_CASE("the option --record writes a row for every tick of the duration, and 
 }
 
 TEST_CASE("a sequence that grows gets columns, and earlier rows empty cells", "[cli][run]") {
-    const Project project(R"(local words = output("words", "TimedStringSeq", "texts")
+    const BehaviorProject project(R"(local words = output("words", "TimedStringSeq", "texts")
 local count = output("count", "TimedShort", "how many")
 function on_execute()
   local tick = math.floor(now() * 100 + 0.5)
@@ -108,7 +93,7 @@ end
 }
 
 TEST_CASE("a recording has each of several messages of one tick, in rows of the same time", "[cli][run]") {
-    const Project project(R"(local out = output("out", "TimedLong", "a number")
+    const BehaviorProject project(R"(local out = output("out", "TimedLong", "a number")
 local half = output("half", "TimedDouble", "another one")
 function on_execute()
   local tick = math.floor(now() * 100 + 0.5)
@@ -123,7 +108,7 @@ end
 }
 
 TEST_CASE("the option --ports takes truth, parameters and state as a console names them", "[cli][run]") {
-    const Project project(R"(local speed = output("speed", "TimedVelocity2D", "how fast")
+    const BehaviorProject project(R"(local speed = output("speed", "TimedVelocity2D", "how fast")
 param("vx", 0.25, { max = 1.0 })
 state.count = 0
 state.seen = { near = false }
@@ -133,9 +118,9 @@ function on_execute()
   speed:write { vx = config.vx }
 end
 )",
-                          "robot \"mouse\" { model = \"raspimouse\", pose = { x = 1, y = 0, heading = 0 } }\n"
-                          "behavior \"it\" { script = \"it\" }\n"
-                          "connect(\"it.speed\", \"mouse.target_velocity_in\")\n");
+                                  "robot \"mouse\" { model = \"raspimouse\", pose = { x = 1, y = 0, heading = 0 } }\n"
+                                  "behavior \"it\" { script = \"it\" }\n"
+                                  "connect(\"it.speed\", \"mouse.target_velocity_in\")\n");
     const std::string file = project.scratch.path("trace.csv").string();
     const auto recorded = [&](const std::string& names) {
         REQUIRE(project.run({"--duration", "0.03", "--record", file, "--ports", names}).status == 0);
@@ -253,7 +238,7 @@ TEST_CASE("a signal ends a run in good order: robots stopped, files complete, st
 
 TEST_CASE("a second signal ends a run at once", "[cli][run][watchdog]") {
     // Loading is over when this has been said, and the endless hook keeps the first signal waiting.
-    const Project project(R"(param("x", 1)
+    const BehaviorProject project(R"(param("x", 1)
 function on_execute() log.info("begins") while true do end end
 )");
     Program program({"run", project.file, "--headless"});
@@ -267,7 +252,7 @@ function on_execute() log.info("begins") while true do end end
 TEST_CASE(
     "a script that reaches its budget ends a headless run; of its files the rows that are whole stay, with a note",
     "[cli][run]") {
-    const Project project(
+    const BehaviorProject project(
         "local out = output('out', 'TimedDouble', 'a number')\n"
         "function on_execute()\n  out:write(1)\n  while now() > 0.05 do end\nend\n");
     const std::string csv = project.scratch.path("trace.csv").string(), png = project.scratch.path("end.png").string();
@@ -289,7 +274,7 @@ TEST_CASE("a behaviour that reaches its budget while the run ends, or on the way
           "[cli][run][watchdog]") {
     for (const char* text : {"function on_execute() end\nfunction on_deactivated() while true do end end\n",
                              "function on_execute() error('x') end\nfunction on_aborting() while true do end end\n"}) {
-        const Outcome outcome = Project(text).run({"--duration", "0.05", "--trace-hash"});
+        const Outcome outcome = BehaviorProject(text).run({"--duration", "0.05", "--trace-hash"});
         CHECK(outcome.status == 2);
         CHECK(outcome.out.empty());
         CHECK(outcome.error.find("it.lua:2: ran for more than 2 s") != std::string::npos);
@@ -297,7 +282,7 @@ TEST_CASE("a behaviour that reaches its budget while the run ends, or on the way
 }
 
 TEST_CASE("a component in ERROR at the end is said, and makes the status 1", "[cli][run]") {
-    const Project project("param('x', 1)\nfunction on_execute() error('no way') end\n");
+    const BehaviorProject project("param('x', 1)\nfunction on_execute() error('no way') end\n");
     const Outcome outcome = project.run({"--duration", "1", "--trace-hash"});
     CHECK(outcome.status == 1);
     CHECK(outcome.out.substr(0, 12) == "trace hash: ");
@@ -305,18 +290,10 @@ TEST_CASE("a component in ERROR at the end is said, and makes the status 1", "[c
     CHECK(outcome.error.find("it.lua:2: no way") != std::string::npos);
 }
 
-TEST_CASE("an error of several lines forges no line of the log, at the end either", "[cli][run]") {
-    const Project project("function on_execute() error('a\\n[    9.000] info  it: all is well') end\n");
-    const Outcome outcome = project.run({"--duration", "0.05"});
-    CHECK(outcome.status == 1);
-    CHECK_THAT(outcome.error, Catch::Contains("it.lua:1: a\n            | [    9.000] info  it: all is well\n"));
-    CHECK(outcome.error.find("\n[    9.000] info") == std::string::npos);
-}
-
 TEST_CASE("probes and what is printed never change the trace hash", "[cli][run]") {
     const auto hash = [](const std::string& more) {
-        const Project project("local out = output('out', 'TimedDouble')\nfunction on_execute()\n  out:write(now()) " +
-                              more + "\nend\n");
+        const BehaviorProject project(
+            "local out = output('out', 'TimedDouble')\nfunction on_execute()\n  out:write(now()) " + more + "\nend\n");
         return project.run({"--duration", "0.2", "--trace-hash"}).out;
     };
     const std::string plain = hash("");
@@ -325,7 +302,7 @@ TEST_CASE("probes and what is printed never change the trace hash", "[cli][run]"
 }
 
 TEST_CASE("probes are recorded where that is asked for", "[cli][run]") {
-    const Project project("function on_execute()\n  probe('x', now()) probe('y', { left = true })\nend\n");
+    const BehaviorProject project("function on_execute()\n  probe('x', now()) probe('y', { left = true })\nend\n");
     const std::string csv = project.scratch.path("probes.csv").string();
     const Outcome outcome = project.run({"--duration", "0.02", "--record", csv, "--ports", "it.probes"});
     CHECK(outcome.status == 0);
@@ -335,7 +312,8 @@ TEST_CASE("probes are recorded where that is asked for", "[cli][run]") {
 }
 
 TEST_CASE("a saved behaviour is taken while a run goes on, but not in a headless one", "[cli][run]") {
-    const Project project("param('x', 1)\nfunction on_activated() log.info('first') end\nfunction on_execute() end\n");
+    const BehaviorProject project(
+        "param('x', 1)\nfunction on_activated() log.info('first') end\nfunction on_execute() end\n");
     const std::string second =
         "param('x', 1)\nfunction on_reload() log.info('second') end\nfunction on_execute() end\n";
     SECTION("with a terminal or without") {
@@ -356,35 +334,9 @@ TEST_CASE("a saved behaviour is taken while a run goes on, but not in a headless
     }
 }
 
-TEST_CASE("what a script prints can't command the terminal", "[cli][run]") {
-    const Project project("function on_activated() print('\\27[2Jgone\\0\\200') end\n");
-    const Outcome run = run_nezumi({"run", project.file, "--headless", "--speed", "max", "--duration", "0.1"});
-    CHECK(run.status == 0);
-    CHECK_THAT(run.error, Catch::Contains("it: \\x1b[2Jgone\\x00"));
-}
-
-TEST_CASE("what a script prints begins no line of the log", "[cli][run]") {
-    const Project project("function on_activated() print('well\\n[    0.010] error mouse: burns') end\n");
-    const Outcome run = run_nezumi({"run", project.file, "--headless", "--speed", "max", "--duration", "0.1"});
-    CHECK_THAT(run.error, Catch::Contains("it: well\n"));
-    CHECK_THAT(run.error, Catch::Contains("| [    0.010] error mouse: burns\n") &&
-                              !Catch::Contains("\n[    0.010] error mouse: burns"));
-}
-
-TEST_CASE("a folder's name can't turn what is said", "[cli][run]") {
-    const std::string turned =
-        "systems\xE2\x80\xAE"
-        "aul.";
-    const Scratch scratch;
-    scratch.write(turned + "/s.lua", "robot(");
-    const Outcome run = run_nezumi({"run", scratch.path(turned + "/s.lua").string(), "--headless"});
-    CHECK(run.status == 2);
-    CHECK_THAT(run.error, Catch::Contains("systems\\u202eaul./s.lua:1") && !Catch::Contains("\xE2\x80\xAE"));
-}
-
 TEST_CASE("the options --set and --params give parameters their values, also after a restart and in a replay",
           "[cli][run]") {
-    const Project project(R"(param("speed", 0.1)
+    const BehaviorProject project(R"(param("speed", 0.1)
 local out = output("out", "TimedDouble", "a number")
 function on_execute() out:write(config.speed) end
 )");
