@@ -13,6 +13,7 @@
 #include "bindings/lua/sandbox/watchdog.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/journal/random_run.hpp"
+#include "tests/unit/journal/small_run.hpp"
 
 using namespace nezumi;
 using Catch::Matchers::Contains;
@@ -35,52 +36,6 @@ std::set<std::string_view> all_kinds(std::index_sequence<kind...>) {
     return {Describe<std::variant_alternative_t<kind, Act>>::name...};
 }
 
-// A system with one behaviour, journaled tick by tick.
-struct Small {
-    explicit Small(const std::string& script, Budget budget = headless_budget) {
-        folder.write("behaviors/it.lua", script);
-        const fs::path system = folder.write("system.lua", "behavior 'it' { script = 'it' }\n");
-        LiveOptions options;
-        options.files = &files;
-        options.budget = budget;
-        live = std::move(LiveSystem::load(system, std::move(options)).value());
-        journal = std::move(Journal::create(file, files).value());
-        journal->begin(*live, journal_version, false);
-        live->activate();
-    }
-    void tick(int count = 1) {
-        for (; count > 0; --count) live->tick();
-    }
-    std::uint64_t end() {
-        journal->end(RunEnd::duration, "", live->when(), live->trace_hash());
-        return live->trace_hash();
-    }
-    // The journal with a line replaced, or the error of replaying it.
-    std::string error_with(int line, const std::string& other) const {
-        std::istringstream in(text_of_file(file));
-        std::string changed;
-        std::string each;
-        for (int number = 1; std::getline(in, each); ++number) changed += (number == line ? other : each) + "\n";
-        const fs::path copy = folder.write("changed.journal", changed);
-        std::string error = replay(copy).error;
-        const auto at = error.find(copy.string());
-        return at == std::string::npos ? error : error.replace(at, copy.string().size(), "J");
-    }
-
-    Scratch folder;
-    fs::path file = folder.path("it.journal");
-    RecordingFiles files;
-    std::unique_ptr<LiveSystem> live;
-    std::unique_ptr<Journal> journal;
-};
-
-const std::string counter = R"(
-local out = output("out", "TimedLong")
-param("step", 1)
-local n = 0
-function on_execute() n = n + config.step out:write(n) end
-)";
-
 }  // namespace
 
 TEST_CASE("a minute of random acts replays to the same hash", "[journal]") {
@@ -100,7 +55,7 @@ TEST_CASE("the older journal has another name until the new one has its end, and
     const fs::path file = folder.write("it.journal", "older\n");
     RecordingFiles files;
     SECTION("a run that ends") {
-        Small run("function on_execute() end");
+        SmallRun run("function on_execute() end");
         run.journal = std::move(Journal::create(file, files).value());
         run.journal->begin(*run.live, journal_version, false);
         run.tick(3);
@@ -159,7 +114,7 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
 }
 
 TEST_CASE("what was read and loaded beside the ticks is replayed from the journal", "[journal]") {
-    Small run(counter);
+    SmallRun run(counter);
     const auto add = [&](const std::string& name) {
         const AddPreparer preparer = run.live->add_preparer();
         SystemSpec part = run.live->spec();
@@ -200,7 +155,7 @@ TEST_CASE("what was read and loaded beside the ticks is replayed from the journa
 }
 
 TEST_CASE("what was prepared for a system that has started anew since is refused", "[journal]") {
-    Small run(counter);
+    SmallRun run(counter);
     run.folder.write("behaviors/late.lua", counter);
     NotedFiles files(run.live->project().files());
     auto prepared = run.live->add_preparer().beside(
@@ -250,7 +205,7 @@ TEST_CASE("a process that is killed leaves a journal that replays to its last wh
 }
 
 TEST_CASE("an act with a million numbers is written beside the ticks", "[journal][wallclock]") {
-    Small it("local port = input('in', 'TimedLongSeq', '') function on_execute() port:read() end");
+    SmallRun it("local port = input('in', 'TimedLongSeq', '') function on_execute() port:read() end");
     const Act act = Inject{"it.in", std::vector<std::int32_t>(1'000'000, 12345)};
     double spent = 1;
     for (int attempt = 0; attempt < 4; ++attempt) {
@@ -267,7 +222,7 @@ TEST_CASE("an act with a million numbers is written beside the ticks", "[journal
 }
 
 TEST_CASE("a call that the clock ended ends so in the replay", "[journal][watchdog]") {
-    Small it(R"(
+    SmallRun it(R"(
 local out = output("out", "TimedLong")
 param("endless", false)
 local n = 0
@@ -278,7 +233,7 @@ function on_execute()
   while config.endless do end
 end
 )",
-             Budget{0.02});
+                Budget{0.02});
     it.tick(5);
     CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
     it.tick(5);
@@ -312,7 +267,7 @@ end
 }
 
 TEST_CASE("a version on probation that the clock ended is taken back in the replay too", "[journal][watchdog]") {
-    Small it(counter, Budget{0.02});
+    SmallRun it(counter, Budget{0.02});
     it.tick(5);
     const std::string endless = "while n % 2 == 1 do end";
     const std::string slow = "local out = output('out', 'TimedLong')\nlocal n = 0\nfunction on_execute() n = n + 1 " +
@@ -337,66 +292,4 @@ TEST_CASE("a version on probation that the clock ended is taken back in the repl
     const Replayed again = replay(it.file);
     CHECK(again.error.empty());
     CHECK(hash_text(again.hash) == hash_text(hash));
-}
-
-TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
-    Small it(counter);
-    it.tick(3);
-    REQUIRE(it.live->act(SetParameter{"it", "step", std::int64_t{2}}, {Actor::Kind::console}));
-    it.tick(3);
-    it.end();
-    const std::string act = R"({"at":[1,3,0],"who":"console","do":"SetParameter","with":)";
-    CHECK_THAT(text_of_file(it.file), Contains(act + R"({"component":"it","parameter":"step","value":2}})"));
-    CHECK(it.error_with(2, "no line at all") == "J:2: expected a JSON object");
-    CHECK(it.error_with(2, R"({"at":[1,3],"hash":"0"})") ==
-          "J:2: 'at' must be the start's number, the tick and the act's number");
-    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step"}})") ==
-          "J:2: SetParameter: 'value' is missing");
-    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step","value":2,"more":1}})") ==
-          "J:2: SetParameter: there is a field that it does not have");
-    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"stop","value":2}})") ==
-          "J:2: SetParameter went well then, not now: unknown parameter 'stop' (did you mean 'step'?)");
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Set","with":{}})") == "J:2: there is no act 'Set'");
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"somebody","do":"Stop","with":{}})")
-              .starts_with("J:2: 'somebody' is nobody who acts: expected one of run, console"));
-    CHECK(it.error_with(2, R"({"at":[2,3,0],"who":"console","do":"Stop","with":{}})") ==
-          "J:3: tick 6 of start 1 comes after tick 3 of start 2");
-    CHECK(it.error_with(2, R"({"at":[1,4,0],"hash":"0000000000000000"})")
-              .starts_with("J:2: the run is another one than the journal's: its hash at tick 4 of start 1 was "
-                           "0000000000000000, not "));
-    CHECK(it.error_with(1, "[]") == "J:1: is no journal of nezumi run --journal");
-    CHECK(it.error_with(1, R"({"journal":1,"version":"0.0"})") ==
-          "J is a journal of nezumi 0.0, this is test: only the same version replays it");
-    CHECK(it.error_with(1, R"({"journal":1,"version":"\u001b\n"})") ==
-          R"(J is a journal of nezumi \x1b\x0a, this is test: only the same version replays it)");
-    CHECK(it.error_with(1, R"({"journal":1,"version":"test","hardware":true})") ==
-          "J is the journal of a run on hardware: it tells what was done, and can't be replayed");
-    CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": there is no such file");
-    CHECK(replay(it.folder.path("")).error == it.folder.path("").string() + ": is a folder, expected a file");
-}
-
-TEST_CASE("a journal whose lines are not those of a run is refused at the line", "[journal]") {
-    Small it(counter);
-    it.tick(3);
-    REQUIRE(it.live->act(SetParameter{"it", "step", std::int64_t{2}}, {Actor::Kind::console}));
-    it.tick(3);
-    it.end();
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Rearm","with":{},"failed":true})").empty());
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop","with":{},"failed":true})") ==
-          "J:2: Stop failed then, and does not now");
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop"})") == "J:2: an act must have do and with");
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"out_of_time":5})") ==
-          "J:2: 'out_of_time' must have component, call and message");
-    CHECK(it.error_with(2, R"({"at":[1,3,0],"end":"stopped","hash":"0000000000000000"})") ==
-          "J:3: nothing may follow the end");
-    CHECK(it.error_with(3, R"({"at":[1,6,1],"end":"soon","hash":"0000000000000000"})") ==
-          "J:3: 'end' must be duration, stopped or error");
-    CHECK(it.error_with(3, R"({"at":[2,0,1],"end":"stopped","hash":"0000000000000000"})") ==
-          "J:3: tick 0 of start 2 never comes: the run is at tick 3 of start 1");
-    CHECK(it.error_with(1, R"({"journal":1,"version":"test"})") ==
-          "J:1: expected system, working_folder, installed, seed, seed_wins and files");
-    CHECK(it.error_with(1, R"({"journal":1,"version":"test","system":"s","working_folder":"w","seed":0,)"
-                           R"("seed_wins":false,"installed":[1]})") == "J:1: 'installed' must be a list of folders");
-    const fs::path cut = it.folder.write("cut.journal", "{");
-    CHECK(replay(cut).error == cut.string() + ":1: is no journal: its first line is not whole");
 }

@@ -1,0 +1,71 @@
+// What a journal that can't be replayed says.
+#include <catch2/catch.hpp>
+
+#include "bindings/journal/journal.hpp"
+#include "tests/unit/file_text.hpp"
+#include "tests/unit/journal/small_run.hpp"
+
+using namespace nezumi;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a journal says which line can't be replayed, and why", "[journal]") {
+    SmallRun it(counter);
+    it.tick(3);
+    REQUIRE(it.live->act(SetParameter{"it", "step", std::int64_t{2}}, {Actor::Kind::console}));
+    it.tick(3);
+    it.end();
+    const std::string act = R"({"at":[1,3,0],"who":"console","do":"SetParameter","with":)";
+    CHECK_THAT(text_of_file(it.file), Contains(act + R"({"component":"it","parameter":"step","value":2}})"));
+    CHECK(it.error_with(2, "no line at all") == "J:2: expected a JSON object");
+    CHECK(it.error_with(2, R"({"at":[1,3],"hash":"0"})") ==
+          "J:2: 'at' must be the start's number, the tick and the act's number");
+    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step"}})") ==
+          "J:2: SetParameter: 'value' is missing");
+    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"step","value":2,"more":1}})") ==
+          "J:2: SetParameter: there is a field that it does not have");
+    CHECK(it.error_with(2, act + R"({"component":"it","parameter":"stop","value":2}})") ==
+          "J:2: SetParameter went well then, not now: unknown parameter 'stop' (did you mean 'step'?)");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Set","with":{}})") == "J:2: there is no act 'Set'");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"somebody","do":"Stop","with":{}})")
+              .starts_with("J:2: 'somebody' is nobody who acts: expected one of run, console"));
+    CHECK(it.error_with(2, R"({"at":[2,3,0],"who":"console","do":"Stop","with":{}})") ==
+          "J:3: tick 6 of start 1 comes after tick 3 of start 2");
+    CHECK(it.error_with(2, R"({"at":[1,4,0],"hash":"0000000000000000"})")
+              .starts_with("J:2: the run is another one than the journal's: its hash at tick 4 of start 1 was "
+                           "0000000000000000, not "));
+    CHECK(it.error_with(1, "[]") == "J:1: is no journal of nezumi run --journal");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"0.0"})") ==
+          "J is a journal of nezumi 0.0, this is test: only the same version replays it");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"\u001b\n"})") ==
+          R"(J is a journal of nezumi \x1b\x0a, this is test: only the same version replays it)");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"test","hardware":true})") ==
+          "J is the journal of a run on hardware: it tells what was done, and can't be replayed");
+    CHECK(replay(it.folder.path("none")).error == it.folder.path("none").string() + ": there is no such file");
+    CHECK(replay(it.folder.path("")).error == it.folder.path("").string() + ": is a folder, expected a file");
+}
+
+TEST_CASE("a journal whose lines are not those of a run is refused at the line", "[journal]") {
+    SmallRun it(counter);
+    it.tick(3);
+    REQUIRE(it.live->act(SetParameter{"it", "step", std::int64_t{2}}, {Actor::Kind::console}));
+    it.tick(3);
+    it.end();
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Rearm","with":{},"failed":true})").empty());
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop","with":{},"failed":true})") ==
+          "J:2: Stop failed then, and does not now");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"who":"console","do":"Stop"})") == "J:2: an act must have do and with");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"out_of_time":5})") ==
+          "J:2: 'out_of_time' must have component, call and message");
+    CHECK(it.error_with(2, R"({"at":[1,3,0],"end":"stopped","hash":"0000000000000000"})") ==
+          "J:3: nothing may follow the end");
+    CHECK(it.error_with(3, R"({"at":[1,6,1],"end":"soon","hash":"0000000000000000"})") ==
+          "J:3: 'end' must be duration, stopped or error");
+    CHECK(it.error_with(3, R"({"at":[2,0,1],"end":"stopped","hash":"0000000000000000"})") ==
+          "J:3: tick 0 of start 2 never comes: the run is at tick 3 of start 1");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"test"})") ==
+          "J:1: expected system, working_folder, installed, seed, seed_wins and files");
+    CHECK(it.error_with(1, R"({"journal":1,"version":"test","system":"s","working_folder":"w","seed":0,)"
+                           R"("seed_wins":false,"installed":[1]})") == "J:1: 'installed' must be a list of folders");
+    const std::filesystem::path cut = it.folder.write("cut.journal", "{");
+    CHECK(replay(cut).error == cut.string() + ":1: is no journal: its first line is not whole");
+}
