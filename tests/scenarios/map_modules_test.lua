@@ -109,9 +109,9 @@ scenario("a ray marks each cell that it passes, in every direction", function(s)
     local to_x, to_y = 1.025 + 0.9 * math.cos(angle), 1.025 + 0.9 * math.sin(angle)
     map:mark_ray(1.025, 1.025, to_x, to_y, true)
     local passed = 0
-    for part = 0, 20000 do
-      local column, row = map:cell_at(1.025 + (to_x - 1.025) * part / 20000, 1.025 + (to_y - 1.025) * part / 20000)
-      s:check(map:evidence(column, row) ~= 0, ("at %g of ray %d"):format(part / 20000, i))
+    for part = 0, 2000 do
+      local column, row = map:cell_at(1.025 + (to_x - 1.025) * part / 2000, 1.025 + (to_y - 1.025) * part / 2000)
+      s:check(map:evidence(column, row) ~= 0, ("at %g of ray %d"):format(part / 2000, i))
     end
     for index = 1, 41 * 41 do
       if map.memory.cells[index] ~= 0 then passed = passed + 1 end
