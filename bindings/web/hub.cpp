@@ -133,7 +133,7 @@ void Hub::log(std::string text) {
 void Hub::end(const std::string& text) {
     const std::lock_guard lock(mutex_);
     for (auto& [id, client] : clients_) put_text(client, text, false);
-    ends_ = true;
+    goodbye_ = text;
 }
 
 void Hub::show(Slot slot, std::string text) {
@@ -179,7 +179,7 @@ HttpReply Hub::reply_to(const HttpRequest& request) {
 Entry Hub::lets_in(const HttpRequest& request) {
     Entry entry = access_.check(request);
     const std::lock_guard lock(mutex_);
-    if (entry.refused == 0 && (ends_ || clients_.size() >= most_clients)) entry.refused = unavailable;
+    if (entry.refused == 0 && (goodbye_ || clients_.size() >= most_clients)) entry.refused = unavailable;
     return entry;
 }
 
@@ -195,6 +195,7 @@ void Hub::opened(ClientId id, bool view_only) {
                          access_.view_token(), hello_),
              false);
     for (const std::string& line : log_) put_text(client, line, true);
+    if (goodbye_) put_text(client, *goodbye_, false);  // the run ended while it was let in
     incoming_.push_back({.client = id, .what = Incoming::What::opened, .view_only = view_only});
     eventfd_write(news_.get(), 1);
 }
@@ -253,7 +254,7 @@ std::optional<Outgoing> Hub::next_text(Client& client) {
         client.backlog -= std::min(client.backlog, out.bytes.size());
         return out;
     }
-    if (ends_) return Outgoing{.closes = true};
+    if (goodbye_) return Outgoing{.closes = true};
     for (const auto& [slot, shown] : slots_) {
         std::uint64_t& got = client.shown[slot];
         if (got == shown.number) continue;

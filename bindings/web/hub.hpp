@@ -69,7 +69,7 @@ public:
     void send_all(const std::string& text, bool lossy = false);
     /// A line of the log: to all, and to those who come while it is one of the latest.
     void log(std::string text);
-    /// Says goodbye: whoever has got that is closed, and nobody is let in any more.
+    /// Says goodbye, also to who is just being let in: whoever has got that is closed, and nobody else is let in.
     void end(const std::string& text);
     /// The same as `send_all`, and of each `slot` only the latest counts: also to those who come later.
     enum class Slot { system, status };
@@ -140,7 +140,7 @@ private:
     std::size_t kept_ = 0;                                // [bytes] of them
     std::map<std::string, Shown, std::less<>> pictures_;  // by port
     std::uint64_t last_number_ = 0;
-    bool ends_ = false;
+    std::optional<std::string> goodbye_;  // said when the run ended
 
     Changes changes_;  // of the sockets' thread
 };

@@ -101,8 +101,8 @@ TEST_CASE("a real camera's pictures carry the time at which each was taken", "[h
     CHECK(driven.out().read().format == "rgb8");
     CHECK(driven.out().read().pixels.size() == 320 * 240 * 3);
     CHECK(oldest < 0.3);
-    // Pictures are no nearer in time than the camera takes them, whenever a tick finds them; but for two or three that the
-    // fake camera of a busy machine makes up for.
+    // Pictures are no nearer in time than the camera takes them, whenever a tick finds them; but for two or three that
+    // the fake camera of a busy machine makes up for.
     int nearer = 0;
     for (std::size_t i = 1; i < stamps.size(); ++i) nearer += stamps[i] - stamps[i - 1] < 0.02 ? 1 : 0;
     CHECK(nearer <= 3);

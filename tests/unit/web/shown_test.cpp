@@ -57,6 +57,16 @@ TEST_CASE("lines of the log that are long are kept in bounds", "[web]") {
     CHECK(lines == 2);
 }
 
+TEST_CASE("who is let in while the run ends is told so, and closed", "[web]") {
+    const WebRig rig;
+    Hub hub(Access(), StaticFiles(""), rig.live->project(), "}");
+    hub.end("goodbye");
+    hub.opened(1, false);
+    CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
+    CHECK(hub.next(1)->bytes == "goodbye");
+    CHECK(hub.next(1)->closes);
+}
+
 TEST_CASE("the picture on the floor comes as its file is, to who asks for it", "[web]") {
     WebRig rig(R"(
 arena { size = { 2, 1 }, floor { image = ")" +
