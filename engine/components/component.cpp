@@ -140,8 +140,7 @@ void Component::execute(const Time& now) {
     if (state_ == LifeState::error) {
         if (error_hook_failed_) return;
         if (auto ok = run_without_velocities(Hook::on_error); !ok) {
-            error_hook_failed_ = true;  // reported once; the component stays in ERROR
-            last_error_ = ok.error();
+            error_hook_failed_ = true;  // reported once; the component stays in ERROR, for the reason that it came there
             log(LogLevel::error,
                 fmt::format("on_error failed and is not called again before a reset: {}", describe(ok.error())));
         }

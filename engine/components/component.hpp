@@ -136,8 +136,8 @@ public:
     /// The hook that runs now.
     Hook hook() const { return hook_; }
 
-    /// Where log lines go; set when a system takes the component.
-    void set_log(LogSink sink) { log_ = std::move(sink); }
+    /// Where log lines go; set when a system takes the component, which gives them the time of its tick.
+    virtual void set_log(LogSink sink) { log_ = std::move(sink); }
     void log(LogLevel level, std::string text) const;
     /// Ticks a second [Hz] of its system; set when a system takes the component.
     void set_tick_rate(double hertz) { tick_rate_ = hertz; }

@@ -80,9 +80,10 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
             fmt::format("{}: a rate of {} Hz is above the tick's {} Hz", name, component->rate, settings_.rate),
             component->place);
     }
-    component->set_log([this](const LogLine& line) {
+    component->set_log([this](LogLine line) {
+        line.seconds = now_.seconds;
         if (workers_ != nullptr) {
-            worker_logs_[current_worker].push_back(line);
+            worker_logs_[current_worker].push_back(std::move(line));
         } else if (log_) {
             log_(line);
         }

@@ -296,9 +296,18 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
     version_ = next.number;
     newest_ = std::max(newest_, version_);
     script_->go_live(true);
-    for (const auto& [level, text] : script_->take_early_log()) log(level, text);
+    if (old.script != nullptr) tell_early_log();  // of the first version when a system takes the component
     for (const std::string& warning : next.warnings) log(LogLevel::warn, warning);
     return old;
+}
+
+void ScriptComponent::set_log(LogSink sink) {
+    Component::set_log(std::move(sink));
+    tell_early_log();
+}
+
+void ScriptComponent::tell_early_log() {
+    for (const auto& [level, text] : script_->take_early_log()) log(level, text);
 }
 
 // Ports that neither run now nor are there from an earlier time.

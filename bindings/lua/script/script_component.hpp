@@ -38,6 +38,8 @@ public:
     /// Its probes by name, for a look at them at this time [s]: `value`, `tm` and `age`.
     PlainData describe_probes(double seconds) const { return script_->probes().describe(seconds); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
+    /// What the script printed while it loaded is told first.
+    void set_log(LogSink sink) override;
 
     /// Has an execution looked at, line by line: the next one that is not on probation. Returns the number of that
     /// look.
@@ -119,6 +121,7 @@ private:
     int next_version() const { return newest_ + 1; }
     Expected<void> execute_on_probation();
     Expected<void> execute_looked_at();
+    void tell_early_log();
     void make_ports(Version& next) const;
     void fill_slots(Version& next) const;
     Version replace(Version next);

@@ -112,11 +112,13 @@ TEST_CASE("hooks that fail on the way: activation and deactivation end in ERROR,
 TEST_CASE("an on_error that fails is told once and not called again before a reset", "[engine][component]") {
     TryComponent it;
     it.executed = fail;
-    it.error = fail;
+    it.error = [](TryComponent&) -> Expected<void> { return failure("went wrong too", {"a.lua", 4}); };
     REQUIRE(it.activate(at(0)));
     for (int tick = 0; tick < 5; ++tick) it.execute(at(tick));
+    CHECK(it.last_error() == Error{"went wrong", {"a.lua", 3}});  // why it is in ERROR
     CHECK(it.hooks == Names{"on_activated", "on_execute", "on_aborting", "on_error"});
-    CHECK(it.log_lines.back() == "error: on_error failed and is not called again before a reset: a.lua:3: went wrong");
+    CHECK(it.log_lines.back() ==
+          "error: on_error failed and is not called again before a reset: a.lua:4: went wrong too");
     REQUIRE(it.reset(at(6)));
     REQUIRE(it.activate(at(6)));
     it.execute(at(7));

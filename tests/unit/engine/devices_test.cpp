@@ -145,7 +145,7 @@ TEST_CASE("a screen shows whole pictures, and says once why not the others", "[e
     CHECK(run.hull().pictures.empty());
     CHECK(run.log ==
           std::vector<std::string>{"mouse: input 'lcd': a picture of 0 x 0 pixels of 8 bits with 0 bytes is not shown "
-                                   "(said once): expected 0 bytes, and not none"});
+                                   "(said once): expected a width, a height and bpp, its bits a pixel: 24 of rgb8"});
     run.send("lcd", picture(4, 2, 8));
     REQUIRE(run.hull().pictures.size() == 1);
     CHECK(run.hull().pictures[0].width == 4);

@@ -139,8 +139,10 @@ TEST_CASE("print and log show tables, ports and parameters as people read them",
                             "warn: { x = 1 }\tthen\t{ 2 }"});
 }
 
-TEST_CASE("what a file prints while it loads is not lost", "[lua][component]") {
-    ScriptRig rig("param('x', 1)");
+TEST_CASE("what a file prints while it loads is not lost, at the start and in a reload", "[lua][component]") {
+    ScriptRig rig("param('x', 1) print('first')");
+    CHECK(rig.log == std::vector<Text>{"info: first"});
+    rig.log.clear();
     std::vector<ScriptFile> required;
     auto next = rig.component->prepare(source("param('x', 1) print('loaded') log.warn('careful')"), paced_budget,
                                        rig.now, required);
