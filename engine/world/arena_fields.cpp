@@ -38,7 +38,9 @@ std::string adopt_color(std::string& text) {
 }
 
 std::string adopt_identifier(std::string& text) {
-    return is_identifier(text) ? "" : fmt::format("expected letters, digits and _, got '{}'", text);
+    if (is_identifier(text)) return "";
+    return fmt::format("expected letters, digits and _, not beginning with a digit, and no keyword of Lua, got '{}'",
+                       text);
 }
 
 }  // namespace nezumi
