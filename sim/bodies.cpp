@@ -15,37 +15,35 @@ void BodyView::put(const Vec3& centre, const Rotation& rotation) const {
 }
 
 BodyState BodyView::state() const {
-    BodyState state{centre(), rotation(), {}, {}, {velocity(), spin()}};
-    std::copy_n(dBodyGetQuaternion(id), 4, state.turn);
+    BodyState state{centre(), rotation(), {}, {velocity(), spin()}};
+    std::copy_n(dBodyGetQuaternion(id), 4, state.turn.begin());
     return state;
 }
 
 void BodyView::arrive(const BodyState& state) const {
     const auto& [velocity, spin] = state.motion;
     dBodySetPosition(id, state.centre.x(), state.centre.y(), state.centre.z());
-    dBodySetQuaternion(id, state.given);
+    // dBodySetQuaternion would make it of length 1 once more, which changes last bits. No geom wants to know of it.
+    std::copy(state.turn.begin(), state.turn.end(), const_cast<dReal*>(dBodyGetQuaternion(id)));
+    Eigen::Map<RowMajor3x4>(const_cast<dReal*>(r)).leftCols<3>() = state.rotation;
     dBodySetLinearVel(id, velocity.x(), velocity.y(), velocity.z());
     dBodySetAngularVel(id, spin.x(), spin.y(), spin.z());
-}
-
-void BodyState::advance(const Motion& how, double step) {
-    motion = how;
-    const auto& [velocity, spin] = motion;
-    centre += velocity * step;
-    const Vec3 along{turn[1], turn[2], turn[3]}, turned = along + (spin * turn[0] + spin.cross(along)) * (step / 2);
-    given[0] = turn[0] - spin.dot(along) * (step / 2);
-    for (int i = 0; i < 3; ++i) given[i + 1] = turned[i];
-    std::copy_n(given, 4, turn);
-    dNormalize4(turn);
-    RowMajor3x4 matrix;
-    dQtoR(turn, matrix.data());
-    rotation = matrix.leftCols<3>();
 }
 
 void SimRobot::leave_to_ode(bool solved_by_ode) {
     if (by_ode == solved_by_ode) return;
     by_ode = solved_by_ode;
     by_ode ? dBodyEnable(body.id) : dBodyDisable(body.id);
+}
+
+void SimRobot::turn_wheels(double step, int steps) {
+    const DriveSpec& drive = model->spec->drive;
+    const double by_left = speeds.left * (step / drive.radius_of_left());
+    const double by_right = speeds.right * (step / drive.radius_of_right());
+    for (int i = 0; i < steps; ++i) {
+        angles.left += by_left;
+        angles.right += by_right;
+    }
 }
 
 void Thing::wake() {

@@ -9,30 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "sim/body_state.hpp"
 #include "sim/ode_library.hpp"
 #include "sim/robot_model.hpp"
 #include "sim/scene.hpp"
 #include "sim/velocity_constraint.hpp"
 
 namespace nezumi::sim {
-
-/// How a body moves: its centre [m/s], and about it [rad/s], in the world's directions.
-struct Motion {
-    Vec3 velocity;
-    Vec3 spin;
-};
-
-/// Where a body is and how it moves: what a step needs of it, apart from ODE.
-struct BodyState {
-    Vec3 centre;        ///< [m]
-    Rotation rotation;  ///< the same as `turn`
-    dQuaternion turn;   ///< of length 1
-    dQuaternion given;  ///< what ODE is given for it, before it is made of length 1
-    Motion motion;
-
-    /// Moves it for `step` [s], as a step of ODE does at its end.
-    void advance(const Motion& how, double step);
-};
 
 /// A body of ODE, read through the pointers that it keeps for life.
 struct BodyView {
@@ -97,11 +80,8 @@ struct SimRobot {
     void leave_to_ode(bool solved_by_ode);
     /// Whether nothing but how it moves keeps it from rolling freely.
     bool may_roll() const { return !kept_by_ode && !meets && !coasting && !constraint; }
-    /// How far its driven wheels turn in a step of `step` [s]: angles [rad].
-    Wheels turned(double step) const {
-        const DriveSpec& drive = model->spec->drive;
-        return {speeds.left * (step / drive.radius_of_left()), speeds.right * (step / drive.radius_of_right())};
-    }
+    /// Turns its driven wheels as in so many steps of `step` [s].
+    void turn_wheels(double step, int steps = 1);
 
     BodyView body;
     RobotModel* model;  // its contacts are filled in on the way to ODE

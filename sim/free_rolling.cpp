@@ -16,11 +16,6 @@
 namespace nezumi::sim {
 namespace {
 
-// Real is double, or Lanes: the same for several robots of one model.
-template <class Real>
-using Vector = Eigen::Matrix<Real, 3, 1>;
-template <class Real>
-using Matrix = Eigen::Matrix<Real, 3, 3>;
 template <class Real>
 using Holds = decltype(Real() > Real());
 
@@ -48,6 +43,11 @@ Matrix<Real> turn_inertia(const Vec3& own, const Matrix<Real>& turned) {
             all(i, j) = sum_of_row<Real>(i, a * turned(j, 0), b * turned(j, 1), c * turned(j, 2));
     }
     return all;
+}
+
+template <class Real>
+Real square(const Vector<Real>& v) {
+    return v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
 }
 
 // A wheel that is lent less friction than this part of its limit grips.
@@ -78,12 +78,6 @@ struct Symmetric {
         const Real c = third / z, b = second / y - yz * c;
         return {right.x() / upper(0, 0) - xy * b - xz * c, b, c};
     }
-};
-
-template <class Real>
-struct MotionOf {
-    Vector<Real> velocity;
-    Vector<Real> spin;
 };
 
 // Mass and contacts: A [linear; spin] = b. A contact along an axis turns about the other two only.
@@ -170,10 +164,19 @@ SupportsOf<Real> find_supports(const RobotModel& model, const Vector<Real>& cent
     return supports;
 }
 
-// Whether robots of this model roll freely, none of them tilted or with its hull on the floor; then `to` is how.
+// Whether it stands upright on its wheels and skids, its hull off the floor.
 template <class Real>
-Holds<Real> roll(const RobotModel& model, const Vector<Real>& centre, const Matrix<Real>& rotation,
-                 const MotionOf<Real>& before, const std::array<Real, 2>& speeds, double step, MotionOf<Real>& to) {
+Holds<Real> stands(const RobotModel& model, const BodyStateOf<Real>& body) {
+    const Real upright = body.rotation(2, 2);
+    const Real bottom = body.centre.z() + upright * model.hull_drop - model.hull.half_height_at(body.rotation);
+    return both(upright >= Real(least_upright), bottom >= Real(0));
+}
+
+// Whether robots of this model, which stand, roll freely; then `to` is how.
+template <class Real>
+Holds<Real> roll(const RobotModel& model, const BodyStateOf<Real>& body, const std::array<Real, 2>& speeds, double step,
+                 MotionOf<Real>& to) {
+    const auto& [centre, rotation, turn, before] = body;
     const SupportsOf<Real> supports = find_supports(model, centre, rotation);
 
     const Vector<Real>&forward = supports.forward, left{-forward.y(), forward.x(), Real(0)};
@@ -204,7 +207,6 @@ Holds<Real> roll(const RobotModel& model, const Vector<Real>& centre, const Matr
                       lesser(surface.soft_erp * depth / step, Real(correcting_speed)), surface.soft_cfm};
         normals[i].add_to(equations, step);
     }
-    if (!any(rolls)) return rolls;
     // ODE takes the limits of friction from how the robot would stand without it.
     const MotionOf<Real> standing = equations.template solve<2>();
     const dSurfaceParameters& grip = model.wheel_contact.surface;
@@ -223,42 +225,54 @@ Holds<Real> roll(const RobotModel& model, const Vector<Real>& centre, const Matr
         rolls = both(rolls, lent <= grips * grip.mu * pressed);
     }
     to = {to_world(rolling.velocity), to_world(rolling.spin)};
-    const Vector<Real> squares = to.velocity.cwiseProduct(to.velocity);
-    return both(rolls, squares.x() + squares.y() + squares.z() < Real(1e6));
+    return both(rolls, square(to.velocity) < Real(1e6));
 }
 
-// Whether it stands upright on its wheels and skids, its hull off the floor.
-bool stands(const RobotModel& model, const BodyState& body) {
-    const double upright = body.rotation(2, 2);
-    if (upright < least_upright) return false;
-    return !(body.centre.z() + upright * model.hull_drop < model.hull.half_height_at(body.rotation));
+// Robots of one model; `rolling` is which have rolled freely in all steps.
+template <class Real>
+void take_steps(const RobotModel& model, BodyStateOf<Real>& body, const std::array<Real, 2>& speeds, double step,
+                std::span<double> fastest, Holds<Real>& rolling) {
+    rolling = Real(0) <= Real(0);
+    for (double& most : fastest) {
+        MotionOf<Real> motion;
+        rolling = both(rolling, both(stands(model, body), roll(model, body, speeds, step, motion)));
+        if (!any(rolling)) return;
+        body.advance(motion, step);
+        most = std::max(most, largest(choose(rolling, square(motion.velocity), Real(0.0))));
+    }
 }
-
-// Up to as many robots as there are lanes, side by side: what a step needs of them, and what comes of it.
-struct SideBySide {
-    Vector<Lanes> centre;
-    Matrix<Lanes> rotation;
-    MotionOf<Lanes> before, after;
-    std::array<Lanes, 2> speeds;
-    LaneMask rolls;
-};
 
 // Inlined to the end, so that all of it is compiled for the processor that it runs on.
-[[gnu::flatten]] void roll_side_by_side(const RobotModel& model, SideBySide& all, double step) {
-    all.rolls = roll<Lanes>(model, all.centre, all.rotation, all.before, all.speeds, step, all.after);
+[[gnu::flatten]] void take_steps_in_lanes(const RobotModel& model, BodyStateOf<Lanes>& body,
+                                          const std::array<Lanes, 2>& speeds, double step, std::span<double> fastest,
+                                          LaneMask& rolling) {
+    take_steps(model, body, speeds, step, fastest, rolling);
 }
 
 #if defined(__x86_64__)
 // The same operations on four numbers at a time, and therefore the same bits.
-[[gnu::flatten, gnu::target("avx2")]] void roll_side_by_side_by_avx2(const RobotModel& model, SideBySide& all,
-                                                                     double step) {
-    all.rolls = roll<Lanes>(model, all.centre, all.rotation, all.before, all.speeds, step, all.after);
+[[gnu::flatten, gnu::target("avx2")]] void take_steps_by_avx2(const RobotModel& model, BodyStateOf<Lanes>& body,
+                                                              const std::array<Lanes, 2>& speeds, double step,
+                                                              std::span<double> fastest, LaneMask& rolling) {
+    take_steps(model, body, speeds, step, fastest, rolling);
 }
 
-const auto roll_lanes = __builtin_cpu_supports("avx2") ? roll_side_by_side_by_avx2 : roll_side_by_side;
+const auto take_steps_side_by_side = __builtin_cpu_supports("avx2") ? take_steps_by_avx2 : take_steps_in_lanes;
 #else
-constexpr auto roll_lanes = roll_side_by_side;
+constexpr auto take_steps_side_by_side = take_steps_in_lanes;
 #endif
+
+// Calls `act(number, its lanes)` for all numbers that a step changes.
+template <class Do>
+void each_number(BodyState& body, BodyStateOf<Lanes>& lanes, const Do& act) {
+    for (int i = 0; i < 3; ++i) {
+        act(body.centre[i], lanes.centre[i]);
+        act(body.motion.velocity[i], lanes.motion.velocity[i]);
+        act(body.motion.spin[i], lanes.motion.spin[i]);
+        for (int j = 0; j < 3; ++j) act(body.rotation(i, j), lanes.rotation(i, j));
+    }
+    for (std::size_t i = 0; i < body.turn.size(); ++i) act(body.turn[i], lanes.turn[i]);
+}
 
 }  // namespace
 
@@ -268,45 +282,32 @@ Supports supports_of(const RobotModel& model, const Vec3& centre, const Rotation
 }
 
 std::optional<Motion> roll_freely(const RobotModel& model, const BodyState& body, const Wheels& speeds, double step) {
-    if (!stands(model, body)) return {};
-    MotionOf<double> to;
-    const MotionOf<double> before{body.motion.velocity, body.motion.spin};
-    if (!roll<double>(model, body.centre, body.rotation, before, {speeds.left, speeds.right}, step, to)) return {};
-    return Motion{to.velocity, to.spin};
+    Motion motion;
+    if (!stands(model, body) || !roll<double>(model, body, {speeds.left, speeds.right}, step, motion)) return {};
+    return motion;
 }
 
-void roll_freely(const RobotModel& model, std::span<Rolling> robots, double step) {
+void roll_freely(const RobotModel& model, std::span<Rolling> robots, double step, std::span<double> fastest) {
     assert(!robots.empty() && robots.size() <= Lanes::count);
     if (robots.size() == 1) {
         auto& [body, its_speeds, rolls] = robots.front();
-        const auto motion = roll_freely(model, body, its_speeds, step);
-        rolls = rolls && motion;
-        if (rolls) body.advance(*motion, step);
+        take_steps<double>(model, body, {its_speeds.left, its_speeds.right}, step, fastest, rolls);
         return;
     }
-    SideBySide all;
+    BodyStateOf<Lanes> bodies;
+    std::array<Lanes, 2> speeds;
     for (std::size_t lane = 0; lane < Lanes::count; ++lane) {
-        const auto& [body, its_speeds, rolls] = robots[std::min(lane, robots.size() - 1)];
-        for (int i = 0; i < 3; ++i) {
-            all.centre[i].set(lane, body.centre[i]);
-            all.before.velocity[i].set(lane, body.motion.velocity[i]);
-            all.before.spin[i].set(lane, body.motion.spin[i]);
-            for (int j = 0; j < 3; ++j) all.rotation(i, j).set(lane, body.rotation(i, j));
-        }
-        all.speeds[0].set(lane, its_speeds.left);
-        all.speeds[1].set(lane, its_speeds.right);
+        auto& [body, its_speeds, rolls] = robots[std::min(lane, robots.size() - 1)];
+        each_number(body, bodies, [lane](double number, Lanes& lanes) { lanes.set(lane, number); });
+        speeds[0].set(lane, its_speeds.left);
+        speeds[1].set(lane, its_speeds.right);
     }
-    roll_lanes(model, all, step);
+    LaneMask rolling;
+    take_steps_side_by_side(model, bodies, speeds, step, fastest, rolling);
     for (std::size_t lane = 0; lane < robots.size(); ++lane) {
         auto& [body, its_speeds, rolls] = robots[lane];
-        rolls = rolls && all.rolls[lane] && stands(model, body);
-        if (!rolls) continue;
-        Motion motion;
-        for (int i = 0; i < 3; ++i) {
-            motion.velocity[i] = all.after.velocity[i][lane];
-            motion.spin[i] = all.after.spin[i][lane];
-        }
-        body.advance(motion, step);
+        rolls = rolling[lane];
+        each_number(body, bodies, [lane](double& number, const Lanes& lanes) { number = lanes[lane]; });
     }
 }
 

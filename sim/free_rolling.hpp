@@ -25,14 +25,15 @@ Supports supports_of(const RobotModel& model, const Vec3& centre, const Rotation
 /// Nothing when one may be: a support that would be pulled, a wheel that may slip, a hull that may touch the floor.
 std::optional<Motion> roll_freely(const RobotModel& model, const BodyState& body, const Wheels& speeds, double step);
 
-/// A robot that rolls, step after step.
+/// A robot that takes several steps.
 struct Rolling {
     BodyState body;
     Wheels speeds;      ///< [m/s]
-    bool rolls = true;  ///< no step yet has led to nothing
+    bool rolls = true;  ///< freely, in each of the steps; otherwise `body` is of no use afterwards
 };
-/// Advances robots of one model, at most `Lanes::count`, by a step each, as above, to the last bit. One that does not
-/// roll freely in it, or did not before, stays where it is.
-void roll_freely(const RobotModel& model, std::span<Rolling> robots, double step);
+/// Advances robots of one model, at most `Lanes::count`, by `fastest.size()` steps each, as above, to the last bit.
+/// Raises the elements of `fastest` to the squared speed [m/s] of the fastest after each step, of those that have
+/// rolled until then.
+void roll_freely(const RobotModel& model, std::span<Rolling> robots, double step, std::span<double> fastest);
 
 }  // namespace nezumi::sim

@@ -64,6 +64,13 @@ inline bool any(LaneMask mask) {
     return is;
 }
 
+inline double largest(double x) { return x; }
+inline double largest(Lanes x) {
+    double most = x[0];
+    for (std::size_t i = 1; i < Lanes::count; ++i) most = x[i] > most ? x[i] : most;
+    return most;
+}
+
 inline double root(double x) { return std::sqrt(x); }
 inline Lanes root(Lanes x) {
     Lanes roots;

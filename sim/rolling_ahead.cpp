@@ -30,36 +30,20 @@ void RollingAhead::share_out(int steps, const Action& action) {
 // Of one model, at most as many as there are lanes. Those that get through are put there.
 void RollingAhead::roll(std::span<const std::size_t> robots, int steps, std::vector<double>& fastest) {
     std::array<Rolling, Lanes::count> all;
-    std::array<Wheels, Lanes::count> angles, turned;
     const std::span<Rolling> rolling = std::span(all).first(robots.size());
-    for (std::size_t k = 0; k < robots.size(); ++k) {
-        const SimRobot& robot = movers_.robots[robots[k]];
-        rolling[k] = {before_[robots[k]].body, robot.speeds};
-        angles[k] = before_[robots[k]].angles;
-        turned[k] = robot.turned(step_);
-    }
+    for (std::size_t k = 0; k < robots.size(); ++k)
+        rolling[k] = {before_[robots[k]].body, movers_.robots[robots[k]].speeds};
     const RobotModel& model = *movers_.robots[robots.front()].model;
-    bool any = true;
-    for (int i = 0; i < steps && any; ++i) {
-        roll_freely(model, rolling, step_);
-        any = false;
-        double& most = fastest[static_cast<std::size_t>(i)];
-        for (std::size_t k = 0; k < rolling.size(); ++k) {
-            if (!rolling[k].rolls) continue;
-            any = true;
-            angles[k].left += turned[k].left;
-            angles[k].right += turned[k].right;
-            most = std::max(most, rolling[k].body.motion.velocity.squaredNorm());
-        }
-    }
+    roll_freely(model, rolling, step_, std::span(fastest).first(static_cast<std::size_t>(steps)));
     for (std::size_t k = 0; k < rolling.size(); ++k) {
-        is_ahead_[robots[k]] = rolling[k].rolls ? 1 : 0;
-        if (!rolling[k].rolls) continue;
+        const auto& [body, speeds, rolls] = rolling[k];
+        is_ahead_[robots[k]] = rolls ? 1 : 0;
+        if (!rolls) continue;
         SimRobot& robot = movers_.robots[robots[k]];
-        const BodyState& body = rolling[k].body;
         robot.leave_to_ode(false);
         robot.body.arrive(body);
-        robot.angles = angles[k];
+        robot.angles = before_[robots[k]].angles;
+        robot.turn_wheels(step_, steps);
         place_hull(scene_.mover(robot.mover), model, body.centre, body.rotation);
     }
 }

@@ -82,12 +82,6 @@ double Shape::reach() const {
     return kind == Kind::box ? half.norm() : std::sqrt(half.x() * half.x() + half.z() * half.z());
 }
 
-double Shape::half_height_at(const Rotation& how) const {
-    const double along = std::abs(how(2, 2)) * half.z();
-    if (kind == Kind::box) return along + std::abs(how(2, 0)) * half.x() + std::abs(how(2, 1)) * half.y();
-    return along + half.x() * std::sqrt(std::max(0.0, 1 - how(2, 2) * how(2, 2)));
-}
-
 bool Shape::is_upright() const { return std::abs(rotation(2, 2)) > 0.99995; }
 
 double cast_ray(const Shape& shape, const Vec3& from, const Vec3& direction, double range, Vec3* normal) {

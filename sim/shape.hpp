@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/geometry.hpp"
+#include "sim/lanes.hpp"
 
 namespace nezumi::sim {
 
@@ -25,10 +26,18 @@ struct Shape {
     /// [m] Half the height of the shape as it stands now.
     double half_height() const { return half_height_at(rotation); }
     /// The same as if it stood so.
-    double half_height_at(const Rotation& how) const;
+    template <class Real>
+    Real half_height_at(const Eigen::Matrix<Real, 3, 3>& how) const;
     /// Whether its own z axis is vertical, up or down, within 0.01 rad.
     bool is_upright() const;
 };
+
+template <class Real>
+Real Shape::half_height_at(const Eigen::Matrix<Real, 3, 3>& how) const {
+    const Real along = magnitude(how(2, 2)) * half.z();
+    if (kind == Kind::box) return along + magnitude(how(2, 0)) * half.x() + magnitude(how(2, 1)) * half.y();
+    return along + half.x() * root(greater(Real(0.0), 1 - how(2, 2) * how(2, 2)));
+}
 
 /// Distance along the ray from `from` in direction `direction` (a unit vector) to the shape, at most `range`. 0 when
 /// `from` lies inside, `nothing` when there is no hit. With `normal`, the outward normal of the surface that was hit.

@@ -153,9 +153,7 @@ void OdeWorld::turn_wheels() {
             };
             robot->speeds = {speed(robot->model->wheels[0]), speed(robot->model->wheels[1])};
         }
-        const Wheels turned = robot->turned(step_);
-        robot->angles.left += turned.left;
-        robot->angles.right += turned.right;
+        robot->turn_wheels(step_);
     }
 }
 

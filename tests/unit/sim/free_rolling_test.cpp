@@ -4,6 +4,7 @@
 #include <random>
 
 #include "engine/base/worker_pool.hpp"
+#include "sim/free_rolling.hpp"
 #include "sim/ode_world.hpp"
 #include "tests/unit/sim/try_world.hpp"
 
@@ -218,6 +219,44 @@ TEST_CASE("from a hundred thousand states a step in closed form is ODE's to 1e-1
         CHECK(rolled >= 34'000);
     }
     WARN("a step differs by " << most << " at most");
+}
+
+TEST_CASE(
+    "robots side by side take their steps as each alone does, to the last bit, also beside one that stops rolling",
+    "[sim][rolling]") {
+    RandomState state;
+    for (const RobotSpec& spec : {mouse_spec(), swarm_spec(), odd_spec()}) {
+        Pair pair(spec);
+        const SimRobot& robot = pair.rolled.robot(0);
+        state.height = robot.body.p[2];
+        int rolled = 0, stopped = 0;
+        bool same = true;
+        for (int i = 0; i < 1000; ++i) {
+            std::array<Rolling, Lanes::count> together;
+            for (Rolling& each : together) {
+                state.put(pair);
+                each = {robot.body.state(), robot.speeds};
+            }
+            if (i % 2 == 0) together[state.random() % Lanes::count].speeds.left += 2;  // it slips
+            auto alone = together;
+            std::array<double, 10> fastest{}, fastest_alone{};
+            roll_freely(*robot.model, together, step, fastest);
+            for (Rolling& each : alone) roll_freely(*robot.model, std::span(&each, 1), step, fastest_alone);
+            same = same && fastest == fastest_alone;
+            for (std::size_t k = 0; k < alone.size(); ++k) {
+                const auto &a = alone[k].body, &b = together[k].body;
+                same = same && alone[k].rolls == together[k].rolls;
+                ++(alone[k].rolls ? rolled : stopped);
+                if (!alone[k].rolls) continue;
+                same = same && a.centre == b.centre && a.rotation == b.rotation && a.turn == b.turn &&
+                       a.motion.velocity == b.motion.velocity && a.motion.spin == b.motion.spin;
+            }
+        }
+        CAPTURE(spec.model, rolled, stopped);
+        CHECK(same);
+        CHECK(rolled > 100);
+        CHECK(stopped > 100);
+    }
 }
 
 TEST_CASE("after ten minutes of driving at random the closed form is where ODE is", "[sim][rolling]") {

@@ -1,0 +1,57 @@
+// Where bodies are and how they move, apart from ODE: of one robot, or of several in lanes.
+#pragma once
+
+#include <array>
+
+#include "sim/geometry.hpp"
+#include "sim/lanes.hpp"
+
+namespace nezumi::sim {
+
+// Real is double, or Lanes: the same for several robots.
+template <class Real>
+using Vector = Eigen::Matrix<Real, 3, 1>;
+template <class Real>
+using Matrix = Eigen::Matrix<Real, 3, 3>;
+
+/// How a body moves: its centre [m/s], and about it [rad/s], in the world's directions.
+template <class Real>
+struct MotionOf {
+    Vector<Real> velocity;
+    Vector<Real> spin;
+};
+using Motion = MotionOf<double>;
+
+/// Where a body is and how it moves: what a step needs of it.
+template <class Real>
+struct BodyStateOf {
+    Vector<Real> centre;       ///< [m]
+    Matrix<Real> rotation;     ///< the same as `turn`
+    std::array<Real, 4> turn;  ///< a quaternion of length 1, its scalar first
+    MotionOf<Real> motion;
+
+    /// Moves it for `step` [s], as a step of ODE does at its end, to the last bit.
+    void advance(const MotionOf<Real>& how, double step);
+};
+using BodyState = BodyStateOf<double>;
+
+template <class Real>
+void BodyStateOf<Real>::advance(const MotionOf<Real>& how, double step) {
+    motion = how;
+    const auto& [velocity, spin] = motion;
+    centre += velocity * Real(step);
+    const Vector<Real> along{turn[1], turn[2], turn[3]};
+    const Vector<Real> turned = along + (spin * turn[0] + spin.cross(along)) * Real(step / 2);
+    const Vector<Real> less = spin.cwiseProduct(along);
+    Real w = turn[0] - (less.x() + less.y() + less.z()) * Real(step / 2);
+    Real x = turned.x(), y = turned.y(), z = turned.z();
+    // As dNormalize4 and dQtoR do it.
+    const Real scale = 1 / root(w * w + x * x + y * y + z * z);
+    turn = {w *= scale, x *= scale, y *= scale, z *= scale};
+    const Real xx = 2 * x * x, yy = 2 * y * y, zz = 2 * z * z;
+    rotation.row(0) << 1 - yy - zz, 2 * (x * y - w * z), 2 * (x * z + w * y);
+    rotation.row(1) << 2 * (x * y + w * z), 1 - xx - zz, 2 * (y * z - w * x);
+    rotation.row(2) << 2 * (x * z - w * y), 2 * (y * z + w * x), 1 - xx - yy;
+}
+
+}  // namespace nezumi::sim
