@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "bindings/console/file_to_write.hpp"
+#include "bindings/lua/files/change_robot.hpp"
+#include "bindings/lua/files/robot_parameters.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
 #include "engine/base/whole_file.hpp"
@@ -15,52 +17,55 @@
 namespace nezumi {
 namespace {
 
-// The values that the file would give when it is read: its set over its config over the defaults.
-ParameterValues configured_values(const Component& component) {
-    ParameterValues values;
+// The value that the file would give a parameter when it is read: its set's over its config's over the default.
+ParameterValue configured_value(const Component& component, const ParameterSpec& parameter) {
+    const auto set = component.sets.find(component.set_in_use());
+    for (const auto* values : {set != component.sets.end() ? &set->second : nullptr, &component.configured}) {
+        if (values == nullptr) continue;
+        const auto found = values->find(parameter.name);
+        if (found == values->end()) continue;
+        if (auto value = check_value(parameter, found->second)) return *value;
+    }
+    return parameter.initial;
+}
+
+// Puts each value that the file would not give where it counts: into the set in use if that names it, else into
+// `config`, which loses what no parameter takes any more.
+void bring_up_to_date(ParameterValues& config, ParameterValues* set, const Component& component) {
     for (const auto& parameter : component.parameters().all()) {
         const std::string& name = parameter.spec.name;
-        values[name] = parameter.spec.initial;
-        const auto take = [&](const ParameterValues& from) {
-            const auto found = from.find(name);
-            if (found == from.end()) return;
-            if (auto value = check_value(parameter.spec, found->second)) values[name] = *value;
-        };
-        take(component.configured);
-        const auto set = component.sets.find(component.set_in_use());
-        if (set != component.sets.end()) take(set->second);
+        if (parameter.value == configured_value(component, parameter.spec)) continue;
+        (set != nullptr && set->contains(name) ? *set : config)[name] = parameter.value;
     }
-    return values;
+    std::erase_if(config, [&](const auto& given) {
+        const auto* parameter = component.parameters().find(given.first);
+        return parameter == nullptr || !check_value(parameter->spec, given.second);
+    });
 }
 
-bool is_as_configured(const Component& component) {
-    const ParameterValues values = configured_values(component);
+Expected<void> bring_up_to_date(RobotEntry& entry, const Component& component, const LiveSystem& live) {
     for (const auto& parameter : component.parameters().all()) {
-        if (values.at(parameter.spec.name) != parameter.value) return false;
+        if (parameter.value == parameter.spec.initial) continue;
+        const auto field =
+            field_of_parameter(live.spec().models.at(entry.described_by()), parameter.spec.name, parameter.value);
+        if (!field) return Unexpected(field.error());
+        const auto all = changes_with(entry, *field, live.project());
+        if (!all) return Unexpected(all.error());
+        entry.changes = to_lua(*all);
     }
-    return true;
+    return {};
 }
 
-ParameterValues present_values(const Component& component, const ParameterValues& config) {
-    ParameterValues values;
-    for (const auto& parameter : component.parameters().all()) {
-        const bool differs = parameter.value != parameter.spec.initial;
-        if (differs || config.contains(parameter.spec.name)) values[parameter.spec.name] = parameter.value;
-    }
-    return values;
-}
-
-void bring_up_to_date(RobotEntry&, const Component&) {}
-
-void bring_up_to_date(BehaviorEntry& entry, const Component& component) {
+Expected<void> bring_up_to_date(BehaviorEntry& entry, const Component& component, const LiveSystem& /*live*/) {
     entry.set = component.set_in_use();
-    if (is_as_configured(component)) return;
-    entry.config = present_values(component, entry.config);
-    entry.set.clear();  // its values are among these
+    const auto set = entry.sets.find(entry.set);
+    bring_up_to_date(entry.config, set != entry.sets.end() ? &set->second : nullptr, component);
+    return {};
 }
 
-void bring_up_to_date(ComponentEntry& entry, const Component& component) {
-    if (!is_as_configured(component)) entry.config = present_values(component, entry.config);
+Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& component, const LiveSystem& /*live*/) {
+    bring_up_to_date(entry.config, nullptr, component);
+    return {};
 }
 
 // Writes the file, and what was there goes on as `before`. When it can't be done all is as it was.
@@ -146,7 +151,7 @@ std::string user_of_script(const SystemSpec& spec, const std::filesystem::path& 
 
 }  // namespace
 
-PresentSystem present_system(const LiveSystem& live) {
+Expected<PresentSystem> present_system(const LiveSystem& live) {
     const System& system = live.system();
     SystemSpec spec = live.spec();
     std::erase_if(spec.entries, [&](const Entry& entry) { return system.find(name_of(entry)) == nullptr; });
@@ -157,15 +162,16 @@ PresentSystem present_system(const LiveSystem& live) {
     leave_out_rtm(spec);
     leave_out_twins(spec);
     for (Entry& entry : spec.entries) {
-        std::visit(
+        const auto done = std::visit(
             [&](auto& each) {
                 const Component& component = *system.find(each.name);
-                bring_up_to_date(each, component);
                 each.active = component.state() != LifeState::inactive;  // what is in ERROR is to work
+                return bring_up_to_date(each, component, live);
             },
             entry);
+        if (!done) return Unexpected(done.error());
     }
-    return {std::move(spec), live.project(), live.options().installed};
+    return PresentSystem{std::move(spec), live.project(), live.options().installed};
 }
 
 Expected<std::string> save_system(PresentSystem present, const std::string& file) {

@@ -32,7 +32,8 @@ Expected<WordEnd> word_save(Session::Parts& parts, const Arguments& arguments) {
     if (!file) return Unexpected(file.error());
     auto present = parts.at_system([&] { return std::make_optional(present_system(parts.live)); });
     if (!present) return failure("interrupted");
-    const auto done = save_system(std::move(*present), *file);
+    if (!*present) return Unexpected(present->error());
+    const auto done = save_system(std::move(**present), *file);
     if (!done) return Unexpected(done.error());
     parts.show(*done);
     return WordEnd::done;

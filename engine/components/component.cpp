@@ -6,7 +6,7 @@
 namespace nezumi {
 namespace {
 
-// What it is called to have no set in use, unless a set is called so.
+// What it is called to have no set in use.
 constexpr std::string_view no_set = "default";
 
 }  // namespace
@@ -48,15 +48,20 @@ const Port* Component::find_port(std::string_view name) const {
 
 Expected<void> Component::use(std::string_view set) {
     const auto found = sets.find(set);
-    const bool is_none = found == sets.end() && set == no_set;
+    const bool is_none = set == no_set;
     if (found == sets.end() && !is_none) {
         std::vector<std::string_view> names;
         for (const auto& [name, values] : sets) names.push_back(name);
-        if (!sets.contains(no_set)) names.push_back(no_set);
+        names.push_back(no_set);
         return failure(fmt::format("{} has no parameter set '{}'{}", name_, shown(set), did_you_mean(set, names)));
     }
     ParameterValues values = is_none ? ParameterValues() : found->second;
-    values.insert(configured.begin(), configured.end());
+    for (const auto& [name, value] : configured) {
+        // What a reload has made unfit is no reason to be kept to a set.
+        const auto* parameter = parameters_.find(name);
+        if (is_none && (parameter == nullptr || !check_value(parameter->spec, value))) continue;
+        values.emplace(name, value);
+    }
     if (auto ok = parameters_.set_all(values); !ok)
         return failure(fmt::format("set '{}': {}", shown(set), ok.error().message));
     for (const auto& [name, other] : sets) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/ports/payload.hpp"
+#include "engine/robot/robot_parameters.hpp"
 
 namespace nezumi {
 
@@ -57,15 +58,9 @@ Expected<std::unique_ptr<Robot>> Robot::make(std::string name, const RobotSpec& 
 
 Expected<void> Robot::add_servo_speeds() {
     for (std::size_t i = 0; i < spec_.actuators.size(); ++i) {
-        const ActuatorSpec& actuator = spec_.actuators[i];
-        if (actuator.kind != ActuatorSpec::Kind::servo || actuator.speed <= 0) continue;
-        ParameterSpec speed{.name = actuator.name + "_speed",
-                            .initial = actuator.speed,
-                            .min = 0.001,
-                            .unit = "rad/s",
-                            .doc = "at which it turns to its angle"};
-        if (actuator.max_rate > 0) speed.max = actuator.max_rate;
-        if (auto ok = parameters_.declare(std::move(speed)); !ok) return ok;
+        auto speed = speed_parameter(spec_.actuators[i]);
+        if (!speed) continue;
+        if (auto ok = parameters_.declare(std::move(*speed)); !ok) return ok;
         servos_.push_back(i);
     }
     return {};

@@ -14,6 +14,13 @@
 
 namespace nezumi {
 
+Expected<FileValue> changes_with(const RobotEntry& robot, const FileValue& changes, const Project& project) {
+    if (robot.changes.empty()) return changes;
+    const auto before = read_changes(robot.changes, robot.place.file, project);
+    if (!before) return Unexpected(before.error());
+    return combine_changes(*before, changes);
+}
+
 Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const FileValue& changes, FieldCheck& check,
                             const Project& project) {
     RobotEntry* entry = nullptr;
@@ -32,15 +39,11 @@ Expected<void> change_robot(SystemSpec& spec, const std::string& robot, const Fi
     if (!path) return Unexpected(path.error());
     const auto file = RobotFile::read(*path, project);
     if (!file) return Unexpected(file.error());
-    FileValue all = changes;
-    if (!entry->changes.empty()) {
-        const auto before = read_changes(entry->changes, entry->place.file, project);
-        if (!before) return Unexpected(before.error());
-        all = combine_changes(*before, changes);
-    }
-    RobotSpec changed = (*file)->changed(check, all, entry->place.file);
+    const auto all = changes_with(*entry, changes, project);
+    if (!all) return Unexpected(all.error());
+    RobotSpec changed = (*file)->changed(check, *all, entry->place.file);
     if (!check.ok()) return {};
-    entry->changes = to_lua(all);
+    entry->changes = to_lua(*all);
     entry->description = entry->model + " " + entry->changes;
     spec.models.insert_or_assign(entry->description, std::move(changed));
     if (!entry->calibrated) return {};

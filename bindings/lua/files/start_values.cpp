@@ -14,6 +14,7 @@
 
 #include "bindings/lua/files/data_file.hpp"
 #include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/robot_parameters.hpp"
 #include "bindings/lua/files/system_file.hpp"
 
 namespace nezumi {
@@ -84,8 +85,7 @@ Expected<void> set_one(const std::string& text, SystemSpec& spec, const Project&
         [&](auto& each) -> Expected<void> {
             using Kind = std::decay_t<decltype(each)>;
             if constexpr (std::is_same_v<Kind, RobotEntry>) {
-                return failure(fmt::format("{} is a robot: only behaviours and components have parameters", name),
-                               place);
+                return set_robot_parameter(spec, name, parameter, *value, place, project);
             } else {
                 each.places["config." + parameter] = place;
                 if constexpr (std::is_same_v<Kind, BehaviorEntry>) {
@@ -113,6 +113,10 @@ Expected<void> take_file(const std::string& file, SystemSpec& spec, const Projec
         Entry* const entry = find_entry(spec, name_of(from));
         const auto* behavior = std::get_if<BehaviorEntry>(&from);
         const auto* component = std::get_if<ComponentEntry>(&from);
+        const auto* robot = std::get_if<RobotEntry>(&from);
+        if (robot != nullptr && entry != nullptr && std::holds_alternative<RobotEntry>(*entry)) {
+            if (auto ok = take_robot_parameters(spec, robot->name, *saved, *robot, project); !ok) return ok;
+        }
         const bool says_nothing = behavior != nullptr    ? behavior->config.empty() && behavior->sets.empty()
                                   : component != nullptr ? component->config.empty()
                                                          : true;

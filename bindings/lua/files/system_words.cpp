@@ -15,6 +15,9 @@
 namespace nezumi {
 namespace {
 
+// What Component::use calls having no set in use.
+constexpr std::string_view no_set = "default";
+
 std::string_view kind_of(const Entry& entry) {
     constexpr std::string_view kinds[] = {"robot", "behavior", "component"};
     return kinds[entry.index()];
@@ -131,6 +134,10 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
     entry.place = call.place;
     read_record(fields, entry);
     fields.done();
+    if (entry.sets.contains(no_set)) {
+        check.explain({"sets", std::string(no_set)},
+                      "to use \"default\" is to have no set in use: choose another name");
+    }
     if (!entry.set.empty() && !entry.sets.contains(entry.set)) {
         check.explain(fields.path_of("set"), fmt::format("there is no set '{}' in 'sets'{}", entry.set,
                                                          did_you_mean(entry.set, names_of(entry.sets))));

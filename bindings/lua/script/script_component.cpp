@@ -62,6 +62,22 @@ std::string kept_text(const Parameters& before, const Parameters& after, const P
     return text;
 }
 
+// Whether the set in use is one that these parameters take whole.
+Expected<void> check_set(const Component& component, Parameters parameters) {
+    const auto set = component.sets.find(component.set_in_use());
+    return set == component.sets.end() ? Expected<void>() : parameters.set_all(set->second);
+}
+
+// What `settings` would be without the set in use, but for what was set since.
+void leave_set(const Component& component, Parameters& settings) {
+    for (const auto& [name, value] : component.sets.at(component.set_in_use())) {
+        const auto* parameter = settings.find(name);
+        if (parameter == nullptr || check_value(parameter->spec, value) != parameter->value) continue;
+        const auto given = component.configured.find(name);
+        if (given == component.configured.end() || !settings.set(name, given->second)) settings.follow_default(name);
+    }
+}
+
 void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings) {
     constexpr std::size_t shown = 10;
     for (std::size_t i = 0; i < dropped.size() && i < shown; ++i) {
@@ -141,9 +157,18 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& so
     context.tick_rate = tick_rate();
     Parameters settings = parameters_;
     settings.take_staged();
-    auto script =
-        Script::load(source, std::move(context), {.parameters = &settings, .state = &*state, .required = &required});
+    const auto try_load = [&] {
+        return Script::load(source, context, {.parameters = &settings, .state = &*state, .required = &required});
+    };
+    auto script = try_load();
     if (!script) return Unexpected(script.error());
+    if (auto fits = check_set(*this, (*script)->parameters()); !fits) {
+        next.warnings.push_back(fmt::format("set '{}' no longer fits, and none is in use now: {}", shown(set_in_use()),
+                                            fits.error().message));
+        leave_set(*this, settings);
+        script = try_load();  // its top level may have read a value of that set
+        if (!script) return Unexpected(script.error());
+    }
     next.script = std::move(*script);
     next.script->set_budget(script_->context().budget);
     next.number = next_version();
@@ -180,6 +205,7 @@ std::vector<Port*> ScriptComponent::ports_going(const Version& other) const {
 void ScriptComponent::commit(Version next, int reload) {
     constexpr std::size_t most = 8;
     constexpr std::size_t most_memory = std::size_t{32} << 20;  // [bytes]
+    if (!check_set(*this, next.parameters)) static_cast<void>(use("default"));  // which is always there
     Version old = replace(std::move(next));
     old.replaced_by = reload;
     if (state() == LifeState::active && !script_->tasks().empty())

@@ -88,6 +88,51 @@ TEST_CASE("the present wiring and configuration is saved as a system file", "[co
     CHECK(it.type("save(3)") == "! save: expected the name of a file, as in save \"system.lua\", got number");
 }
 
+TEST_CASE("a robot is saved with the value of its parameter", "[console][session]") {
+    SessionRig it(
+        "robot 'ev' { model = 'ev3', mass = 0.7, actuators = { medium_motor = { maximum = 1.5 } } }\n"
+        "robot 'other' { model = 'ev3', pose = { y = 1 } }\n",
+        {});
+    const std::string file = it.folder.path("saved.lua").string();
+    CHECK(it.type("ev.config.medium_motor_speed = 3").empty());
+    it.turn();
+    CHECK_THAT(it.type("save '" + file + "'"), StartsWith("saved "));
+    const auto spec = read_system_file(file, Project::of(file, {source_root()}));
+    REQUIRE(spec.has_value());
+    CHECK(std::get<RobotEntry>(spec->entries[1]).changes.empty());
+    const RobotSpec& ev = spec->models.at(std::get<RobotEntry>(spec->entries[0]).described_by());
+    CHECK(ev.mass == 0.7);
+    for (const ActuatorSpec& actuator : ev.actuators) {
+        if (actuator.name != "medium_motor") continue;
+        CHECK(actuator.speed == 3.0);
+        CHECK(actuator.maximum == 1.5);
+    }
+}
+
+TEST_CASE("a value set by hand is saved in the set in use that names it, else in the config", "[console][session]") {
+    SessionRig it(
+        "behavior 'it' { script = 'idles', config = { p = 2, gone = 1 }, sets = { g = { p = 9 }, h = { r = 4 } } }",
+        {{"idles", "param('p', 1) param('q', 1) param('r', 1) param('gone', 1)\nfunction on_execute() end\n"}});
+    const std::string file = it.folder.path("saved.lua").string();
+    const auto saved = [&] {
+        CHECK_THAT(it.type("save '" + file + "'"), StartsWith("saved "));
+        return std::get<BehaviorEntry>(
+            read_system_file(file, Project::of(file, {source_root()})).value().entries.front());
+    };
+    const auto whole = [](std::int64_t number) { return ParameterValue{number}; };
+    CHECK(it.type("it:use 'g' it.config.q = 5").empty());
+    const BehaviorEntry other = saved();
+    CHECK(other.set == "g");
+    CHECK(other.sets.at("g") == ParameterValues{{"p", whole(9)}});
+    CHECK(other.config == ParameterValues{{"gone", whole(1)}, {"p", whole(2)}, {"q", whole(5)}});
+    CHECK(it.type("it.config.p = 7").empty());
+    const BehaviorEntry named = saved();
+    CHECK(named.set == "g");
+    CHECK(named.sets.at("g") == ParameterValues{{"p", whole(7)}});
+    CHECK(named.sets.at("h") == ParameterValues{{"r", whole(4)}});
+    CHECK(named.config.at("p") == whole(2));
+}
+
 TEST_CASE("a system is saved as a Lua file within its project, and nowhere else", "[console][session]") {
     SessionRig it;
     const Scratch outside;

@@ -287,7 +287,7 @@ TEST_CASE("a named set takes effect whole, and what it leaves out keeps the conf
     CHECK(it.parameters().find("speed_x")->set);
 }
 
-TEST_CASE("the set default is to have none, unless one is called so", "[engine][parameter][set]") {
+TEST_CASE("the set default is to have none", "[engine][parameter][set]") {
     WithSets it;
     REQUIRE(it.use("careful"));
     REQUIRE(it.use("default"));
@@ -295,10 +295,6 @@ TEST_CASE("the set default is to have none, unless one is called so", "[engine][
     CHECK(it.values() == std::pair<ParameterValue, ParameterValue>{0.1, 0.0});
     CHECK_FALSE(it.parameters().find("speed_r")->set);
     CHECK(it.use("defalt").error().message == "it has no parameter set 'defalt' (did you mean 'default'?)");
-    it.sets["default"] = {{"speed_x", 0.7}};
-    REQUIRE(it.use("default"));
-    CHECK(it.set_in_use() == "default");
-    CHECK(it.values().first == ParameterValue(0.7));
 }
 
 TEST_CASE("a set that breaks a bound, or that is not there, changes nothing", "[engine][parameter][set]") {

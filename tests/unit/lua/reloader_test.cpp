@@ -83,6 +83,38 @@ TEST_CASE("a set parameter is kept while name, type and bounds fit, an unset one
     CHECK(value("unset") == "3");
 }
 
+TEST_CASE("a set that a reload makes unfit is in use no more, and its parameters have the config's values",
+          "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it = world.add_text("it", "param('p', 1) param('q', 0.5) param('hand', 1) param('free', 1)");
+    it.configured = {{"p", std::int64_t{2}}};
+    it.sets = {{"far", {{"p", std::int64_t{9}}, {"q", 1.5}, {"hand", std::int64_t{3}}}}};
+    REQUIRE(it.parameters().set_all(it.configured));
+    REQUIRE(it.use("far"));
+    REQUIRE(it.parameters().set_all({{"hand", std::int64_t{7}}, {"free", std::int64_t{8}}}));
+    const auto value = [&](const Text& name) { return to_text(it.parameters().find(name)->value); };
+    const Text params = "param('q', 0.5) param('hand', 1) param('free', 1) ";
+    CHECK(world.change("it.lua", params + "param('p', 1, { max = 20 })") == "");
+    CHECK(it.set_in_use() == "far");
+    CHECK(value("p") == "9");
+    // The top level too must see the values that hold from then on.
+    const Text narrow = params + "param('p', 1, { max = 5 }) state.q = config.q function on_execute() end";
+    CHECK(world.change("it.lua", narrow) == "");
+    CHECK(world.said("it: set 'far' no longer fits, and none is in use now: parameter 'p' (integer): 9 is above its "
+                     "maximum 5"));
+    CHECK_FALSE(world.said("its value 9 no longer fits"));
+    CHECK(it.set_in_use().empty());
+    CHECK(value("p") == "2");
+    CHECK(value("q") == "0.5");
+    CHECK(value("hand") == "7");
+    CHECK(value("free") == "8");
+    CHECK_FALSE(it.use("far"));
+    // Nor does a value of the config that is unfit keep it to a set.
+    REQUIRE(world.change("it.lua", params + "param('p', 1, { max = 1 })") == "");
+    REQUIRE(it.use("default"));
+    CHECK(value("p") == "1");
+}
+
 TEST_CASE("a reload says which values it kept and what their defaults are now, where that may surprise",
           "[lua][reload]") {
     ReloadRig world;

@@ -5,6 +5,7 @@
 
 #include "bindings/lua/files/system_file.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
+#include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
 using namespace std::string_literals;
@@ -57,6 +58,37 @@ TEST_CASE("the last value counts, over the file's and over the set in use", "[lu
     CHECK(entry->sets.at("fast").at("speed") == ParameterValue{0.4});
     CHECK(entry->sets.at("slow").at("speed") == ParameterValue{0.01});
     CHECK(entry->places.at("config.speed").file == "--set it.speed=0.4");
+}
+
+TEST_CASE("a robot begins with the value that its parameter is given", "[lua][files]") {
+    const Scratch folder;
+    const auto file = folder.write("system.lua",
+                                   "robot 'ev' { model = 'ev3', mass = 0.7 }\nrobot 'mouse' { model = 'raspimouse' }\n"
+                                   "robot 'other' { model = 'ev3' }\n");
+    const auto saved = folder.write("saved.lua",
+                                    "robot 'ev' { model = 'ev3', actuators = { medium_motor = { speed = 2.5 } } }\n"
+                                    "robot 'gone' { model = 'ev3', actuators = { medium_motor = { speed = 2.5 } } }\n");
+    const Project project = Project::of(file, {source_root()});
+    const auto speed = [&](const StartValues& values, std::size_t robot) {
+        auto spec = read_system_file(file, project).value();
+        if (auto ok = apply(values, spec, project); !ok) return describe(ok.error());
+        const auto& entry = std::get<RobotEntry>(spec.entries[robot]);
+        const RobotSpec& description = spec.models.at(entry.described_by());
+        CHECK((robot != 0 || description.mass == 0.7));
+        for (const ActuatorSpec& actuator : description.actuators) {
+            if (actuator.name == "medium_motor") return std::to_string(actuator.speed);
+        }
+        return "none"s;
+    };
+    CHECK(speed({.set = {"ev.medium_motor_speed=2"}}, 0) == "2.000000");
+    CHECK(speed({.set = {"ev.medium_motor_speed=2"}}, 2) == "1.600000");
+    CHECK(speed({.file = saved.string()}, 0) == "2.500000");
+    CHECK(speed({.file = saved.string(), .set = {"ev.medium_motor_speed=3"}}, 0) == "3.000000");
+    CHECK(speed({.set = {"ev.medium_motor_sped=2"}}, 0) ==
+          "--set ev.medium_motor_sped=2: ev: unknown parameter 'medium_motor_sped' (did you mean "
+          "'medium_motor_speed'?)");
+    CHECK(speed({.set = {"ev.medium_motor_speed=99"}}, 0).find("is above its maximum") != std::string::npos);
+    CHECK(speed({.set = {"mouse.speed=1"}}, 0) == "--set mouse.speed=1: mouse: this robot has no parameters");
 }
 
 TEST_CASE("a saved system's parameters and sets hold, and a value set by hand over them", "[lua][files]") {

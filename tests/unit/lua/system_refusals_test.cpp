@@ -236,6 +236,9 @@ TEST_CASE("names are free identifiers", "[lua][system_file]") {
 TEST_CASE("a set is one of the sets", "[lua][system_file]") {
     CHECK(error("behavior 'c' { script = 'robot_controller', sets = { careful = {} }, set = 'carefull' }") ==
           "s.lua:1:70: behavior 'c': field 'set': there is no set 'carefull' in 'sets' (did you mean 'careful'?)");
+    CHECK(error("behavior 'c' { script = 'robot_controller', sets = { default = {} } }") ==
+          "s.lua:1:54: behavior 'c': field 'sets.default': to use \"default\" is to have no set in use: choose another "
+          "name");
     CHECK_THAT(error("behavior 'c' { script = 'robot_controller', set = 'fast' }"),
                Catch::Contains("there is no set 'fast'"));
     CHECK(error("behavior 'c' { script = 'robot_controller', sets = { careful = 3 } }") ==

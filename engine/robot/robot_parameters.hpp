@@ -1,0 +1,24 @@
+// The parameters that a robot has because of its description.
+#pragma once
+
+#include <optional>
+
+#include "engine/components/parameter.hpp"
+#include "engine/world/robot_spec.hpp"
+
+namespace nezumi {
+
+/// At what speed a servo turns, which begins as its description says; none of what is no servo, or of one that always
+/// turns as fast as it can.
+inline std::optional<ParameterSpec> speed_parameter(const ActuatorSpec& actuator) {
+    if (actuator.kind != ActuatorSpec::Kind::servo || actuator.speed <= 0) return std::nullopt;
+    ParameterSpec speed{.name = actuator.name + "_speed",
+                        .initial = actuator.speed,
+                        .min = 0.001,
+                        .unit = "rad/s",
+                        .doc = "at which it turns to its angle"};
+    if (actuator.max_rate > 0) speed.max = actuator.max_rate;
+    return speed;
+}
+
+}  // namespace nezumi
