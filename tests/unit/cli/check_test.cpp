@@ -72,6 +72,19 @@ TEST_CASE("a calibration is checked as it is read", "[cli][check]") {
           Lines{file + ":2: calibration: is said twice: a file has one"});
 }
 
+TEST_CASE("a robot file that names no driver is told so, where a system with that robot would be", "[cli][check]") {
+    const auto with = [](const std::string& driver) {
+        return "return robot_model {\n  base = 'raspimouse',\n  hardware = {\n    driver = '" + driver + "' },\n}\n";
+    };
+    CHECK(wrong("behaviors/r.lua", with("raspimouse")) == Lines{});
+    CHECK(
+        wrong("behaviors/r.lua", with("raspimous")) ==
+        Lines{"behaviors/r.lua:4:5: robot_model: field 'hardware.driver' expected a driver, there is none 'raspimous' "
+              "(did you mean 'raspimouse'?)"});
+    CHECK(
+        wrong("behaviors/r.lua", with("hover")).front().ends_with("there is none 'hover'; there are ev3, raspimouse"));
+}
+
 TEST_CASE("every slip of a behaviour is found, and nothing of it is run", "[cli][check]") {
     CHECK(wrong("behaviors/a.lua",
                 "local target = output('out', 'TimedVelocity2D')\n"
