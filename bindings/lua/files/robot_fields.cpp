@@ -64,6 +64,9 @@ BodySpec read_body(Fields body) {
     if (is_cylinder && spec.size.x != spec.size.y)
         body.check().wrong(body.path_of("size"), "expected { diameter, diameter, height } of a cylinder");
     if (std::isnan(spec.at.z)) spec.at.z = on_the_floor(spec);
+    const double top = spec.at.z + spec.size.z / 2;
+    if (body.check().ok() && top <= 0)
+        body.check().wrong(body.path_of("at"), fmt::format("puts the hull below the floor: its top is at {:g} m", top));
     body.done();
     return spec;
 }
