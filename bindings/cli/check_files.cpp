@@ -192,7 +192,7 @@ std::vector<Error> check_text(const std::string& text, const fs::path& file, con
             return check_words(text, shown, {system_word_names().begin(), system_word_names().end()});
         case LuaKind::system: return check_system(text, shown, project, options);
         case LuaKind::calibration: return check_calibration(text, shown, project);
-        case LuaKind::robot: return check_robot_text(text, shown, project);
+        case LuaKind::robot: return check_robot_text(text, shown, project, options.drivers);
         case LuaKind::scenario: return check_scenarios(file, text, options);
         case LuaKind::definitions: break;
     }

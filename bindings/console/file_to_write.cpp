@@ -8,11 +8,6 @@
 
 namespace nezumi {
 
-std::filesystem::path writable_folder(const Project& project, const std::string& system_file) {
-    if (!project.root().empty()) return project.root();
-    return std::filesystem::absolute(system_file).parent_path();
-}
-
 Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home, const std::string& name,
                                               const WrittenFile& written) {
     const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
@@ -29,14 +24,7 @@ Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home,
                                    written.word,
                                    std::filesystem::path(name).replace_extension(endings.front()).string()));
     }
-    // Links may lead out of the project.
-    const auto real = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
-    const auto within = std::filesystem::weakly_canonical(home, problem);
-    const auto inside = real.lexically_relative(within);
-    if (problem || inside.empty() || *inside.begin() == "..") {
-        return failure(fmt::format("'{}' lies outside of the project: {} is saved in {} or below", path.string(),
-                                   written.what, within.string()));
-    }
+    if (auto ok = check_is_within(home, path, path.string(), written.what); !ok) return Unexpected(ok.error());
     return path;
 }
 

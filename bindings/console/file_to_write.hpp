@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/project/project.hpp"
+#include "bindings/lua/project/writable_folder.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -18,9 +18,6 @@ struct WrittenFile {
     std::string_view what;                  ///< "a system"
     std::vector<std::string_view> endings;  ///< ".lua"; a name without any gets the first
 };
-
-/// The folder in and below which files may be written: the project, else the folder of the system's file.
-std::filesystem::path writable_folder(const Project& project, const std::string& system_file);
 
 /// The file that a person means by `name`, or why nothing may be written there: another ending, a folder, a place
 /// outside of `home`, also by links.

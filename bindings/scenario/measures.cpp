@@ -90,6 +90,10 @@ bool is_column_of_measures(std::string_view name) {
     return std::find(fixed_columns.begin(), fixed_columns.end(), name) != fixed_columns.end();
 }
 
+bool is_measures_csv(std::string_view text) {
+    return text.starts_with(fmt::format("{}", fmt::join(fixed_columns, ",")));
+}
+
 std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t seed) {
     std::vector<std::string> parameters;
     std::vector<std::string> measures;

@@ -48,6 +48,9 @@ std::string text_of(const MeasureSummary& summary);
 /// column is called `p.NAME`, or `p.p.NAME` where that is another one too.
 std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t seed);
 
+/// Whether a text begins as `measures_csv` does.
+bool is_measures_csv(std::string_view text);
+
 /// Whether a measure may not be called so: it is another column.
 bool is_column_of_measures(std::string_view name);
 

@@ -3,12 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <iterator>
 #include <set>
 #include <system_error>
 
 #include "bindings/lua/project/find_files.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/archive.hpp"
+#include "bindings/scenario/measures.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/payload.hpp"
 
@@ -17,31 +22,58 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t largest_picture = std::size_t{256} << 20;  // [bytes] of a file that a run reads
 constexpr std::string_view magic = "nezumi result 1\n";
 
 std::string text_of(const ResultKey& key) {
     return fmt::format("{}\n{}\n{}\n{}", key.file, key.run, key.repetition, key.simplest ? "simplest" : "run");
 }
 
-// The files that a run of this scenario file may read, as far as they are of the project: of its behaviors all, with
-// maps and pictures, elsewhere those in Lua, as recordings and results may lie there.
-std::set<fs::path> files_beside(const fs::path& scenario, const std::vector<fs::path>& installed) {
-    const Project project = Project::of(scenario, installed);
-    const fs::path& root = project.root();
-    const fs::path own = fs::absolute(scenario).parent_path();
-    std::set<fs::path> files;
-    const auto add = [&](const fs::path& folder, std::string_view ending) {
-        const FoundFiles found = find_files(folder, ending);
-        files.insert(found.files.begin(), found.files.end());
-    };
+// Beside a scenario count the kinds of files that a run reads. Others may change while it runs: its log, a report.
+bool is_read_by_runs(const fs::path& file) {
+    static constexpr std::array<std::string_view, 13> endings{".lua", ".csv",  ".yaml", ".yml", ".pgm",  ".ppm", ".png",
+                                                              ".jpg", ".jpeg", ".bmp",  ".tif", ".tiff", ".webp"};
+    const std::string ending = file.extension().string();
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) return false;
+    // A failure has left those beside this one.
     std::error_code none;
-    if (!root.empty() && fs::is_directory(root / "behaviors", none)) add(root / "behaviors", "");
-    if (!root.empty() && !fs::equivalent(root, own, none)) {
-        add(own, ".lua");
+    return !fs::exists(file.parent_path() / "failure.txt", none);
+}
+
+// The folders whose files count for a scenario file.
+struct ReadFolders {
+    fs::path behaviors;       // of its project; empty when there is none
+    fs::path own;             // the project's folder that the scenario is in or below, as tests/; else its own
+    bool with_below = false;  // nobody knows what lies below a folder of no project, or below the project's own
+
+    auto operator<=>(const ReadFolders&) const = default;
+};
+
+ReadFolders folders_of(const fs::path& scenario, const std::vector<fs::path>& installed) {
+    const fs::path root = Project::of(scenario, installed).root();
+    std::error_code none;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(scenario), none).parent_path();
+    if (root.empty()) return {{}, folder, false};
+    const fs::path within = folder.lexically_relative(fs::weakly_canonical(root, none));
+    if (within.empty() || within == "." || *within.begin() == "..") return {root / "behaviors", folder, false};
+    return {root / "behaviors", root / *within.begin(), true};
+}
+
+// The files that a run of a scenario file may read, as far as they are of the project: of its behaviors all, in the
+// scenario's own folder those of some kinds.
+std::set<fs::path> files_in(const ReadFolders& folders) {
+    std::set<fs::path> files;
+    if (!folders.behaviors.empty()) {
+        const FoundFiles found = find_files(folders.behaviors, "");
+        files.insert(found.files.begin(), found.files.end());
+    }
+    std::error_code none;
+    if (folders.with_below) {
+        const FoundFiles found = find_files(folders.own, "");
+        std::copy_if(found.files.begin(), found.files.end(), std::inserter(files, files.end()), is_read_by_runs);
     } else {
-        // Nobody knows what lies below a folder of no project.
-        for (const auto& entry : fs::directory_iterator(own, none)) {
-            if (entry.path().extension() == ".lua") files.insert(entry.path());
+        for (const auto& entry : fs::directory_iterator(folders.own, none)) {
+            if (entry.is_regular_file(none) && is_read_by_runs(entry.path())) files.insert(entry.path());
         }
     }
     return files;
@@ -52,13 +84,15 @@ std::set<fs::path> files_beside(const fs::path& scenario, const std::vector<fs::
 std::uint64_t fingerprint(const TestPlan& plan, std::uint64_t seed, const std::string& version,
                           const std::vector<fs::path>& installed) {
     std::uint64_t all = mix(mix(0, version), seed);
-    std::set<fs::path> folders;
+    std::set<ReadFolders> read;
     for (const PlannedFile& file : plan.files) {
-        // Those of a folder have the same files beside them.
-        if (!folders.insert(fs::absolute(file.path).parent_path()).second) continue;
-        for (const fs::path& path : files_beside(file.path, installed)) {
+        const ReadFolders folders = folders_of(file.path, installed);
+        if (!read.insert(folders).second) continue;
+        for (const fs::path& path : files_in(folders)) {
+            const std::string text = read_whole(path, path.string(), largest_picture).value_or("");
+            if (is_measures_csv(text)) continue;  // of an earlier session
             all = mix(all, path.filename().string());
-            all = mix(all, read_whole(path, path.string()).value_or(""));
+            all = mix(all, text);
         }
     }
     return all;

@@ -20,8 +20,9 @@ struct Shard {
     bool has(std::size_t run) const { return run % count == index - 1; }
 };
 
-/// What a run was made with, as a number: the version, the seed, and the Lua files of the project's `behaviors/` and of
-/// the folders of the scenario files. Results that were made with something else are not those of this plan.
+/// What a run was made with, as a number: the version, the seed, and the files that it may read: all of the project's
+/// `behaviors/`, and of the project's folders that the scenario files are in (`tests/`) those in Lua, CSV tables, maps
+/// and pictures that no session has written. Results that were made with something else are not those of this plan.
 std::uint64_t fingerprint(const TestPlan& plan, std::uint64_t seed, const std::string& version,
                           const std::vector<std::filesystem::path>& installed);
 

@@ -9,6 +9,7 @@
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
+#include "bindings/lua/project/writable_folder.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
@@ -93,6 +94,8 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
         return raise(run, fmt::format("'{}': a real robot is never the same twice: leave this to simulation", name));
     Place place = calling_place(lua);
     auto file = (std::filesystem::path(place.file).parent_path() / name).lexically_normal();
+    const auto home = writable_folder(run.file_.project(), place.file);
+    if (auto ok = check_is_within(home, file, name, "a golden"); !ok) return raise(run, ok.error().message);
     for (const GoldenUse& other : run.result_.goldens) {
         if (other.file != file) continue;
         return raise(run, fmt::format("'{}': is the golden of {}:{} already: choose another name", name,

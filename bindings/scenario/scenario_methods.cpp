@@ -176,7 +176,7 @@ Expected<double> ScenarioRun::Methods::seconds(lua_State* lua, int index, std::s
     double value = 0;
     Mismatch why;
     if (lua_type(lua, index) <= LUA_TNIL || !detail::read_number(lua, index, 1e9, value, &why) || value < 0) {
-        return failure(fmt::format("{} expected seconds from 0 on, got {}", what,
+        return failure(fmt::format("{}{}expected seconds from 0 on, got {}", what, what.empty() ? "" : " ",
                                    lua_type(lua, index) == LUA_TNUMBER ? fmt::format("{}", lua_tonumber(lua, index))
                                                                        : Arguments{lua}.kind(index)));
     }
@@ -236,7 +236,7 @@ int ScenarioRun::Methods::expect(ScenarioRun& run, lua_State* lua, Expectation::
 }
 
 int ScenarioRun::Methods::run_seconds(ScenarioRun& run, lua_State* lua) {
-    const auto value = seconds(lua, 2, "it", nullptr);
+    const auto value = seconds(lua, 2, "", nullptr);
     if (!value) return raise(run, value.error().message);
     const CallPause pause;
     return run.pass_time(lua, *value) ? 0 : static_cast<int>(end_run);

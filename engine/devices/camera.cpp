@@ -114,21 +114,33 @@ CameraSettings Camera::settings() const {
             .undistort = value<bool>(parameters_, "undistort")};
 }
 
-Expected<void> Camera::open() {
-    picture_.finish();
-    const CameraSettings wanted = settings();
-    if (wanted.frame_rate > tick_rate()) {
-        return failure(fmt::format("frame_rate {} Hz is above the tick's {} Hz", wanted.frame_rate, tick_rate()),
-                       place);
-    }
+Expected<void> Camera::check_frame_rate() const {
+    const double wanted = settings().frame_rate;
+    if (wanted <= tick_rate()) return {};
+    return failure(fmt::format("frame_rate {} Hz is above the tick's {} Hz", wanted, tick_rate()), place);
+}
+
+Expected<std::unique_ptr<CameraSource>> Camera::make_source() const {
     CameraMount mount = mount_;
     mount.pitch = value<double>(parameters_, "pitch");
+    return open_(mount, settings());
+}
+
+Expected<void> Camera::check() const {
+    if (auto ok = check_frame_rate(); !ok || !wait_) return ok;
+    const auto source = make_source();
+    return source ? Expected<void>() : Unexpected(source.error());
+}
+
+Expected<void> Camera::open() {
+    picture_.finish();
+    if (auto ok = check_frame_rate(); !ok) return ok;
     source_.reset();  // a device is had once
-    auto source = open_(mount, wanted);
+    auto source = make_source();
     if (!source) return Unexpected(source.error());
     source_ = std::move(*source);
     parameters_version_ = parameters_.version();
-    frame_rate_ = wanted.frame_rate;
+    frame_rate_ = settings().frame_rate;
     out_.set_rate(frame_rate_);
     latency_ = value<double>(parameters_, "latency");
     return {};
@@ -201,8 +213,20 @@ Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, Sy
                                    did_you_mean(entry.on, names)),
                        entry.place);
     }
-    return std::make_unique<Camera>(entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw},
-                                    system.settings().seed, std::move(open), !system.settings().real_time);
+    const auto refuse = [&](std::string_view why) {
+        return failure(fmt::format("component '{}': {}", entry.name, why), entry.place);
+    };
+    if (entry.rate > 0) {
+        return refuse("a Camera has no 'rate': say how often it takes a picture by config = { frame_rate = }");
+    }
+    auto camera = std::make_unique<Camera>(entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw},
+                                           system.settings().seed, std::move(open), !system.settings().real_time);
+    camera->set_tick_rate(system.settings().rate);
+    // A value that is none of its parameters' is told, with its place, when it is configured.
+    if (camera->parameters().set_all(entry.config)) {
+        if (auto ok = camera->check(); !ok) return refuse(ok.error().message);
+    }
+    return camera;
 }
 
 Expected<std::unique_ptr<Component>> make_simulated_camera(const ComponentEntry& entry, System& system) {

@@ -27,12 +27,18 @@ public:
     void sense(const Time& now) override;
     void actuate(const Time& /*now*/) override {}
 
+    /// Why it can't be activated as its parameters are: the tick can't keep its frame rate, or what it would look
+    /// through can't be simulated. A real camera may come later. It has its tick rate.
+    Expected<void> check() const;
+
     /// How its parameters set it.
     CameraSettings settings() const;
 
 private:
     Expected<void> on_activated() override;
     Expected<void> on_deactivated() override;
+    Expected<void> check_frame_rate() const;
+    Expected<std::unique_ptr<CameraSource>> make_source() const;
     Expected<void> open();
     void take_picture(const Time& now);
     void look_at_device(const Time& now);
@@ -52,7 +58,8 @@ private:
     DelayedTask<CameraImage> picture_;  // after source_: it works with it
 };
 
-/// Makes the component `entry`, a camera whose pictures `open` takes. An error when there is no robot `on` before it.
+/// Makes the component `entry`, a camera whose pictures `open` takes. An error when there is no robot `on` before it,
+/// when it is given a rate, which its frame rate is, and when it could not be activated as it is configured.
 Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open);
 
 /// Makes the component `entry`, a camera in the world of `system`; what `Makers::components` wants for "Camera". Errors

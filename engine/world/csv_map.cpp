@@ -43,8 +43,9 @@ Expected<BoxSpec> read_row(const std::vector<std::string>& fields, const Place& 
 Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
     if (text.empty()) return failure("is empty: expected a header line, then rows x,y,z,lx,ly,lz,yaw", {file});
     CsvMap map;
+    const char line_end = text.find('\n') == text.npos ? '\r' : '\n';
     for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::size_t end = std::min(text.find(line_end), text.size());
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         const Place place{file, number};

@@ -70,6 +70,9 @@ void read_setting(Fields& fields, std::string_view name, std::string_view unit, 
         const FileValue* value = fields.field(name);
         if (value != nullptr && value->table() != nullptr) {
             read_setting(fields, name, unit, rule, out.emplace());
+        } else if (value != nullptr && !std::holds_alternative<bool>(value->data)) {
+            fields.check().wrong(fields.path_of(name),
+                                 fmt::format("expected {}, got {}", values_of<T>(rule), kind_of(*value)));
         } else if (bool is_there = false; fields.boolean(name, is_there)) {
             out.reset();
             if (is_there) out.emplace();
@@ -94,8 +97,9 @@ void read_record(Fields& fields, T& out, Reading reading) {
             auto& member = out.*(field.member);
             using Member = std::remove_cvref_t<decltype(member)>;
             if (value == nullptr && rule.required && reading.is_whole) {
-                fields.require(field.name, fmt::format("{}{}{}: {}", detail::values_of<Member>(rule),
-                                                       field.unit.empty() ? "" : " in ", field.unit, field.doc));
+                fields.require(field.name, fmt::format("{}{}{}{}{}", detail::values_of<Member>(rule),
+                                                       field.unit.empty() ? "" : " in ", field.unit,
+                                                       field.doc.empty() ? "" : ": ", field.doc));
             }
             if (!rule.by_hand) detail::read_setting(fields, field.name, field.unit, rule, member);
             if constexpr (std::is_enum_v<Member>) {

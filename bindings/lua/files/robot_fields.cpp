@@ -64,6 +64,9 @@ BodySpec read_body(Fields body) {
     if (is_cylinder && spec.size.x != spec.size.y)
         body.check().wrong(body.path_of("size"), "expected { diameter, diameter, height } of a cylinder");
     if (std::isnan(spec.at.z)) spec.at.z = on_the_floor(spec);
+    const double top = spec.at.z + spec.size.z / 2;
+    if (body.check().ok() && top <= 0)
+        body.check().wrong(body.path_of("at"), fmt::format("puts the hull below the floor: its top is at {:g} m", top));
     body.done();
     return spec;
 }
@@ -148,7 +151,15 @@ void check_needs(FieldCheck& check, const RobotSpec& spec) {
     }
 }
 
-void check_hardware(FieldCheck& check, const RobotSpec& spec) {
+void check_hardware(FieldCheck& check, const RobotSpec& spec, const std::vector<std::string>& drivers) {
+    const std::string& driver = spec.hardware.driver;
+    const std::vector<std::string_view> known(drivers.begin(), drivers.end());
+    if (!driver.empty() && !known.empty() && std::find(known.begin(), known.end(), driver) == known.end()) {
+        std::string hint = did_you_mean(driver, known);
+        if (hint.empty()) hint = fmt::format("; there are {}", fmt::join(known, ", "));
+        check.wrong({"hardware", "driver"},
+                    fmt::format("expected a driver, there is none '{}'{}", shown(driver), hint));
+    }
     std::vector<std::string_view> buttons;
     for (const SensorSpec& sensor : spec.sensors) {
         if (sensor.kind == SensorSpec::Kind::button) buttons.push_back(sensor.name);
@@ -206,7 +217,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
     add_wheel_ports(spec);
     if (check.ok()) check_carriers(check, spec);
     if (check.ok()) check_needs(check, spec);
-    if (check.ok()) check_hardware(check, spec);
+    if (check.ok()) check_hardware(check, spec, help.drivers);
     if (check.ok()) check_ports(check, spec);
     return spec;
 }

@@ -18,6 +18,8 @@ struct RobotFileHelp {
     /// What the function at this path of the table returns for each of these distances [m]. Infinite values are let
     /// through.
     std::function<Expected<std::vector<double>>(const FieldPath& path, const std::vector<double>& distances)> call;
+    /// The drivers of real robots that there are; empty: nobody knows, and every name is let through.
+    std::vector<std::string> drivers = {};
 };
 
 /// How many values of a response function are taken.

@@ -45,7 +45,9 @@ bool is_function_at(const FileValue& value, const FieldPath& path) {
 class RobotFile::Layer {
 public:
     // `above`: the files that build on this one, as the project shows them.
-    Layer(const Project& project, std::vector<std::string> above) : project_(project), above_(std::move(above)) {}
+    // `drivers`: those of real robots that there are; empty: nobody knows.
+    Layer(const Project& project, std::vector<std::string> above, std::vector<std::string> drivers = {})
+        : project_(project), above_(std::move(above)), drivers_(std::move(drivers)) {}
 
     Expected<void> run(std::string_view text, const std::string& shown) {
         auto file = DataFile::create(project_, {});
@@ -119,10 +121,10 @@ private:
         FieldCheck check("robot_model", "robot_model", place, file_->source(place.file));
         if (auto built = build_on_base(check, place); !built) return Unexpected(file_->fail(built.error()));
         whole_ = base_ != nullptr ? merge_values(check, base_->whole_, own_) : own_;
-        RobotSpec spec =
-            read_robot_fields(check, whole_,
-                              {[&](const FieldPath& path, const std::string& name) { return read_table(path, name); },
-                               [&](const FieldPath& path, const std::vector<double>& d) { return call(path, d); }});
+        RobotSpec spec = read_robot_fields(
+            check, whole_,
+            {[&](const FieldPath& path, const std::string& name) { return read_table(path, name); },
+             [&](const FieldPath& path, const std::vector<double>& d) { return call(path, d); }, drivers_});
         if (auto ok = check.result(); !ok) return Unexpected(file_->fail(ok.error()));
         spec.place = place;
         spec_ = std::move(spec);
@@ -220,6 +222,7 @@ private:
 
     const Project& project_;
     std::vector<std::string> above_;
+    std::vector<std::string> drivers_;
     std::string shown_;
     std::unique_ptr<DataFile> file_;
     std::unique_ptr<Layer> base_;
@@ -258,8 +261,9 @@ Expected<RobotSpec> read_robot_text(std::string_view text, const std::string& sh
     return layer.spec();
 }
 
-std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project) {
-    RobotFile::Layer layer(project, {});
+std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project,
+                                    const std::vector<std::string>& drivers) {
+    RobotFile::Layer layer(project, {}, drivers);
     const auto ran = layer.run(text, shown);
     if (ran) return {};
     auto errors = layer.errors();

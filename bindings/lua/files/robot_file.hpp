@@ -36,7 +36,8 @@ private:
     explicit RobotFile(std::unique_ptr<Layer> layer);
     friend Expected<RobotSpec> read_robot_text(std::string_view, const std::string&, const Project&,
                                                std::vector<std::string>*);
-    friend std::vector<Error> check_robot_text(std::string_view, const std::string&, const Project&);
+    friend std::vector<Error> check_robot_text(std::string_view, const std::string&, const Project&,
+                                               const std::vector<std::string>&);
 
     std::unique_ptr<Layer> layer_;
 };
@@ -59,7 +60,8 @@ Expected<RobotSpec> read_changed_robot(const std::filesystem::path& model, const
 Expected<FileValue> read_changes(const std::string& changes, const std::string& shown, const Project& project);
 
 /// All that is wrong with a robot file; empty when it can be read. For editors: every unknown global is one error, of
-/// anything else the first.
-std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project);
+/// anything else the first. `drivers`: those of real robots that there are; empty: nobody knows.
+std::vector<Error> check_robot_text(std::string_view text, const std::string& shown, const Project& project,
+                                    const std::vector<std::string>& drivers = {});
 
 }  // namespace nezumi

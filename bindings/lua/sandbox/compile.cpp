@@ -80,6 +80,8 @@ Expected<Chunk> compile(std::string_view source, const std::string& file) {
     source = without_preamble(source);
     if (source.substr(0, 1) == std::string_view(LUA_SIGNATURE, 1))
         return failure("this is bytecode: only Lua source text is run", {file, 1});
+    if (source.starts_with("\xFF\xFE") || source.starts_with("\xFE\xFF"))
+        return failure("this is UTF-16: save the file as UTF-8", {file, 1});
     auto state = LuaState::create();
     if (!state) return Unexpected(state.error());
     lua_State* const lua = (*state)->lua();

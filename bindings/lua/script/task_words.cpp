@@ -119,7 +119,7 @@ int word_wait(lua_State* L) {
         const auto seconds = Arguments{L}.number(1, "seconds");
         if (!seconds) return failure("wait " + seconds.error().message);
         if (!std::isfinite(*seconds) || *seconds < 0)
-            return failure(fmt::format("wait expected seconds of at least 0, got {}", *seconds));
+            return failure(fmt::format("wait expected finite seconds of at least 0, got {}", *seconds));
         if (auto ok = check_can_wait(L, script.tasks(), "wait"); !ok) return ok;
         begin_wait(L, script, *seconds, false);
         return {};

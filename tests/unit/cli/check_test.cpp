@@ -72,6 +72,34 @@ TEST_CASE("a calibration is checked as it is read", "[cli][check]") {
           Lines{file + ":2: calibration: is said twice: a file has one"});
 }
 
+TEST_CASE("a robot file that names no driver is told so, where a system with that robot would be", "[cli][check]") {
+    const auto with = [](const std::string& driver) {
+        return "return robot_model {\n  base = 'raspimouse',\n  hardware = {\n    driver = '" + driver + "' },\n}\n";
+    };
+    CHECK(wrong("behaviors/r.lua", with("raspimouse")) == Lines{});
+    CHECK(
+        wrong("behaviors/r.lua", with("raspimous")) ==
+        Lines{"behaviors/r.lua:4:5: robot_model: field 'hardware.driver' expected a driver, there is none 'raspimous' "
+              "(did you mean 'raspimouse'?)"});
+    CHECK(
+        wrong("behaviors/r.lua", with("hover")).front().ends_with("there is none 'hover'; there are ev3, raspimouse"));
+}
+
+TEST_CASE("a camera that could take no picture, or not at the rate it is given, is refused before it runs",
+          "[cli][check]") {
+    const auto with = [](const std::string& fields) {
+        return wrong("behaviors/systems/s.lua", "\ncomponent 'eye' { type = 'Camera', " + fields + " }\n");
+    };
+    const std::string at = "behaviors/systems/s.lua:2: component 'eye': ";
+    CHECK(with("config = { frame_rate = 100, k1 = -0.1 }") == Lines{});
+    CHECK(with("config = { frame_rate = 1000 }") == Lines{at + "frame_rate 1000 Hz is above the tick's 100 Hz"});
+    CHECK(with("config = { k1 = -5 }") ==
+          Lines{at + "a distortion of k1 = -5, k2 = 0, p1 = 0, p2 = 0, k3 = 0 folds the picture over: take smaller "
+                     "ones, or a smaller field of view"});
+    CHECK(with("rate = 1") ==
+          Lines{at + "a Camera has no 'rate': say how often it takes a picture by config = { frame_rate = }"});
+}
+
 TEST_CASE("every slip of a behaviour is found, and nothing of it is run", "[cli][check]") {
     CHECK(wrong("behaviors/a.lua",
                 "local target = output('out', 'TimedVelocity2D')\n"

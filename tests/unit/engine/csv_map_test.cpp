@@ -37,6 +37,16 @@ TEST_CASE("every row of a map is a fixed box", "[engine][csv]") {
     CHECK(read[1].place.line == 3);
 }
 
+TEST_CASE("a map's lines end as those of any computer", "[engine][csv]") {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        INFO(end.size());
+        const auto read = boxes("x,y,z,lx,ly,lz,yaw" + end + "1,2,3,4,5,6,7" + end + "2,2,3,4,5,6,7" + end);
+        REQUIRE(read.size() == 2);
+        CHECK(read[1].at.x == 2);
+        CHECK(read[1].place.line == 3);
+    }
+}
+
 TEST_CASE("a map's first line is skipped, whatever it says in whatever encoding", "[engine][csv]") {
     const std::string row = "\n1,2,3,4,5,6,7\n";
     // As the old simulator's own map has it, in Shift-JIS.

@@ -27,6 +27,8 @@ TEST_CASE("a text that is no Lua is refused with its line", "[lua][compile]") {
     CHECK(error_of("local x <const> = 1 x = 2") == "a.lua:1: attempt to assign to const variable 'x'");
     CHECK(error_of("\x1bLua") == "a.lua:1: this is bytecode: only Lua source text is run");
     CHECK(error_of("\xEF\xBB\xBF\x1bLua") == "a.lua:1: this is bytecode: only Lua source text is run");
+    for (const char* mark : {"\xFF\xFE", "\xFE\xFF"})
+        CHECK(error_of(mark + std::string("x\0 =", 4)) == "a.lua:1: this is UTF-16: save the file as UTF-8");
     CHECK(error_of("#!\n\x1bLua").find("a.lua:2: unexpected symbol") == 0);
     CHECK(error_of(std::string((1 << 20) + 1, ' ')) == "a.lua: the file is too large: at most 1 MB");
     CHECK(error_of(std::string(1 << 20, ' ')) == "compiles");

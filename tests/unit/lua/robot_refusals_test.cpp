@@ -101,6 +101,16 @@ TEST_CASE("a robot so light or small that physics can't carry it is refused", "[
           "r.lua:3:23: robot_model: field 'drive.track' expected at least 0.001 m, got 1e-07");
 }
 
+TEST_CASE("a hull that is all below the floor is refused", "[lua][robot_file]") {
+    const auto at_height = [](const std::string& z) {
+        return error("return robot_model { mass = 1,\nbody = { size = { 0.1, 0.1, 0.1 }, at = { 0, 0, " + z +
+                     " } },\ndrive = { radius = 0.02, track = 0.1 } }");
+    };
+    CHECK(at_height("-1") ==
+          "r.lua:2:36: robot_model: field 'body.at' puts the hull below the floor: its top is at -0.95 m");
+    CHECK(at_height("0") == "no error");
+}
+
 TEST_CASE("a robot's port can't be called what every component or robot has", "[lua][robot_file]") {
     for (const std::string name : {"truth", "collided", "status", "config"}) {
         CHECK(error(with("ports = { " + name + " = { type = 'TimedPose2D', from = 'odometry' } }")) ==

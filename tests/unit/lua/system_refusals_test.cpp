@@ -32,6 +32,13 @@ TEST_CASE("seed, rate and the physics step are set once", "[lua][system_file]") 
           "advances at once; a tick is a whole number of them");
 }
 
+TEST_CASE("a message of a missing or wrong field says all that it may be, and no more", "[lua][system_file]") {
+    CHECK(error("arena { size = { 2, 2 }, cylinder { at = { 1, 1 }, radius = 0.1 } }") ==
+          "s.lua:1: cylinder: field 'height' is missing: expected a positive number in m");
+    CHECK(error("arena { size = { 2, 2 }, border = 5 }") ==
+          "s.lua:1:26: arena: field 'border' expected true, false or { thickness =, height = }, got number");
+}
+
 TEST_CASE("a tick is a whole number of physics steps", "[lua][system_file]") {
     CHECK(error("-- tick\nrate(60)") ==
           "s.lua:2: rate: a tick of 60 Hz is no whole number of physics steps of 0.005 s; the nearest rates are 50 or "

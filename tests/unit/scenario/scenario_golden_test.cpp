@@ -47,6 +47,21 @@ TEST_CASE("a run agrees with the golden that it wrote", "[lua][scenario][golden]
     CHECK(std::count(text.begin(), text.end(), '\n') == 11);
 }
 
+TEST_CASE("a golden outside of the project is neither read nor written", "[lua][scenario][golden]") {
+    for (const char* name : {"../it.csv", "link/it.csv"}) {
+        ScenarioRig rig(replaced(drive, "it.csv", name));
+        std::filesystem::create_directory_symlink(rig.folder().path().parent_path(), rig.folder().path("link"));
+        const auto outside = rig.folder().path().parent_path() / "it.csv";
+        for (const bool update : {true, false}) {
+            rig.options.update_goldens = update;
+            CHECK_THAT(outcome_of(rig.run()), Catch::EndsWith("it_test.lua:3: golden: '" + std::string(name) +
+                                                              "' lies outside of the project: a golden is saved in " +
+                                                              rig.folder().path().string() + " or below"));
+            CHECK_FALSE(std::filesystem::exists(outside));
+        }
+    }
+}
+
 TEST_CASE("each run of a sweep has a golden of its own", "[lua][scenario][golden]") {
     ScenarioRig rig(
         "scenario('it', { sweep = { speed = { 0.1, 0.2 }, way = { 'a/b' } } }, function(s, p)\n"

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include "bindings/scenario/measures.hpp"
 #include "bindings/scenario/plan_file.hpp"
 #include "bindings/scenario/result_store.hpp"
 #include "engine/base/whole_file.hpp"
@@ -186,7 +187,7 @@ TEST_CASE("a session that resumes makes only what is not kept, and tells of all"
     CHECK(all == 4);
 }
 
-TEST_CASE("what results were made of: the version, the seed, the project's Lua files and its behaviours' maps",
+TEST_CASE("what results were made of: the version, the seed, the project's behaviours and what a scenario may read",
           "[scenario][parts]") {
     PartsRig rig("scenario('it', function() end)\n");
     const auto now = [&](const std::string& version = "1", std::uint64_t seed = 1) {
@@ -196,13 +197,41 @@ TEST_CASE("what results were made of: the version, the seed, the project's Lua f
     CHECK(now() == before);
     CHECK(now("2") != before);
     CHECK(now("1", 2) != before);
-    rig.folder().write("measured.csv", "of a session");
+    for (const char* read : {"golden.csv", "map.yaml", "map.pgm", "floor.png", "system.lua"}) {
+        INFO(read);
+        const std::uint64_t without = now();
+        rig.folder().write(read, "-- 1");
+        const std::uint64_t with = now();
+        CHECK(with != without);
+        rig.folder().write(read, "-- 2");
+        CHECK(now() != with);
+        fs::remove(rig.folder().path(read));
+    }
     CHECK(now() == before);
     rig.folder().write("behaviors/systems/map.csv", "x,y,z,lx,ly,lz,yaw");
     const std::uint64_t with_map = now();
     CHECK(with_map != before);
     rig.folder().write("behaviors/none.lua", "param('x', 2)");
     CHECK(now() != with_map);
+}
+
+TEST_CASE("what sessions write beside their scenarios is nothing that results were made of", "[scenario][parts]") {
+    PartsRig rig("scenario('it', function() end)\n");
+    const auto scenario = rig.folder().write("tests/scenarios/deep_test.lua", "scenario('deep', function() end)");
+    const auto now = [&] {
+        const auto planned = plan_tests({.paths = {scenario}, .installed = rig.options.installed});
+        return fingerprint(planned.value(), 1, "1", rig.options.installed);
+    };
+    const std::uint64_t before = now();
+    rig.folder().write("tests/log.txt", "PASS");
+    rig.folder().write("tests/report.xml", "<testsuite/>");
+    rig.folder().write("tests/measured.csv", measures_csv({{.scenario = "deep", .name = "deep"}}, 1));
+    rig.folder().write("tests/out/results/0123456789abcdef", "nezumi result 1\n");
+    for (const char* left : {"failure.txt", "trace.csv", "picture.png"})
+        rig.folder().write(std::string("tests/out/deep_test-deep/") + left, "of a failure");
+    CHECK(now() == before);
+    rig.folder().write("tests/goldens/deep.csv", "time,mouse.out\n");
+    CHECK(now() != before);
 }
 
 TEST_CASE("a session that was not to keep its results leaves none, and one that is killed leaves those that were over",

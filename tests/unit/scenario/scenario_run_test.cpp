@@ -129,7 +129,7 @@ TEST_CASE("errors of a scenario name its line", "[lua][scenario][run]") {
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns.run(1)") ==
           "could not run: it_test.lua:3: write s:run(...) with a colon");
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\ns:run(-1)") ==
-          "could not run: it_test.lua:3: run: it expected seconds from 0 on, got -1");
+          "could not run: it_test.lua:3: run: expected seconds from 0 on, got -1");
     CHECK(outcome_of("s:check(1 == 2, 'no')") == "failed: it_test.lua:2: check failed: no");
     CHECK(outcome_of("s:check(1 == 2, 'n\\0o')") == "failed: it_test.lua:2: check failed: n?o");
     CHECK(outcome_of("s:near(1, 2, 0.5, 'n\\0o')").ends_with(": n?o"));

@@ -35,7 +35,7 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
     std::map<std::string, Refusals> table{
         {"run",
          {"s:run(1, 2)", "expected at most 1 argument, got 2: run(seconds)", "s:run 'x'",
-          "it expected seconds from 0 on, got string"}},
+          "expected seconds from 0 on, got string"}},
         {"check",
          {"s:check(true, 'a', 3)", "expected at most 2 arguments, got 3: check(value, message)", "s:check()",
           "expected a value"}},
