@@ -166,7 +166,7 @@ RtcLook look_at(const Component& component) {
     look.vendor = about.vendor;
     look.category = about.category;
     if (!component.set_in_use().empty()) look.set = component.set_in_use();
-    look.sets.emplace_back("default", values_of(component, ""));
+    look.sets.emplace_back(Component::no_set, values_of(component, ""));
     for (const auto& [name, values] : component.sets) look.sets.emplace_back(name, values_of(component, name));
     look.sets.emplace_back("__widget__", told_of(component, widget_of));
     look.sets.emplace_back("__constraints__", told_of(component, constraint_of));

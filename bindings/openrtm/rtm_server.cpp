@@ -18,7 +18,7 @@ constexpr std::size_t most_lines = 100;
 constexpr std::size_t most_told = 100;
 
 std::string set_in_use(const Component& component) {
-    return component.set_in_use().empty() ? "default" : component.set_in_use();
+    return component.set_in_use().empty() ? std::string(Component::no_set) : component.set_in_use();
 }
 
 // Encodes each message of the port's latest publication.

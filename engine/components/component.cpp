@@ -4,12 +4,6 @@
 #include <fmt/format.h>
 
 namespace nezumi {
-namespace {
-
-// What it is called to have no set in use.
-constexpr std::string_view no_set = "default";
-
-}  // namespace
 
 std::string_view to_text(LogLevel level) {
     constexpr std::string_view names[] = {"debug", "info", "warn", "error"};
@@ -145,7 +139,8 @@ void Component::execute(const Time& now) {
     if (state_ == LifeState::error) {
         if (error_hook_failed_) return;
         if (auto ok = run_without_velocities(Hook::on_error); !ok) {
-            error_hook_failed_ = true;  // reported once; the component stays in ERROR, for the reason that it came there
+            // Reported once. What led to ERROR stays its reason.
+            error_hook_failed_ = true;
             log(LogLevel::error,
                 fmt::format("on_error failed and is not called again before a reset: {}", describe(ok.error())));
         }

@@ -81,7 +81,9 @@ public:
 
     Parameters& parameters() { return parameters_; }
     const Parameters& parameters() const { return parameters_; }
-    /// Switches to a named set, whole or not at all. Call it between ticks.
+    /// What it is called to have no set in use; no set has that name.
+    static constexpr std::string_view no_set = "default";
+    /// Switches to a named set, or to none, whole or not at all. Call it between ticks.
     Expected<void> use(std::string_view set);
     /// The set in use; "" when none is.
     const std::string& set_in_use() const { return set_in_use_; }

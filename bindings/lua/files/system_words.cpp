@@ -10,13 +10,11 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/schedule.hpp"
+#include "engine/components/component.hpp"
 #include "engine/system/system_fields.hpp"
 
 namespace nezumi {
 namespace {
-
-// What Component::use calls having no set in use.
-constexpr std::string_view no_set = "default";
 
 std::string_view kind_of(const Entry& entry) {
     constexpr std::string_view kinds[] = {"robot", "behavior", "component"};
@@ -134,8 +132,8 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
     entry.place = call.place;
     read_record(fields, entry);
     fields.done();
-    if (entry.sets.contains(no_set)) {
-        check.explain({"sets", std::string(no_set)},
+    if (entry.sets.contains(Component::no_set)) {
+        check.explain({"sets", std::string(Component::no_set)},
                       "to use \"default\" is to have no set in use: choose another name");
     }
     if (!entry.set.empty() && !entry.sets.contains(entry.set)) {

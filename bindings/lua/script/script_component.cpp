@@ -205,7 +205,8 @@ std::vector<Port*> ScriptComponent::ports_going(const Version& other) const {
 void ScriptComponent::commit(Version next, int reload) {
     constexpr std::size_t most = 8;
     constexpr std::size_t most_memory = std::size_t{32} << 20;  // [bytes]
-    if (!check_set(*this, next.parameters)) static_cast<void>(use("default"));  // which is always there
+
+    if (!check_set(*this, next.parameters)) static_cast<void>(use(no_set));  // which is always there
     Version old = replace(std::move(next));
     old.replaced_by = reload;
     if (state() == LifeState::active && !script_->tasks().empty())
