@@ -100,8 +100,9 @@ TEST_CASE("a set that a reload makes unfit is in use no more, and its parameters
     // The top level too must see the values that hold from then on.
     const Text narrow = params + "param('p', 1, { max = 5 }) state.q = config.q function on_execute() end";
     CHECK(world.change("it.lua", narrow) == "");
-    CHECK(world.said("it: set 'far' no longer fits, and none is in use now: parameter 'p' (integer): 9 is above its "
-                     "maximum 5"));
+    CHECK(
+        world.said("it: set 'far' no longer fits, and none is in use now: parameter 'p' (integer): 9 is above its "
+                   "maximum 5"));
     CHECK_FALSE(world.said("its value 9 no longer fits"));
     CHECK(it.set_in_use().empty());
     CHECK(value("p") == "2");
