@@ -93,10 +93,11 @@ Camera::Camera(std::string name, CameraMount mount, std::uint64_t seed, Open ope
 }
 
 CameraSettings Camera::settings() const {
+    const auto frame_rate = value<double>(parameters_, "frame_rate");
     return {.device = value<std::string>(parameters_, "device"),
             .width = static_cast<int>(value<std::int64_t>(parameters_, "width")),
             .height = static_cast<int>(value<std::int64_t>(parameters_, "height")),
-            .frame_rate = value<double>(parameters_, "frame_rate"),
+            .frame_rate = rate > 0 ? std::min(rate, frame_rate) : frame_rate,
             .field_of_view = value<double>(parameters_, "field_of_view"),
             .k1 = value<double>(parameters_, "k1"),
             .k2 = value<double>(parameters_, "k2"),
@@ -213,18 +214,14 @@ Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, Sy
                                    did_you_mean(entry.on, names)),
                        entry.place);
     }
-    const auto refuse = [&](std::string_view why) {
-        return failure(fmt::format("component '{}': {}", entry.name, why), entry.place);
-    };
-    if (entry.rate > 0) {
-        return refuse("a Camera has no 'rate': say how often it takes a picture by config = { frame_rate = }");
-    }
     auto camera = std::make_unique<Camera>(entry.name, CameraMount{.robot = entry.on, .at = entry.at, .yaw = entry.yaw},
                                            system.settings().seed, std::move(open), !system.settings().real_time);
     camera->set_tick_rate(system.settings().rate);
+    camera->rate = entry.rate;
     // A value that is none of its parameters' is told, with its place, when it is configured.
     if (camera->parameters().set_all(entry.config)) {
-        if (auto ok = camera->check(); !ok) return refuse(ok.error().message);
+        if (auto ok = camera->check(); !ok)
+            return failure(fmt::format("component '{}': {}", entry.name, ok.error().message), entry.place);
     }
     return camera;
 }

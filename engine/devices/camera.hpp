@@ -59,7 +59,7 @@ private:
 };
 
 /// Makes the component `entry`, a camera whose pictures `open` takes. An error when there is no robot `on` before it,
-/// when it is given a rate, which its frame rate is, and when it could not be activated as it is configured.
+/// and when it could not be activated as it is configured.
 Expected<std::unique_ptr<Component>> make_camera(const ComponentEntry& entry, System& system, Camera::Open open);
 
 /// Makes the component `entry`, a camera in the world of `system`; what `Makers::components` wants for "Camera". Errors

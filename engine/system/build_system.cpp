@@ -72,12 +72,6 @@ Expected<Component*> add_robot(System& system, const RobotEntry& entry, const Sy
             return failure(fmt::format("robot '{}': hardware: {}", entry.name, no_such("driver", driver, known)),
                            entry.place);
     }
-    for (const PortSpec& port : model->second.ports) {
-        if (port.rate <= system.settings().rate) continue;
-        return failure(fmt::format("robot '{}': port '{}': a rate of {} Hz is above the tick's {} Hz", entry.name,
-                                   port.name, port.rate, system.settings().rate),
-                       entry.place);
-    }
     auto robot = Robot::make(entry.name, model->second, limits_of(entry, model->second.drive));
     if (!robot) return at(entry.place, robot.error());
     Robot* made = robot->get();

@@ -157,7 +157,9 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& so
     context.tick_rate = tick_rate();
     Parameters settings = parameters_;
     settings.take_staged();
+    const std::size_t others = required.size();
     const auto try_load = [&] {
+        required.erase(required.begin() + static_cast<std::ptrdiff_t>(others), required.end());
         return Script::load(source, context, {.parameters = &settings, .state = &*state, .required = &required});
     };
     auto script = try_load();

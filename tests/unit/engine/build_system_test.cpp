@@ -204,12 +204,6 @@ TEST_CASE("an entry that can't be is told with the place of its line", "[engine]
     CHECK(refused([](Plan& p) { p.behavior("it").rate = 200; }) ==
           "s.lua:2: it: a rate of 200 Hz is above the tick's 100 Hz");
     CHECK(refused([](Plan& p) {
-              PortSpec fast;
-              fast.name = "fast";
-              fast.rate = 200;
-              p.spec.models.at("mouse").ports.push_back(fast);
-          }) == "s.lua:1: robot 'mouse': port 'fast': a rate of 200 Hz is above the tick's 100 Hz");
-    CHECK(refused([](Plan& p) {
               BehaviorEntry& it = p.behavior("it");
               it.config = {{"speed_x", 2.0}};
               it.places = {{"config.speed_x", {"s.lua", 4, 7}}};

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "engine/devices/camera.hpp"
 #include "engine/system/system.hpp"
@@ -207,6 +208,9 @@ TEST_CASE("a camera asks for a world, a robot that is there and a rate that the 
     system.take_world(std::move(*make_world({}, {}, {})));
     CHECK(make_simulated_camera({.name = "eye", .type = "Camera", .on = "mouse"}, system).error().message ==
           "component 'eye': on: there is no robot 'mouse' before it");
+    CHECK(make_simulated_camera({.name = "eye", .type = "Camera", .config = {{"frame_rate", 200.0}}}, system)
+              .error()
+              .message == "component 'eye': frame_rate 200 Hz is above the tick's 100 Hz");
     auto eye = make_simulated_camera({.name = "eye", .type = "Camera"}, system);
     REQUIRE(eye);
     REQUIRE((*eye)->parameters().set("frame_rate", 200.0));
@@ -214,4 +218,22 @@ TEST_CASE("a camera asks for a world, a robot that is there and a rate that the 
     REQUIRE(added);
     CHECK((*added)->activate(system.now()).error().message ==
           "eye went to ERROR: frame_rate 200 Hz is above the tick's 100 Hz");
+}
+
+TEST_CASE("a camera takes no more pictures than its component's rate allows", "[sim][camera]") {
+    System system({.rate = 100}, {});
+    system.take_world(std::move(*make_world({}, {}, {})));
+    const ParameterValues small{{"width", std::int64_t{16}}, {"height", std::int64_t{12}}, {"latency", 0.0}};
+    auto eye = make_simulated_camera({.name = "eye", .type = "Camera", .config = small, .rate = 5}, system);
+    REQUIRE(eye);
+    REQUIRE((*eye)->parameters().set_all(small));
+    Component& added = **system.add(std::move(*eye));
+    REQUIRE(added.activate(system.now()));
+    std::set<double> taken;
+    for (int i = 0; i < 200; ++i) {
+        system.tick();
+        if (added.find_out_port("out")->tm() > 0) taken.insert(added.find_out_port("out")->tm());
+    }
+    CHECK(taken.size() >= 9);
+    CHECK(taken.size() <= 11);
 }
