@@ -53,24 +53,6 @@ TEST_CASE("sensors, behaviours, actuators: a tick goes one way", "[engine][syste
     CHECK(counter.acted == std::vector<std::int32_t>{0, 10, 20, 30});
 }
 
-TEST_CASE("a log line carries the time of the tick it was said in, whoever says it", "[engine][system]") {
-    class Talker final : public Device {
-    public:
-        Talker() : Device("talker", "Talker") {}
-        void sense(const Time&) override { log(LogLevel::warn, "senses"); }
-        void actuate(const Time&) override { log(LogLevel::warn, "acts"); }
-    };
-    std::vector<std::string> said;
-    System system({.rate = 4, .physics_step = 0.05}, [&](const LogLine& line) {
-        said.push_back(fmt::format("{} {} {}", line.seconds, line.component, line.text));
-    });
-    REQUIRE(system.add(std::make_unique<Talker>()));
-    REQUIRE((*system.component("talker"))->activate(system.now()));
-    system.tick();
-    system.tick();
-    CHECK(said == Names{"0 talker senses", "0 talker acts", "0.25 talker senses", "0.25 talker acts"});
-}
-
 TEST_CASE("what a behaviour reads does not depend on the order in which behaviours run", "[engine][system]") {
     const auto run = [](bool reader_first) {
         System system({}, nullptr);
