@@ -128,6 +128,7 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
             leaving_.push_back(std::move(session));
         }
         consoles_.erase(id);
+        end_holds_of_nobody();
         const std::lock_guard lock(mutex_);
         listeners_.erase(id);
         return;
@@ -159,6 +160,15 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         case Request::Kind::complete:
         case Request::Kind::is_complete: console.waiting.push_back(request); return;
     }
+}
+
+// A real robot is not driven by the hand of a user who has gone. In a simulation the hand stays, for scripts of the
+// shell that hold by one command and look by the next.
+void ConsoleServer::end_holds_of_nobody() {
+    const Actor user{Actor::Kind::console};
+    if (!live_.system().settings().real_time) return;
+    if (std::none_of(consoles_.begin(), consoles_.end(), [&](const auto& each) { return each.second.who == user; }))
+        live_.let_go(user);
 }
 
 void ConsoleServer::interrupt(ClientId id, Console& console) {

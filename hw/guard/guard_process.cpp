@@ -8,6 +8,7 @@
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,6 +33,27 @@ void write_stop(const StopWrite& stop) {
     if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && ftruncate(file, 0) != 0) status = {};
     [[maybe_unused]] const ssize_t written = write(file, stop.text.data(), stop.text.size());
     close(file);
+}
+
+// Each in a process of its own: a node that does not answer keeps none of the others from being written. Returns when
+// all are, or `patience` [s] later.
+void write_stops(std::span<const StopWrite> stops, int socket) {
+    constexpr double patience = 0.1;
+    const double begin = clock_seconds();
+    std::size_t writing = 0;
+    for (const StopWrite& each : stops) {
+        const pid_t process = fork();
+        if (process > 0) ++writing;
+        if (process > 0) continue;
+        if (process == 0) close(socket);  // its end is the guard's
+        write_stop(each);
+        if (process == 0) _exit(0);
+    }
+    while (writing > 0 && clock_seconds() - begin < patience) {
+        const pid_t ended = waitpid(-1, nullptr, WNOHANG);
+        if (ended < 0) break;
+        ended > 0 ? static_cast<void>(--writing) : static_cast<void>(usleep(200));
+    }
 }
 
 void close_all_but(int a, int b) {
@@ -76,9 +98,6 @@ void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> st
     const sched_param priority{.sched_priority = 1};
     sched_setscheduler(0, SCHED_FIFO, &priority);
 
-    const auto stop = [&] {
-        for (const StopWrite& each : stop_writes) write_stop(each);
-    };
     bool awaits_beat = false;
     double beat_at = 0;
     while (getppid() == engine) {
@@ -98,12 +117,12 @@ void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> st
                 say(socket, GuardWord::beat);
             }
         } else if (awaits_beat && clock_seconds() - beat_at >= beat_timeout) {
-            stop();
+            write_stops(stop_writes, socket);
             awaits_beat = false;
             say(socket, GuardWord::stopped);
         }
     }
-    stop();
+    write_stops(stop_writes, socket);
     _exit(0);
 }
 

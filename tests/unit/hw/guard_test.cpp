@@ -1,6 +1,7 @@
 // The guard process: whatever ends or stalls the engine, the motors stop.
 #include "hw/guard/guard.hpp"
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -102,6 +103,29 @@ TEST_CASE("they stand as soon when something of the dead engine still keeps its 
     REQUIRE_FALSE(engine.stands());
     kill(engine.process, SIGKILL);
     CHECK(engine.time_to_stand() < 0.05);
+}
+
+TEST_CASE("a node that does not answer keeps no other from being stopped", "[hw][guard][safety][wallclock]") {
+    const Scratch folder;
+    const auto hung = folder.path("power"), motor = folder.path("motor");
+    REQUIRE(mkfifo(hung.c_str(), 0600) == 0);  // to open it takes a reader, who never comes
+    folder.write("motor", "400");
+    folder.write("lease", "");
+    const pid_t engine = fork();
+    if (engine == 0) {
+        for (const int signal : {SIGTERM, SIGSEGV, SIGABRT, SIGINT}) std::signal(signal, SIG_DFL);  // not Catch's
+        auto guard = Guard::start(folder.path("lease").string(), {{hung.string(), "0"}, {motor.string(), "0"}});
+        if (guard) beat_for_ever(**guard);
+        _exit(1);
+    }
+    sleep_for(0.3);
+    REQUIRE(content(motor) == "400");
+    kill(engine, SIGKILL);
+    const double begin = clock_seconds();
+    while (content(motor) != "0" && clock_seconds() - begin < 1) sleep_for(0.0005);
+    CHECK(clock_seconds() - begin < 0.05);
+    waitpid(engine, nullptr, 0);
+    std::ifstream(hung) >> std::ws;  // lets what waits for a reader end
 }
 
 TEST_CASE("the motors stand within 250 ms of a stall, and turn again with the next beats",

@@ -332,9 +332,10 @@ function on_error() hz:write(2) vel:write { vx = 1 } end)");
     CHECK(rig.out<std::int16_t>("hz").read() == 1);
     CHECK(rig.out<Velocity2D>("vel").read() == Velocity2D{});
     rig.tick();
-    CHECK(rig.error() ==
-          "robot_controller.lua:6: output 'vel' (TimedVelocity2D): velocities can't be written in on_error: the robot "
-          "is being stopped");
+    CHECK(rig.log.back() ==
+          "error: on_error failed and is not called again before a reset: robot_controller.lua:6: output 'vel' "
+          "(TimedVelocity2D): velocities can't be written in on_error: the robot is being stopped");
+    CHECK(rig.error() == "robot_controller.lua:4: stop");
     CHECK(rig.out<Velocity2D>("vel").count() == 1);
 }
 

@@ -182,7 +182,7 @@ TEST_CASE("things of an arena have a size", "[lua][system_file]") {
     CHECK(error("arena { marker { id = 587, at = { 0, 0, 0 } } }") ==
           "s.lua:1:18: marker: field 'id' expected a whole number from 0 to 586, got 587");
     CHECK(error("arena { marker { id = 1, name = 'end', at = { 0, 0, 0 } } }") ==
-          "s.lua:1:18: marker: field 'name' expected letters, digits and _, not beginning with a digit, and no keyword "
+          "s.lua:1:26: marker: field 'name' expected letters, digits and _, not beginning with a digit, and no keyword "
           "of Lua, got 'end'");
     CHECK(error("arena { marker { id = 1.5, at = { 0, 0, 0 } } }") ==
           "s.lua:1:18: marker: field 'id' expected a whole number from 0 to 586, got 1.5");

@@ -223,7 +223,7 @@ TEST_CASE("a camera asks for a world, a robot that is there and a rate that the 
 TEST_CASE("a camera takes no more pictures than its component's rate allows", "[sim][camera]") {
     System system({.rate = 100}, {});
     system.take_world(std::move(*make_world({}, {}, {})));
-    const ParameterValues small{{"width", std::int64_t{16}}, {"height", std::int64_t{12}}, {"latency", 0.0}};
+    const ParameterValues small{{"width", std::int64_t{160}}, {"height", std::int64_t{120}}, {"latency", 0.0}};
     auto eye = make_simulated_camera({.name = "eye", .type = "Camera", .config = small, .rate = 5}, system);
     REQUIRE(eye);
     REQUIRE((*eye)->parameters().set_all(small));
