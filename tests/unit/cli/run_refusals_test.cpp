@@ -195,7 +195,7 @@ TEST_CASE("a value that --set or --params can't give is refused with the option 
               .starts_with("--set it.speed=fast: it: config: parameter 'speed' (number): "));
     CHECK(refused(good, {"--set", "it.speed={ 1, print }"}).starts_with("--set it.speed={ 1, print }: "));
     CHECK(refused(mouse + good, {"--set", "mouse.speed=1"}) ==
-          "--set mouse.speed=1: mouse is a robot: only behaviours and components have parameters");
+          "--set mouse.speed=1: mouse: this robot has no parameters");
     CHECK(refused(good, {"--params", "none.lua"}) == "none.lua: there is no such file");
     for (const std::string option : {"--set", "--params"}) {
         const Outcome both = run_nezumi({"run", "it.lua", "--replay", "it.journal", option, "it.speed=1"});

@@ -173,12 +173,12 @@ TEST_CASE("errors of an earlier start say so: their clock is another", "[console
     SessionRig it;
     it.type("step(12)");
     it.component("controller").abort(Error{"it broke", {}});
-    CHECK_THAT(it.type("errors()"), StartsWith("[0.110] error controller: it broke\n"));
+    CHECK_THAT(it.type("errors()"), StartsWith("[0.120] error controller: it broke\n"));
     it.type("restart() step(2)");
-    CHECK(it.type("errors()") == "[start 1, 0.110] error controller: it broke");
+    CHECK(it.type("errors()") == "[start 1, 0.120] error controller: it broke");
     it.component("controller").abort(Error{"again", {}});
     CHECK(it.type("errors()") ==
-          "[start 1, 0.110] error controller: it broke\n[0.010] error controller: again\n"
+          "[start 1, 0.120] error controller: it broke\n[0.020] error controller: again\n"
           "controller is in ERROR: again");
 }
 
