@@ -133,7 +133,7 @@ std::string serial_number(const std::string& sys_root) {
     return serial;
 }
 
-Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::string& serial) {
+Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::optional<std::string>& serial) {
     const Project project = Project::of(spec.file, live.installed, *live.files);
     for (Entry& entry : spec.entries) {
         auto* robot = std::get_if<RobotEntry>(&entry);
@@ -183,7 +183,7 @@ void use_hardware(LiveOptions& live, const Hardware& hardware, const hw::DeviceR
     auto drivers = hw::device_drivers(roots);
     for (const auto& [type, by_backend] : drivers) live.components[type].insert(by_backend.begin(), by_backend.end());
     live.prepare = [hardware, drivers = std::move(drivers),
-                    serial = roots.files->are_real() ? serial_number(hardware.sys_root) : "",
+                    serial = roots.files->are_real() ? std::optional(serial_number(hardware.sys_root)) : std::nullopt,
                     files = LiveOptions{.installed = live.installed, .files = live.files}](SystemSpec& spec) {
         auto ready = choose_drivers(spec, hardware.robots, drivers);
         if (ready) ready = use_calibrations(spec, files, serial);

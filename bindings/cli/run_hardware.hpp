@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,7 @@ std::string serial_number(const std::string& sys_root);
 
 /// Gives the real robots of a system their own descriptions, where they have been calibrated. An error when a file of a
 /// calibration can't be read, or is another robot's.
-Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::string& serial);
+Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::optional<std::string>& serial);
 
 /// Puts after each real robot its twin, a simulated one called NAME_twin with the same description, without in-ports.
 /// An error when there is no real robot, or when such a name is taken.

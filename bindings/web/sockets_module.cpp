@@ -33,8 +33,8 @@ constexpr std::size_t longest_header = 512;
 // [s] for a request to come whole, for a connection without one, without a sign of life, and until it is closed then.
 constexpr unsigned request_timeout = 10;
 constexpr int idle_timeout = 30;
-constexpr std::uint16_t ping_after = 10;
-constexpr std::uint16_t close_after = 25;
+constexpr std::uint16_t ping_after = 2;
+constexpr std::uint16_t close_after = 7;
 
 // What belongs to a connection; libwebsockets keeps it, zeroed at first.
 struct FilePart {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/ports/payload.hpp"
+#include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {
@@ -17,9 +18,19 @@ Expected<ActResult> result_of(const Expected<void>& done) {
     return ActResult{};
 }
 
+// A port that a hand here has an effect on: what another host's in-port takes is decided there.
+Expected<Port*> port_here(System& system, const std::string& path) {
+    auto port = system.port(path);
+    if (!port || (*port)->direction() == Direction::out || !is_remote(path)) return port;
+    return failure(
+        fmt::format("{} takes its messages on host '{}': do it there, or to the out-port here that it is "
+                    "connected to",
+                    path, host_of(path)));
+}
+
 // The port, if its type fits the value.
 Expected<Port*> port_for(System& system, const std::string& path, const AnyPayload& value) {
-    auto port = system.port(path);
+    auto port = port_here(system, path);
     if (!port) return port;
     if ((*port)->type() != value.index()) {
         return failure(fmt::format("types differ: {} is {}, the value is {}", path, (*port)->type_name(),
@@ -50,7 +61,7 @@ Expected<void> check_holder(const System& system, const std::string& path, const
 
 template <class Put>
 Expected<ActResult> override_port(System& system, const std::string& path, const Actor& who, const Put& put) {
-    const auto port = system.port(path);
+    const auto port = port_here(system, path);
     if (!port) return Unexpected(port.error());
     if (auto mine = check_holder(system, path, who); !mine) return Unexpected(mine.error());
     put(**port);

@@ -123,6 +123,9 @@ struct ConnectionSpec {
 
 /// Whether a component or port is another host's: "host/name", "host/name.port".
 constexpr bool is_remote(std::string_view path) { return path.find('/') != std::string_view::npos; }
+/// "host" of "host/name.port", and the rest.
+constexpr std::string_view host_of(std::string_view path) { return path.substr(0, path.find('/')); }
+constexpr std::string_view without_host(std::string_view path) { return path.substr(path.find('/') + 1); }
 
 struct SystemSpec {
     std::string file;   ///< as it was given

@@ -5,12 +5,30 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace nezumi {
+namespace {
+
+// A measured length of this many times its model's, or its part, is none of this robot's.
+constexpr double most_off = 2;
+
+}  // namespace
 
 Expected<void> apply(const Calibration& calibration, RobotSpec& spec) {
     if (const WheelCalibration& wheels = calibration.odometry; wheels.is_there()) {
+        const DriveSpec& model = spec.drive;
+        for (const auto& [what, measured, told] :
+             {std::tuple("track", wheels.track, model.track),
+              std::tuple("left_radius", wheels.left_radius, model.radius_of_left()),
+              std::tuple("right_radius", wheels.right_radius, model.radius_of_right())}) {
+            if (measured > most_off * told || told > most_off * measured)
+                return failure(
+                    fmt::format("odometry.{} is {:g} m, and model '{}' has {:g} m: that is another robot's, "
+                                "or a slip. Calibrate it anew by nezumi calibrate odometry",
+                                what, measured, spec.model, told));
+        }
         spec.drive.track = wheels.track;
         spec.drive.left_radius = wheels.left_radius;
         spec.drive.right_radius = wheels.right_radius;

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -30,6 +33,15 @@ std::string name_of_group(gid_t id) {
         if (number == fmt::to_string(id)) return name;
     }
     return "";
+}
+
+// 0 where it is not told.
+int parent_of(const std::string& folder) {
+    std::ifstream status(folder + "/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("PPid:")) return std::atoi(line.c_str() + std::string_view("PPid:").size());
+    }
+    return 0;
 }
 
 }  // namespace
@@ -78,6 +90,7 @@ std::vector<Holder> holders_of(const std::vector<std::string>& files, const std:
     paths.reserve(files.size());
     for (const std::string& file : files) paths.push_back(fs::weakly_canonical(file, none).string());
     std::vector<Holder> holders;
+    std::map<int, int> parents;  // by process
     for (const std::string& name : names_in(proc)) {
         Holder holder;
         const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), holder.process);
@@ -94,8 +107,10 @@ std::vector<Holder> holders_of(const std::vector<std::string>& files, const std:
         }
         if (holder.files.empty()) continue;
         holder.name = first_line(folder + "/comm");
+        parents[holder.process] = parent_of(folder);
         holders.push_back(std::move(holder));
     }
+    std::erase_if(holders, [&](const Holder& each) { return parents.contains(parents[each.process]); });
     return holders;
 }
 

@@ -45,7 +45,8 @@ struct Holder {
     std::vector<std::string> files;  ///< which of those asked for, in their order
 };
 
-/// The other programs that have any of these files open, as far as this user may see that.
+/// The other programs that have any of these files open, as far as this user may see that. A child of such a program,
+/// as the guard of a nezumi is, ends with it and is left out.
 std::vector<Holder> holders_of(const std::vector<std::string>& files, const std::string& proc);
 
 /// What gives this user access to a node that it may not use, where a group does: "sudo adduser $USER dialout, then

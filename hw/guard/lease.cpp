@@ -16,7 +16,8 @@
 namespace nezumi::hw {
 namespace {
 
-// " (process 1234)", as the kernel's list of locks has it: its column 5, where column 6 is "major:minor:inode".
+// The process that has it locked, as the kernel's list of locks has it: its column 5, where column 6 is
+// "major:minor:inode". "": not told.
 std::string holder(int file) {
     struct stat status {};
     if (fstat(file, &status) != 0) return "";
@@ -25,7 +26,7 @@ std::string holder(int file) {
     std::ifstream locks("/proc/locks");
     std::string number, kind, strength, access, process, place, rest;
     while (locks >> number >> kind >> strength >> access >> process >> place && std::getline(locks, rest)) {
-        if (kind == "FLOCK" && place == inode) return fmt::format(" (process {})", process);
+        if (kind == "FLOCK" && place == inode) return process;
     }
     return "";
 }
@@ -38,8 +39,14 @@ Expected<Lease> Lease::take(const std::string& node) {
     if (lease.file_ < 0) return failure(describe(NodeError{node, errno}));
     if (flock(lease.file_, LOCK_EX | LOCK_NB) == 0) return lease;
     if (errno != EWOULDBLOCK) return failure(describe(NodeError{node, errno}));
+    const std::string process = holder(lease.file_);
+    if (process == fmt::to_string(getpid()))
+        return failure(
+            fmt::format("{}: another robot of this system drives these motors already: only one of them can "
+                        "be real, as by --hw=NAME",
+                        node));
     return failure(fmt::format("{}: another program{} drives this robot's motors: end it first, then try again", node,
-                               holder(lease.file_)));
+                               process.empty() ? "" : fmt::format(" (process {})", process)));
 }
 
 Expected<Lease> Lease::of_nothing() {

@@ -191,8 +191,8 @@ Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Projec
     };
     if (calibration->robot != robot.name) return of_another("name", calibration->robot, robot.name);
     if (calibration->model != robot.model) return of_another("model", calibration->model, robot.model);
-    if (!use.serial.empty() && !calibration->serial.empty() && calibration->serial != use.serial)
-        return of_another("computer's number", calibration->serial, use.serial);
+    if (use.serial && !calibration->serial.empty() && calibration->serial != *use.serial)
+        return of_another("computer's number", calibration->serial, *use.serial);
     if (auto used = use_cameras(spec, robot, *calibration); !used) return used;
     RobotSpec own = spec.models.at(robot.described_by());
     if (auto applied = apply(*calibration, own); !applied) return failure(applied.error().message, {shown});
@@ -206,7 +206,7 @@ Expected<void> use_asked_calibrations(SystemSpec& spec, const Project& project) 
     for (Entry& entry : spec.entries) {
         auto* robot = std::get_if<RobotEntry>(&entry);
         if (robot == nullptr || !robot->calibrated) continue;
-        if (auto used = use_calibration(spec, *robot, project, {.is_needed = true, .serial = ""}); !used) return used;
+        if (auto used = use_calibration(spec, *robot, project, {.is_needed = true, .serial = {}}); !used) return used;
     }
     return {};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,7 +25,8 @@ std::string write_calibration(const Calibration& calibration);
 /// How a robot of a system gets the description that its calibration makes of its model.
 struct CalibrationUse {
     bool is_needed = false;  ///< that there is no calibration is an error
-    std::string serial;      ///< of the computer that drives it; "": not known
+    /// Of the computer that drives it: "" where that has none; nothing where none does.
+    std::optional<std::string> serial;
 };
 
 /// Gives a robot of the system its own description, once. Nothing is done where it has no calibration and needs none.

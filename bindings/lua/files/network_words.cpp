@@ -1,7 +1,10 @@
 // `network` and `ros`: what a system shows to other hosts, and takes from them.
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +29,23 @@ std::string problem_of_topic(std::string_view topic) {
         begins = c == '/';
     }
     return begins ? "expected no slash at the end" : "";
+}
+
+// Whether a text can be an address or a host's name, perhaps with a port; whether there is such a host is not known
+// here.
+bool could_be_address(const std::string& text) {
+    const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || std::strchr(".-_:[]%", c) != nullptr; };
+    if (text.empty() || !std::all_of(text.begin(), text.end(), fits)) return false;
+    if (text.find_first_not_of("0123456789.") != text.npos) return true;
+    in_addr address{};
+    return inet_pton(AF_INET, text.c_str(), &address) == 1;
+}
+
+void check_peers(FieldCheck& check, const std::vector<std::string>& peers) {
+    for (const std::string& each : peers) {
+        if (check.ok() && !could_be_address(each))
+            check.wrong({"peers"}, fmt::format("expected addresses or names of hosts, got '{}'", shown(each)));
+    }
 }
 
 // Reads one entry of `publish` or `subscribe`: a text, or a table that says more. `name` is what it stands for.
@@ -93,6 +113,7 @@ Expected<void> SystemWords::network(const WordCall& call, const FileValue& value
         check.explain({"open"}, "with a `secret` only those who have it may write: leave one of them out");
     if (check.ok() && !given.hosts.empty() && !given.lockstep)
         check.explain({"hosts"}, "only lockstep waits for hosts: say `lockstep = true` as well");
+    check_peers(check, given.peers);
     for (const std::string& host : given.hosts) {
         if (!check.ok()) break;
         if (!is_identifier(host)) check.wrong({"hosts"}, fmt::format("expected names of hosts, got '{}'", host));
@@ -116,6 +137,7 @@ Expected<void> SystemWords::ros(const WordCall& call, const FileValue& value) {
     read_topics(fields, "publish", given.publish);
     read_topics(fields, "subscribe", given.subscribe);
     fields.done();
+    check_peers(check, given.peers);
     if (check.ok() && !is_identifier(given.node))
         check.wrong({"node"},
                     fmt::format("expected letters, digits and _, not beginning with a digit, got '{}'", given.node));
@@ -135,9 +157,9 @@ Expected<void> SystemWords::check_network() const {
         if (!spec_.network) return refuse("a port of another host needs the word network { name = ... }");
         if (is_remote(each.from) && is_remote(each.to))
             return refuse("both ends are on other hosts: one of these connects them");
-        if (remote.substr(0, remote.find('/')) == spec_.network->name)
-            return refuse(fmt::format("this host is '{}' itself: write \"{}\"", spec_.network->name,
-                                      remote.substr(remote.find('/') + 1)));
+        if (host_of(remote) == spec_.network->name)
+            return refuse(
+                fmt::format("this host is '{}' itself: write \"{}\"", spec_.network->name, without_host(remote)));
     }
     if (!spec_.network || !spec_.ros || spec_.network->domain != spec_.ros->domain) return {};
     if (spec_.network->interface == spec_.ros->interface && spec_.network->peers == spec_.ros->peers) return {};

@@ -35,10 +35,6 @@ std::vector<std::string> component_names(const Host& host);
 /// The ports that "host/name" offers; their names are without that.
 std::vector<OfferedPort> ports_of(const System& system, std::string_view path);
 
-/// "ev3" of "ev3/vehicle", and the rest.
-std::string_view host_of(std::string_view path);
-std::string_view component_of(std::string_view path);
-
 /// Pushes `hosts`. May raise a Lua error.
 void push_hosts(lua_State* L, Objects& objects, LiveSystem& live);
 

@@ -11,9 +11,6 @@ namespace nezumi {
 
 using Names = std::vector<std::string>;
 
-std::string_view host_of(std::string_view path) { return path.substr(0, path.find('/')); }
-std::string_view component_of(std::string_view path) { return path.substr(path.find('/') + 1); }
-
 std::vector<Host> hosts_of(const System& system) {
     return system.network() != nullptr ? system.network()->hosts() : std::vector<Host>{};
 }
@@ -28,7 +25,7 @@ std::vector<std::string> component_names(const Host& host) {
 
 std::vector<OfferedPort> ports_of(const System& system, std::string_view path) {
     std::vector<OfferedPort> ports;
-    const std::string prefix = fmt::format("{}.", component_of(path));
+    const std::string prefix = fmt::format("{}.", without_host(path));
     for (const Host& host : hosts_of(system)) {
         if (host.name != host_of(path)) continue;
         for (OfferedPort port : host.ports) {

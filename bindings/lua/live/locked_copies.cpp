@@ -33,7 +33,7 @@ std::string step_of(lua_State* L, int index) {
 // "controller.config", "controller.out", "hosts.ev3.vehicle".
 std::string path_of(const ObjectRef& ref) {
     const bool is_remote = ref.kind == ObjectKind::remote || ref.kind == ObjectKind::remote_config;
-    std::string path = is_remote ? fmt::format("hosts.{}.{}", host_of(ref.component()), component_of(ref.component()))
+    std::string path = is_remote ? fmt::format("hosts.{}.{}", host_of(ref.component()), without_host(ref.component()))
                                  : std::string(ref.component());
     switch (ref.kind) {
         case ObjectKind::port: return fmt::format("{}.{}", path, ref.port());

@@ -229,6 +229,27 @@ TEST_CASE("what is deactivated at the console takes nothing from its host", "[dd
     CHECK(pi.part->numbers.empty());
 }
 
+TEST_CASE("a hand here on what another host's port takes is refused", "[dds][network]") {
+    Room room;
+    HostRig ev3(room, "ev3"), pi(room, "pi");
+    REQUIRE(pi.system.connect("part.speed", "ev3/part.target"));
+    pass(room, 3, ev3, pi);
+    const Actor user{Actor::Kind::console};
+    const Velocity2D fast{.vx = 0.2};
+    const std::string why =
+        "ev3/part.target takes its messages on host 'ev3': do it there, or to the out-port here that "
+        "it is connected to";
+    for (const Act& each : {Act{Hold{.port = "ev3/part.target", .value = fast}}, Act{Inject{"ev3/part.target", fast}},
+                            Act{Drop{"ev3/part.target"}}, Act{Freeze{"ev3/part.target"}}}) {
+        const auto done = pi.act(each, user);
+        REQUIRE_FALSE(done);
+        CHECK(done.error().message == why);
+    }
+    CHECK(pi.act(Hold{.port = "part.speed", .value = fast}, user));
+    REQUIRE(pi.system.connect("ev3/part.speed", "part.target"));
+    CHECK(pi.act(Hold{.port = "ev3/part.speed", .value = fast}, user));  // what comes from there is read here
+}
+
 TEST_CASE("a component that is removed takes its end of a connection with it", "[dds][network]") {
     Room room;
     HostRig ev3(room, "ev3"), pi(room, "pi");

@@ -3,11 +3,15 @@
 
 #include <grp.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "hw/doctor/looks.hpp"
 #include "hw/guard/lease.hpp"
@@ -182,13 +186,40 @@ TEST_CASE("programs that have a node open are named, and their counters left alo
     CHECK(found(all, "wheel counters") == "another program has them: they were left alone");
 }
 
+TEST_CASE("of a program and its guard only the program is to be ended", "[hw][doctor]") {
+    const MouseMachine machine;
+    const auto node = std::filesystem::canonical(machine.folder.path("dev/rtmotoren0"));
+    for (const auto& [process, parent] : {std::pair("812", "1"), std::pair("813", "812")}) {
+        const std::string folder = std::string("proc/") + process;
+        machine.folder.write(folder + "/comm", "nezumi\n");
+        machine.folder.write(folder + "/status", std::string("Name:\tnezumi\nPPid:\t") + parent + "\n");
+        std::filesystem::create_directories(machine.folder.path(folder + "/fd"));
+        std::filesystem::create_symlink(node, machine.folder.path(folder + "/fd/3"));
+    }
+    CHECK(not_well(machine.examine()) == "programs: nezumi (process 812) has " + node.string() +
+                                             " open -> end it before a robot is driven: kill 812\n");
+}
+
 TEST_CASE("who drives the motors is seen by the lock as well", "[hw][doctor]") {
     const MouseMachine machine;
-    const auto lease = Lease::take(machine.folder.path("dev/rtmotoren0").string());
-    REQUIRE(lease);
+    const std::string node = machine.folder.path("dev/rtmotoren0").string();
+    std::array<int, 2> ends{};
+    REQUIRE(pipe(ends.data()) == 0);
+    const pid_t other = fork();
+    if (other == 0) {
+        const auto lease = Lease::take(node);
+        if (lease && write(ends[1], "1", 1) == 1) pause();
+        _exit(1);
+    }
+    close(ends[1]);
+    char taken = 0;
+    REQUIRE(read(ends[0], &taken, 1) == 1);
     const std::string text = not_well(machine.examine());
+    kill(other, SIGKILL);
+    waitpid(other, nullptr, 0);
+    close(ends[0]);
     CHECK(text.find("drives this robot's motors -> end it first, then try again\n") != text.npos);
-    CHECK(text.find("process " + std::to_string(getpid())) != text.npos);
+    CHECK(text.find("process " + std::to_string(other)) != text.npos);
 }
 
 TEST_CASE("a node that does not answer costs a second, and is told", "[hw][doctor]") {

@@ -192,8 +192,9 @@ TEST_CASE("one program at a time drives the motors, and the other is told which"
     REQUIRE(first);
     const auto second = Guard::start(node, {});
     REQUIRE_FALSE(second);
-    CHECK(second.error().message == node + ": another program (process " + std::to_string(getpid()) +
-                                        ") drives this robot's motors: end it first, then try again");
+    CHECK(second.error().message == node +
+                                        ": another robot of this system drives these motors already: only one of "
+                                        "them can be real, as by --hw=NAME");
     first->reset();
     CHECK(Guard::start(node, {}));
 }

@@ -195,7 +195,8 @@ TEST_CASE("a second program on the same mouse is refused, and the first drives o
     const Outcome second = run_nezumi({"run", "system.lua", "--hw", "--headless", "--dev-root", run.fake.dev()},
                                       run.fake.folder.path("").string());
     CHECK(second.status == 2);
-    CHECK(second.error.find("drives this robot's motors: end it first, then try again") != std::string::npos);
+    CHECK(second.error.find("another program (process ") != std::string::npos);
+    CHECK(second.error.find(") drives this robot's motors: end it first, then try again") != std::string::npos);
     sleep_for(0.1);
     CHECK(run.fake.moves());
 }

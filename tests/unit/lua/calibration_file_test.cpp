@@ -110,7 +110,20 @@ TEST_CASE("the number of a robot's computer tells two mice apart", "[lua][calibr
     CHECK(other.error().message ==
           "is the calibration of another robot: its computer's number is '00000000aaaa', not "
           "'00000000bbbb'. Calibrate this one, or move the file away");
+    const auto none = use_calibration(*spec, robot, files, {.is_needed = false, .serial = ""});
+    REQUIRE_FALSE(none);
+    CHECK(none.error().message.find("its computer's number is '00000000aaaa', not ''") != std::string::npos);
     CHECK(use_calibration(*spec, robot, files, {.is_needed = false, .serial = "00000000aaaa"}));
+}
+
+TEST_CASE("wheels of twice or half the model's size are no calibration of it", "[lua][calibration]") {
+    const CalibratedProject project;
+    CHECK(project.refused(head + "odometry = { track = 0.0925, left_radius = 2.4, right_radius = 0.024 } }") ==
+          "mouse.calibration.lua: odometry.left_radius is 2.4 m, and model 'raspimouse' has 0.024 m: that is another "
+          "robot's, or a slip. Calibrate it anew by nezumi calibrate odometry");
+    CHECK(project.refused(head + "odometry = { track = 0.04, left_radius = 0.024, right_radius = 0.024 } }")
+              .find("odometry.track is 0.04 m") != std::string::npos);
+    CHECK(project.refused(head + "odometry = { track = 0.1, left_radius = 0.03, right_radius = 0.02 } }").empty());
 }
 
 TEST_CASE("a calibration that is torn in the middle is refused wherever it is torn", "[lua][calibration]") {

@@ -41,6 +41,12 @@ TEST_CASE("network refuses what no host can be", "[lua][system_file][network]") 
           "s.lua:1:40: network: field 'hosts' expected names of hosts, got 'b c'");
     CHECK(error("network { name = 'a', lockstep = true, hosts = 'a' }") ==
           "s.lua:1:40: network: field 'hosts' may not name 'a': it is this host");
+    CHECK(error("network { name = 'a', peers = { '10.0.0.2:7410', 'pi.local', 'fe80::1%wlan0', 'not an address' } }") ==
+          "s.lua:1:23: network: field 'peers' expected addresses or names of hosts, got 'not an address'");
+    CHECK(error("network { name = 'a', peers = '192.168.1.300' }") ==
+          "s.lua:1:23: network: field 'peers' expected addresses or names of hosts, got '192.168.1.300'");
+    CHECK(error("ros { node = 'a', peers = { 'pi', '' } }") ==
+          "s.lua:1:19: ros: field 'peers' expected addresses or names of hosts, got ''");
     CHECK(error("network { name = 'a' }\nnetwork { name = 'a' }") ==
           "s.lua:2: network: is set already, at behaviors/systems/s.lua:1");
 }

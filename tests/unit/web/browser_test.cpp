@@ -131,6 +131,21 @@ TEST_CASE("what a browser held ends with its connection, a velocity by zero", "[
     CHECK(port.value()->override() == Override::none);
 }
 
+TEST_CASE("a browser that shows no sign of life is closed within ten seconds, and what it held ends",
+          "[web][wallclock]") {
+    WebRig rig;
+    RawBrowser browser = rig.open();
+    const Json hold{{"do", "act"},
+                    {"id", 8},
+                    {"act", "Hold"},
+                    {"fields", {{"port", "mouse.target_velocity_in"}, {"value", velocity}, {"take", false}}}};
+    CHECK(WebRig::answer(browser, hold)["ok"] == true);
+    CHECK(browser.is_closed(10));
+    CHECK(rig.said("browser 1: has gone"));
+    CHECK(std::get<Velocity2D>(rig.live->system().port("mouse.target_velocity_in").value()->override_value()) ==
+          Velocity2D{});
+}
+
 TEST_CASE("a drive ends by itself when its browser says no more", "[web][wallclock]") {
     WebRig rig;
     rig.paused = false;

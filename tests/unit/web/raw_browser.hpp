@@ -96,12 +96,13 @@ public:
         return put(frame);
     }
 
-    /// The next frame but pings, which are left unanswered; nothing when the connection ends or `seconds` pass.
+    /// The next frame but pings, which are answered; nothing when the connection ends or `seconds` pass.
     std::optional<Frame> next(double seconds = 20) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
         for (;;) {
             if (auto frame = take_frame()) {
                 if (frame->opcode != 9) return frame;
+                if (!send_frame(frame->bytes, 10)) return std::nullopt;
                 continue;
             }
             if (std::chrono::steady_clock::now() >= end) return std::nullopt;
