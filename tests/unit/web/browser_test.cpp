@@ -36,6 +36,15 @@ WebFrame next_frame(RawBrowser& browser) {
     }
 }
 
+// Whether the engine is told soon that the first browser has gone.
+bool has_gone(WebRig& rig) {
+    for (int rounds = 0; rounds < 5000 && !rig.said("browser 1: has gone"); ++rounds) {
+        rig.serve();
+        usleep(1000);
+    }
+    return rig.said("browser 1: has gone");
+}
+
 }  // namespace
 
 TEST_CASE("a browser is told the system, its types and where everything is", "[web]") {
@@ -120,11 +129,7 @@ TEST_CASE("what a browser held ends with its connection, a velocity by zero", "[
         CHECK(WebRig::answer(browser, hold)["ok"] == true);
         CHECK(rig.live->system().port("mouse.target_velocity_in").value()->override() == Override::held);
     }
-    for (int rounds = 0; rounds < 5000 && !rig.said("browser 1: has gone"); ++rounds) {
-        rig.serve();
-        usleep(1000);
-    }
-    CHECK(rig.said("browser 1: has gone"));
+    CHECK(has_gone(rig));
     const auto port = rig.live->system().port("mouse.target_velocity_in");
     CHECK(std::get<Velocity2D>(port.value()->override_value()) == Velocity2D{});
     rig.tick(2);
@@ -141,7 +146,7 @@ TEST_CASE("a browser that shows no sign of life is closed within ten seconds, an
                     {"fields", {{"port", "mouse.target_velocity_in"}, {"value", velocity}, {"take", false}}}};
     CHECK(WebRig::answer(browser, hold)["ok"] == true);
     CHECK(browser.is_closed(10));
-    CHECK(rig.said("browser 1: has gone"));
+    CHECK(has_gone(rig));
     CHECK(std::get<Velocity2D>(rig.live->system().port("mouse.target_velocity_in").value()->override_value()) ==
           Velocity2D{});
 }
