@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "sim/body_state.hpp"
+#include "sim/constraint_motors.hpp"
 #include "sim/ode_library.hpp"
 #include "sim/robot_model.hpp"
 #include "sim/scene.hpp"
-#include "sim/velocity_constraint.hpp"
 
 namespace nezumi::sim {
 
@@ -95,7 +95,7 @@ struct SimRobot {
     bool coasting = false;
     Wheels speeds;  // [m/s]
     Wheels angles;  // [rad]
-    VelocityConstraint constraint;
+    ConstraintMotors constraint;
     std::unique_ptr<RayFan> turned_fan;  // once a servo that carries a sensor has moved
     Motion rolling{};                    // of one that rolls freely, after the step
     std::optional<Obstacle> touched;     // first in this call of `step`

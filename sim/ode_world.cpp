@@ -10,6 +10,7 @@
 #include "sim/robot_body.hpp"
 
 #include "engine/ports/payload.hpp"
+#include "engine/world/frames.hpp"
 
 namespace nezumi::sim {
 namespace {
@@ -220,11 +221,10 @@ Truth OdeWorld::truth(RobotId id) const {
     const double heading = std::atan2(rotation(1, 0), rotation(0, 0));
     // The step's velocity held in the frame in which the step began; in that of its end a turning robot would seem to
     // skid.
-    const double began = heading - robot.body.w[2] * step_, c = std::cos(began), s = std::sin(began);
+    const Point2D speed = turned({velocity.x(), velocity.y()}, robot.body.w[2] * step_ - heading);
     Truth truth;
     truth.pose = {{origin.x(), origin.y()}, heading};
-    truth.velocity = {
-        .vx = c * velocity.x() + s * velocity.y(), .vy = c * velocity.y() - s * velocity.x(), .va = robot.body.w[2]};
+    truth.velocity = {.vx = speed.x, .vy = speed.y, .va = robot.body.w[2]};
     truth.height = origin.z();
     truth.tilt = std::acos(std::clamp(rotation(2, 2), -1.0, 1.0));
     return truth;
@@ -240,10 +240,10 @@ Expected<void> OdeWorld::teleport(RobotId id, Pose2D pose) {
     return {};
 }
 
-void OdeWorld::disturb(RobotId id, const Push& push) {
+void OdeWorld::disturb(RobotId id, const VelocityConstraint& constraint) {
     SimRobot& robot = this->robot(id);
     robot.constraint = {};  // ODE's order of joints is that of making them
-    robot.constraint = VelocityConstraint(world_.get(), robot, push);
+    robot.constraint = ConstraintMotors(world_.get(), robot, constraint);
 }
 
 std::vector<Point3D> OdeWorld::contact_points(RobotId id) const {

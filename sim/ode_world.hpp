@@ -52,7 +52,7 @@ public:
     Pose3D pose(RobotId robot) const override;
     Expected<void> teleport(RobotId robot, Pose2D pose) override;
     Expected<void> move_thing(std::string_view name, const Pose2D& pose) override;
-    void disturb(RobotId robot, const Push& push) override;
+    void disturb(RobotId robot, const VelocityConstraint& constraint) override;
     void press(RobotId robot, std::size_t sensor, bool pressed) override;
     std::vector<ThingPose> things() const override;
     std::vector<Ray> rays(RobotId robot) const override;

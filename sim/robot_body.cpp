@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/floor_look.hpp"
+#include "sim/floor_spot.hpp"
 #include "sim/ode_world.hpp"
 
 namespace nezumi::sim {

@@ -2,7 +2,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/floor_look.hpp"
+#include "sim/floor_spot.hpp"
 #include "sim/ode_world.hpp"
 
 namespace nezumi::sim {
@@ -37,7 +37,7 @@ std::optional<Rgb> OdeWorld::floor_under(const SimRobot& robot, const SensorSpec
     const Vec3 from = to_vec(sensor.at) + robot.model->origin;
     const Vec3 at = robot.body.centre() + rotate(robot.body.rotation(), from);
     if (at.z() > highest) return std::nullopt;
-    return look_at_floor(*floor_, floor_size_, {at.x(), at.y()});
+    return floor_spot_color(*floor_, floor_size_, {at.x(), at.y()});
 }
 
 std::vector<Ray> OdeWorld::rays(RobotId id) const {

@@ -1,4 +1,4 @@
-// The simulated world: the one door of this room.
+// The simulated world: the door of this room.
 #pragma once
 
 #include <functional>

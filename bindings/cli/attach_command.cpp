@@ -35,7 +35,7 @@ int list_systems() {
     const auto systems = running_systems();
     if (!systems) return refuse(systems.error());
     for (const RunningSystem& system : *systems) fmt::print("{:<8} {}\n", system.process, system.name);
-    return systems->empty() ? refuse("nothing is running: start a system with `nezumi run FILE`") : kDone;
+    return systems->empty() ? refuse("nothing is running: start a system with `nezumi run FILE`") : exit_done;
 }
 
 // The console of a system on another computer is that computer's `nezumi attach`.
@@ -77,20 +77,21 @@ int attach(const AttachOptions& options) {
     if (!client.is_answered(longest_silence)) return refuse(no_answer(reached->system));
     if (options.eval) {
         const auto timeout = options.timeout > 0 ? std::optional(options.timeout) : std::nullopt;
-        return run_text(client, *options.eval, {}, timeout) ? kDone : kFailed;
+        return run_text(client, *options.eval, {}, timeout) ? exit_done : exit_failed;
     }
-    if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) return run_batch(client, {}).well ? kDone : kFailed;
+    if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)
+        return run_batch(client, {}).well ? exit_done : exit_failed;
 
     const auto end = run_prompt(
         client, {.greeting = "attached to " + list_of({reached->system}) + "; help() tells more, Ctrl-D leaves",
                  .history = history_path(),
                  .attached = true});
-    return end ? static_cast<int>(kDone) : refuse(end.error());
+    return end ? static_cast<int>(exit_done) : refuse(end.error());
 }
 
 }  // namespace
 
-Command attach_command() {
+SubCommand attach_command() {
     auto options = std::make_shared<AttachOptions>();
     return {.name = "attach",
             .help = "Open the console of a running system",

@@ -34,18 +34,19 @@ struct CalcOptions {
 };
 
 // Every number, truth value, text and picture of a type as [name, unit, kind, is a sequence].
-void add_fields(const Shape& shape, const std::string& name, std::string_view unit, std::vector<std::string>& fields) {
+void add_fields(const ValueShape& shape, const std::string& name, std::string_view unit,
+                std::vector<std::string>& fields) {
     switch (shape.kind) {
-        case Shape::Kind::structure:
+        case ValueShape::Kind::structure:
             if (shape.sequence) return;
             for (const FieldShape& field : shape.fields)
                 add_fields(field.shape, name + (name.empty() ? "" : ".") + std::string(field.name), field.unit, fields);
             return;
-        case Shape::Kind::boolean:
-        case Shape::Kind::integer:
-        case Shape::Kind::number:
-        case Shape::Kind::text:
-        case Shape::Kind::octets: break;
+        case ValueShape::Kind::boolean:
+        case ValueShape::Kind::integer:
+        case ValueShape::Kind::number:
+        case ValueShape::Kind::text:
+        case ValueShape::Kind::octets: break;
     }
     // In the order of their enumerators.
     constexpr std::string_view kinds[] = {"boolean", "integer", "number", "text", "octets"};
@@ -117,7 +118,7 @@ int link(const CalcOptions& options) {
 
 }  // namespace
 
-Command calc_command() {
+SubCommand calc_command() {
     auto options = std::make_shared<CalcOptions>();
     return {.name = "calc",
             .help = "Link a running system with LibreOffice Calc: ports in cells, both ways, live",

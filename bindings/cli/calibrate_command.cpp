@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -22,6 +21,7 @@
 #include "bindings/cli/stop_signals.hpp"
 #include "bindings/lua/files/calibration_file.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/world/frames.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -114,13 +114,14 @@ public:
         const auto fit = calibrate_camera(
             course, [&] { return (*camera)->next(); }, [&](const std::string& text) { person_.tell(text); });
         if (!fit) return Unexpected(fit.error());
-        const CameraIntrinsics& lens = fit->intrinsics;
+        const CameraIntrinsics& intrinsics = fit->intrinsics;
         fmt::print(
             "fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f} px, k1 {:.4f}, k2 {:.4f}, p1 {:.5f}, p2 {:.5f}, k3 {:.4f}; the "
             "corners are {:.3f} px off\n",
-            lens.fx, lens.fy, lens.cx, lens.cy, lens.k1, lens.k2, lens.p1, lens.p2, lens.k3, fit->error);
+            intrinsics.fx, intrinsics.fy, intrinsics.cx, intrinsics.cy, intrinsics.k1, intrinsics.k2, intrinsics.p1,
+            intrinsics.p2, intrinsics.k3, fit->error);
         return write((*camera)->robot(),
-                     [&](Calibration& calibration) { calibration.cameras[(*camera)->name()] = lens; });
+                     [&](Calibration& calibration) { calibration.cameras[(*camera)->name()] = intrinsics; });
     }
 
 private:
@@ -152,12 +153,7 @@ private:
         return person_.confirm(fmt::format("Put it on its mark for {}.", drive));
     }
     Expected<Point2D> measure() {
-        if (options_.simulated) {
-            const Pose2D now = truth();
-            const double dx = now.position.x - start_.position.x, dy = now.position.y - start_.position.y;
-            const double c = std::cos(start_.heading), s = std::sin(start_.heading);
-            return Point2D{c * dx + s * dy, c * dy - s * dx};
-        }
+        if (options_.simulated) return seen_from(start_, truth()).position;
         const auto end = person_.numbers("Where does it stand now: x y [m]", 2);
         if (!end) return Unexpected(end.error());
         return Point2D{(*end)[0], (*end)[1]};
@@ -168,9 +164,7 @@ private:
         const Pose2D now = truth();
         double nearest = 1e6;
         for (const Ray& ray : robot_->system().world()->rays(robot_->robot().id())) {
-            if (ray.hit)
-                nearest = std::min(nearest, (ray.to.x - now.position.x) * std::cos(now.heading) +
-                                                (ray.to.y - now.position.y) * std::sin(now.heading));
+            if (ray.hit) nearest = std::min(nearest, seen_from(now, {{ray.to.x, ray.to.y}, 0}).position.x);
         }
         return nearest;
     }
@@ -180,7 +174,7 @@ private:
     Expected<int> write(const RobotEntry& robot, Change change) {
         if (options_.simulated) {
             fmt::print("nothing is written: it was simulated\n");
-            return kDone;
+            return exit_done;
         }
         const std::filesystem::path path = calibration_path(options_.file, robot.name);
         Calibration calibration;
@@ -198,7 +192,7 @@ private:
         if (auto written = write_whole(path, write_calibration(calibration)); !written)
             return Unexpected(written.error());
         fmt::print("{} is used by nezumi run --hw\n", path.string());
-        return kDone;
+        return exit_done;
     }
 
     const CalibrateOptions& options_;
@@ -224,7 +218,7 @@ int run(CalibrateOptions options, Expected<int> (Session::*calibrate)()) {
 
 }  // namespace
 
-Command calibrate_command() {
+SubCommand calibrate_command() {
     auto options = std::make_shared<CalibrateOptions>();
     const auto with = [&](std::vector<Option> own) {
         own.insert(own.begin(), {"FILE", &options->file, "the system file that the robot belongs to"});
@@ -242,14 +236,15 @@ Command calibrate_command() {
         "Writes ROBOT.calibration.lua beside FILE, which nezumi run --hw uses from then on.\nExit status: 0 written, 2 "
         "it "
         "could not be done.";
-    const Command odometry{.name = "odometry",
-                           .help = "Measure the wheels' radii and track by a line and two squares",
-                           .options = with({{"--side", &options->side, "of the squares [m]; the line is twice as long",
-                                             "M", number_from(0.1, 10)},
-                                            robot}),
-                           .run = [options] { return run(*options, &Session::odometry); },
-                           .footer = footer};
-    const Command ranges{
+    const SubCommand odometry{
+        .name = "odometry",
+        .help = "Measure the wheels' radii and track by a line and two squares",
+        .options = with(
+            {{"--side", &options->side, "of the squares [m]; the line is twice as long", "M", number_from(0.1, 10)},
+             robot}),
+        .run = [options] { return run(*options, &Session::odometry); },
+        .footer = footer};
+    const SubCommand ranges{
         .name = "ir",
         .help = "Measure what the distance sensors say of a wall at known distances",
         .options = with({{"--wall", &options->wall, "from the foremost sensors to the wall, where the robot starts [m]",
@@ -257,14 +252,15 @@ Command calibrate_command() {
                          robot}),
         .run = [options] { return run(*options, &Session::ranges); },
         .footer = footer};
-    const Command camera{.name = "camera",
-                         .help = "Measure how a camera on a robot sees, by views of a chessboard",
-                         .options = with({{"--camera", &options->camera,
-                                           "its name in the file; may be left out when there is only one", "NAME"},
-                                          {"--board", &options->board, "the chessboard's inner corners (default 9x6)",
-                                           "COLUMNSxROWS", board_problem}}),
-                         .run = [options] { return run(*options, &Session::camera); },
-                         .footer = footer};
+    const SubCommand camera{
+        .name = "camera",
+        .help = "Measure how a camera on a robot sees, by views of a chessboard",
+        .options = with(
+            {{"--camera", &options->camera, "its name in the file; may be left out when there is only one", "NAME"},
+             {"--board", &options->board, "the chessboard's inner corners (default 9x6)", "COLUMNSxROWS",
+              board_problem}}),
+        .run = [options] { return run(*options, &Session::camera); },
+        .footer = footer};
     return {.name = "calibrate",
             .help = "Measure what a real robot is like, by guided runs",
             .commands = {odometry, ranges, camera}};

@@ -22,9 +22,9 @@ Expected<WheelFit> calibrate_odometry(GuidedRobot& robot, const OdometryCourse& 
         robot.rest();
         if (auto placed = help.place(name); !placed) return placed;
         TravelRecorder recorder(robot.robot());
-        if (auto driven = drive([&] { recorder.look(); }); !driven) return driven;
+        if (auto driven = drive([&] { recorder.sample(); }); !driven) return driven;
         robot.rest();
-        recorder.look();  // what the braking has left
+        recorder.sample();  // what the braking has left
         auto end = help.measure(name);
         if (!end) return Unexpected(end.error());
         drives.push_back({.travel = recorder.take(), .end = *end});

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bindings/cli/guided_moves.hpp"
+#include "engine/world/frames.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -67,12 +68,7 @@ public:
     }
 
 private:
-    Pose2D pose() const {
-        const Pose2D now = robot_.robot().odometry().pose();
-        const double c = std::cos(start_.heading), s = std::sin(start_.heading);
-        const double dx = now.position.x - start_.position.x, dy = now.position.y - start_.position.y;
-        return {.position = {c * dx + s * dy, c * dy - s * dx}, .heading = now.heading - start_.heading};
-    }
+    Pose2D pose() const { return seen_from(start_, robot_.robot().odometry().pose()); }
     // From a sensor along its ray to the wall.
     double distance_of(const SensorSpec& sensor) const {
         const Pose2D now = pose();

@@ -67,7 +67,7 @@ public:
             if (std::find(errors_.begin(), errors_.end(), error) != errors_.end()) continue;
             if (!json_) fmt::print("{}\n", visible_message(describe(error)));
             errors_.push_back(std::move(error));
-            status_ = std::max(status_, static_cast<int>(kFailed));
+            status_ = std::max(status_, static_cast<int>(exit_failed));
         }
     }
     int finish(const std::string& checked) const {
@@ -78,7 +78,7 @@ public:
 
 private:
     bool json_;
-    int status_ = kDone;
+    int status_ = exit_done;
     std::vector<Error> errors_;
 };
 
@@ -113,7 +113,7 @@ int check(const CheckOptions& options) {
 
 }  // namespace
 
-Command check_command() {
+SubCommand check_command() {
     auto options = std::make_shared<CheckOptions>();
     return {.name = "check",
             .help = "Say what is wrong with files, without running them",

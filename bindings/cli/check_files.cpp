@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "bindings/cli/named_files.hpp"
+#include "bindings/cli/system_error.hpp"
+#include "bindings/dds/network_maker.hpp"
 #include "bindings/lua/files/calibration_file.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/files/system_file.hpp"
@@ -118,7 +120,10 @@ void check_rtm(const System& system, const SystemSpec& spec, std::vector<Error>&
 
 std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,
                                 const LiveOptions& options) {
-    if (auto errors = check_system_text(text, shown, project); !errors.empty()) return errors;
+    if (auto errors = check_system_text(text, shown, project); !errors.empty()) {
+        for (Error& error : errors) error = explain_system_error(std::move(error));
+        return errors;
+    }
     auto spec = read_system_text(text, shown, project);
     if (!spec) return {spec.error()};
     Makers makers;
@@ -126,13 +131,21 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     makers.bodies = options.bodies;
     makers.drivers = options.drivers;
     makers.components = options.components;
-    makers.network = options.network;
+    makers.network = dds::make_checked_networks();
     if (!makers.world) leave_out_bodies(*spec, makers);
+    std::vector<Error> errors;
+    const auto add = [&errors](Error error) {
+        if (std::find(errors.begin(), errors.end(), error) == errors.end()) errors.push_back(std::move(error));
+    };
+    std::set<std::string> checked;  // scripts, by their paths
     makers.behavior = [&](const BehaviorEntry& entry,
                           const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {
         auto source = read_shown(entry.path, project);
         if (!source) return Unexpected(source.error());
-        // All slips of a script are its own file's to tell; here the first will do.
+        if (checked.insert(entry.path).second) {
+            for (Error& error : check_behavior(*source, context_of(type_of_file(source->shown), project)))
+                add(std::move(error));
+        }
         ScriptContext context = context_of(entry.name, project);
         context.configured = entry.config;
         context.tick_rate = maker.tick_rate;
@@ -140,14 +153,13 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
         if (!made) return Unexpected(made.error());
         return std::unique_ptr<Component>(std::move(*made));
     };
-    std::vector<Error> errors;
     for (int i = 0; i < most_errors; ++i) {
         const auto built = build_system(*spec, makers, options.build);
         if (built) {
             check_rtm(**built, *spec, errors);
             break;
         }
-        errors.push_back(built.error());
+        add(built.error());
         if (!leave_out(*spec, project, built.error().place)) break;
     }
     return errors;

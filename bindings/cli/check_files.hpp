@@ -7,8 +7,8 @@
 
 #include "bindings/cli/lua_kind.hpp"
 #include "bindings/lua/live/live_system.hpp"
-#include "bindings/lua/project/find_files.hpp"
 #include "engine/base/error.hpp"
+#include "engine/base/find_files.hpp"
 
 namespace nezumi::cli {
 

@@ -14,7 +14,7 @@
 namespace nezumi::cli {
 namespace {
 
-const Option* find(const Command& command, const std::string& word) {
+const Option* find(const SubCommand& command, const std::string& word) {
     for (const Option& option : command.options) {
         const auto names = names_of(option);
         if (!is_positional(option) && std::find(names.begin(), names.end(), word) != names.end()) return &option;
@@ -23,7 +23,7 @@ const Option* find(const Command& command, const std::string& word) {
 }
 
 // "--trace-hash", known or not; a comment of Lua, as in --eval '-- none', is no option.
-bool is_option(const Command& command, const std::string& word) {
+bool is_option(const SubCommand& command, const std::string& word) {
     const bool is_long = word.size() > 2 && word.starts_with("--") &&
                          std::isalpha(static_cast<unsigned char>(word[2])) &&
                          word.find_first_of(" \t\n") == std::string::npos;
@@ -56,7 +56,7 @@ bool is_same(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string missing_value(const Command& command, const std::vector<std::string>& words) {
+std::string missing_value(const SubCommand& command, const std::vector<std::string>& words) {
     for (std::size_t i = 0; i + 1 < words.size() && words[i] != "--"; ++i) {
         const Option* const option = find(command, words[i]);
         if (option == nullptr || !takes_value(*option)) continue;
@@ -67,7 +67,7 @@ std::string missing_value(const Command& command, const std::vector<std::string>
     return "";
 }
 
-std::string lost_file(const Command& command) {
+std::string lost_file(const SubCommand& command) {
     for (const Option& option : command.options) {
         const std::string file = file_of(option);
         if (option.file != FileUse::result || file.empty() || !is_lost_by_writing(file)) continue;

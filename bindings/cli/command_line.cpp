@@ -52,9 +52,9 @@ void declare(CLI::App& app, const Option& option) {
     if (option.check) declared->check(option.check);
 }
 
-void declare(CLI::App& app, const Command& command) {
+void declare(CLI::App& app, const SubCommand& command) {
     for (const Option& option : command.options) declare(app, option);
-    for (const Command& below : command.commands) {
+    for (const SubCommand& below : command.commands) {
         CLI::App* const inner = app.add_subcommand(below.name, below.help);
         if (!below.alias.empty()) inner->alias(below.alias);
         declare(*inner, below);
@@ -63,24 +63,24 @@ void declare(CLI::App& app, const Command& command) {
     app.footer(command.footer);
 }
 
-const Command* find(const Command& command, std::string_view word) {
-    for (const Command& below : command.commands) {
+const SubCommand* find(const SubCommand& command, std::string_view word) {
+    for (const SubCommand& below : command.commands) {
         if (word == below.name || (!below.alias.empty() && word == below.alias)) return &below;
     }
     return nullptr;
 }
 
 // What could have been meant where one of the commands below `command` has to be named. `path` is "" for the program.
-std::string no_command(const Command& command, const std::string& path, const std::string* word) {
+std::string no_command(const SubCommand& command, const std::string& path, const std::string* word) {
     std::vector<std::string_view> names;
-    for (const Command& below : command.commands) names.push_back(below.name);
+    for (const SubCommand& below : command.commands) names.push_back(below.name);
     if (path.empty()) {
         return (word ? fmt::format("there is no command '{}'{}", shown(*word), did_you_mean(*word, names))
                      : fmt::format("what is to be done? See {} --help", command.name)) +
                fmt::format("; known are {}", fmt::join(names, ", "));
     }
     std::vector<std::string> forms;
-    for (const Command& below : command.commands) {
+    for (const SubCommand& below : command.commands) {
         std::string form = fmt::format("`nezumi{} {}", path, below.name);
         for (const Option& option : below.options) {
             if (is_positional(option)) form += " " + option.name;
@@ -138,14 +138,14 @@ bool takes_value(const Option& option) {
     return !std::holds_alternative<bool*>(option.value) && !std::holds_alternative<FlagText*>(option.value);
 }
 
-int run_command_line(const Command& program, const std::vector<std::string>& words) {
+int run_command_line(const SubCommand& program, const std::vector<std::string>& words) {
     // The commands are looked up here: CLI11 would call one that it does not know an unexpected argument.
-    const Command* command = &program;
+    const SubCommand* command = &program;
     std::string path;
     std::size_t depth = 0;
     for (const std::string& word : words) {
         if (command->commands.empty() || word.starts_with('-')) break;
-        const Command* const below = find(*command, word);
+        const SubCommand* const below = find(*command, word);
         if (below == nullptr) return refuse(no_command(*command, path, &word));
         command = below;
         path += " " + command->name;

@@ -47,19 +47,19 @@ bool is_positional(const Option& option);
 /// Whether a value follows it.
 bool takes_value(const Option& option);
 
-struct Command {
+struct SubCommand {
     std::string name;
     std::string help;
     std::vector<Option> options = {};
-    std::function<int()> run = {};       ///< gives the exit status; none: one of `commands` has to be named
-    std::string footer = {};             ///< below the options of its --help
-    std::string alias = {};              ///< another name
-    std::vector<Command> commands = {};  ///< below this one
-    std::string version = {};            ///< what --version says; "" for no such option
+    std::function<int()> run = {};          ///< gives the exit status; none: one of `commands` has to be named
+    std::string footer = {};                ///< below the options of its --help
+    std::string alias = {};                 ///< another name
+    std::vector<SubCommand> commands = {};  ///< below this one
+    std::string version = {};               ///< what --version says; "" for no such option
 };
 
 /// Parses the words that follow the program's name, fills in the options of the command that they name, and runs it.
 /// A slip is one plain line on standard error with the nearest name. Returns the exit status.
-int run_command_line(const Command& program, const std::vector<std::string>& words);
+int run_command_line(const SubCommand& program, const std::vector<std::string>& words);
 
 }  // namespace nezumi::cli

@@ -6,19 +6,19 @@
 
 namespace nezumi::cli {
 
-Command run_command();
-Command attach_command();
-Command calc_command();
-Command types_command();
-Command check_command();
-Command new_command();
-Command test_command();
-Command doctor_command();
-Command calibrate_command();
-Command push_command();
-Command marker_command();
-Command network_command();
-Command completion_command();
-Command manual_command();
+SubCommand run_command();
+SubCommand attach_command();
+SubCommand calc_command();
+SubCommand types_command();
+SubCommand check_command();
+SubCommand new_command();
+SubCommand test_command();
+SubCommand doctor_command();
+SubCommand calibrate_command();
+SubCommand push_command();
+SubCommand marker_command();
+SubCommand network_command();
+SubCommand completion_command();
+SubCommand manual_command();
 
 }  // namespace nezumi::cli

@@ -14,14 +14,14 @@ namespace {
 // A command, and the words that lead to it.
 struct At {
     std::string place;
-    const Command* command;
+    const SubCommand* command;
 };
 
 // The program and all below it, the outer before the inner.
-std::vector<At> all_places(const Command& command, const std::string& above = "") {
+std::vector<At> all_places(const SubCommand& command, const std::string& above = "") {
     const std::string place = above.empty() ? command.name : above + " " + command.name;
     std::vector<At> all{{place, &command}};
-    for (const Command& below : command.commands) {
+    for (const SubCommand& below : command.commands) {
         for (At& at : all_places(below, place)) all.push_back(std::move(at));
     }
     return all;
@@ -33,10 +33,10 @@ struct Step {
     std::string to;
 };
 
-std::vector<Step> all_steps(const Command& program) {
+std::vector<Step> all_steps(const SubCommand& program) {
     std::vector<Step> steps;
     for (const At& at : all_places(program)) {
-        for (const Command& below : at.command->commands) {
+        for (const SubCommand& below : at.command->commands) {
             const std::string to = at.place + " " + below.name;
             steps.push_back({to, to});
             if (!below.alias.empty()) steps.push_back({at.place + " " + below.alias, to});
@@ -45,7 +45,7 @@ std::vector<Step> all_steps(const Command& program) {
     return steps;
 }
 
-std::vector<Option> options_at(const Command& command) {
+std::vector<Option> options_at(const SubCommand& command) {
     static bool unused = false;
     std::vector<Option> options = command.options;
     options.push_back({"-h,--help", &unused, "say what can be typed here"});
@@ -73,7 +73,7 @@ std::string quoted(std::string_view text) {
 // fish knows the backslash within single quotes.
 std::string fish_quoted(std::string_view text) { return "'" + escaped(text, "\\'") + "'"; }
 
-std::string bash_script(const Command& program) {
+std::string bash_script(const SubCommand& program) {
     std::string steps;
     for (const Step& step : all_steps(program)) {
         steps += fmt::format("            {}) place={} ;;\n", quoted(step.from_and_word), quoted(step.to));
@@ -83,7 +83,7 @@ std::string bash_script(const Command& program) {
         std::vector<std::string> words, options;
         std::string values;
         bool files = false;
-        for (const Command& below : at.command->commands) words.push_back(below.name);
+        for (const SubCommand& below : at.command->commands) words.push_back(below.name);
         for (const Option& option : options_at(*at.command)) {
             const ValueWords value = value_words(option);
             if (is_positional(option)) {
@@ -159,7 +159,7 @@ std::vector<std::string> zsh_arguments(const Option& option) {
     return arguments;
 }
 
-std::string zsh_script(const Command& program) {
+std::string zsh_script(const SubCommand& program) {
     std::string steps;
     for (const Step& step : all_steps(program)) {
         steps +=
@@ -170,7 +170,7 @@ std::string zsh_script(const Command& program) {
         places += fmt::format("        ({})\n", quoted(at.place));
         if (!at.command->commands.empty()) {
             places += "            commands=(\n";
-            for (const Command& below : at.command->commands) {
+            for (const SubCommand& below : at.command->commands) {
                 places += fmt::format("                {}\n", quoted(below.name + ":" + escaped(below.help, "\\:")));
             }
             places +=
@@ -213,7 +213,7 @@ fi
                        program.name, steps, places);
 }
 
-std::string fish_script(const Command& program) {
+std::string fish_script(const SubCommand& program) {
     std::string steps;
     for (const Step& step : all_steps(program)) {
         steps += fmt::format("            case {}\n                set place {}\n", fish_quoted(step.from_and_word),
@@ -223,7 +223,7 @@ std::string fish_script(const Command& program) {
     for (const At& at : all_places(program)) {
         const std::string begin =
             fmt::format("complete -c nezumi -n {}", fish_quoted("__nezumi_is " + fish_quoted(at.place)));
-        for (const Command& below : at.command->commands)
+        for (const SubCommand& below : at.command->commands)
             offers += fmt::format("{} -a {} -d {}\n", begin, below.name, fish_quoted(below.help));
         for (const Option& option : options_at(*at.command)) {
             const ValueWords value = value_words(option);
@@ -284,7 +284,7 @@ const std::vector<std::string_view>& completed_shells() {
     return shells;
 }
 
-std::string completion_script(const Command& program, std::string_view shell) {
+std::string completion_script(const SubCommand& program, std::string_view shell) {
     if (shell == "bash") return bash_script(program);
     if (shell == "zsh") return zsh_script(program);
     assert(shell == "fish");

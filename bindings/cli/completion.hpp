@@ -20,6 +20,6 @@ ValueWords value_words(const Option& option);
 const std::vector<std::string_view>& completed_shells();
 
 /// The script for one of them: commands, options, words that values can have, files elsewhere.
-std::string completion_script(const Command& program, std::string_view shell);
+std::string completion_script(const SubCommand& program, std::string_view shell);
 
 }  // namespace nezumi::cli

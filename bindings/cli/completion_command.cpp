@@ -20,12 +20,12 @@ int write_completion(const std::string& shell) {
                                   did_you_mean(shell, known), fmt::join(known, ", ")));
     }
     fmt::print("{}", completion_script(program(), shell));
-    return kDone;
+    return exit_done;
 }
 
 }  // namespace
 
-Command completion_command() {
+SubCommand completion_command() {
     auto shell = std::make_shared<std::string>();
     return {.name = "completion",
             .help = "Write a script that lets a shell complete nezumi's command line",

@@ -92,12 +92,12 @@ int doctor(const DoctorOptions& options) {
     if (!options.json)
         fmt::print("{}\n",
                    wrong == 0 ? "nothing wrong" : fmt::format("{} thing{} to do", wrong, wrong == 1 ? "" : "s"));
-    return wrong == 0 ? kDone : kFailed;
+    return wrong == 0 ? exit_done : exit_failed;
 }
 
 }  // namespace
 
-Command doctor_command() {
+SubCommand doctor_command() {
     auto options = std::make_shared<DoctorOptions>();
     return {.name = "doctor",
             .help = "Say what is there of a robot's hardware, and what to do about what is missing",

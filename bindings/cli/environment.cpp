@@ -44,14 +44,14 @@ Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view,
 
 int refuse(std::string_view why) {
     put_text(stderr, fmt::format("nezumi: {}\n", visible(why)));
-    return kCouldNotRun;
+    return exit_could_not_run;
 }
 
 int refuse(const Error& error) {
     // A place begins the line, so that editors can go there.
     if (error.place.file.empty()) return refuse(error.message);
     put_text(stderr, visible(describe(error)) + "\n");
-    return kCouldNotRun;
+    return exit_could_not_run;
 }
 
 }  // namespace nezumi::cli

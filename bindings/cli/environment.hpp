@@ -27,7 +27,7 @@ inline constexpr std::string_view no_simulation =
 /// That error in such a program, with the name of the first use that is wanted and needs one of these.
 Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses);
 
-/// Says on standard error why something can't be done: one plain line. Returns `kCouldNotRun`.
+/// Says on standard error why something can't be done: one plain line. Returns `exit_could_not_run`.
 int refuse(std::string_view why);
 int refuse(const Error& error);
 

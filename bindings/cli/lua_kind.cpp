@@ -8,7 +8,7 @@
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/globals_scan.hpp"
 #include "bindings/lua/sandbox/lexer.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -49,7 +49,7 @@ LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
         if (use.name == "scenario") return LuaKind::scenario;
         if (use.name == "calibration") return LuaKind::calibration;
         if (use.assigned && use.name.starts_with("on_")) declares = true;
-        if (has(script_words(), use.name) && use.name != "require") ++of_behaviors;
+        if (has(script_globals(), use.name) && use.name != "require") ++of_behaviors;
         if (has(system_word_names(), use.name)) ++of_systems;
     }
     if (!declares && folder == "robots") return LuaKind::robot;

@@ -13,7 +13,7 @@ using namespace nezumi;
 int main(int count, char** words) {
     cli::open_missing_standard_files();
     std::signal(SIGXFSZ, SIG_IGN);  // writing beyond a file's limit is an error like others, also to whoever is started
-    int status = cli::kCouldNotRun;
+    int status = cli::exit_could_not_run;
     std::string problem;
     try {
         status = cli::run_command_line(cli::program(), {words + 1, words + count});

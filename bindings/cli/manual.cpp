@@ -67,7 +67,7 @@ std::string default_of(const Option& option) {
         option.value);
 }
 
-std::string synopsis(const std::string& path, const Command& command) {
+std::string synopsis(const std::string& path, const SubCommand& command) {
     std::string line = fmt::format(".B {}\n", plain(path));
     const bool has_options = std::any_of(command.options.begin(), command.options.end(),
                                          [](const Option& option) { return !is_positional(option); });
@@ -90,12 +90,12 @@ std::string list_of(const std::vector<Option>& options) {
 }
 
 // A command's footer, without what it says of the exit status.
-std::string remarks(const Command& command) {
+std::string remarks(const SubCommand& command) {
     const std::string text = command.footer.substr(0, command.footer.find(status_begins));
     return text.empty() ? "" : ".PP\n" + plain(text) + (text.ends_with('\n') ? "" : "\n");
 }
 
-std::string status_of(const Command& command) {
+std::string status_of(const SubCommand& command) {
     const std::size_t at = command.footer.find(status_begins);
     if (at == std::string::npos) return "";
     return fmt::format(".SH EXIT STATUS\n{}\n", plain(command.footer.substr(at + status_begins.size())));
@@ -110,7 +110,7 @@ std::string begin(const std::string& name, const std::string& version, const std
                        plain(name), plain(what));
 }
 
-ManualPage page_of(const Command& program, const Command& command) {
+ManualPage page_of(const SubCommand& program, const SubCommand& command) {
     const std::string name = program.name + "-" + command.name;
     const std::string path = program.name + " " + command.name;
     std::string text = begin(name, program.version, command.help) + ".SH SYNOPSIS\n";
@@ -121,7 +121,7 @@ ManualPage page_of(const Command& program, const Command& command) {
     }
     text += fmt::format(".SH DESCRIPTION\n{}.\n{}", plain(command.help), remarks(command));
     if (!command.options.empty()) text += ".SH OPTIONS\n" + list_of(command.options);
-    for (const Command& below : command.commands) {
+    for (const SubCommand& below : command.commands) {
         text += fmt::format(".SH {}\n{}.\n{}{}", upper(plain(path + " " + below.name)), plain(below.help),
                             list_of(below.options), remarks(below));
     }
@@ -131,13 +131,13 @@ ManualPage page_of(const Command& program, const Command& command) {
 
 }  // namespace
 
-std::vector<ManualPage> manual_pages(const Command& program) {
+std::vector<ManualPage> manual_pages(const SubCommand& program) {
     std::string text =
         begin(program.name, program.version, program.help) + ".SH SYNOPSIS\n" + synopsis(program.name, program);
     text += fmt::format(".SH DESCRIPTION\n{}.\n{}.SH COMMANDS\n", plain(program.help), remarks(program));
     std::string others;
     std::vector<ManualPage> pages(1);
-    for (const Command& command : program.commands) {
+    for (const SubCommand& command : program.commands) {
         text += fmt::format(".TP\n.B {}\n{}\n", plain(command.name), plain(command.help));
         others += fmt::format("{}.BR {} (1)", others.empty() ? "" : ",\n", plain(program.name + "-" + command.name));
         pages.push_back(page_of(program, command));

@@ -14,6 +14,6 @@ struct ManualPage {
 };
 
 /// One of the program and one of each of its commands; what is below a command has a section there.
-std::vector<ManualPage> manual_pages(const Command& program);
+std::vector<ManualPage> manual_pages(const SubCommand& program);
 
 }  // namespace nezumi::cli

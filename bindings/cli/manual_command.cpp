@@ -24,12 +24,12 @@ int write_manual(const std::string& folder) {
         if (auto written = write_whole(file, page.text); !written) return refuse(written.error());
         fmt::print("wrote {}\n", file);
     }
-    return kDone;
+    return exit_done;
 }
 
 }  // namespace
 
-Command manual_command() {
+SubCommand manual_command() {
     auto folder = std::make_shared<std::string>();
     return {.name = "manual",
             .help = "Write the manual pages, nezumi.1 and one for each command",

@@ -66,15 +66,15 @@ int write_markers(const MarkerOptions& options) {
     if (!pdf) return refuse(pdf.error());
     if (options.file.empty()) {
         put_text(stdout, *pdf);
-        return kDone;
+        return exit_done;
     }
     const auto written = write_whole(options.file, *pdf);
-    return written ? kDone : refuse(written.error());
+    return written ? exit_done : refuse(written.error());
 }
 
 }  // namespace
 
-Command marker_command() {
+SubCommand marker_command() {
     auto options = std::make_shared<MarkerOptions>();
     return {.name = "marker",
             .help = "Write markers to print, as PDF to scale",

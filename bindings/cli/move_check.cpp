@@ -46,9 +46,9 @@ Expected<hw::Findings> check_moves(GuidedRobot& robot, Person& person) {
                 fmt::format("{} wheel {}", is_left ? "left" : "right", is_forward ? "forward" : "backward");
             person.tell(what);
             TravelRecorder recorder(robot.robot());
-            if (auto driven = robot.drive(velocity, seconds, {}, [&] { recorder.look(); }); !driven)
+            if (auto driven = robot.drive(velocity, seconds, {}, [&] { recorder.sample(); }); !driven)
                 return Unexpected(driven.error());
-            if (auto stood = robot.stand(0.2, [&] { recorder.look(); }); !stood) return Unexpected(stood.error());
+            if (auto stood = robot.stand(0.2, [&] { recorder.sample(); }); !stood) return Unexpected(stood.error());
             Wheels sum;
             for (const Wheels& step : recorder.take()) {
                 sum.left += step.left;

@@ -39,7 +39,7 @@ int list_network(const ListOptions& options) {
                                     .xml = dds::domain_xml(options.interface, options.peers),
                                     .loopback = options.interface.empty()});
     if (!place) return refuse(fmt::format("network list: {}", place.error().message));
-    std::unique_ptr<dds::Transport> sealed;
+    std::unique_ptr<dds::DdsTransport> sealed;
     if (!options.secret.empty()) {
         const auto secret = dds::read_secret(options.secret, options.secret);
         if (!secret) return refuse(fmt::format("network list: {}", secret.error().message));
@@ -49,10 +49,10 @@ int list_network(const ListOptions& options) {
     if (reader == nullptr) return refuse(fmt::format("network list: {}", (*place)->problem()));
     std::this_thread::sleep_for(std::chrono::duration<double>(options.seconds));
     dds::HostTable hosts({}, 0);
-    for (const dds::Sample& sample : reader->take()) hosts.heard(sample.writer, sample.bytes, 0);
+    for (const dds::TopicSample& sample : reader->take()) hosts.heard(sample.writer, sample.bytes, 0);
     const std::string text = dds::list_domain(hosts.all(), (*place)->seen());
     put_text(stdout, text.empty() ? fmt::format("nobody is in domain {}\n", options.domain) : text);
-    return kDone;
+    return exit_done;
 }
 
 int write_secret(const std::string& file) {
@@ -68,12 +68,12 @@ int write_secret(const std::string& file) {
              fmt::format("{} is a new secret: copy it to each host, and say it there: network {{ secret = \"{}\" "
                          "}}\n",
                          file, std::filesystem::path(file).filename().string()));
-    return kDone;
+    return exit_done;
 }
 
 }  // namespace
 
-Command network_command() {
+SubCommand network_command() {
     auto list = std::make_shared<ListOptions>();
     auto file = std::make_shared<std::string>();
     return {.name = "network",

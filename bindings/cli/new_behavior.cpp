@@ -11,8 +11,9 @@
 #include "bindings/lua/files/system_words.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/check_script.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -29,7 +30,7 @@ struct NewPort {
 // Words of the file that a local variable must not hide.
 bool is_taken_word(const std::string& name) {
     const auto has = [&](const auto& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
-    return is_keyword(name) || has(script_words()) || has(sandbox_names());
+    return is_keyword(name) || has(script_globals()) || has(sandbox_names());
 }
 
 Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::vector<std::string>& given,
@@ -62,15 +63,15 @@ Expected<std::vector<NewPort>> read_ports(std::string_view option, const std::ve
 }
 
 // A value of the type as Lua writes it: what a new behaviour writes, and what its scenario sends it.
-std::string sample(const Shape& shape) {
+std::string sample(const ValueShape& shape) {
     std::string text;
     switch (shape.kind) {
-        case Shape::Kind::boolean: text = "false"; break;
-        case Shape::Kind::integer: text = "0"; break;
-        case Shape::Kind::number: text = shape.sequence ? "0.0" : "0"; break;
-        case Shape::Kind::text:
-        case Shape::Kind::octets: text = "\"\""; break;
-        case Shape::Kind::structure: {
+        case ValueShape::Kind::boolean: text = "false"; break;
+        case ValueShape::Kind::integer: text = "0"; break;
+        case ValueShape::Kind::number: text = shape.sequence ? "0.0" : "0"; break;
+        case ValueShape::Kind::text:
+        case ValueShape::Kind::octets: text = "\"\""; break;
+        case ValueShape::Kind::structure: {
             for (const FieldShape& field : shape.fields) {
                 text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", field.name, sample(field.shape));
             }
@@ -89,7 +90,7 @@ std::string member(const std::string& name) {
 void add_declarations(std::string& text, std::string_view word, const std::vector<NewPort>& ports, std::size_t width) {
     for (const NewPort& port : ports) {
         text += fmt::format("local {:{}} = {}(\"{}\", \"{}\", {})\n", port.local, width, word, port.name,
-                            port.message.name, quoted_text(port.doc));
+                            port.message.name, lua_quoted(port.doc));
     }
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/new_words.hpp"
+#include "bindings/cli/new_arguments.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi::cli {

@@ -12,11 +12,11 @@
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/named_files.hpp"
+#include "bindings/cli/new_arguments.hpp"
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
 #include "bindings/cli/new_system.hpp"
-#include "bindings/cli/new_words.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/test_plan.hpp"
@@ -36,7 +36,7 @@ int write(const std::vector<NewFile>& files, const std::string& next, const std:
         fmt::print(stderr, "nezumi: in this project '{}' now means {}, no longer {}: rename it if that is not meant\n",
                    name, files.front().path.string(), shipped);
     }
-    return kDone;
+    return exit_done;
 }
 
 // The project that we are in; outside of any, one begins here.
@@ -143,10 +143,10 @@ int new_project(const std::string& given) {
 
 }  // namespace
 
-Command new_command() {
+SubCommand new_command() {
     auto wanted = std::make_shared<NewBehavior>();
     auto folder = std::make_shared<std::string>();
-    const Command behavior{
+    const SubCommand behavior{
         .name = "behavior",
         .help = "Write a behaviour and a scenario for it",
         .options = {{"NAME", &wanted->name, "line_follower or LineFollower"},
@@ -167,12 +167,12 @@ Command new_command() {
             "folder), and never\noverwrites. A parameter's type is its default's: 30 integer, 30.0 number, "
             "true, text, '{ 1.0, 0.5 }'. After it: min, max, step, choices, widget, unit, doc, each NAME=VALUE.",
         .alias = "behaviour"};
-    const Command project{.name = "project",
-                          .help = "Write a project with editor support",
-                          .options = {{"DIR", folder.get(), "a folder that is new or empty"}},
-                          .run = [folder] { return new_project(*folder); }};
+    const SubCommand project{.name = "project",
+                             .help = "Write a project with editor support",
+                             .options = {{"DIR", folder.get(), "a folder that is new or empty"}},
+                             .run = [folder] { return new_project(*folder); }};
     auto system = std::make_shared<NewSystem>();
-    const Command systems{
+    const SubCommand systems{
         .name = "system",
         .help = "Write a system file",
         .options = {{"NAME", &system->name, "of the file in behaviors/systems/"},
@@ -185,12 +185,13 @@ Command new_command() {
         .run = [system] { return new_system(*system); },
         .footer = "Nothing is written unless the system would load."};
     auto robot = std::make_shared<std::string>();
-    const Command robots{.name = "robot",
-                         .help = "Write a robot file: two wheels and some sensors, to be changed",
-                         .options = {{"NAME", robot.get(), "of the file in behaviors/, which systems name as `model`"}},
-                         .run = [robot] { return new_robot(*robot); }};
+    const SubCommand robots{
+        .name = "robot",
+        .help = "Write a robot file: two wheels and some sensors, to be changed",
+        .options = {{"NAME", robot.get(), "of the file in behaviors/, which systems name as `model`"}},
+        .run = [robot] { return new_robot(*robot); }};
     auto scenario = std::make_shared<NewScenario>();
-    const Command scenarios{
+    const SubCommand scenarios{
         .name = "scenario",
         .help = "Write a scenario for a system",
         .options = {{"NAME", &scenario->name, "of the file in tests/, NAME_test.lua"},

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "bindings/cli/new_words.hpp"
+#include "bindings/cli/new_arguments.hpp"
+#include "engine/base/lua_text.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -47,7 +48,7 @@ Expected<std::string> system_text(const NewSystem& wanted) {
     for (const auto& [option, pairs] : {std::pair{"--robot", &*robots}, {"--behavior", &*behaviors}}) {
         for (const auto& [name, what] : *pairs) {
             if (auto ok = take_new_name(option, name, taken); !ok) return Unexpected(ok.error());
-            width = std::max(width, quoted_text(name).size());
+            width = std::max(width, lua_quoted(name).size());
         }
     }
 
@@ -57,13 +58,13 @@ Expected<std::string> system_text(const NewSystem& wanted) {
         const auto& [name, model] = (*robots)[i];
         const double y = (static_cast<double>(i) - static_cast<double>(robots->size() - 1) / 2) * apart;
         text += fmt::format("robot    {:{}} {{ model = {}, pose = {{ x = 0, y = {:.6g}, heading = 0 }} }}\n",
-                            quoted_text(name), width, quoted_text(model), y);
+                            lua_quoted(name), width, lua_quoted(model), y);
     }
     for (const auto& [name, script] : *behaviors)
-        text += fmt::format("behavior {:{}} {{ script = {} }}\n", quoted_text(name), width, quoted_text(script));
+        text += fmt::format("behavior {:{}} {{ script = {} }}\n", lua_quoted(name), width, lua_quoted(script));
     if (!connections->empty()) text += "\n";
     for (const auto& [from, to] : *connections)
-        text += fmt::format("connect({}, {})\n", quoted_text(from), quoted_text(to));
+        text += fmt::format("connect({}, {})\n", lua_quoted(from), lua_quoted(to));
     return text;
 }
 
@@ -107,7 +108,7 @@ std::string scenario_text(const std::string& name, const std::string& path, cons
     std::string text = fmt::format(
         "scenario({}, {{ timeout = 30 }}, function(s)\n"
         "  local world = s:load {}\n\n",
-        quoted_text(name + " runs well"), quoted_text(path));
+        lua_quoted(name + " runs well"), lua_quoted(path));
     for (const Entry& entry : system.entries) {
         const std::string& its = name_of(entry);
         if (const auto* behavior = std::get_if<BehaviorEntry>(&entry); behavior != nullptr && behavior->active) {

@@ -13,12 +13,12 @@ namespace nezumi::cli {
 class Problems {
 public:
     /// So many are kept.
-    static constexpr std::size_t kMost = 100;
+    static constexpr std::size_t most_lines = 100;
 
     /// Keeps a line, if it is a warning or an error.
     void take(const LogLine& line) {
         if (line.level != LogLevel::warn && line.level != LogLevel::error) return;
-        if (lines_.size() == kMost) lines_.pop_front();
+        if (lines_.size() == most_lines) lines_.pop_front();
         lines_.push_back(line);
     }
     /// Oldest first.

@@ -5,7 +5,7 @@
 
 namespace nezumi::cli {
 
-Command program() {
+SubCommand program() {
     return {.name = "nezumi",
             .help = "nezumi runs what small robots do: Lua behaviours, in simulation and on the robots",
             .commands = {run_command(), attach_command(), calc_command(), types_command(), check_command(),

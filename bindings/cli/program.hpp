@@ -6,6 +6,6 @@
 namespace nezumi::cli {
 
 /// With values of its own for all options: one is made for each time that it is parsed.
-Command program();
+SubCommand program();
 
 }  // namespace nezumi::cli

@@ -81,7 +81,7 @@ Expected<int> push(const PushOptions& options) {
     const std::string folder = options.folder.empty() ? project->filename().string() : options.folder;
     if (auto over = bring_over(*remote, *project, folder); !over) return Unexpected(over.error());
     fmt::print("{} is on {} in {}\n", project->filename().string(), remote->host(), folder);
-    if (options.run.empty()) return kDone;
+    if (options.run.empty()) return exit_done;
     std::fflush(stdout);
     const bool has_terminal = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
     const auto ran = run_in_front(
@@ -99,7 +99,7 @@ Expected<int> push(const PushOptions& options) {
 
 }  // namespace
 
-Command push_command() {
+SubCommand push_command() {
     auto options = std::make_shared<PushOptions>();
     return {.name = "push",
             .help = "Bring this project to a robot by ssh, where the running system reloads it",

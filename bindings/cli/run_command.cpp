@@ -30,11 +30,11 @@
 #include "bindings/cli/screen.hpp"
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
+#include "bindings/cli/system_error.hpp"
 #include "bindings/cli/trajectories.hpp"
 #include "bindings/console/put_text.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
-#include "bindings/lua/script/script_words.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
@@ -75,22 +75,6 @@ std::string summary(const RunLoop& loop, std::chrono::duration<double> wall) {
     return text;
 }
 
-// A word of another kind of file says what that file is for.
-Error why_no_system(Error error) {
-    constexpr std::string_view begin = "unknown global '";
-    if (!error.message.starts_with(begin)) return error;
-    const std::string word = error.message.substr(begin.size(), error.message.find('\'', begin.size()) - begin.size());
-    const auto& words = script_words();
-    if (word == "scenario") {
-        error.message += ": it is a scenario's; try `nezumi test`";
-    } else if (word == "robot_model") {
-        error.message += ": it is a robot's; a system file says `robot NAME { model = ... }`";
-    } else if (word.starts_with("on_") || std::find(words.begin(), words.end(), word) != words.end()) {
-        error.message += ": it is a behaviour's; a system file says `behavior NAME { script = ... }`";
-    }
-    return error;
-}
-
 // One run of `nezumi run`, from the options to the exit status, or to what kept it from running.
 class Run {
 public:
@@ -120,7 +104,7 @@ public:
             devices_.emplace(std::move(*devices));
         }
         auto live = journal_.load(options_, live_options());
-        if (!live) return Unexpected(why_no_system(live.error()));
+        if (!live) return Unexpected(explain_system_error(live.error()));
         live_ = std::move(*live);
         StopSignals stop_signals;
         live_->trace().remember_ports();
@@ -302,13 +286,13 @@ private:
         }
         // What --batch says is the same each time, and how long it took is not.
         if (!options_.batch) screen_.say(how);
-        int status = (!console_ || console_->all_well()) && !tell_cut_off() ? kDone : kFailed;
-        if (devices_ && !devices_->finish()) status = kFailed;
+        int status = (!console_ || console_->all_well()) && !tell_cut_off() ? exit_done : exit_failed;
+        if (devices_ && !devices_->finish()) status = exit_failed;
         for (const auto& component : live_->system().components()) {
             if (component->state() != LifeState::error) continue;
             screen_.say(fmt::format("nezumi: {} ended in ERROR: {}", component->name(),
                                     visible_message(describe(component->last_error()))));
-            status = kFailed;
+            status = exit_failed;
         }
         if (options_.trace_hash) put_text(stdout, fmt::format("trace hash: {:016x}\n", hash_));
         return status;
@@ -336,7 +320,7 @@ private:
 
 }  // namespace
 
-Command run_command() {
+SubCommand run_command() {
     auto words = std::make_shared<RunWords>();
     return {.name = "run",
             .help = "Run a system file: simulate it, and reload scripts when they are saved",

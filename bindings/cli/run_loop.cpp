@@ -51,13 +51,13 @@ void RunLoop::resume() {
     ++moves_;
     live_.set_at_rest(false);
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
-    ticks_left_ = kForever;
+    ticks_left_ = forever;
 }
 
 void RunLoop::advance(std::int64_t ticks) {
     ++moves_;
     if (is_paused() && pacer_ != nullptr) pacer_->restart();
-    ticks_left_ = std::clamp<std::int64_t>(ticks, 0, kForever - 1);
+    ticks_left_ = std::clamp<std::int64_t>(ticks, 0, forever - 1);
 }
 
 void RunLoop::set_speed(double factor) {
@@ -101,12 +101,12 @@ void RunLoop::run() {
 
 // Mostly other hosts are as far within a moment. While they are not, attendants have their turns as in a pause.
 void RunLoop::wait_for_hosts() {
-    wait_for_files(kSlice, true);
+    wait_for_files(slice, true);
     if (!live_.may_tick()) {
-        serve(Clock::now() + duration_of(kSlice));
+        serve(Clock::now() + duration_of(slice));
         live_.between_ticks();
         follow_restart();
-        if (!ended() && !more_waits_ && !live_.may_tick()) wait_for_files(kLongestWait);
+        if (!ended() && !more_waits_ && !live_.may_tick()) wait_for_files(longest_wait);
     }
     if (pacer_ != nullptr && pacer_->until_due() < Clock::duration::zero()) pacer_->restart();
 }
@@ -124,22 +124,22 @@ void RunLoop::serve_until_due() {
         const auto now = Clock::now();
         const double spare = spare_seconds();
         // Ticks that are never in time, or never wait, still let the others have a turn now and then.
-        const bool starving = now - served_ > duration_of(more_waits_ ? kSlice : kLongestWait / 2);
+        const bool starving = now - served_ > duration_of(more_waits_ ? slice : longest_wait / 2);
         if (spare < 2 * margin && !starving) return;
 
-        serve(now + duration_of(std::clamp(spare - margin, margin, kLongestWait)));
+        serve(now + duration_of(std::clamp(spare - margin, margin, longest_wait)));
         if (stands_still()) live_.between_ticks();
         follow_restart();
         if (ended()) return;
         const double left = spare_seconds() - margin;
         if (more_waits_ && left > 0) continue;
         if (left < precise) return;
-        wait_for_files(std::min(left - precise / 2, kLongestWait));
+        wait_for_files(std::min(left - precise / 2, longest_wait));
     }
 }
 
 double RunLoop::spare_seconds() const {
-    if (stands_still()) return kLongestWait;
+    if (stands_still()) return longest_wait;
     return pacer_ != nullptr ? std::chrono::duration<double>(pacer_->until_due()).count() : 0;
 }
 
@@ -158,7 +158,7 @@ void RunLoop::wait_for_files(double seconds, bool of_hosts_alone) {
     std::vector<pollfd> polled;
     polled.reserve(files.size());
     for (const int file : files) polled.push_back({.fd = file, .events = POLLIN, .revents = 0});
-    const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(seconds * 1e9)};  // kLongestWait is far below 1 s
+    const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(seconds * 1e9)};  // longest_wait is far below 1 s
     ppoll(polled.data(), polled.size(), &timeout, nullptr);  // a signal ends it as well, and the loop looks again
 }
 

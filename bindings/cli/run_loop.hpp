@@ -24,7 +24,7 @@ class Attendant {
 public:
     virtual ~Attendant() = default;
 
-    /// Does what waits. With every tick on time `until` is when the next is due, at most `RunLoop::kLongestWait` away;
+    /// Does what waits. With every tick on time `until` is when the next is due, at most `RunLoop::longest_wait` away;
     /// work that would last longer is to be left for the next turn. Returns whether more waits: then the next turn
     /// comes as soon as possible.
     virtual bool serve(Pacer::Clock::time_point until) = 0;
@@ -36,9 +36,9 @@ public:
 class RunLoop final : public ClockControl {
 public:
     /// How long attendants with work wait for their next turn where ticks leave no time [s].
-    static constexpr double kSlice = 0.002;
+    static constexpr double slice = 0.002;
     /// How long they wait at most for their next one, and the longest turn [s].
-    static constexpr double kLongestWait = 0.05;
+    static constexpr double longest_wait = 0.05;
 
     struct Options {
         double speed = 1;                    ///< a factor of real time, or `as_fast_as_possible`
@@ -74,7 +74,7 @@ public:
     void resume() override;
     bool is_paused() const override { return ticks_left_ == 0; }
     void advance(std::int64_t ticks) override;
-    bool is_advancing() const override { return ticks_left_ > 0 && ticks_left_ < kForever; }
+    bool is_advancing() const override { return ticks_left_ > 0 && ticks_left_ < forever; }
     std::uint64_t moves() const override { return moves_; }
     void set_speed(double factor) override;
     double speed() const override { return options_.speed; }
@@ -93,7 +93,7 @@ public:
 
 private:
     using Clock = Pacer::Clock;
-    static constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
+    static constexpr std::int64_t forever = std::numeric_limits<std::int64_t>::max();
 
     bool ended() const;
     bool is_at_end() const { return live_.system().now().seconds >= end_at_ - 1e-9; }
@@ -118,7 +118,7 @@ private:
     std::unique_ptr<Pacer> pacer_;  // none: as fast as possible
     Lateness before_;               // of the pacers before this one
     Clock::time_point served_{};
-    std::int64_t ticks_left_ = kForever;
+    std::int64_t ticks_left_ = forever;
     std::uint64_t moves_ = 0;
     double advanced_ = 0;
     int starts_ = 0;

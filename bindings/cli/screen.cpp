@@ -75,7 +75,7 @@ void Screen::put(std::string line) {
     if (!live_) return write_whole(line);
     {
         const std::lock_guard lock(mutex_);
-        if (waiting_.size() < kMostWaiting) {
+        if (waiting_.size() < most_waiting) {
             waiting_.push_back(std::move(line));
         } else {
             ++lost_;

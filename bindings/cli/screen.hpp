@@ -36,7 +36,7 @@ private:
     void write_all();
 
     // Somebody who logs faster than the terminal scrolls loses lines, and is told how many.
-    static constexpr std::size_t kMostWaiting = 10000;
+    static constexpr std::size_t most_waiting = 10000;
 
     bool live_;
     Mutex mutex_;  // of all below

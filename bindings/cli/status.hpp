@@ -4,9 +4,9 @@
 namespace nezumi::cli {
 
 enum Status : int {
-    kDone = 0,
-    kFailed = 1,       ///< a scenario failed, a file has something wrong with it
-    kCouldNotRun = 2,  ///< bad input, a missing file, no permission: one plain line has said which
+    exit_done = 0,
+    exit_failed = 1,         ///< a scenario failed, a file has something wrong with it
+    exit_could_not_run = 2,  ///< bad input, a missing file, no permission: one plain line has said which
 };
 
 }  // namespace nezumi::cli

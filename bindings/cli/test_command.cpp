@@ -123,7 +123,7 @@ void write_out(std::string_view text) {
 void write_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 int list(const TestPlan& plan, const Shard& shard) {
-    int status = kDone;
+    int status = exit_done;
     for (const PlannedFile& file : plan.files) {
         for (const Error& error : file.errors) status = refuse(error);
     }
@@ -263,7 +263,7 @@ int test(const TestOptions& command) {
 
 }  // namespace
 
-Command test_command() {
+SubCommand test_command() {
     auto options = std::make_shared<TestOptions>();
     return {
         .name = "test",

@@ -28,7 +28,7 @@ void Trajectories::add(const System& system, Trace& trace) {
         const Point2D here = latest_of(*position);
         if (!points.empty() && std::hypot(here.x - points.back().x, here.y - points.back().y) < apart) continue;
         points.push_back(here);
-        if (points.size() < kMostPoints) continue;
+        if (points.size() < most_points) continue;
         for (std::size_t i = 0; 2 * i < points.size(); ++i) points[i] = points[2 * i];
         points.resize(points.size() / 2);
         apart *= 2;

@@ -28,7 +28,7 @@ private:
         double apart = 0.002;  // [m] between two points; grows so that memory does not
     };
 
-    static constexpr std::size_t kMostPoints = 20000;  // of one robot
+    static constexpr std::size_t most_points = 20000;  // of one robot
 
     std::map<std::string, Trajectory, std::less<>> by_robot_;
 };

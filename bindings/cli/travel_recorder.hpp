@@ -9,12 +9,12 @@
 
 namespace nezumi::cli {
 
-/// Follows an odometry and takes apart what both rims did since the last look.
+/// Follows an odometry and takes apart what both rims did since the last sample.
 class TravelRecorder {
 public:
     explicit TravelRecorder(const Robot& robot) : robot_(robot), last_(robot.odometry().pose()) {}
 
-    void look() {
+    void sample() {
         const Pose2D now = robot_.odometry().pose();
         const double turn = now.heading - last_.heading, middle = last_.heading + turn / 2;
         const double dx = now.position.x - last_.position.x, dy = now.position.y - last_.position.y;

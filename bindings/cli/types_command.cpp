@@ -24,11 +24,11 @@ int show_types(const TypesOptions& options) {
     if (options.lua && !options.names.empty()) return refuse("types: --lua writes all types: leave out the names");
     if (options.lua) {
         fmt::print("{}", annotations(scenario_records()));
-        return kDone;
+        return exit_done;
     }
     if (options.names.empty()) {
         fmt::print("{}", type_table());
-        return kDone;
+        return exit_done;
     }
     const std::vector<MessageShape> messages = message_shapes();
     std::string text;
@@ -42,12 +42,12 @@ int show_types(const TypesOptions& options) {
         text += (text.empty() ? "" : "\n") + type_table(*found);
     }
     fmt::print("{}", text);
-    return kDone;
+    return exit_done;
 }
 
 }  // namespace
 
-Command types_command() {
+SubCommand types_command() {
     auto options = std::make_shared<TypesOptions>();
     return {.name = "types",
             .help = "Show the message types with their fields, units and limits",

@@ -1,4 +1,5 @@
-// The time of a running system as the console's words drive it: what the loop that runs the ticks lends to the console.
+// The time of a running system as the console's commands drive it: what the loop that runs the ticks lends to the
+// console.
 #pragma once
 
 #include <cstdint>

@@ -5,15 +5,14 @@
 #include <span>
 #include <utility>
 
+#include "bindings/console/command_offers.hpp"
+#include "bindings/console/console_commands.hpp"
 #include "bindings/console/cursor_text.hpp"
 #include "bindings/console/session_parts.hpp"
-#include "bindings/console/words.hpp"
-#include "bindings/lua/live/host_look.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
-#include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
-#include "bindings/lua/stubs/record_annotations.hpp"
 #include "engine/base/names.hpp"
 
 namespace nezumi {
@@ -35,15 +34,6 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-Names names_of(const System& system) {
-    Names names;
-    for (const auto& component : system.components()) {
-        if (!is_remote(component->name()))
-            names.push_back(component->name());  // those of other hosts are no names of Lua
-    }
-    return names;
-}
-
 Names port_names(const Component& component) {
     Names names;
     for (const auto& port : component.in_ports()) names.push_back(port->name());
@@ -60,7 +50,7 @@ Names without(Names all, const Names& some) {
 // The fields of what lies at this path in a value of a message type.
 Names value_fields(std::size_t type, std::span<const std::string> path) {
     const std::vector<MessageShape> messages = message_shapes();
-    const Shape* shape = &messages[type].shape;
+    const ValueShape* shape = &messages[type].shape;
     for (const std::string& name : path) {
         if (shape->sequence) return {};
         const auto& fields = shape->fields;
@@ -187,7 +177,7 @@ private:
     Place begin(const std::string& name) const {
         lua_pushglobaltable(lua_);
         if (!push_raw(name)) {
-            push_words_table(lua_);
+            push_commands_table(lua_);
             if (!push_raw(name)) return {Place::Kind::component, name};
         }
         return value();
@@ -245,39 +235,15 @@ private:
     bool plotted_;
 };
 
-Names port_paths(const System& system, bool in, bool out, const Port* like = nullptr) {
-    Names paths;
-    const auto add = [&](const Component& component, const Port& port) {
-        if (like == nullptr || like->type() == port.type()) paths.push_back(component.name() + "." + port.name());
-    };
-    for (const auto& component : system.components()) {
-        for (const auto& port : component->in_ports()) {
-            if (in) add(*component, *port);
-        }
-        for (const auto& port : component->out_ports()) {
-            if (out) add(*component, *port);
-        }
-    }
-    return paths;
-}
-
 // The fields that a table has as the value of a port, `port:write { v`, `inject("name.port", { v`, or in a word of
 // system files, `behavior "name" { s`.
 Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
     const TextAtCursor& call = field.call;
     Names chain;
-    const bool is_entry = is_one_of(call.word, {"behavior", "component", "robot"}) && call.argument == 2;
-    if (call.callee.separator == 0 && field.path.empty() && (is_entry || call.word == "marker")) {
-        Names fields;
-        for (const RecordShape& record : file_records()) {
-            if (record.name != call.word) continue;
-            for (const FieldRow& row : record.rows) fields.push_back(row.name);
-        }
-        return fields;
-    }
+    if (Names fields = field.path.empty() ? fields_of_table(call) : Names{}; !fields.empty()) return fields;
     if (call.callee.separator == ':' && call.argument == 1 && is_one_of(call.word, {"write", "inject", "hold"})) {
         chain = call.callee.chain;
-    } else if (call.callee.separator == 0 && call.argument == 2 && is_one_of(call.word, {"inject", "hold"})) {
+    } else if (offer_at(call) == Offer::value) {
         chain = call.first_chain;
         const std::size_t dot = call.first.find('.');
         if (chain.empty() && dot != std::string::npos) chain = {call.first.substr(0, dot), call.first.substr(dot + 1)};
@@ -312,46 +278,6 @@ Names script_names(Session::Parts& parts) {
     return at ? at->first.names(FileKind::script, at->second) : Names{};
 }
 
-// What can be in a quoted text that is no set's name and no file's.
-Names texts(const System& system, const TextAtCursor& text) {
-    const std::string& word = text.word;
-    if (text.callee.separator != 0 || !text.field.empty()) return {};
-    if (word == "connect" || word == "disconnect") {
-        const bool connects = word == "connect";
-        const auto first = text.argument == 1 ? Expected<const Port*>(nullptr) : system.port(text.first);
-        const Port* like = first ? *first : nullptr;
-        Names paths = text.argument == 1 ? port_paths(system, !connects, true) : port_paths(system, true, false, like);
-        const Direction wanted = text.argument == 1 ? Direction::out : Direction::in;
-        for (std::string& path : connects ? offered_ports(system, wanted, like) : Names{})
-            paths.push_back(std::move(path));
-        return paths;
-    }
-    if (text.argument > 1) return {};
-    for (const char* each : {"inject", "hold", "release", "watch", "unwatch", "plot"}) {
-        if (word == each) return port_paths(system, true, true);
-    }
-    for (const char* each : {"ls", "rollback", "drive", "activate", "deactivate"}) {
-        if (word == each) return names_of(system);
-    }
-    if (word == "teleport") {
-        Names things = marker_names(system);
-        for (const Robot* robot : system.robots()) things.push_back(robot->name());
-        return things;
-    }
-    if (word == "remove") {
-        Names things = marker_names(system);
-        for (std::string& name : names_of(system)) things.push_back(std::move(name));
-        return things;
-    }
-    if (word == "log_level") return log_level_names();
-    if (word == "restart") return {"anyway"};
-    if (word == "speed") return {"max"};
-    if (word != "help") return {};
-    Names names = names_of(system);
-    for (const Word& each : console_words()) names.emplace_back(each.name);
-    return names;
-}
-
 }  // namespace
 
 Completion complete(Session::Parts& parts, std::string_view text, std::size_t cursor) {
@@ -368,7 +294,7 @@ Completion complete(Session::Parts& parts, std::string_view text, std::size_t cu
         completion.candidates = script_names(parts);
     } else if (quoted.open) {
         completion.from = quoted.from;
-        completion.candidates = parts.at_system([&] { return texts(parts.live.system(), quoted); });
+        completion.candidates = parts.at_system([&] { return texts_at(parts.live.system(), quoted); });
     } else {
         const NameAtCursor name = name_at_cursor(text);
         completion.from = name.from;

@@ -1,4 +1,4 @@
-// The options of the console's words: every one, its unit and its meaning.
+// The options of the console's commands: every one, its unit and its meaning.
 #pragma once
 
 #include <vector>
@@ -10,22 +10,22 @@
 namespace nezumi {
 
 template <>
-struct Describe<Plot> {
+struct Describe<PlotRequest> {
     static constexpr std::string_view name = "plot_options";
     static constexpr std::string_view doc = "Options of a drawing.";
     static constexpr std::tuple fields{
         Setting{"every",
-                &Plot::every,
+                &PlotRequest::every,
                 "s",
                 "simulated time after which it is drawn again, at least 0.1",
                 {.range = NumberRange::positive, .fallback = "drawn once"}},
-        Internal{&Plot::names},
-        Internal{&Plot::seconds},
-        Internal{&Plot::next},
+        Internal{&PlotRequest::names},
+        Internal{&PlotRequest::seconds},
+        Internal{&PlotRequest::next},
     };
 };
 
 /// These structures as data.
-inline std::vector<RecordShape> console_records() { return {shape_of_record<Plot>()}; }
+inline std::vector<RecordShape> console_records() { return {shape_of_record<PlotRequest>()}; }
 
 }  // namespace nezumi

@@ -11,7 +11,7 @@
 
 namespace nezumi {
 
-/// How messages speak of what a word writes.
+/// How messages speak of what a command writes.
 struct WrittenFile {
     std::string_view word;                  ///< "save"
     std::string_view file;                  ///< "a system file"

@@ -1,11 +1,11 @@
-// The globals of a session: what is defined at the prompt, over the console's words, over the system's names.
+// The globals of a session: what is defined at the prompt, over the console's commands, over the system's names.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "bindings/console/console_commands.hpp"
 #include "bindings/console/session_parts.hpp"
-#include "bindings/console/words.hpp"
-#include "bindings/lua/live/host_look.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 
@@ -38,7 +38,7 @@ std::string explain_unknown(Session::Parts& parts, std::string_view name) {
     return fmt::format("unknown name '{}'{}", shown(name), near);
 }
 
-// Upvalues: the parts, the table of words.
+// Upvalues: the parts, the table of commands.
 int read_global(lua_State* L) {
     Session::Parts& parts = parts_of(L);
     lua_pushvalue(L, 2);
@@ -56,9 +56,9 @@ int assign_global(lua_State* L) {
     Session::Parts& parts = parts_of(L);
     const std::string_view name = key_text(L);
     lua_pushvalue(L, 2);
-    const bool is_word = lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL;
+    const bool is_command = lua_rawget(L, lua_upvalueindex(2)) != LUA_TNIL;
     lua_pop(L, 1);
-    if (is_word) {
+    if (is_command) {
         keep_error(L, fmt::format("'{}' is a word of the console: choose another name", name));
     } else if (is_component(parts, name)) {
         keep_error(L, fmt::format("'{}' is a component: choose another name", name));
@@ -72,20 +72,20 @@ int assign_global(lua_State* L) {
 // Moves all globals into a table, which is left on the stack.
 void take_globals(lua_State* L) {
     lua_newtable(L);
-    const int words = lua_gettop(L);
+    const int commands = lua_gettop(L);
     lua_pushglobaltable(L);
     const int globals = lua_gettop(L);
     for (lua_pushnil(L); lua_next(L, globals) != 0;) {
         lua_pushvalue(L, -2);
         lua_insert(L, -2);
-        lua_rawset(L, words);
+        lua_rawset(L, commands);
     }
-    for (lua_pushnil(L); lua_next(L, words) != 0; lua_pop(L, 1)) {
+    for (lua_pushnil(L); lua_next(L, commands) != 0; lua_pop(L, 1)) {
         lua_pushvalue(L, -2);
         lua_pushnil(L);
         lua_rawset(L, globals);
     }
-    lua_settop(L, words);
+    lua_settop(L, commands);
 }
 
 void collect_names(lua_State* L, int table, std::vector<std::string>& names) {
@@ -97,14 +97,14 @@ void collect_names(lua_State* L, int table, std::vector<std::string>& names) {
     }
 }
 
-constexpr char words_key = 0;  // its address is a key of the registry
+constexpr char commands_key = 0;  // its address is a key of the registry
 
 }  // namespace
 
 Expected<void> open_scope(Session::Parts& parts) {
     const auto opened = protect(parts.state->lua(), Budget{10.0}, [&parts](lua_State* L) {
         take_globals(L);
-        add_words(L, parts);
+        add_console_commands(L, parts);
         parts.objects->push_system(L, parts.live);
         lua_pushvalue(L, -1);
         lua_setfield(L, -3, "world");
@@ -112,16 +112,16 @@ Expected<void> open_scope(Session::Parts& parts) {
         push_hosts(L, *parts.objects, parts.live);
         lua_setfield(L, -2, "hosts");
         lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &words_key);
-        const int words = lua_gettop(L);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &commands_key);
+        const int commands = lua_gettop(L);
         lua_pushglobaltable(L);
         lua_createtable(L, 0, 3);
         lua_pushlightuserdata(L, &parts);
-        lua_pushvalue(L, words);
+        lua_pushvalue(L, commands);
         lua_pushcclosure(L, read_global, 2);
         lua_setfield(L, -2, "__index");
         lua_pushlightuserdata(L, &parts);
-        lua_pushvalue(L, words);
+        lua_pushvalue(L, commands);
         lua_pushcclosure(L, assign_global, 2);
         lua_setfield(L, -2, "__newindex");
         lua_pushboolean(L, 0);
@@ -133,7 +133,7 @@ Expected<void> open_scope(Session::Parts& parts) {
     return {};
 }
 
-void push_words_table(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &words_key); }
+void push_commands_table(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &commands_key); }
 
 std::vector<std::string> component_names(Session::Parts& parts) {
     return parts.at_system([&] {
@@ -149,7 +149,7 @@ std::vector<std::string> names_in_scope(Session::Parts& parts) {
     lua_State* L = parts.state->lua();
     const int top = lua_gettop(L);
     if (lua_checkstack(L, 6) != 0) {
-        push_words_table(L);
+        push_commands_table(L);
         collect_names(L, lua_gettop(L), names);
         lua_pushglobaltable(L);
         collect_names(L, lua_gettop(L), names);

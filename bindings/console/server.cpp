@@ -127,8 +127,9 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
             session->close();
             leaving_.push_back(std::move(session));
         }
+        const Actor who = consoles_[id].who;
         consoles_.erase(id);
-        end_holds_of_nobody();
+        end_holds_of(who);
         const std::lock_guard lock(mutex_);
         listeners_.erase(id);
         return;
@@ -149,7 +150,9 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
         }
         case Request::Kind::hello: {
             console.keys = request.keys;
-            if (request.who == "spreadsheet") console.who = {Actor::Kind::spreadsheet};
+            // Who has acted already stays who that was.
+            if (request.who == "spreadsheet" && !console.session)
+                end_holds_of(std::exchange(console.who, {Actor::Kind::spreadsheet}));
             const std::lock_guard lock(mutex_);
             listeners_.erase(id);
             if (request.log) listeners_.emplace(id, usual_level);
@@ -162,13 +165,13 @@ void ConsoleServer::take(const Transport::Incoming& incoming) {
     }
 }
 
-// A real robot is not driven by the hand of a user who has gone. In a simulation the hand stays, for scripts of the
-// shell that hold by one command and look by the next.
-void ConsoleServer::end_holds_of_nobody() {
-    const Actor user{Actor::Kind::console};
-    if (!live_.system().settings().real_time) return;
-    if (std::none_of(consoles_.begin(), consoles_.end(), [&](const auto& each) { return each.second.who == user; }))
-        live_.let_go(user);
+// Nothing is driven by the hand of somebody who has gone. In a simulation a user's hand stays, for scripts of the shell
+// that hold by one command and look by the next. Who acts by other connections as well ends with those, not here.
+void ConsoleServer::end_holds_of(const Actor& who) {
+    const bool goes_with_it = who.kind == Actor::Kind::spreadsheet ||
+                              (who.kind == Actor::Kind::console && live_.system().settings().real_time);
+    const auto is_same = [&](const auto& each) { return each.second.who == who; };
+    if (goes_with_it && std::none_of(consoles_.begin(), consoles_.end(), is_same)) live_.let_go(who);
 }
 
 void ConsoleServer::interrupt(ClientId id, Console& console) {

@@ -84,7 +84,7 @@ private:
     void tell(const Event& event, LogLevel level = LogLevel::error);
     bool set_log_level(ClientId id, LogLevel level);
     void take(const Transport::Incoming& incoming);
-    void end_holds_of_nobody();
+    void end_holds_of(const Actor& who);
     void interrupt(ClientId id, Console& console);
     void deal_with(ClientId id, Console& console);
     Expected<Session*> session_of(ClientId id, Console& console);

@@ -7,9 +7,9 @@
 #include <system_error>
 #include <utility>
 
+#include "bindings/console/console_commands.hpp"
 #include "bindings/console/input_text.hpp"
 #include "bindings/console/session_parts.hpp"
-#include "bindings/console/words.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
@@ -41,9 +41,9 @@ void show_results(Session::Parts& parts, lua_State* L, int base) {
     bool several_lines = false;
     InspectWork work;
     for (int i = base + 1; i <= count; ++i) {
-        const Word* word = word_at(L, i);
-        texts.push_back(word != nullptr ? fmt::format("{}: {}", word->usage, word->help)
-                                        : inspect(L, i, {.work = &work}));
+        const ConsoleCommand* command = command_at(L, i);
+        texts.push_back(command != nullptr ? fmt::format("{}: {}", command->usage, command->help)
+                                           : inspect(L, i, {.work = &work}));
         several_lines = several_lines || texts.back().find('\n') != std::string::npos;
     }
     parts.show(fmt::format("{}", fmt::join(texts, several_lines ? "\n" : "\t")));
@@ -56,7 +56,7 @@ bool is_goodbye(std::string_view text) {
 }
 
 // Shows what is new on a watched port. Returns false when the port is gone.
-bool look(Session::Parts& parts, Watch& watch) {
+bool look(Session::Parts& parts, PortWatch& watch) {
     const System& system = parts.live.system();
     const auto port = system.port(watch.path);
     if (!port) return false;
@@ -135,7 +135,7 @@ bool Session::Parts::run(const std::string& input) {
     if (auto loaded = load_chunk(L, *chunk); !loaded) return refuse(loaded.error());
     if (auto called = protected_call(L, 0, LUA_MULTRET, input_budget); !called) return refuse(called.error());
     for (int i = base + 1; i <= lua_gettop(L); ++i) {
-        const std::string begun = waiting_word_at(L, i);
+        const std::string begun = waiting_command_at(L, i);
         if (begun.empty()) continue;
         lua_settop(L, base);
         return refuse({fmt::format("expected a table after the name: {} {{ ... }}", begun), {}});
@@ -273,14 +273,14 @@ bool Session::advance(std::chrono::microseconds slice) {
 
 void Session::after_tick() {
     Parts& parts = *parts_;
-    std::erase_if(parts.watches, [&parts](Watch& watch) {
+    std::erase_if(parts.watches, [&parts](PortWatch& watch) {
         if (look(parts, watch)) return false;
         parts.show(fmt::format("{} is gone: no longer watched", watch.path));
         return true;
     });
     std::erase_if(parts.explained, [&parts](const Explained& each) {
         const bool is_same = each.start == parts.live.starts();
-        const auto seen = is_same ? parts.live.explanation(each.component, each.look)
+        const auto seen = is_same ? parts.live.explanation(each.component, each.trace)
                                   : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
         if (seen && !*seen) return false;
         if (seen) {
@@ -290,7 +290,7 @@ void Session::after_tick() {
         }
         return true;
     });
-    std::erase_if(parts.plots, [&parts](Plot& plot) {
+    std::erase_if(parts.plots, [&parts](PlotRequest& plot) {
         const double now = parts.live.system().now().seconds;
         if (now < plot.next - plot.every) plot.next = now;  // started anew
         if (now < plot.next) return false;

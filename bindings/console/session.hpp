@@ -26,7 +26,7 @@ enum class Key { up, down, left, right, space, escape, faster, slower };
 
 /// Where what a session says goes. Called from within `advance`, `after_tick`, `interrupt` and `key`.
 struct SessionOutput {
-    /// One or more lines, without the last end of line: results, what words show, what `print` prints.
+    /// One or more lines, without the last end of line: results, what commands show, what `print` prints.
     std::function<void(std::string_view text)> show;
     /// Whether more can be taken now. While it can't be, the line that runs waits, and only that. Empty: always.
     std::function<bool()> takes_more{};

@@ -1,4 +1,4 @@
-// What a session is made of; its words work on it.
+// What a session is made of; its commands work on it.
 #pragma once
 
 #include <deque>
@@ -20,7 +20,7 @@
 namespace nezumi {
 
 /// A port whose changes are shown.
-struct Watch {
+struct PortWatch {
     std::string path;      ///< "name.port"
     std::string shown;     ///< its value as it was shown last
     double shown_at = -1;  ///< [s] simulated; -1: not yet
@@ -29,12 +29,12 @@ struct Watch {
 /// An execution that is to be explained.
 struct Explained {
     std::string component;
-    std::int64_t look = 0;  ///< `LiveSystem::explain_next`
-    int start = 0;          ///< of the system
+    std::int64_t trace = 0;  ///< `LiveSystem::explain_next`
+    int start = 0;           ///< of the system
 };
 
 /// What `plot` was asked for.
-struct Plot {
+struct PlotRequest {
     std::vector<std::string> names{};  ///< of channels: "controller.out.vx"
     double seconds = 0;                ///< that are drawn
     double every = 0;                  ///< [s] of simulated time: it is drawn again; 0: once
@@ -43,7 +43,7 @@ struct Plot {
 
 /// A copy of what it draws.
 struct PlotCurves {
-    Plot plot;
+    PlotRequest plot;
     double from = 0;  ///< [s]
     double to = 0;
     std::vector<Curve> curves{};
@@ -51,7 +51,7 @@ struct PlotCurves {
 };
 
 /// Looks at the system, between two ticks; what was not remembered is from now on.
-Expected<PlotCurves> look_at_plot(LiveSystem& live, const Plot& plot);
+Expected<PlotCurves> look_at_plot(LiveSystem& live, const PlotRequest& plot);
 std::string to_text(PlotCurves looked);
 
 /// An input, or a question what could stand before the cursor.
@@ -91,9 +91,9 @@ struct Session::Parts {
     std::uint64_t moves = 0;                           ///< of the clock, with that `advance`
     std::optional<Worker::Clock::time_point> revoked;  ///< when the worker's job was, which may not have ended yet
     std::optional<Worker::Clock::time_point> quits;    ///< when a line asked for the run's end
-    std::vector<Watch> watches;
+    std::vector<PortWatch> watches;
     std::vector<Explained> explained;
-    std::vector<Plot> plots;  ///< that are drawn again and again
+    std::vector<PlotRequest> plots;  ///< that are drawn again and again
     Drive drive;
 
     // Of the worker, and of what is done for it while it waits:
@@ -116,23 +116,23 @@ struct Session::Parts {
         return result;
     }
 
-    double number = 0;       ///< what a word returns
-    std::int64_t ticks = 0;  ///< that a word waits for
+    double number = 0;       ///< what a command returns
+    std::int64_t ticks = 0;  ///< that a command waits for
     std::unique_ptr<Objects> objects;
     std::unique_ptr<LuaState> state;
     Worker worker;
 };
 
-/// Puts the library, the console's words and the system's names into the scope of a state. The names are looked up in
-/// the system whenever they are used.
+/// Puts the library, the console's commands and the system's names into the scope of a state. The names are looked up
+/// in the system whenever they are used.
 Expected<void> open_scope(Session::Parts& parts);
 
 /// Pushes the table of all that `open_scope` has put there. Needs one place on the stack.
-void push_words_table(lua_State* L);
+void push_commands_table(lua_State* L);
 
 /// The system's components, in its order. For the worker, as what follows.
 std::vector<std::string> component_names(Session::Parts& parts);
-/// Every name that an input can begin with: words, library, components, what was defined at the prompt. Sorted.
+/// Every name that an input can begin with: commands, library, components, what was defined at the prompt. Sorted.
 std::vector<std::string> names_in_scope(Session::Parts& parts);
 
 /// What could stand before the cursor.

@@ -18,12 +18,12 @@ struct DomainOptions {
 };
 
 /// Joins a domain, or says why not. One place for each domain and process.
-Expected<std::unique_ptr<Transport>> open_cyclone(const DomainOptions& options);
+Expected<std::unique_ptr<DdsTransport>> open_cyclone(const DomainOptions& options);
 
 // What the program and its module know of each other: they are built together.
 inline constexpr const char* dds_module = "nezumi_cyclone.so";
 inline constexpr const char* open_in_module = "nezumi_open_cyclone";
 /// The module's one function: a new place, or nullptr with the `problem`. It throws nothing.
-using OpenInModule = Transport*(const DomainOptions& options, std::string& problem);
+using OpenInModule = DdsTransport*(const DomainOptions& options, std::string& problem);
 
 }  // namespace nezumi::dds

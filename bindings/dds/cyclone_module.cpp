@@ -127,9 +127,9 @@ public:
         : admits_(std::move(admits)), alarm_(std::move(alarm)), topic_(std::move(topic)), reader_(std::move(reader)) {}
 
     int file() const override { return alarm_ ? alarm_->file() : -1; }
-    std::vector<Sample> take() override {
+    std::vector<TopicSample> take() override {
         if (alarm_) alarm_->calm();
-        std::vector<Sample> all;
+        std::vector<TopicSample> all;
         constexpr std::uint32_t portion = 32;
         std::array<ddsi_serdata*, portion> data{};
         std::array<dds_sample_info_t, portion> infos{};
@@ -198,7 +198,7 @@ private:
     std::string text_;
 };
 
-class Cyclone final : public Transport {
+class Cyclone final : public DdsTransport {
 public:
     std::string open(const DomainOptions& options) {
         const WithoutSignals during;
@@ -304,7 +304,7 @@ private:
 }  // namespace
 }  // namespace nezumi::dds
 
-extern "C" __attribute__((visibility("default"))) nezumi::dds::Transport* nezumi_open_cyclone(
+extern "C" __attribute__((visibility("default"))) nezumi::dds::DdsTransport* nezumi_open_cyclone(
     const nezumi::dds::DomainOptions& options, std::string& problem) {
     auto opened = std::make_unique<nezumi::dds::Cyclone>();
     problem = opened->open(options);

@@ -26,7 +26,7 @@ constexpr std::size_t most_kept = 64;
 // Runs of hosts that have gone, and writers: beyond these the oldest of no use are given up.
 constexpr std::size_t most_askers = 1024, most_writers = 64;
 
-Octets reply_to(const Request& request, const Expected<PlainData>& answer) {
+Octets reply_to(const RemoteRequest& request, const Expected<PlainData>& answer) {
     Reply reply{.to = request.from, .number = request.number, .well = answer.has_value()};
     if (answer) {
         reply.values = to_wire(*answer);
@@ -55,13 +55,13 @@ Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTa
         for (const Announcement* each : hosts.all()) names.push_back(each->head.host);
         return failure(fmt::format("host {} is not there{}", shown(question.host), did_you_mean(question.host, names)));
     }
-    Request request{.from = run_,
-                    .to = host->run,
-                    .number = ++last_,
-                    .what = static_cast<std::uint8_t>(question.what),
-                    .component = question.component,
-                    .name = question.name,
-                    .values = to_wire(question.values)};
+    RemoteRequest request{.from = run_,
+                          .to = host->run,
+                          .number = ++last_,
+                          .what = static_cast<std::uint8_t>(question.what),
+                          .component = question.component,
+                          .name = question.name,
+                          .values = to_wire(question.values)};
     Asked& asked = asked_[request.number];
     asked.host = question.host;
     asked.began = now;
@@ -116,7 +116,7 @@ void HostRequests::serve(const HostTable& hosts, const System& system, bool writ
 }
 
 void HostRequests::take_requests(const HostTable& hosts, const System& system, bool writable, const ActDoor& act) {
-    std::vector<Sample> samples = requests_->take();
+    std::vector<TopicSample> samples = requests_->take();
     if (samples.empty()) return;
     std::map<std::uint64_t, std::string> names;  // by run
     for (const Announcement* host : hosts.all()) names.emplace(host->run, host->head.host);
@@ -136,8 +136,8 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
         std::erase_if(writers_, [&](const auto& each) { return !used.contains(each.first); });
     }
     std::size_t done = 0;
-    for (const Sample& sample : samples) {
-        Request request;
+    for (const TopicSample& sample : samples) {
+        RemoteRequest request;
         if (sample.bytes.size() > most_bytes || !read_cdr(sample.bytes, on_the_wire, request)) continue;
         // Who is not heard of has not heard of this run either: it asks again.
         const auto from = names.find(request.from);
@@ -170,7 +170,7 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
 }
 
 void HostRequests::take_replies() {
-    for (const Sample& sample : replies_->take()) {
+    for (const TopicSample& sample : replies_->take()) {
         Reply reply;
         if (!read_cdr(sample.bytes, on_the_wire, reply) || reply.to != run_) continue;
         const auto asked = asked_.find(reply.number);

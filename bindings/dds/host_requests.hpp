@@ -26,7 +26,7 @@ public:
     static constexpr double repetition = 0.2;  ///< [s] until a request is sent again
 
     /// `host`, `run`: this one's. The transport must outlive it.
-    HostRequests(Transport& transport, std::string host, std::uint64_t run)
+    HostRequests(DdsTransport& transport, std::string host, std::uint64_t run)
         : transport_(transport), host_(std::move(host)), run_(run) {}
 
     // `now` [s] by a clock that never falls.
@@ -57,7 +57,7 @@ private:
     void take_replies();
     Writer* writer_for(const Topic& topic);
 
-    Transport& transport_;
+    DdsTransport& transport_;
     std::string host_;
     std::uint64_t run_;
     std::unique_ptr<Reader> requests_;

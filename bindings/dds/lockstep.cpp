@@ -150,7 +150,7 @@ void Lockstep::follow(const std::vector<Ends>& connections) {
 }
 
 void Lockstep::hear(Partner& partner) {
-    for (const Sample& sample : partner.reader->take()) {
+    for (const TopicSample& sample : partner.reader->take()) {
         Step step;
         if (!read_cdr(sample.bytes, on_the_wire, step)) continue;
         if (step.run != partner.run || step.to != settings_.run) continue;

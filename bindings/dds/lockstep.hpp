@@ -42,7 +42,7 @@ public:
     };
 
     /// The system and the transport must outlive it.
-    Lockstep(System& system, Transport& transport, Settings settings)
+    Lockstep(System& system, DdsTransport& transport, Settings settings)
         : system_(system), transport_(transport), settings_(std::move(settings)) {}
     ~Lockstep() { leave(); }
     Lockstep(const Lockstep&) = delete;
@@ -110,7 +110,7 @@ private:
     std::string why_standing() const;
 
     System& system_;
-    Transport& transport_;
+    DdsTransport& transport_;
     Settings settings_;
     std::map<std::string, Partner, std::less<>> partners_;
     std::map<std::string, Published, std::less<>> published_;     // ports that partners want, by "name.port"

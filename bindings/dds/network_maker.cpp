@@ -22,7 +22,8 @@ constexpr std::string_view of_ros = "ros/";
 class BothNetworks final : public Network {
 public:
     /// `own`: the transport that it alone uses, or nullptr.
-    BothNetworks(System& system, std::unique_ptr<Transport> own, std::unique_ptr<SystemNetwork> hosts, std::string node)
+    BothNetworks(System& system, std::unique_ptr<DdsTransport> own, std::unique_ptr<SystemNetwork> hosts,
+                 std::string node)
         : system_(system), own_(std::move(own)), hosts_(std::move(hosts)), node_(std::move(node)) {}
 
     Expected<void> reach(std::string_view path, const Port& other) override {
@@ -66,7 +67,7 @@ private:
     RosNode* node() { return node_.empty() ? nullptr : dynamic_cast<RosNode*>(system_.find(node_)); }
 
     System& system_;
-    std::unique_ptr<Transport> own_;  // of the components of other hosts too: these go before the network does
+    std::unique_ptr<DdsTransport> own_;  // of the components of other hosts too: these go before the network does
     std::unique_ptr<SystemNetwork> hosts_;
     std::string node_;  // of ROS: its component; "": none
 };
@@ -96,8 +97,8 @@ Expected<void> check(const NetworkSpec& spec, const System& system) {
 }
 
 // The place in the domain of `network` or `ros`.
-template <class Word>
-using Join = std::function<Expected<Transport*>(const Word& word)>;
+template <class Spec>
+using Join = std::function<Expected<DdsTransport*>(const Spec& part)>;
 
 Expected<std::unique_ptr<SystemNetwork>> make_host(const Join<NetworkSpec>& join, const NetworkSpec& spec,
                                                    System& system, const std::string& version, bool alone) {
@@ -118,7 +119,7 @@ Expected<std::unique_ptr<SystemNetwork>> make_host(const Join<NetworkSpec>& join
 
 template <class JoinAny>
 Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& system, const JoinAny& join,
-                                             const std::string& version, std::unique_ptr<Transport>& own,
+                                             const std::string& version, std::unique_ptr<DdsTransport>& own,
                                              bool alone = false) {
     std::unique_ptr<SystemNetwork> host;
     if (spec.network) {
@@ -128,7 +129,7 @@ Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& sys
     }
     std::string its_node;
     if (spec.ros) {
-        const Expected<Transport*> transport = join(*spec.ros);
+        const Expected<DdsTransport*> transport = join(*spec.ros);
         if (!transport) return failure(fmt::format("ros: {}", transport.error().message), spec.ros->place);
         const auto node =
             RosNode::add(system, *spec.ros, **transport, {.clock = system.settings().clock, .wall_clock = wall_clock});
@@ -140,8 +141,8 @@ Expected<std::unique_ptr<Network>> make_both(const SystemSpec& spec, System& sys
 
 }  // namespace
 
-Expected<Transport*> Domains::join(std::int64_t domain, const std::string& interface,
-                                   const std::vector<std::string>& peers) {
+Expected<DdsTransport*> Domains::join(std::int64_t domain, const std::string& interface,
+                                      const std::vector<std::string>& peers) {
     const std::string xml = domain_xml(interface, peers);
     if (const auto found = joined_.find(domain); found != joined_.end()) {
         if (found->second.xml == xml) return found->second.transport.get();
@@ -156,12 +157,12 @@ Expected<Transport*> Domains::join(std::int64_t domain, const std::string& inter
 NetworkMaker make_networks(Domains& domains, std::string version) {
     return [&domains, version = std::move(version)](const SystemSpec& spec,
                                                     System& system) -> Expected<std::unique_ptr<Network>> {
-        std::unique_ptr<Transport> sealed;
-        const auto join = [&]<class Word>(const Word& word) -> Expected<Transport*> {
-            auto joined = domains.join(word.domain, word.interface, word.peers);
-            if constexpr (std::is_same_v<Word, NetworkSpec>) {
-                if (!joined || word.secret.empty()) return joined;
-                const auto secret = read_secret(word.secret, word.secret_path);
+        std::unique_ptr<DdsTransport> sealed;
+        const auto join = [&]<class Spec>(const Spec& part) -> Expected<DdsTransport*> {
+            auto joined = domains.join(part.domain, part.interface, part.peers);
+            if constexpr (std::is_same_v<Spec, NetworkSpec>) {
+                if (!joined || part.secret.empty()) return joined;
+                const auto secret = read_secret(part.secret, part.secret_path);
                 if (!secret) return Unexpected(secret.error());
                 sealed = make_sealed_transport(**joined, *secret);
                 return sealed.get();
@@ -176,8 +177,19 @@ NetworkMaker make_networks(Domains& domains, std::string version) {
 NetworkMaker make_silent_networks() {
     return [](const SystemSpec& spec, System& system) {
         auto silent = make_silent_transport();
-        const auto join = [its = silent.get()](const auto& /*word*/) -> Expected<Transport*> { return its; };
+        const auto join = [its = silent.get()](const auto& /*part*/) -> Expected<DdsTransport*> { return its; };
         return make_both(spec, system, join, "", silent, true);
+    };
+}
+
+NetworkMaker make_checked_networks() {
+    return [silent = make_silent_networks()](const SystemSpec& spec,
+                                             System& system) -> Expected<std::unique_ptr<Network>> {
+        if (spec.network && !spec.network->secret.empty()) {
+            const auto secret = read_secret(spec.network->secret, spec.network->secret_path);
+            if (!secret) return failure(fmt::format("network: {}", secret.error().message), spec.network->place);
+        }
+        return silent(spec, system);
     };
 }
 

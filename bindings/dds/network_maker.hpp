@@ -18,16 +18,17 @@ namespace nezumi::dds {
 /// The places in domains that this process has. They stay while systems start anew.
 class Domains {
 public:
-    using Open = std::function<Expected<std::unique_ptr<Transport>>(const DomainOptions& options)>;
+    using Open = std::function<Expected<std::unique_ptr<DdsTransport>>(const DomainOptions& options)>;
 
     explicit Domains(Open open = open_cyclone) : open_(std::move(open)) {}
     /// The place in this domain, which is joined when it is asked for first.
-    Expected<Transport*> join(std::int64_t domain, const std::string& interface, const std::vector<std::string>& peers);
+    Expected<DdsTransport*> join(std::int64_t domain, const std::string& interface,
+                                 const std::vector<std::string>& peers);
 
 private:
     struct Joined {
         std::string xml;
-        std::unique_ptr<Transport> transport;
+        std::unique_ptr<DdsTransport> transport;
     };
     Open open_;
     std::map<std::int64_t, Joined> joined_;
@@ -37,5 +38,7 @@ private:
 NetworkMaker make_networks(Domains& domains, std::string version);
 /// Networks on which nobody else is: all is checked, and nothing leaves the process.
 NetworkMaker make_silent_networks();
+/// The same for a check of what would run here: the file of a secret is read as well.
+NetworkMaker make_checked_networks();
 
 }  // namespace nezumi::dds

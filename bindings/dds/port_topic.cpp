@@ -49,7 +49,7 @@ void Inlet::receive(std::optional<std::uint64_t> run, double clock, const Give& 
         progress_ = {.run = run};
         age_ = {};
     }
-    for (const Sample& sample : reader_->take()) {
+    for (const TopicSample& sample : reader_->take()) {
         if (run) {
             take(sample.bytes, *run, clock, give);
         } else {

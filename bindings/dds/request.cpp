@@ -55,7 +55,7 @@ Topic topic(std::string_view host, std::string_view what, std::string_view type)
 
 }  // namespace
 
-Topic request_topic(std::string_view host) { return topic(host, "requests", Describe<Request>::name); }
+Topic request_topic(std::string_view host) { return topic(host, "requests", Describe<RemoteRequest>::name); }
 Topic reply_topic(std::string_view host) { return topic(host, "replies", Describe<Reply>::name); }
 
 WireData to_wire(const PlainData& data) {

@@ -30,7 +30,7 @@ struct WireData {
     std::vector<WireTable> tables{};
 };
 
-struct Request {
+struct RemoteRequest {
     std::uint64_t from = 0;    ///< run of who asks
     std::uint64_t to = 0;      ///< run of who is asked: another start of that host is another host
     std::uint64_t number = 0;  ///< of the request in its run, from 1 on
@@ -89,8 +89,8 @@ struct Describe<dds::WireData> {
 };
 
 template <>
-struct Describe<dds::Request> {
-    using T = dds::Request;
+struct Describe<dds::RemoteRequest> {
+    using T = dds::RemoteRequest;
     static constexpr std::string_view name = "Request";
     static constexpr std::tuple fields{
         Field{"from", &T::from, "", "run of who asks"},

@@ -56,9 +56,9 @@ class SealedReader final : public Reader {
 public:
     SealedReader(std::unique_ptr<Reader> inner, Topic topic, const Secret& secret)
         : inner_(std::move(inner)), topic_(std::move(topic)), secret_(secret) {}
-    std::vector<Sample> take() override {
-        std::vector<Sample> all;
-        for (const Sample& sample : inner_->take()) {
+    std::vector<TopicSample> take() override {
+        std::vector<TopicSample> all;
+        for (const TopicSample& sample : inner_->take()) {
             if (auto bytes = unseal(sample.bytes, topic_, secret_)) all.push_back({std::move(*bytes), sample.writer});
         }
         return all;
@@ -73,9 +73,9 @@ private:
     const Secret& secret_;
 };
 
-class SealedTransport final : public Transport {
+class SealedTransport final : public DdsTransport {
 public:
-    SealedTransport(Transport& inner, const Secret& secret) : inner_(inner), secret_(secret) {
+    SealedTransport(DdsTransport& inner, const Secret& secret) : inner_(inner), secret_(secret) {
         // It fails where there is no randomness: then so does each nonce, and it aborts.
         [[maybe_unused]] const int begun = sodium_init();
     }
@@ -105,7 +105,7 @@ private:
         return topic;
     }
 
-    Transport& inner_;
+    DdsTransport& inner_;
     Secret secret_;
 };
 
@@ -176,7 +176,7 @@ std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& 
     return cdr;
 }
 
-std::unique_ptr<Transport> make_sealed_transport(Transport& inner, const Secret& secret) {
+std::unique_ptr<DdsTransport> make_sealed_transport(DdsTransport& inner, const Secret& secret) {
     return std::make_unique<SealedTransport>(inner, secret);
 }
 

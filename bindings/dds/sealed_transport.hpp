@@ -32,6 +32,6 @@ std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& 
 
 /// `inner` must outlive it, and it its readers. What can't be unsealed is dropped as it comes. That a message comes
 /// again is for who reads to see: heads have numbers.
-std::unique_ptr<Transport> make_sealed_transport(Transport& inner, const Secret& secret);
+std::unique_ptr<DdsTransport> make_sealed_transport(DdsTransport& inner, const Secret& secret);
 
 }  // namespace nezumi::dds

@@ -12,12 +12,12 @@ public:
 
 class SilentReader final : public Reader {
 public:
-    std::vector<Sample> take() override { return {}; }
+    std::vector<TopicSample> take() override { return {}; }
     std::vector<std::uint64_t> writers() const override { return {}; }
     std::uint64_t lost() const override { return 0; }
 };
 
-class SilentTransport final : public Transport {
+class SilentTransport final : public DdsTransport {
 public:
     std::unique_ptr<Writer> write(const Topic& /*topic*/) override { return std::make_unique<SilentWriter>(); }
     std::unique_ptr<Reader> read(const Topic& /*topic*/) override { return std::make_unique<SilentReader>(); }
@@ -27,6 +27,6 @@ public:
 
 }  // namespace
 
-std::unique_ptr<Transport> make_silent_transport() { return std::make_unique<SilentTransport>(); }
+std::unique_ptr<DdsTransport> make_silent_transport() { return std::make_unique<SilentTransport>(); }
 
 }  // namespace nezumi::dds

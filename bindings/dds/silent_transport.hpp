@@ -8,6 +8,6 @@
 namespace nezumi::dds {
 
 /// Nothing is sent, and nothing comes.
-std::unique_ptr<Transport> make_silent_transport();
+std::unique_ptr<DdsTransport> make_silent_transport();
 
 }  // namespace nezumi::dds

@@ -29,7 +29,7 @@ RemoteComponent* remote_of(System& system, std::string_view name) {
 
 }  // namespace
 
-SystemNetwork::SystemNetwork(System& system, Transport& transport, HostSettings settings)
+SystemNetwork::SystemNetwork(System& system, DdsTransport& transport, HostSettings settings)
     : system_(system),
       transport_(transport),
       settings_(std::move(settings)),
@@ -113,7 +113,7 @@ void SystemNetwork::listen() {
     const double now = settings_.clock();
     // The last word counts: to read all that a host says which changes without end would make ticks late.
     std::map<std::uint64_t, std::vector<Octets>> words;
-    for (Sample& sample : listener_->take()) words[sample.writer].push_back(std::move(sample.bytes));
+    for (TopicSample& sample : listener_->take()) words[sample.writer].push_back(std::move(sample.bytes));
     for (auto& [writer, said] : words) {
         while (!said.empty() && !hosts_.heard(writer, said.back(), now)) said.pop_back();
     }

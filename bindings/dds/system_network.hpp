@@ -42,7 +42,7 @@ struct HostSettings {
 class SystemNetwork final : public Network, private PortObserver {
 public:
     /// Both must outlive the network. Nothing is said or heard before the first `between_ticks`.
-    SystemNetwork(System& system, Transport& transport, HostSettings settings);
+    SystemNetwork(System& system, DdsTransport& transport, HostSettings settings);
 
     Expected<void> reach(std::string_view path, const Port& other) override;
     void between_ticks(const ActDoor& act) override;
@@ -80,7 +80,7 @@ private:
     void refuse(const Ends& ends, const std::string& why);
 
     System& system_;
-    Transport& transport_;
+    DdsTransport& transport_;
     HostSettings settings_;
     HostTable hosts_;
     mutable HostRequests requests_;

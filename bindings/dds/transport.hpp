@@ -29,7 +29,7 @@ struct Topic {
 };
 
 /// A message as it came.
-struct Sample {
+struct TopicSample {
     Octets bytes;              ///< CDR with its header
     std::uint64_t writer = 0;  ///< who sent it: the same number for the same writer, never again another's
 };
@@ -49,8 +49,8 @@ class Reader {
 public:
     virtual ~Reader() = default;
     /// What has come since the last call, oldest first.
-    virtual std::vector<Sample> take() = 0;
-    /// The writers there are just now, as in `Sample::writer`.
+    virtual std::vector<TopicSample> take() = 0;
+    /// The writers there are just now, as in `TopicSample::writer`.
     virtual std::vector<std::uint64_t> writers() const = 0;
     /// Is readable when something has come since the last `take`; -1: none.
     virtual int file() const { return -1; }
@@ -68,9 +68,9 @@ struct SeenEndpoint {
 };
 
 /// A place in a domain.
-class Transport {
+class DdsTransport {
 public:
-    virtual ~Transport() = default;
+    virtual ~DdsTransport() = default;
     /// nullptr when there is none to be had: the reason is then `problem()`.
     virtual std::unique_ptr<Writer> write(const Topic& topic) = 0;
     virtual std::unique_ptr<Reader> read(const Topic& topic) = 0;

@@ -3,7 +3,7 @@
 
 namespace nezumi::dds {
 
-Expected<std::unique_ptr<Transport>> open_cyclone(const DomainOptions& /*options*/) {
+Expected<std::unique_ptr<DdsTransport>> open_cyclone(const DomainOptions& /*options*/) {
     return failure("this nezumi is one static program, without the part for networks");
 }
 

@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
-#include "bindings/journal/base64.hpp"
+#include "bindings/journal/plain_json.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/files/system_text.hpp"
 #include "engine/ports/payload.hpp"
@@ -19,28 +18,6 @@ namespace nezumi {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-bool is_utf8(std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
-        const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-        const unsigned char first = byte(at);
-        const std::size_t length = first < 0x80       ? 1
-                                   : first >> 5 == 6  ? 2
-                                   : first >> 4 == 14 ? 3
-                                   : first >> 3 == 30 ? 4
-                                                      : 0;
-        if (length == 0 || at + length > text.size()) return false;
-        std::uint32_t code = length == 1 ? first : first & (0x7fU >> length);
-        for (std::size_t i = 1; i < length; ++i) {
-            if (byte(at + i) >> 6 != 2) return false;
-            code = code << 6 | (byte(at + i) & 63U);
-        }
-        constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-        if (code < least[length] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
-        at += length;
-    }
-    return true;
-}
 
 template <class T>
 struct IsOptional : std::false_type {};
@@ -58,12 +35,6 @@ constexpr std::string_view array_name() {
 
 // Writing.
 
-Json number(double value) {
-    if (std::isfinite(value)) return value;
-    return Json{{"number", std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf"}};
-}
-
-Json write_plain(const PlainData& data);
 Json write_parameter(const ParameterValue& value);
 Json write_entry(const Entry& entry);
 Json write_marker(const MarkerSpec& marker);
@@ -80,7 +51,7 @@ Json write(const T& value) {
     } else if constexpr (std::is_same_v<T, ParameterValue>) {
         return write_parameter(value);
     } else if constexpr (std::is_same_v<T, PlainData>) {
-        return write_plain(value);
+        return plain_to_json(value);
     } else if constexpr (Described<T>) {
         Json fields = Json::object();
         for_each_field(value, [&](const auto& field, const auto& member) {
@@ -100,35 +71,10 @@ Json write(const T& value) {
     } else if constexpr (std::is_same_v<T, std::string>) {
         return text_to_json(value);
     } else if constexpr (std::is_floating_point_v<T>) {
-        return number(static_cast<double>(value));
+        return number_to_json(static_cast<double>(value));
     } else {
         return value;
     }
-}
-
-Json write_plain(const PlainData::Value& value) {
-    return std::visit(
-        []<class T>(const T& each) -> Json {
-            if constexpr (std::is_same_v<T, std::monostate>)
-                return nullptr;
-            else if constexpr (std::is_same_v<T, PlainData::TableRef>)
-                return Json{{"table", each.index}};
-            else
-                return write(each);
-        },
-        value);
-}
-
-Json write_plain(const PlainData& data) {
-    Json values = Json::array();
-    for (const PlainData::Value& value : data.values) values.push_back(write_plain(value));
-    Json tables = Json::array();
-    for (const PlainData::Table& table : data.tables) {
-        Json entries = Json::array();
-        for (const auto& [key, value] : table) entries.push_back(Json::array({write_plain(key), write_plain(value)}));
-        tables.push_back(std::move(entries));
-    }
-    return Json{{"values", std::move(values)}, {"tables", std::move(tables)}};
 }
 
 Json write_parameter(const ParameterValue& value) {
@@ -158,75 +104,8 @@ Json write_marker(const MarkerSpec& marker) {
 
 // Reading. Each returns what is wrong, "" for nothing.
 
-std::string expected(std::string_view what, const Json& got) {
-    std::string text = got.dump(-1, ' ', true, Json::error_handler_t::replace);
-    constexpr std::size_t most = 40;
-    if (text.size() > most) {
-        text.resize(most);
-        text += "...";
-    }
-    return fmt::format("expected {}, got {}", what, text);
-}
-
 template <class T>
 std::string read(const Json& json, T& out, const Project& project);
-
-std::string read_number(const Json& json, double& out) {
-    if (json.is_number()) {
-        out = json.get<double>();
-        return "";
-    }
-    const auto word = json.is_object() ? json.find("number") : json.end();
-    if (json.is_object() && word != json.end() && word->is_string()) {
-        for (const auto& [name, value] : {std::pair{"nan", NAN}, {"inf", INFINITY}, {"-inf", -INFINITY}}) {
-            if (*word != name) continue;
-            out = value;
-            return "";
-        }
-    }
-    return expected("a number", json);
-}
-
-std::string read_plain(const Json& json, PlainData::Value& out, std::size_t tables) {
-    if (json.is_null()) return out = std::monostate{}, "";
-    if (json.is_boolean()) return out = json.get<bool>(), "";
-    if (json.is_number_integer()) return out = json.get<std::int64_t>(), "";
-    if (json.is_object() && json.contains("table")) {
-        const Json& index = json["table"];
-        if (!index.is_number_unsigned() || index.get<std::size_t>() >= tables)
-            return expected("a table's number", index);
-        return out = PlainData::TableRef{index.get<std::size_t>()}, "";
-    }
-    if (json.is_number() || (json.is_object() && json.contains("number"))) {
-        double value = 0;
-        const std::string wrong = read_number(json, value);
-        return out = value, wrong;
-    }
-    auto text = text_from_json(json);
-    if (!text) return text.error().message;
-    return out = std::move(*text), "";
-}
-
-std::string read_plain(const Json& json, PlainData& out) {
-    if (!json.is_object() || !json.contains("values") || !json.contains("tables") || !json["values"].is_array() ||
-        !json["tables"].is_array())
-        return expected("values and tables", json);
-    const std::size_t count = json["tables"].size();
-    for (const Json& value : json["values"]) {
-        if (std::string wrong = read_plain(value, out.values.emplace_back(), count); !wrong.empty()) return wrong;
-    }
-    for (const Json& table : json["tables"]) {
-        PlainData::Table& entries = out.tables.emplace_back();
-        if (!table.is_array()) return expected("a table's entries", table);
-        for (const Json& entry : table) {
-            if (!entry.is_array() || entry.size() != 2) return expected("a key and a value", entry);
-            auto& [key, value] = entries.emplace_back();
-            if (std::string wrong = read_plain(entry[0], key, count); !wrong.empty()) return wrong;
-            if (std::string wrong = read_plain(entry[1], value, count); !wrong.empty()) return wrong;
-        }
-    }
-    return "";
-}
 
 template <class T>
 bool read_array(const Json& json, ParameterValue& out, const Project& project, std::string& wrong) {
@@ -251,7 +130,7 @@ std::string read_parameter(const Json& json, ParameterValue& out, const Project&
 }
 
 std::string read_payload(const Json& json, AnyPayload& out, const Project& project) {
-    if (!json.is_object() || json.size() != 1) return expected("a message by its type's name", json);
+    if (!json.is_object() || json.size() != 1) return expected_in_json("a message by its type's name", json);
     const auto type = find_message_type(json.begin().key());
     if (!type) return type.error().message;
     std::string wrong;
@@ -268,7 +147,7 @@ std::string read_payload(const Json& json, AnyPayload& out, const Project& proje
 template <class T, class Part>
 std::string read_part(const Json& json, T& out, const Project& project, std::string_view what, const Part& part) {
     if (!json.is_object() || !json.contains("lua") || !json.contains("file") || !json["file"].is_string())
-        return expected(fmt::format("{}'s lua and file", what), json);
+        return expected_in_json(fmt::format("{}'s lua and file", what), json);
     const auto text = text_from_json(json["lua"]);
     if (!text) return text.error().message;
     auto spec = read_system_text(*text, json["file"].get<std::string>(), project, {.is_part = true});
@@ -281,7 +160,7 @@ std::string read_part(const Json& json, T& out, const Project& project, std::str
 
 template <class T>
 std::string read_fields(const Json& json, T& out, const Project& project) {
-    if (!json.is_object()) return expected("fields", json);
+    if (!json.is_object()) return expected_in_json("fields", json);
     std::string wrong;
     std::size_t known = 0;
     for_each_field(out, [&](const auto& field, auto& member) {
@@ -327,7 +206,7 @@ std::string read(const Json& json, T& out, const Project& project) {
         out.assign(bytes->begin(), bytes->end());
         return "";
     } else if constexpr (Sequence<T>) {
-        if (!json.is_array()) return expected("a list", json);
+        if (!json.is_array()) return expected_in_json("a list", json);
         for (const Json& element : json) {
             typename T::value_type value{};
             if (std::string wrong = read(element, value, project); !wrong.empty()) return wrong;
@@ -340,7 +219,7 @@ std::string read(const Json& json, T& out, const Project& project) {
         out = std::move(*text);
         return "";
     } else if constexpr (std::is_same_v<T, bool>) {
-        if (!json.is_boolean()) return expected("true or false", json);
+        if (!json.is_boolean()) return expected_in_json("true or false", json);
         out = json.get<bool>();
         return "";
     } else if constexpr (std::is_floating_point_v<T>) {
@@ -351,7 +230,7 @@ std::string read(const Json& json, T& out, const Project& project) {
     } else {
         if (!json.is_number_integer() ||
             static_cast<std::int64_t>(static_cast<T>(json.get<std::int64_t>())) != json.get<std::int64_t>())
-            return expected("a whole number of its range", json);
+            return expected_in_json("a whole number of its range", json);
         out = static_cast<T>(json.get<std::int64_t>());
         return "";
     }
@@ -369,20 +248,6 @@ std::optional<Act> empty_act(std::string_view name) {
 }
 
 }  // namespace
-
-Json text_to_json(const std::string& text) {
-    if (is_utf8(text)) return text;
-    return Json{{"base64", to_base64(text)}};
-}
-
-Expected<std::string> text_from_json(const Json& json) {
-    if (json.is_string()) return json.get<std::string>();
-    const auto bytes = json.is_object() ? json.find("base64") : json.end();
-    if (json.is_object() && bytes != json.end() && bytes->is_string()) {
-        if (auto text = from_base64(bytes->get_ref<const std::string&>())) return std::move(*text);
-    }
-    return failure(expected("a text", json));
-}
 
 Json to_json(const Act& act) {
     return std::visit([](const auto& each) { return write(each); }, act);

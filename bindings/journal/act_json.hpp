@@ -15,8 +15,4 @@ nlohmann::ordered_json to_json(const Act& act);
 /// The act of this name. An error says which field is wrong. `project` is where an entry's files are found.
 Expected<Act> act_from_json(std::string_view name, const nlohmann::ordered_json& fields, const Project& project);
 
-/// A text, or of one that is no UTF-8 its bytes: { "base64": "..." }.
-nlohmann::ordered_json text_to_json(const std::string& text);
-Expected<std::string> text_from_json(const nlohmann::ordered_json& json);
-
 }  // namespace nezumi

@@ -10,6 +10,8 @@
 #include <variant>
 
 #include "bindings/journal/act_json.hpp"
+#include "bindings/journal/files_json.hpp"
+#include "bindings/journal/plain_json.hpp"
 
 namespace nezumi {
 namespace {
@@ -17,12 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json at(const ActTime& when) { return Json::array({when.start, when.tick, when.sequence}); }
-
-Json files_to_json(const FileTexts& files) {
-    Json json = Json::object();
-    for (const auto& [path, text] : files) json[path] = text ? text_to_json(*text) : Json();
-    return json;
-}
 
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
@@ -105,7 +101,7 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
 }
 
 void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {
-    FileTexts files = files_.take();
+    FilesSeen files = files_.take();
     if (!is_journaled(act, result.has_value())) return;
     add([when, act, who, failed = !result, files = std::move(files)] {
         Json json{{"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act)}};
@@ -117,13 +113,14 @@ void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const
 
 void Journal::ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) {
     add([when, component, call] {
-        return line({{"at", at(when)},
-                     {"out_of_time",
-                      {{"component", component},
-                       {"call", call.call},
-                       {"message", text_to_json(call.error.message)},
-                       {"file", call.error.place.file},
-                       {"line", call.error.place.line}}}});
+        Json ended{{"component", component},
+                   {"call", call.call},
+                   {"message", text_to_json(call.error.message)},
+                   {"file", call.error.place.file},
+                   {"line", call.error.place.line}};
+        if (call.left.data) ended["state"] = plain_to_json(*call.left.data);
+        if (!call.left.lost.empty()) ended["lost"] = text_to_json(call.left.lost);
+        return line({{"at", at(when)}, {"out_of_time", std::move(ended)}});
     });
 }
 

@@ -1,11 +1,13 @@
 // Writes a journal: a file with one JSON object a line, from which the run can be performed again.
 //
 //   {"journal":1,"version":"0.1.0","hardware":false,"system":"systems/x.lua","working_folder":...,"installed":[...],
-//    "seed":1,"seed_wins":true,"files":{PATH:TEXT}}     first: what it takes to begin, whole
+//    "seed":1,"seed_wins":true,"files":{...}}           first: what it takes to begin, whole; files as in
+//    files_json.hpp
 //   {"at":[START,TICK,SEQUENCE],"who":"console","do":"SetParameter","with":{...}}   an act, before that tick
 //      "failed":true   it was refused, but a script's hook or command has run
-//      "files":{...}   what it read; null: what is no longer there
+//      "files":{...}   what it found of files
 //   {"at":...,"out_of_time":{"component":"x","call":12,...}}   the clock ended that call into a script
+//      "state":{...}   the plain data that it left;  "lost":"..."   what else was there
 //   {"at":...,"hash":"..."}                 20 times a second: how far it came, and the trace hash there
 //   {"at":...,"end":"duration","hash":...}  last: how it ended, and the hash that the run printed
 #pragma once

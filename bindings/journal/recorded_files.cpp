@@ -14,9 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string whole_path(const fs::path& folder, const fs::path& path) {
-    return (folder / path).lexically_normal().string();
-}
+fs::path whole_path(const fs::path& folder, const fs::path& path) { return (folder / path).lexically_normal(); }
 
 // A file without a name on any disk, for libraries that read files only.
 class MemoryFile {
@@ -45,58 +43,52 @@ private:
 
 }  // namespace
 
-std::string RecordingFiles::whole(const fs::path& path) const { return whole_path(working_folder(), path); }
-
-bool RecordingFiles::is_file(const fs::path& path) const {
-    const bool is = disk().is_file(path);
-    if (!is && std::this_thread::get_id() == owner_) note_missing(path);
-    return is;
+const ProjectFiles& RecordingFiles::here() const {
+    return std::this_thread::get_id() == owner_ ? static_cast<const ProjectFiles&>(notes_) : disk();
 }
 
-void RecordingFiles::note_missing(const fs::path& path) const {
-    if (std::string gone = whole(path); known_.contains(gone)) read_.insert_or_assign(std::move(gone), std::nullopt);
-}
+std::string RecordingFiles::what_is(const fs::path& path) const { return here().what_is(path); }
 
-void RecordingFiles::adopt(const FilesSeen& seen) const {
-    for (const fs::path& path : seen.missing) note_missing(path);
-    for (const auto& [path, text] : seen.texts) read_.insert_or_assign(whole(path), text);
-}
+std::vector<std::string> RecordingFiles::names_in(const fs::path& folder) const { return here().names_in(folder); }
 
 Expected<std::string> RecordingFiles::read(const fs::path& path, const std::string& shown) const {
-    auto text = disk().read(path, shown);
-    if (text && std::this_thread::get_id() == owner_) read_.insert_or_assign(whole(path), *text);
-    return text;
+    return here().read(path, shown);
 }
 
-FileTexts RecordingFiles::take() {
-    for (const auto& [path, text] : read_) known_.insert(path);
-    return std::exchange(read_, {});
+FilesSeen RecordingFiles::take() {
+    FilesSeen seen;
+    for (auto& [path, found] : notes_.take()) {
+        fs::path whole = whole_path(working_folder(), path);
+        if (!found.what.empty()) known_.insert(whole);
+        if (known_.contains(whole)) seen[std::move(whole)].update(std::move(found));
+    }
+    return seen;
 }
 
-std::string RecordedFiles::whole(const fs::path& path) const { return whole_path(working_folder_, path); }
+const PathSeen* RecordedFiles::find(const fs::path& path) const {
+    const auto found = seen_.find(whole_path(working_folder_, path));
+    return found == seen_.end() ? nullptr : &found->second;
+}
 
-bool RecordedFiles::is_file(const fs::path& path) const { return texts_.contains(whole(path)); }
+std::string RecordedFiles::what_is(const fs::path& path) const {
+    const PathSeen* found = find(path);
+    return found == nullptr ? "" : found->what;
+}
 
-bool RecordedFiles::is_folder(const fs::path& path) const {
-    const std::string below = whole(path) + "/";
-    const auto found = texts_.lower_bound(below);
-    return found != texts_.end() && found->first.starts_with(below);
+std::vector<std::string> RecordedFiles::names_in(const fs::path& folder) const {
+    const PathSeen* found = find(folder);
+    return found == nullptr ? std::vector<std::string>() : found->names;
 }
 
 Expected<std::string> RecordedFiles::read(const fs::path& path, const std::string& shown) const {
-    const auto found = texts_.find(whole(path));
-    if (found == texts_.end()) return failure("is not in the journal", {shown});
-    return found->second;
+    const PathSeen* found = find(path);
+    if (found != nullptr && !found->unreadable.empty()) return failure(found->unreadable, {shown});
+    if (found == nullptr || !found->text) return failure("is not in the journal", {shown});
+    return *found->text;
 }
 
-void RecordedFiles::update(const FileTexts& texts) {
-    for (const auto& [path, text] : texts) {
-        if (text) {
-            texts_.insert_or_assign(path, *text);
-        } else {
-            texts_.erase(path);
-        }
-    }
+void RecordedFiles::update(const FilesSeen& seen) {
+    for (const auto& [path, found] : seen) seen_[path].update(found);
 }
 
 WorldFactory with_pictures_from(const RecordingFiles& files, WorldFactory make) {

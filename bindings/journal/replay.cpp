@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bindings/journal/act_json.hpp"
+#include "bindings/journal/files_json.hpp"
+#include "bindings/journal/plain_json.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {
@@ -36,21 +39,9 @@ std::optional<ActTime> time_of(const Json& json) {
     return ActTime{(*found)[0].get<int>(), (*found)[1].get<std::int64_t>(), (*found)[2].get<std::int64_t>()};
 }
 
-std::optional<FileTexts> texts_of(const Json& json) {
-    FileTexts texts;
+std::optional<FilesSeen> files_of(const Json& json) {
     const auto found = json.find("files");
-    if (found == json.end()) return texts;
-    if (!found->is_object()) return std::nullopt;
-    for (const auto& [path, text] : found->items()) {
-        if (text.is_null()) {
-            texts.emplace(path, std::nullopt);
-            continue;
-        }
-        auto read = text_from_json(text);
-        if (!read) return std::nullopt;
-        texts.emplace(path, std::move(*read));
-    }
-    return texts;
+    return found == json.end() ? FilesSeen() : files_from_json(*found);
 }
 
 template <class T>
@@ -80,7 +71,7 @@ struct Replay::Entry {
     std::string name;
     Json fields;
     bool failed = false;
-    FileTexts files;
+    FilesSeen files;
     std::uint64_t hash = 0;
 };
 
@@ -128,9 +119,9 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
     const auto working = field<std::string>(json, "working_folder");
     const auto seed = field<std::uint64_t>(json, "seed");
     const auto seed_wins = field<bool>(json, "seed_wins");
-    const auto texts = texts_of(json);
+    const auto files = files_of(json);
     const auto installed = json.find("installed");
-    if (!system || !working || !seed || !seed_wins || !texts || installed == json.end() || !installed->is_array())
+    if (!system || !working || !seed || !seed_wins || !files || installed == json.end() || !installed->is_array())
         return wrong(1, "expected system, working_folder, installed, seed, seed_wins and files");
     for (const Json& folder : *installed) {
         if (!folder.is_string()) return wrong(1, "'installed' must be a list of folders");
@@ -149,7 +140,7 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
     seed_ = *seed;
     seed_wins_ = *seed_wins;
     files_.emplace(*working);
-    files_->update(*texts);
+    files_->update(*files);
     return {};
 }
 
@@ -160,17 +151,7 @@ Expected<void> Replay::read_entry(const std::string& line, int number) {
     const auto when = time_of(json);
     if (!when) return wrong(number, "'at' must be the start's number, the tick and the act's number");
     Entry entry{.line = number, .when = *when};
-    if (const auto call = json.find("out_of_time"); call != json.end()) {
-        const auto component = field<std::string>(*call, "component");
-        const auto count = field<std::int64_t>(*call, "call");
-        const auto message = call->contains("message") ? text_from_json((*call)["message"]) : Expected<std::string>("");
-        if (!component || !count || !message)
-            return wrong(number, "'out_of_time' must have component, call and message");
-        Error error{*message, {field<std::string>(*call, "file").value_or(""), field<int>(*call, "line").value_or(0)}};
-        error.kind = Error::Kind::out_of_time;
-        foreseen_.push_back({when->start, when->tick, *component, {*count, std::move(error)}});
-        return {};
-    }
+    if (const auto call = json.find("out_of_time"); call != json.end()) return read_out_of_time(*call, *when, number);
     if (!entries_.empty()) {
         const ActTime& before = entries_.back().when;
         if (std::pair(when->start, when->tick) < std::pair(before.start, before.tick))
@@ -179,14 +160,14 @@ Expected<void> Replay::read_entry(const std::string& line, int number) {
     if (json.contains("do")) {
         const auto name = field<std::string>(json, "do");
         auto who = actor_from(field<std::string>(json, "who").value_or(""));
-        auto texts = texts_of(json);
-        if (!name || !texts || !json.contains("with")) return wrong(number, "an act must have do and with");
+        auto files = files_of(json);
+        if (!name || !files || !json.contains("with")) return wrong(number, "an act must have do and with");
         if (!who) return wrong(number, who.error().message);
         entry.name = *name;
         entry.who = std::move(*who);
         entry.fields = json["with"];
         entry.failed = field<bool>(json, "failed").value_or(false);
-        entry.files = std::move(*texts);
+        entry.files = std::move(*files);
     } else {
         const auto hash = json.contains("hash") ? hash_of(json["hash"]) : std::nullopt;
         if (!hash) return wrong(number, "expected do, out_of_time, or hash with 16 hexadecimal digits");
@@ -202,6 +183,25 @@ Expected<void> Replay::read_entry(const std::string& line, int number) {
         }
     }
     entries_.push_back(std::move(entry));
+    return {};
+}
+
+Expected<void> Replay::read_out_of_time(const Json& json, const ActTime& when, int number) {
+    const auto component = field<std::string>(json, "component");
+    const auto count = field<std::int64_t>(json, "call");
+    const auto message = json.contains("message") ? text_from_json(json["message"]) : Expected<std::string>("");
+    const auto lost = json.contains("lost") ? text_from_json(json["lost"]) : Expected<std::string>("");
+    if (!component || !count || !message || !lost)
+        return wrong(number, "'out_of_time' must have component, call and message");
+    Error error{*message, {field<std::string>(json, "file").value_or(""), field<int>(json, "line").value_or(0)}};
+    error.kind = Error::Kind::out_of_time;
+    ended_.push_back({when, *component, *lost});
+    Component::LeftState left{.lost = *lost};
+    if (json.contains("state")) {
+        if (const std::string why = read_plain(json["state"], left.data.emplace()); !why.empty())
+            return wrong(number, "state: " + why);
+    }
+    foreseen_.push_back({when.start, when.tick, *component, {*count, std::move(error), std::move(left)}});
     return {};
 }
 
@@ -240,11 +240,22 @@ Expected<bool> Replay::before_tick(LiveSystem& live) {
             if (auto done = perform(live, entry); !done) return Unexpected(done.error());
         } else if (entry.kind == Entry::Kind::hash && live.trace_hash() != entry.hash) {
             return wrong(entry.line,
-                         fmt::format("the run is another one than the journal's: its hash at {} was {}, not {}",
-                                     text_of(now), hash_text(entry.hash), hash_text(live.trace_hash())));
+                         fmt::format("the run is another one than the journal's: its hash at {} was {}, not {}{}",
+                                     text_of(now), hash_text(entry.hash), hash_text(live.trace_hash()), cause(now)));
         }
     }
     return false;
+}
+
+std::string Replay::cause(const ActTime& now) const {
+    const auto is_before = [&](const Ended& each) {
+        return std::pair(each.when.start, each.when.tick) <= std::pair(now.start, now.tick);
+    };
+    const auto last = std::find_if(ended_.rbegin(), ended_.rend(), is_before);
+    if (last == ended_.rend()) return "";
+    return fmt::format("; the clock had ended a call of {} at {}, and what that left in locals is in no journal{}",
+                       last->component, text_of(last->when),
+                       last->lost.empty() ? "" : ", nor is all of its state: " + last->lost);
 }
 
 Expected<void> Replay::perform(LiveSystem& live, const Entry& entry) {
@@ -255,8 +266,9 @@ Expected<void> Replay::perform(LiveSystem& live, const Entry& entry) {
     const auto done = live.act(*act, entry.who);
     if (done.has_value() != entry.failed) return {};
     return wrong(entry.line, entry.failed
-                                 ? fmt::format("{} failed then, and does not now", entry.name)
-                                 : fmt::format("{} went well then, not now: {}", entry.name, describe(done.error())));
+                                 ? fmt::format("{} failed then, and does not now{}", entry.name, cause(entry.when))
+                                 : fmt::format("{} went well then, not now: {}{}", entry.name, describe(done.error()),
+                                               cause(entry.when)));
 }
 
 }  // namespace nezumi

@@ -47,8 +47,11 @@ private:
     Replay(std::filesystem::path file);
     Expected<void> read_header(const std::string& line, const std::string& version);
     Expected<void> read_entry(const std::string& line, int number);
+    Expected<void> read_out_of_time(const nlohmann::ordered_json& json, const ActTime& when, int number);
     Unexpected wrong(int line, const std::string& what) const;
     Expected<void> perform(LiveSystem& live, const Entry& entry);
+    // Why it may have become another run by now: "; ...", or nothing.
+    std::string cause(const ActTime& now) const;
 
     std::filesystem::path file_;
     std::string system_;
@@ -60,6 +63,12 @@ private:
     std::vector<Entry> entries_;
     std::size_t next_ = 0;
     std::vector<LiveSystem::Foreseen> foreseen_;
+    struct Ended {
+        ActTime when;
+        std::string component;
+        std::string lost;
+    };
+    std::vector<Ended> ended_;  // calls, by the clock
     std::optional<RunEnd> end_;
     std::string end_message_;
     std::optional<std::uint64_t> hash_;

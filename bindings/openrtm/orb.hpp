@@ -40,7 +40,7 @@ using Texts = std::vector<std::pair<std::string, std::string>>;
 enum class RtcState { inactive, active, error };
 
 /// What changes of a component.
-struct RtcLook {
+struct RtcSnapshot {
     RtcState state = RtcState::inactive;
     std::string set = "default";                                 ///< the configuration set in use
     std::string description{}, version{}, vendor{}, category{};  ///< "" for what it does not say
@@ -73,7 +73,7 @@ class RtcSite {
 public:
     virtual ~RtcSite() = default;
 
-    virtual RtcLook look(std::string_view component) = 0;
+    virtual RtcSnapshot snapshot(std::string_view component) = 0;
     virtual RtcAnswer perform(const RtcRequest& request) = 0;
     /// A message for an in-port, from a connection that is called `from`.
     virtual PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
@@ -87,7 +87,7 @@ public:
 };
 
 /// An RTC of another program, or of ours, as the name service has it and as it answers.
-struct PeerLook {
+struct PeerSnapshot {
     enum class State {
         inactive,
         active,
@@ -122,7 +122,7 @@ struct PeerAnswer {
     std::string problem{};             ///< why it could not be done; "" when it could
     std::string missing{};             ///< the name that there is none of,
     std::vector<std::string> known{};  ///< among these
-    std::vector<PeerLook> peers{};
+    std::vector<PeerSnapshot> peers{};
 };
 
 /// Makes of an answer what is told to a person. Called in a thread of CORBA's side.

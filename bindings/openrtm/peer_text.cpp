@@ -16,7 +16,7 @@ namespace {
 // A port that carries no data.
 constexpr std::string_view service = "service";
 
-std::string_view to_text(PeerLook::State state) {
+std::string_view to_text(PeerSnapshot::State state) {
     constexpr std::array<std::string_view, 8> texts{"INACTIVE",
                                                     "ACTIVE",
                                                     "ERROR",
@@ -28,7 +28,7 @@ std::string_view to_text(PeerLook::State state) {
     return texts[static_cast<std::size_t>(state)];
 }
 
-bool answers(const PeerLook& peer) { return peer.state < PeerLook::State::silent; }
+bool answers(const PeerSnapshot& peer) { return peer.state < PeerSnapshot::State::silent; }
 
 // What somebody else chose must not look like a line of ours.
 std::string one_line(std::string_view text) {
@@ -37,15 +37,15 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-std::string port_lines(const PeerLook& peer) {
+std::string port_lines(const PeerSnapshot& peer) {
     std::string text;
     std::size_t name_width = 0;
     std::size_t type_width = 0;
-    for (const PeerLook::Port& port : peer.ports) {
+    for (const PeerSnapshot::Port& port : peer.ports) {
         name_width = std::max(name_width, one_line(port.name).size());
         type_width = std::max(type_width, port.type.empty() ? service.size() : port.type.size());
     }
-    for (const PeerLook::Port& port : peer.ports) {
+    for (const PeerSnapshot::Port& port : peer.ports) {
         const std::string_view direction = port.type.empty() ? "" : port.is_in ? "in" : "out";
         const std::string connected = port.connections == 0   ? "not connected"
                                       : port.connections == 1 ? "1 connection"
@@ -59,7 +59,7 @@ std::string port_lines(const PeerLook& peer) {
 // Those that tools read have names as "__widget__".
 bool is_for_tools(const std::string& set) { return set.starts_with("__"); }
 
-std::string set_lines(const PeerLook& peer) {
+std::string set_lines(const PeerSnapshot& peer) {
     std::string text;
     std::vector<std::string_view> others;
     for (const auto& [name, values] : peer.sets) {
@@ -76,7 +76,7 @@ std::string set_lines(const PeerLook& peer) {
 }
 
 // "rtm:pc.host_cxt/ConsoleOut0  ConsoleOut, ACTIVE, set fast"
-std::string title(const PeerLook& peer) {
+std::string title(const PeerSnapshot& peer) {
     std::string text = "rtm:" + one_line(peer.name) + "  ";
     if (!answers(peer)) return text + std::string(to_text(peer.state));
     text += fmt::format("{}, {}", one_line(peer.type), to_text(peer.state));
@@ -92,7 +92,7 @@ Expected<std::string> told_of_peers(const PeerQuestion& question, const PeerAnsw
         return failure(one_line(answer.problem) + did_you_mean(answer.missing, known));
     }
     std::string text;
-    for (const PeerLook& peer : answer.peers) {
+    for (const PeerSnapshot& peer : answer.peers) {
         text += (text.empty() ? "" : "\n") + title(peer);
         if (!question.request) text += port_lines(peer) + set_lines(peer);
     }

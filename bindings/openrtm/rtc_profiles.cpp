@@ -155,24 +155,24 @@ Expected<std::vector<RtcLink>> links_of(const System& system, const std::vector<
     return links;
 }
 
-RtcLook look_at(const Component& component) {
-    RtcLook look;
-    look.state = component.state() == LifeState::active     ? RtcState::active
-                 : component.state() == LifeState::inactive ? RtcState::inactive
-                                                            : RtcState::error;
+RtcSnapshot look_at(const Component& component) {
+    RtcSnapshot snapshot;
+    snapshot.state = component.state() == LifeState::active     ? RtcState::active
+                     : component.state() == LifeState::inactive ? RtcState::inactive
+                                                                : RtcState::error;
     const ComponentAbout about = component.about();
-    look.description = about.description;
-    look.version = about.version;
-    look.vendor = about.vendor;
-    look.category = about.category;
-    if (!component.set_in_use().empty()) look.set = component.set_in_use();
-    look.sets.emplace_back(Component::no_set, values_of(component, ""));
-    for (const auto& [name, values] : component.sets) look.sets.emplace_back(name, values_of(component, name));
-    look.sets.emplace_back("__widget__", told_of(component, widget_of));
-    look.sets.emplace_back("__constraints__", told_of(component, constraint_of));
-    look.sets.emplace_back("__type__",
-                           told_of(component, [](const ParameterSpec& spec) { return type_of(spec.initial); }));
-    return look;
+    snapshot.description = about.description;
+    snapshot.version = about.version;
+    snapshot.vendor = about.vendor;
+    snapshot.category = about.category;
+    if (!component.set_in_use().empty()) snapshot.set = component.set_in_use();
+    snapshot.sets.emplace_back(Component::no_set, values_of(component, ""));
+    for (const auto& [name, values] : component.sets) snapshot.sets.emplace_back(name, values_of(component, name));
+    snapshot.sets.emplace_back("__widget__", told_of(component, widget_of));
+    snapshot.sets.emplace_back("__constraints__", told_of(component, constraint_of));
+    snapshot.sets.emplace_back("__type__",
+                               told_of(component, [](const ParameterSpec& spec) { return type_of(spec.initial); }));
+    return snapshot;
 }
 
 std::string to_rtc_text(const ParameterValue& value) {

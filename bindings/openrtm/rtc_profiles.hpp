@@ -21,7 +21,7 @@ Expected<std::vector<RtcProfile>> profiles_of(const System& system, const RtmSpe
 Expected<std::vector<RtcLink>> links_of(const System& system, const std::vector<ConnectionSpec>& connections);
 
 /// State and parameters, as they are now.
-RtcLook look_at(const Component& component);
+RtcSnapshot look_at(const Component& component);
 
 /// A parameter's value as a configuration set has it: "0.1", "true", "1,2,3", a text as it is.
 std::string to_rtc_text(const ParameterValue& value);

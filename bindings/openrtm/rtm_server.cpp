@@ -77,7 +77,7 @@ Expected<void> RtmServer::show() {
         links = fitting_links();
     }
     inbox_.open_to(in_ports);
-    take_looks();
+    take_snapshots();
     // Where something is wrong nobody sees anything, rather than half of it.
     orb_->show(profiles ? std::move(*profiles) : std::vector<RtcProfile>{}, std::move(links));
     if (!profiles) return Unexpected(profiles.error());
@@ -108,14 +108,14 @@ void RtmServer::follow_changes() {
     if (auto shown = show(); !shown) host_.say(true, "rtm: nothing is exported any more: " + describe(shown.error()));
 }
 
-void RtmServer::take_looks() {
-    std::map<std::string, RtcLook, std::less<>> looks;
+void RtmServer::take_snapshots() {
+    std::map<std::string, RtcSnapshot, std::less<>> snapshots;
     for (const std::string& name : exported_) {
-        if (const Component* component = host_.system().find(name)) looks.emplace(name, look_at(*component));
+        if (const Component* component = host_.system().find(name)) snapshots.emplace(name, look_at(*component));
     }
-    looked_ = std::chrono::steady_clock::now();
+    taken_at_ = std::chrono::steady_clock::now();
     const std::lock_guard lock(mutex_);
-    looks_ = std::move(looks);
+    snapshots_ = std::move(snapshots);
 }
 
 void RtmServer::before_tick() {
@@ -159,10 +159,10 @@ void RtmServer::serve() {
     inbox_.answer([&](const RtcRequest& request) {
         acted = true;
         const RtcAnswer answer = perform_now(request);
-        take_looks();  // who asks next sees what was done
+        take_snapshots();  // who asks next sees what was done
         return answer;
     });
-    if (!acted && std::chrono::steady_clock::now() - looked_ >= look_period) take_looks();
+    if (!acted && std::chrono::steady_clock::now() - taken_at_ >= snapshot_period) take_snapshots();
 }
 
 // What a tool takes away is wanted no more, as if somebody had said so at a console.
@@ -219,10 +219,10 @@ RtcAnswer RtmServer::set_values(const Component& component, const RtcRequest& re
     return RtcAnswer::done;
 }
 
-RtcLook RtmServer::look(std::string_view component) {
+RtcSnapshot RtmServer::snapshot(std::string_view component) {
     const std::lock_guard lock(mutex_);
-    const auto found = looks_.find(component);
-    return found != looks_.end() ? found->second : RtcLook{};
+    const auto found = snapshots_.find(component);
+    return found != snapshots_.end() ? found->second : RtcSnapshot{};
 }
 
 RtcAnswer RtmServer::perform(const RtcRequest& request) {

@@ -40,7 +40,7 @@ public:
     /// How long a request of an RTC waits for its turn.
     static constexpr std::chrono::milliseconds patience{1000};
     /// How often what RTCs see of states and parameters is brought up to date.
-    static constexpr std::chrono::milliseconds look_period{100};
+    static constexpr std::chrono::milliseconds snapshot_period{100};
 
     using OrbMaker = std::function<Expected<std::unique_ptr<Orb>>(const OrbOptions& options, RtcSite& site)>;
 
@@ -65,7 +65,7 @@ public:
     std::uint64_t dropped() { return inbox_.dropped(); }
 
     // For CORBA's threads:
-    RtcLook look(std::string_view component) override;
+    RtcSnapshot snapshot(std::string_view component) override;
     RtcAnswer perform(const RtcRequest& request) override;
     PutAnswer put(std::string_view path, std::string_view from, std::span<const std::uint8_t> bytes,
                   std::endian order) override;
@@ -90,7 +90,7 @@ private:
     std::vector<RtcLink> fitting_links();
     void follow_changes();
     void take_away(const std::vector<RtcLink>& ended);
-    void take_looks();
+    void take_snapshots();
     RtcAnswer perform_now(const RtcRequest& request);
     RtcAnswer set_values(const Component& component, const RtcRequest& request);
     RtcAnswer done(const Act& act);
@@ -102,13 +102,13 @@ private:
     std::set<std::string> misfits_;       // what was said last of those that are not to be made
     std::uint64_t layout_ = 0;
     int starts_ = 0;
-    std::chrono::steady_clock::time_point looked_{};
+    std::chrono::steady_clock::time_point taken_at_{};
     std::map<std::string, std::string> refused_;  // messages of a port: what was said of it last
     std::vector<std::uint8_t> buffer_;
 
     Inbox inbox_;
     Mutex mutex_;  // of the next four
-    std::map<std::string, RtcLook, std::less<>> looks_;
+    std::map<std::string, RtcSnapshot, std::less<>> snapshots_;
     std::vector<Line> lines_;
     std::vector<RtcLink> ended_;
     std::map<std::string, std::string> malformed_;  // what was said last, by connection

@@ -175,14 +175,43 @@ end
 """
 
 
+class Lines:
+    """What every client of the console has: requests and events as lines of JSON over a connected socket."""
+
+    def __init__(self, connection):
+        self._socket = connection
+        self._begun = b""
+
+    def close(self):
+        self._socket.close()
+
+    def send(self, request):
+        try:
+            self._socket.sendall(json.dumps(request).encode() + b"\n")
+        except OSError:
+            raise Ended("the run has ended") from None
+
+    def events(self, end):
+        """The events of the next piece that comes before `end`; none when nothing comes."""
+        try:
+            if not select.select([self._socket], [], [], max(0.0, end - time.monotonic()))[0]:
+                return []
+            piece = self._socket.recv(1 << 16)
+        except (OSError, ValueError):
+            piece = b""
+        if not piece:
+            raise Ended("the run has ended")
+        *lines, self._begun = (self._begun + piece).split(b"\n")
+        return [json.loads(line) for line in lines if line]
+
+
 class Console:
     """One console of a running system."""
 
     def __init__(self, connection, timeout=10.0, process=None, reader=None):
         """`connection`: a socket that is connected to a console. `process` ends with it, `reader` takes what that says."""
         self.timeout = timeout  # [s] for an answer, unless a call says otherwise
-        self._socket, self._process, self._reader = connection, process, reader
-        self._begun = b""
+        self._lines, self._process, self._reader = Lines(connection), process, reader
         self._number = 0
         self._said = {}  # by request: pieces of the value, output, errors
         self.run(_PRELUDE)
@@ -195,7 +224,7 @@ class Console:
 
     def close(self):
         """Leaves the system; one that `start` began ends in good order."""
-        self._socket.close()
+        self._lines.close()
         if self._process is None:
             return
         process, self._process = self._process, None
@@ -267,21 +296,15 @@ class Console:
 
     def _send(self, text):
         self._said[self._number] = ([], [], [])
-        self._write({"do": "eval", "id": self._number, "text": text})
+        self._lines.send({"do": "eval", "id": self._number, "text": text})
         return self._number
-
-    def _write(self, request):
-        try:
-            self._socket.sendall(json.dumps(request).encode() + b"\n")
-        except OSError:
-            raise Ended("the run has ended") from None
 
     def _answer(self, number, timeout):
         """The pieces of the value and the output of a request, when it is answered."""
         timeout = self.timeout if timeout is None else timeout
         end = time.monotonic() + timeout
         while True:
-            for event in self._events(end):
+            for event in self._lines.events(end):
                 kind, text = event.get("is"), event.get("text", "")
                 running = next(iter(self._said.values()), None)  # requests are answered in their order
                 if kind == "bye":
@@ -300,27 +323,22 @@ class Console:
                         raise Refused("\n".join(errors))
                     return pieces, output
             if time.monotonic() >= end:
-                self._write({"do": "interrupt"})
+                self._lines.send({"do": "interrupt"})
                 raise Timeout("no answer within %g s" % timeout)
-
-    def _events(self, end):
-        """The events of the next piece that comes before `end`; none when nothing comes."""
-        try:
-            if not select.select([self._socket], [], [], max(0.0, end - time.monotonic()))[0]:
-                return []
-            piece = self._socket.recv(1 << 16)
-        except (OSError, ValueError):
-            piece = b""
-        if not piece:
-            raise Ended("the run has ended")
-        *lines, self._begun = (self._begun + piece).split(b"\n")
-        return [json.loads(line) for line in lines if line]
 
 
 def _port(path):
     """How a port is written, whatever it is called: `controller.in` is a keyword of Lua's."""
     component, _, name = path.partition(".")
     return "%s.ports[%s]" % (component, lua(name))
+
+
+def _encoded(text):
+    """The bytes of a text, those that were no UTF-8 as they were; half a character is a question mark."""
+    try:
+        return text.encode(errors="surrogateescape")
+    except UnicodeEncodeError:
+        return text.encode(errors="replace")
 
 
 def lua(value):
@@ -336,7 +354,7 @@ def lua(value):
             return "(0/0)" if value != value else "math.huge" if value > 0 else "-math.huge"
         return repr(value)
     if isinstance(value, (str, bytes)):
-        encoded = value.encode(errors="surrogateescape") if isinstance(value, str) else value
+        encoded = _encoded(value) if isinstance(value, str) else value
         plain = (chr(b) if 32 <= b < 127 and b not in b'"\\' else "\\%03d" % b for b in encoded)
         return '"' + "".join(plain) + '"'
     if isinstance(value, dict):

@@ -122,14 +122,14 @@ int Condition::compare(lua_State* lua) {
         comparison.left_value = lua_tonumber(lua, 2);
         comparison.right_value = lua_tonumber(lua, 3);
         comparison.result = result;
-        comparison.looked = true;
+        comparison.sampled = true;
     }
     lua_pushboolean(lua, result ? 1 : 0);
     return 1;
 }
 
-tl::expected<bool, CallError> Condition::look(lua_State* lua) {
-    for (Comparison& comparison : comparisons_) comparison.looked = false;
+tl::expected<bool, CallError> Condition::sample(lua_State* lua) {
+    for (Comparison& comparison : comparisons_) comparison.sampled = false;
     if (lua_checkstack(lua, 4) == 0) return tl::unexpected(CallError{{"stack overflow"}, false});
     const int top = lua_gettop(lua);
     lua_rawgetp(lua, LUA_REGISTRYINDEX, this);
@@ -153,7 +153,7 @@ namespace {
 
 bool has_margin(const Comparison& comparison) {
     using enum Comparison::Operator;
-    return comparison.looked && comparison.op != equal && comparison.op != unequal &&
+    return comparison.sampled && comparison.op != equal && comparison.op != unequal &&
            std::isfinite(comparison.left_value) && std::isfinite(comparison.right_value);
 }
 
@@ -189,7 +189,7 @@ std::string reason_of(const std::vector<Comparison>& comparisons, bool held) {
     std::string reason;
     for (const Comparison& comparison : comparisons) {
         // Of `a and b` that does not hold, the part that does not.
-        if (!comparison.looked || (comparison.result != comparison.negated) != held) continue;
+        if (!comparison.sampled || (comparison.result != comparison.negated) != held) continue;
         if (!reason.empty()) reason += "; ";
         reason += text_of(comparison) + ": " + values_of(comparison);
         if (has_margin(comparison) && comparison.left_value != comparison.right_value) {

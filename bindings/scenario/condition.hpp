@@ -25,7 +25,7 @@ public:
     Condition& operator=(const Condition&) = delete;
 
     /// Calls it.
-    tl::expected<bool, CallError> look(lua_State* lua);
+    tl::expected<bool, CallError> sample(lua_State* lua);
 
     /// In the order of the text; empty when the function has another form.
     const std::vector<Comparison>& comparisons() const { return comparisons_; }
@@ -44,11 +44,11 @@ struct Margin {
     const Comparison* comparison = nullptr;
 };
 
-/// After a look that gave `held`: the comparison nearest to its limit, among those that alone could have changed the
+/// After a sample that gave `held`: the comparison nearest to its limit, among those that alone could have changed the
 /// outcome. Equality has no margin.
 std::optional<Margin> margin_of(const std::vector<Comparison>& comparisons, bool held);
 
-/// After a look that gave `held`: what the comparisons that made it so compared, and by how much; "" when that is not
+/// After a sample that gave `held`: what the comparisons that made it so compared, and by how much; "" when that is not
 /// known.
 std::string reason_of(const std::vector<Comparison>& comparisons, bool held);
 

@@ -18,8 +18,8 @@ struct Comparison {
     bool for_false = false;  ///< it alone decides when the condition does not hold: the condition is `this or ...`
     bool negated = false;    ///< the condition says `not` of it
 
-    // The last look.
-    bool looked = false;  ///< it was reached, and both sides were numbers
+    // The last sample.
+    bool sampled = false;  ///< it was reached, and both sides were numbers
     double left_value = 0;
     double right_value = 0;
     bool result = false;

@@ -19,7 +19,7 @@ std::string text_of_time(double seconds) {
     return text + " s";
 }
 
-Verdict Expectation::look(bool is_true, double now) {
+Verdict Expectation::add_sample(bool is_true, double now) {
     const bool late = now >= started_ + terms_.within - time_tolerance;
     switch (terms_.kind) {
         case Kind::always:
@@ -38,13 +38,13 @@ Verdict Expectation::look(bool is_true, double now) {
                 verdict_ = Verdict::broken;
             }
             break;
-        case Kind::maintain: verdict_ = look_at_hold(is_true, now); break;
+        case Kind::maintain: verdict_ = sample_hold(is_true, now); break;
     }
     if (verdict_ == Verdict::broken) broken_at_ = now;
     return verdict_;
 }
 
-Verdict Expectation::look_at_hold(bool is_true, double now) {
+Verdict Expectation::sample_hold(bool is_true, double now) {
     if (!is_true) {
         held_since_ = -1;
         return now >= started_ + terms_.within - time_tolerance ? Verdict::broken : Verdict::open;
@@ -68,7 +68,7 @@ std::string Expectation::explain() const {
     switch (terms_.kind) {
         case Kind::always:
             if (kept_until_ < 0)
-                return fmt::format("{} did not hold at its first look, at {}", title(), span(broken_at_));
+                return fmt::format("{} did not hold at its first sample, at {}", title(), span(broken_at_));
             return fmt::format("{} held until {} and ceased at {}", title(), span(kept_until_), span(broken_at_));
         case Kind::never: return fmt::format("{} happened at {}", title(), span(broken_at_));
         case Kind::wait_until:

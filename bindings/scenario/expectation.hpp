@@ -1,4 +1,4 @@
-// What a scenario expects over time, apart from Lua: looks go in, a verdict comes out.
+// What a scenario expects over time, apart from Lua: samples go in, a verdict comes out.
 #pragma once
 
 #include <limits>
@@ -27,7 +27,7 @@ public:
     Expectation(Terms terms, double started) : terms_(std::move(terms)), started_(started) {}
 
     /// The condition is, or is not, true at this time. Times ascend. Only while the verdict is open.
-    Verdict look(bool is_true, double now);
+    Verdict add_sample(bool is_true, double now);
 
     const Terms& terms() const { return terms_; }
     double started() const { return started_; }
@@ -40,13 +40,13 @@ public:
     std::string explain_open(double now) const;
 
 private:
-    Verdict look_at_hold(bool is_true, double now);
+    Verdict sample_hold(bool is_true, double now);
 
     Terms terms_;
     double started_;
     Verdict verdict_ = Verdict::open;
     double broken_at_ = 0;
-    double kept_until_ = -1;     // always, never: the last look that was as expected
+    double kept_until_ = -1;     // always, never: the last sample that was as expected
     double held_since_ = -1;     // maintain: when the present hold began, -1: it does not hold
     double longest_since_ = -1;  // and the longest so far
     double longest_until_ = -1;

@@ -85,7 +85,7 @@ Expected<void> Golden::compare(const std::string& csv) const {
             const double off = std::abs(*a - *b);
             if (off <= tolerance_) continue;
             return failure(fmt::format("{} is {}, off {} by {:.6g}, more than the tolerance of {}", where, actual,
-                                       wanted, off, tolerance_));
+                                       shown(wanted), off, tolerance_));
         }
     }
     if (rows_.size() + 1 != golden.size())

@@ -38,10 +38,6 @@ std::vector<std::string> columns_of(const std::vector<std::string>& parameters,
     return columns;
 }
 
-std::string cell(const std::string& text) {
-    return text.find_first_of(",\"\r\n") == std::string::npos ? text : csv_quoted(text);
-}
-
 }  // namespace
 
 double quantile(const std::vector<double>& sorted, double share) {
@@ -101,23 +97,23 @@ std::string measures_csv(const std::vector<MeasuredRun>& runs, std::uint64_t see
         for (const auto& parameter : run.point) add_once(parameters, parameter.first);
         for (const Measure& measure : run.measures) add_once(measures, measure.name);
     }
-    std::string out = fmt::format("{}", fmt::join(fixed_columns, ","));
-    for (const std::string& column : columns_of(parameters, measures)) out += "," + cell(column);
-    for (const std::string& name : measures) out += "," + cell(name);
-    out += "\n";
+    std::vector<std::string> fields(fixed_columns.begin(), fixed_columns.end());
+    for (const std::string& column : columns_of(parameters, measures)) fields.push_back(csv_field(column));
+    for (const std::string& name : measures) fields.push_back(csv_field(name));
+    std::string out = csv_row(fields) + "\n";
     for (const MeasuredRun& run : runs) {
-        out += fmt::format("{},{},{},{}", cell(run.scenario), cell(run.name), seed, run.passed);
+        fields = {csv_field(run.scenario), csv_field(run.name), fmt::to_string(seed), fmt::to_string(run.passed)};
         for (const std::string& name : parameters) {
             const auto has = [&](const auto& parameter) { return parameter.first == name; };
             const auto found = std::find_if(run.point.begin(), run.point.end(), has);
-            out += "," + (found == run.point.end() ? "" : cell(plain_text(found->second)));
+            fields.push_back(found == run.point.end() ? "" : csv_field(plain_text(found->second)));
         }
         for (const std::string& name : measures) {
             const auto has = [&](const Measure& measure) { return measure.name == name; };
             const auto found = std::find_if(run.measures.begin(), run.measures.end(), has);
-            out += found == run.measures.end() ? "," : fmt::format(",{}", found->value);
+            fields.push_back(found == run.measures.end() ? "" : fmt::to_string(found->value));
         }
-        out += "\n";
+        out += csv_row(fields) + "\n";
     }
     return out;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/lua_text.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -61,20 +63,6 @@ private:
     bool quiet_;
 };
 
-// A text as YAML takes it on one line.
-std::string yaml_text(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            out += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        } else {
-            out += c;
-        }
-    }
-    return out + "\"";
-}
-
 // Where it went wrong: a file, and its line if that is known.
 std::string place_text(const RunReport& report) {
     const Place& place = report.result.error.place;
@@ -109,11 +97,11 @@ public:
         }
         const Error& error = report.result.error;
         write_("  ---\n");
-        write_(fmt::format("  message: {}\n", yaml_text(error.message)));
+        write_(fmt::format("  message: {}\n", lua_quoted(error.message)));
         write_(fmt::format("  severity: {}\n", report.result.outcome == RunOutcome::failed ? "fail" : "error"));
-        write_(fmt::format("  at: {}\n", yaml_text(place_text(report))));
+        write_(fmt::format("  at: {}\n", lua_quoted(place_text(report))));
         write_("  details:\n");
-        for (const std::string& line : failure_lines(report)) write_(fmt::format("    - {}\n", yaml_text(line)));
+        for (const std::string& line : failure_lines(report)) write_(fmt::format("    - {}\n", lua_quoted(line)));
         write_("  ...\n");
     }
 

@@ -10,10 +10,10 @@
 #include <set>
 #include <system_error>
 
-#include "bindings/lua/project/find_files.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/archive.hpp"
 #include "bindings/scenario/measures.hpp"
+#include "engine/base/find_files.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/payload.hpp"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
@@ -122,7 +123,7 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     Expected<ActResult> report = failure("");
     bool readable = true;
     if (source.file) {
-        const auto path = run.file_.project().find(FileKind::script, *source.file, calling_place(lua).file);
+        const auto path = find_script(run.file_.project(), *source.file, calling_place(lua).file);
         auto read =
             path ? run.file_.project().read_source(path->string()) : Expected<SourceText>(Unexpected(path.error()));
         readable = read.has_value();
@@ -192,7 +193,8 @@ int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_component(lua, 2);
     if (!at) return raise(run, at.error().message);
     if (lua_type(lua, 3) != LUA_TTABLE)
-        return raise(run, "expected a table " + usage_of<Push>(Describe<Push>::in_scenarios));
+        return raise(run,
+                     "expected a table " + usage_of<VelocityConstraint>(Describe<VelocityConstraint>::in_scenarios));
     double duration = for_ever;
     if (detail::push_raw_field(lua, 3, "seconds")) {
         const auto value = seconds(lua, lua_gettop(lua), "field 'seconds'", nullptr);
@@ -200,10 +202,10 @@ int ScenarioRun::Methods::disturb(ScenarioRun& run, lua_State* lua) {
         if (!value) return raise(run, value.error().message);
         duration = *value;
     }
-    const auto push = read_push(lua, 3, Describe<Push>::in_scenarios);
-    if (!push) return raise(run, push.error().message);
+    const auto constraint = read_velocity_constraint(lua, 3, Describe<VelocityConstraint>::in_scenarios);
+    if (!constraint) return raise(run, constraint.error().message);
     const std::string name = at->component->name();
-    const Disturb fault{name, push->vx, push->vy, push->va};
+    const Disturb fault{name, constraint->vx, constraint->vy, constraint->va};
     if (auto ok = act_on(at->live, fault); !ok) return raise(run, ok.error().message);
     run.faults_.begin(key_of(at->live, name + " disturb"), run.worlds_.now(), duration,
                       {.put = later(at->live, fault), .undo = later(at->live, Disturb{name})});
@@ -274,7 +276,8 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts()
          "(port, seconds)"},
         {"freeze", [](ScenarioRun& run, lua_State* lua) { return port_fault(run, lua, Override::frozen); }, 2,
          "(port, seconds)"},
-        {"disturb", disturb, 2, fmt::format("(robot, {})", usage_of<Push>(Describe<Push>::in_scenarios))},
+        {"disturb", disturb, 2,
+         fmt::format("(robot, {})", usage_of<VelocityConstraint>(Describe<VelocityConstraint>::in_scenarios))},
         {"press", press, 3, "(robot, sensor, seconds)"},
         {"teleport", teleport, 2, "(robot, pose)"},
         {"restore", restore, 1, "(thing)"},

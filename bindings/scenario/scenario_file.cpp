@@ -10,9 +10,9 @@
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/values/bridge.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "bindings/scenario/method_scan.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
-#include "bindings/scenario/word_scan.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi {
@@ -21,6 +21,8 @@ namespace {
 // Keys of the registry: the table of functions, the metatable of ranges.
 constexpr char functions_key = 0;
 constexpr char range_key = 0;
+
+constexpr double most_steps = 9007199254740992.0;  // 2^53: whole numbers up to here are numbers
 
 const SweepRange* to_range(lua_State* lua, int index) {
     if (lua_type(lua, index) != LUA_TUSERDATA || lua_getmetatable(lua, index) == 0) return nullptr;
@@ -119,7 +121,7 @@ Expected<std::unique_ptr<ScenarioFile>> ScenarioFile::read(const std::filesystem
     if (file->scenarios_.empty()) {
         return give_up({"the file has no scenario: expected scenario(\"name\", function(s) ... end)", {file->shown_}});
     }
-    if (const auto diagnostics = unknown_words(file->text_, file->shown_, ScenarioRun::Methods::names());
+    if (const auto diagnostics = unknown_methods(file->text_, file->shown_, ScenarioRun::Methods::names());
         !diagnostics.empty()) {
         if (errors != nullptr) *errors = diagnostics;
         return give_up(diagnostics.front());
@@ -150,6 +152,8 @@ int ScenarioFile::range_word(lua_State* lua) {
         if (!fits) return failure("range: expected range(lo, hi) or range(lo, hi, step) with numbers");
         if (range.hi < range.lo || (stepped && !(range.step > 0)))
             return failure("range: expected lo <= hi, and a step above 0");
+        if (stepped && !((range.hi - range.lo) / range.step < most_steps))
+            return failure("range: the step is too small for numbers to tell its values apart: leave it out");
         range.whole = stepped && lua_isinteger(lua, 1) != 0 && lua_isinteger(lua, 3) != 0;
         return {};
     });

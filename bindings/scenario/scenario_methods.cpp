@@ -2,8 +2,8 @@
 #include "bindings/scenario/scenario_methods.hpp"
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/scenario/measures.hpp"
+#include "bindings/scenario/method_scan.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
-#include "bindings/scenario/word_scan.hpp"
 
 #include <fmt/format.h>
 
@@ -97,12 +97,12 @@ int ScenarioRun::Methods::index(lua_State* lua) {
     const int answered = find_member(run, lua);
     if (answered == end_run) end_call(lua);
     if (answered != raise_text) return answered;
-    note_slip(run, lua);
+    note_diagnostic(run, lua);
     return raise_kept(lua);
 }
 
 // What a method refuses is a mistake of the scenario, which then could not be run, unless it catches that.
-void ScenarioRun::Methods::note_slip(ScenarioRun& run, lua_State* lua) {
+void ScenarioRun::Methods::note_diagnostic(ScenarioRun& run, lua_State* lua) {
     const std::string& text = run.file_.state().kept_error;
     if (!run.setup_error_ || text.find(run.setup_error_->message) == std::string::npos)
         run.setup_error_ = Error{one_line(text), calling_place(lua)};
@@ -121,7 +121,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (auto settled = run.settle_or_note(); !settled) return raise(run, describe(settled.error()));
     if (!run.has_world()) {
         const auto known = names();
-        if (!is_method && name != "world") return raise(run, unknown_word("s", name, known));
+        if (!is_method && name != "world") return raise(run, unknown_method("s", name, known));
         return raise(run, fmt::format("s.{}: there is no world yet: s:load a system, or say s:robot, s:behavior ...",
                                       shown(name)));
     }
@@ -131,7 +131,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     if (name != "world" && world.system().find(name) == nullptr) {
         auto known = names();
         for (const auto& component : world.system().components()) known.emplace_back(component->name());
-        return raise(run, unknown_word("s", name, known));
+        return raise(run, unknown_method("s", name, known));
     }
     const auto pushed = protect(lua, condition_budget, [&](lua_State* inside) {
         if (name == "world") {
@@ -154,12 +154,12 @@ int ScenarioRun::Methods::call(lua_State* lua) {
                                              : raise(run, fmt::format("write s:{}(...) with a colon", method.name));
     if (answered == end_run || run.stopped_) end_call(lua);
     if (answered != raise_text) return answered;
-    note_slip(run, lua);
+    note_diagnostic(run, lua);
     return raise_kept(lua);
 }
 
 int ScenarioRun::Methods::carry_out(ScenarioRun& run, lua_State* lua, const Method& method) {
-    if (run.looking_ && needs_time(method.name))
+    if (run.sampling_ && needs_time(method.name))
         return raise(run,
                      fmt::format("{}: a condition only looks: time and expectations are the scenario's", method.name));
     if (auto ok = Arguments{lua, 2}.at_most(method.name, method.most, method.usage); !ok)
@@ -188,7 +188,7 @@ bool ScenarioRun::Methods::fails(ScenarioRun& run, lua_State* lua, std::string t
     Place place = calling_place(lua);
     if (place.file.empty()) place = run.scenario_.place;
     run.stop(RunOutcome::failed, {one_line(std::move(text)), std::move(place)});
-    run.tell_ports(run.looked_);
+    run.tell_ports(run.read_ports_);
     return false;
 }
 

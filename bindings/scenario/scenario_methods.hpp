@@ -46,7 +46,7 @@ private:
     static int newindex(lua_State* lua);
     static int find_member(ScenarioRun& run, lua_State* lua);
     static int carry_out(ScenarioRun& run, lua_State* lua, const Method& method);
-    static void note_slip(ScenarioRun& run, lua_State* lua);
+    static void note_diagnostic(ScenarioRun& run, lua_State* lua);
 
     static int expect(ScenarioRun& run, lua_State* lua, Expectation::Kind kind);
     template <Expectation::Kind kind>

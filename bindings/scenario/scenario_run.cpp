@@ -53,7 +53,7 @@ Expected<void> ScenarioRun::open() {
     objects_ = std::move(*objects);
     objects_->set_prepare([this] { return settle_or_note(); });
     objects_->set_prepare_change([this]() -> Expected<void> {
-        if (!looking_) return {};
+        if (!sampling_) return {};
         setup_error_ = Error{"a condition only looks: parameters are set by the scenario"};
         return Unexpected(*setup_error_);
     });
@@ -69,9 +69,9 @@ Expected<void> ScenarioRun::open() {
                 fmt::format("{} is of another world than the one that was loaded last, which words add to", path));
         return std::optional(std::move(path));
     };
-    objects_->on_look([this](const PortAt& port) {
+    objects_->on_read([this](const PortAt& port) {
         constexpr std::size_t most = 32;
-        if (looked_.size() < most) looked_.push_back(port);
+        if (read_ports_.size() < most) read_ports_.push_back(port);
     });
     return {};
 }
@@ -121,7 +121,7 @@ void ScenarioRun::take_outcome(const CallResult& called) {
     if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
     // What no tick has come after is looked at once, now: it must be able to fail.
     for (const auto& watch : watches_) {
-        if (!watch->looked && !look(file_.state().lua(), *watch)) return;
+        if (!watch->sampled && !sample(file_.state().lua(), *watch)) return;
     }
     for (std::size_t i = 0; i < goldens_.size(); ++i) {
         const bool update = settings_.update_goldens;

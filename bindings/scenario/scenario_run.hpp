@@ -77,13 +77,13 @@ private:
         std::unique_ptr<Condition> condition;
         std::optional<Margin> margin{};  // the smallest
         double margin_at = 0;
-        bool looked = false;
-        struct Look {
+        bool sampled = false;
+        struct Sample {
             double time;
             double left;
             double right;
         };
-        std::vector<std::vector<Look>> history{};  // of each comparison, when it is kept
+        std::vector<std::vector<Sample>> history{};  // of each comparison, when it is kept
     };
     // A world and the words that add to it.
     struct Described {
@@ -126,7 +126,7 @@ private:
 
     // Time. False: the run has stopped.
     bool advance(lua_State* lua, const Watched* waiting);
-    bool look(lua_State* lua, Watched& watched);
+    bool sample(lua_State* lua, Watched& watched);
     bool pass_time(lua_State* lua, double seconds);
     bool wait(lua_State* lua, Watched& watched);
 
@@ -146,10 +146,10 @@ private:
     std::vector<Golden> goldens_;
     std::vector<std::unique_ptr<Watched>> watches_;
     std::vector<std::unique_ptr<Watched>> waits_;
-    std::vector<PortAt> looked_;  // since the last look began
-    double asked_until_ = 0;      // [s] what s:run was asked for, which may end between two ticks
+    std::vector<PortAt> read_ports_;  // since the last sample began
+    double asked_until_ = 0;          // [s] what s:run was asked for, which may end between two ticks
     std::size_t printed_bytes_ = 0;
-    bool looking_ = false;  // a condition is being called
+    bool sampling_ = false;  // a condition is being called
     bool stopped_ = false;
     std::optional<Error> setup_error_;  // of a word, a method or of building, which Lua may be about to raise
     bool is_setup_error(const CallError& error) const;

@@ -16,7 +16,7 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
                                        text_of_time(scenario_.timeout));
         if (waiting != nullptr) text += "; " + waiting->expectation.explain_open(worlds_.now());
         stop(RunOutcome::failed, {text, waiting != nullptr ? waiting->expectation.terms().place : scenario_.place});
-        if (waiting != nullptr) tell_ports(looked_);
+        if (waiting != nullptr) tell_ports(read_ports_);
         if (waiting != nullptr) tell_plot(*waiting);
         return false;
     }
@@ -31,18 +31,18 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
     }
     for (Golden& golden : goldens_) golden.add(worlds_.now());
     for (const auto& watch : watches_) {
-        if (!look(lua, *watch)) return false;
+        if (!sample(lua, *watch)) return false;
     }
     return true;
 }
 
-bool ScenarioRun::look(lua_State* lua, Watched& watched) {
-    looked_.clear();
-    watched.looked = true;
+bool ScenarioRun::sample(lua_State* lua, Watched& watched) {
+    read_ports_.clear();
+    watched.sampled = true;
     Condition& condition = *watched.condition;
-    looking_ = true;
-    const auto is_true = condition.look(lua);
-    looking_ = false;
+    sampling_ = true;
+    const auto is_true = condition.sample(lua);
+    sampling_ = false;
     if (stopped_) return false;
     if (!is_true) {
         fail(is_true.error(), watched);
@@ -53,11 +53,11 @@ bool ScenarioRun::look(lua_State* lua, Watched& watched) {
     if (settings_.keep_history) {
         watched.history.resize(comparisons.size());
         for (std::size_t i = 0; i < comparisons.size(); ++i) {
-            if (comparisons[i].looked)
+            if (comparisons[i].sampled)
                 watched.history[i].push_back({now, comparisons[i].left_value, comparisons[i].right_value});
         }
     }
-    const Verdict verdict = watched.expectation.look(*is_true, now);
+    const Verdict verdict = watched.expectation.add_sample(*is_true, now);
     if (verdict == Verdict::broken) {
         fail(watched);
         return false;
@@ -86,9 +86,9 @@ bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
 
 bool ScenarioRun::wait(lua_State* lua, Watched& watched) {
     // What is so already needs no tick; before the first tick there is nothing to look at.
-    if (worlds_.ticks() > 0 && !look(lua, watched)) return false;
+    if (worlds_.ticks() > 0 && !sample(lua, watched)) return false;
     while (watched.expectation.verdict() == Verdict::open) {
-        if (!advance(lua, &watched) || !look(lua, watched)) return false;
+        if (!advance(lua, &watched) || !sample(lua, watched)) return false;
     }
     return true;
 }
@@ -108,7 +108,7 @@ void ScenarioRun::fail(const Watched& watched) {
     const bool was = expectation.terms().kind == Expectation::Kind::never;
     const std::string reason = reason_of(watched.condition->comparisons(), was);
     if (!reason.empty()) result_.facts.push_back(reason);
-    tell_ports(looked_);
+    tell_ports(read_ports_);
     tell_plot(watched);
 }
 
@@ -118,7 +118,7 @@ void ScenarioRun::fail(const CallError& error, const Watched& watched) {
     if (plain.place.file.empty()) plain.place = watched.expectation.terms().place;
     const bool could_not = error.over_budget || is_setup_error(error);
     stop(could_not ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
-    tell_ports(looked_);
+    tell_ports(read_ports_);
 }
 
 void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
@@ -150,9 +150,9 @@ void ScenarioRun::tell_plot(const Watched& watched) {
         const Comparison& comparison = comparisons[i];
         Curve limit{.name = comparison.right, .mark = '-'};
         Curve value{.name = comparison.left};
-        for (const Watched::Look& look : watched.history[i]) {
-            limit.points.emplace_back(look.time, look.right);
-            value.points.emplace_back(look.time, look.left);
+        for (const Watched::Sample& sample : watched.history[i]) {
+            limit.points.emplace_back(sample.time, sample.right);
+            value.points.emplace_back(sample.time, sample.left);
         }
         for (const std::string& line : plain_plot({limit, value}, size)) result_.facts.push_back("  " + line);
     }

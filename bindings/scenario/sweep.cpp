@@ -10,34 +10,16 @@
 #include <set>
 
 #include "bindings/lua/sandbox/random.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
 namespace {
 
-std::string text_of_number(double number) {
-    std::string text = fmt::format("{}", number);
-    if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
-    return text;
-}
-
 bool is_plain_word(const std::string& text) {
     return !text.empty() && text.find_first_of("[]{}=,\"'\\ ") == std::string::npos &&
            std::all_of(text.begin(), text.end(), [](unsigned char c) { return c > 0x20 && c != 0x7f; });
-}
-
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            out += fmt::format("\\{:03}", static_cast<int>(static_cast<unsigned char>(c)));
-        } else {
-            out += c;
-        }
-    }
-    return out + "\"";
 }
 
 std::string text_of(const PlainData& data, const PlainData::Value& value, int depth) {
@@ -47,8 +29,10 @@ std::string text_of(const PlainData& data, const PlainData::Value& value, int de
         std::string operator()(std::monostate) const { return "nil"; }
         std::string operator()(bool value) const { return value ? "true" : "false"; }
         std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
-        std::string operator()(double value) const { return text_of_number(value); }
-        std::string operator()(const std::string& value) const { return is_plain_word(value) ? value : quoted(value); }
+        std::string operator()(double value) const { return lua_number(value); }
+        std::string operator()(const std::string& value) const {
+            return is_plain_word(value) ? value : lua_quoted(value);
+        }
         std::string operator()(PlainData::TableRef ref) const {
             if (depth > 4) return "{...}";
             std::string out = "{";
@@ -196,22 +180,7 @@ SweepValue to_sweep_value(PlainData data) {
 }
 
 std::string plain_text(const SweepValue& value) {
-    const std::string& text = value.text;
-    if (!text.starts_with('"')) return text;
-    std::string plain;
-    for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-        const bool escaped = text[i] == '\\';
-        if (escaped) ++i;
-        if (!escaped || text[i] == '"' || text[i] == '\\') {
-            plain += text[i];
-        } else {
-            int code = 0;
-            std::from_chars(text.data() + i, text.data() + std::min(i + 3, text.size()), code);
-            plain += static_cast<char>(code);
-            i += 2;
-        }
-    }
-    return plain;
+    return value.text.starts_with('"') ? lua_unquoted(value.text) : value.text;
 }
 
 std::string text_of(const SweepPoint& point) {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "bindings/lua/project/find_files.hpp"
 #include "bindings/lua/project/near_path.hpp"
 #include "bindings/scenario/scenario_run.hpp"
+#include "engine/base/find_files.hpp"
 
 namespace nezumi {
 namespace {

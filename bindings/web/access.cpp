@@ -50,7 +50,7 @@ bool is_same_secret(std::string_view left, std::string_view right) {
     return difference == 0;
 }
 
-bool Access::is_own_host(std::string_view host) const {
+bool AccessControl::is_own_host(std::string_view host) const {
     const auto bracket = host.find(']');
     const auto colon = host.find(':', bracket == std::string_view::npos ? 0 : bracket);
     const std::string_view name = host.substr(0, colon);
@@ -63,7 +63,7 @@ bool Access::is_own_host(std::string_view host) const {
     return !address_.empty() && name == address_;
 }
 
-Entry Access::check(const HttpRequest& request) const {
+Admission AccessControl::check(const HttpRequest& request) const {
     if (request.path != "/ws" || !is_own_host(request.host)) return {.refused = forbidden};
     if (request.origin != scheme_ + "://" + std::string(request.host)) return {.refused = forbidden};
     const std::string_view token = token_in(request.protocols);

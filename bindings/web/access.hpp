@@ -15,10 +15,10 @@ std::string make_token();
 /// differ.
 bool is_same_secret(std::string_view left, std::string_view right);
 
-class Access {
+class AccessControl {
 public:
     /// `scheme`: "http", or "https" where TLS is spoken. `address`: another name than the loopback's that is ours.
-    explicit Access(std::string scheme = "http", std::string address = "")
+    explicit AccessControl(std::string scheme = "http", std::string address = "")
         : scheme_(std::move(scheme)), address_(std::move(address)) {}
 
     /// For those who may act, and for those who may only look. Empty, they let nobody in.
@@ -30,7 +30,7 @@ public:
     bool is_own_host(std::string_view host) const;
     /// What wants to be a WebSocket must ask for /ws of our host, come from a page of exactly that host, and offer the
     /// protocols "nezumi" and "token.TOKEN".
-    Entry check(const HttpRequest& request) const;
+    Admission check(const HttpRequest& request) const;
 
 private:
     std::string scheme_;

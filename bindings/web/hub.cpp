@@ -47,7 +47,7 @@ void remove_doubles(std::vector<std::string>& names) {
 
 }  // namespace
 
-bool is_stop(const Message& message) {
+bool is_stop(const BrowserMessage& message) {
     const auto* act = std::get_if<ActMessage>(&message.body);
     return act != nullptr && std::holds_alternative<Stop>(act->act);
 }
@@ -64,7 +64,7 @@ void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::In
     waiting.insert(place, std::move(incoming));
 }
 
-Hub::Hub(Access access, StaticFiles files, Project project, std::string hello)
+Hub::Hub(AccessControl access, StaticFiles files, Project project, std::string hello)
     : access_(std::move(access)),
       files_(std::move(files)),
       project_(std::move(project)),
@@ -176,11 +176,11 @@ HttpReply Hub::reply_to(const HttpRequest& request) {
     return files_.get(request.path);
 }
 
-Entry Hub::lets_in(const HttpRequest& request) {
-    Entry entry = access_.check(request);
+Admission Hub::lets_in(const HttpRequest& request) {
+    Admission admission = access_.check(request);
     const std::lock_guard lock(mutex_);
-    if (entry.refused == 0 && (goodbye_ || clients_.size() >= most_clients)) entry.refused = unavailable;
-    return entry;
+    if (admission.refused == 0 && (goodbye_ || clients_.size() >= most_clients)) admission.refused = unavailable;
+    return admission;
 }
 
 void Hub::opened(ClientId id, bool view_only) {

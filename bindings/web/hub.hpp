@@ -41,16 +41,16 @@ public:
         ClientId client = 0;
         What what = What::message;
         bool view_only = false;
-        Message message{};
+        BrowserMessage message{};
     };
 
     /// `hello` is the message that greets a browser, without what is its own.
-    Hub(Access access, StaticFiles files, Project project, std::string hello);
+    Hub(AccessControl access, StaticFiles files, Project project, std::string hello);
     Hub(const Hub&) = delete;
     Hub& operator=(const Hub&) = delete;
     ~Hub() override = default;
 
-    const Access& access() const { return access_; }
+    const AccessControl& access() const { return access_; }
 
     // From the thread that ticks; none of it waits for a browser.
 
@@ -82,7 +82,7 @@ public:
     // The site, in the sockets' thread.
 
     HttpReply reply_to(const HttpRequest& request) override;
-    Entry lets_in(const HttpRequest& request) override;
+    Admission lets_in(const HttpRequest& request) override;
     void opened(ClientId client, bool view_only) override;
     bool received(ClientId client, std::string_view text) override;
     std::optional<Outgoing> next(ClientId client) override;
@@ -122,7 +122,7 @@ private:
     static Outgoing read_floor(const std::string& file);
     static bool is_too_fast(Client& client);
 
-    const Access access_;
+    const AccessControl access_;
     const StaticFiles files_;
     const Project project_;
     const std::string hello_;
@@ -146,7 +146,7 @@ private:
 };
 
 /// Whether it stops all robots.
-bool is_stop(const Message& message);
+bool is_stop(const BrowserMessage& message);
 /// Puts what came behind all that waits, from place `from` on; but a stop before all of it, only behind the coming of
 /// its browser.
 void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::Incoming incoming);

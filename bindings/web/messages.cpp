@@ -176,8 +176,8 @@ ConsoleMessage read_console(Fields& fields) {
 
 }  // namespace
 
-tl::expected<Message, Refusal> read_message(std::string_view text, const Project& project) {
-    Message message;
+tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const Project& project) {
+    BrowserMessage message;
     const auto refuse = [&](std::string why) {
         return tl::unexpected(Refusal{.id = message.id, .text = std::move(why)});
     };

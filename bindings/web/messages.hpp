@@ -46,7 +46,7 @@ struct FloorMessage {};
 /// Wants to know which systems run.
 struct SystemsMessage {};
 
-struct Message {
+struct BrowserMessage {
     std::int64_t id = 0;  ///< of the page's choice; an answer carries it
     std::variant<Watch, ActMessage, TimeMessage, DriveMessage, ConsoleMessage, FloorMessage, ExplainMessage,
                  SystemsMessage>
@@ -63,6 +63,6 @@ struct Refusal {
 inline constexpr std::size_t most_watched = 256;
 
 /// Reads one message. `project` is where the files of an act's entries are found.
-tl::expected<Message, Refusal> read_message(std::string_view text, const Project& project);
+tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const Project& project);
 
 }  // namespace nezumi::web

@@ -35,7 +35,7 @@ struct HttpReply {
 };
 
 /// Whether somebody is let in, and what they may.
-struct Entry {
+struct Admission {
     int refused = 0;  ///< an HTTP status, or 0: let in
     bool view_only = false;
 };
@@ -54,7 +54,7 @@ public:
 
     virtual HttpReply reply_to(const HttpRequest& request) = 0;
     /// Asked before a connection becomes a WebSocket.
-    virtual Entry lets_in(const HttpRequest& request) = 0;
+    virtual Admission lets_in(const HttpRequest& request) = 0;
     virtual void opened(ClientId client, bool view_only) = 0;
     /// A whole message; false closes the connection.
     virtual bool received(ClientId client, std::string_view message) = 0;

@@ -85,7 +85,7 @@ private:
 
     bool listen(const SocketOptions& options, int port);
     void serve();
-    Entry lets_in(lws* socket) const;
+    Admission lets_in(lws* socket) const;
     int answer(lws* socket, FilePart& part, std::string_view path) const;
     static int write_body(lws* socket, FilePart& part);
     int receive(lws* socket, BrowserPart& part, std::string_view piece) const;
@@ -180,7 +180,7 @@ void WebSockets::serve() {
     has_ended_.notify_all();
 }
 
-Entry WebSockets::lets_in(lws* socket) const {
+Admission WebSockets::lets_in(lws* socket) const {
     const std::string path = header(socket, WSI_TOKEN_GET_URI);
     const std::string host = header(socket, WSI_TOKEN_HOST);
     const std::string origin = header(socket, WSI_TOKEN_ORIGIN);
@@ -267,9 +267,9 @@ int WebSockets::file_event(lws* socket, lws_callback_reasons reason, void* user,
     switch (reason) {
         case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE: {
             if (in == nullptr || std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
-            const Entry entry = self(socket).lets_in(socket);
-            if (entry.refused == 0) return 0;
-            return lws_return_http_status(socket, static_cast<unsigned>(entry.refused), nullptr) < 0 ? -1 : 1;
+            const Admission admission = self(socket).lets_in(socket);
+            if (admission.refused == 0) return 0;
+            return lws_return_http_status(socket, static_cast<unsigned>(admission.refused), nullptr) < 0 ? -1 : 1;
         }
         case LWS_CALLBACK_HTTP: return self(socket).answer(socket, *part, {static_cast<const char*>(in), length});
         case LWS_CALLBACK_HTTP_WRITEABLE: return write_body(socket, *part);
@@ -287,9 +287,9 @@ int WebSockets::browser_event(lws* socket, lws_callback_reasons reason, void* us
     auto* part = static_cast<BrowserPart*>(user);
     switch (reason) {
         case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION: {
-            const Entry entry = self(socket).lets_in(socket);
-            if (part != nullptr) part->view_only = entry.view_only;
-            return entry.refused != 0 || part == nullptr ? -1 : 0;
+            const Admission admission = self(socket).lets_in(socket);
+            if (part != nullptr) part->view_only = admission.view_only;
+            return admission.refused != 0 || part == nullptr ? -1 : 0;
         }
         case LWS_CALLBACK_ESTABLISHED:
             part->id = ++self(socket).last_id_;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/web/explain_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
@@ -43,9 +43,9 @@ WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& conso
     : live_(live),
       clock_(clock),
       origin_(scheme_of(options.sockets) + "://" + options.sockets.address),
-      hub_(Access(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page), live.project(),
-           hello(live, options)),
-      look_(live, clock),
+      hub_(AccessControl(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page),
+           live.project(), hello(live, options)),
+      state_reader_(live, clock),
       drives_(live,
               [this](ClientId client, const std::string& port, const std::string& why) {
                   hub_.send(client, dump({{"is", "drive"}, {"port", port}, {"ok", false}, {"text", why}}));
@@ -57,7 +57,7 @@ WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& conso
 Expected<std::unique_ptr<WebServer>> WebServer::open(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
-    const Access& access = server->hub_.access();
+    const AccessControl& access = server->hub_.access();
     if (access.token().empty() || access.view_token().empty())
         return failure("the kernel gives no random numbers for the secret in its address");
     auto sockets = open_sockets(options.sockets, server->hub_);
@@ -139,7 +139,7 @@ void WebServer::deal_with(const Hub::Incoming& incoming) {
         browsers_.erase(found);
         return;
     }
-    const Message& message = incoming.message;
+    const BrowserMessage& message = incoming.message;
     const auto done = perform(id, found->second, message);
     if (const auto* drive = std::get_if<DriveMessage>(&message.body)) {
         if (!done)
@@ -163,7 +163,7 @@ void WebServer::note(const Browser& browser, const std::string& what) {
     live_.system().log(LogLevel::info, to_text(browser.who) + ": " + what);
 }
 
-Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& browser, const Message& message) {
+Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& browser, const BrowserMessage& message) {
     if (const auto* act = std::get_if<ActMessage>(&message.body)) {
         note(browser, act->shown);
         const auto result = live_.act(act->act, browser.who);
@@ -182,9 +182,9 @@ Expected<WebServer::Reply> WebServer::perform(ClientId client, const Browser& br
     }
     if (const auto* wanted = std::get_if<ExplainMessage>(&message.body)) {
         if (explained_.size() >= most_explained) return failure("too many wait to be explained already");
-        const auto look = live_.explain_next(wanted->component);
-        if (!look) return Unexpected(look.error());
-        explained_.push_back({client, wanted->component, *look, live_.starts()});
+        const auto trace = live_.explain_next(wanted->component);
+        if (!trace) return Unexpected(trace.error());
+        explained_.push_back({client, wanted->component, *trace, live_.starts()});
         return Reply::now;
     }
     if (const auto* time = std::get_if<TimeMessage>(&message.body)) {
@@ -256,7 +256,7 @@ void WebServer::explain() {
     std::erase_if(explained_, [&](const Explained& each) {
         if (!browsers_.contains(each.client)) return true;
         const auto seen = each.start == live_.starts()
-                              ? live_.explanation(each.component, each.look)
+                              ? live_.explanation(each.component, each.trace)
                               : Expected<std::optional<Explanation>>(failure(each.component + " began anew"));
         if (seen && !*seen) return false;
         hub_.send(each.client, seen ? dump(explanation_to_json(**seen))
@@ -287,7 +287,7 @@ void WebServer::show(double late, Clock::time_point now) {
     if (now - shown_ < std::chrono::duration<double>(1 / states)) return;
     shown_ = now;
     const Watch wanted = hub_.wanted();
-    hub_.put(look_.at(hub_.take_back(), wanted, late));
+    hub_.put(state_reader_.at(hub_.take_back(), wanted, late));
     pictures_->look(live_.system(), wanted.pictures, now);
     sockets_->wake();
 }

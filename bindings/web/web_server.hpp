@@ -16,9 +16,9 @@
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
 #include "bindings/web/hub.hpp"
-#include "bindings/web/look.hpp"
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/sockets.hpp"
+#include "bindings/web/state_reader.hpp"
 
 namespace nezumi::web {
 
@@ -72,7 +72,7 @@ private:
     void note(const Browser& browser, const std::string& what);
     enum class Reply { now, later };
     void answer(ClientId client, std::int64_t id, const Expected<void>& done);
-    Expected<Reply> perform(ClientId client, const Browser& browser, const Message& message);
+    Expected<Reply> perform(ClientId client, const Browser& browser, const BrowserMessage& message);
     Expected<void> set_time(const TimeMessage& time, const Browser& browser);
     Expected<Reply> restart(ClientId client, std::int64_t id, const Browser& browser);
     void explain();
@@ -85,14 +85,14 @@ private:
     ClockControl& clock_;
     const std::string origin_;  // without the port
     Hub hub_;
-    Look look_;
+    StateReader state_reader_;
     Drives drives_;
     ConsoleRelay relay_;
     std::map<ClientId, Browser> browsers_;
     struct Explained {
         ClientId client = 0;
         std::string component;
-        std::int64_t look = 0;
+        std::int64_t trace = 0;
         int start = 0;
     };
     std::vector<Explained> explained_;  // that are to be

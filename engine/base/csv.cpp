@@ -102,6 +102,11 @@ std::string csv_quoted(std::string_view text) {
     return all + '"';
 }
 
+std::string csv_field(std::string_view text) {
+    const bool is_plain = text.find_first_of(",\"\r\n") == std::string_view::npos && trimmed(text) == text;
+    return is_plain ? std::string(text) : csv_quoted(text);
+}
+
 std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row) {
     std::vector<std::string_view> fields;
     for (std::size_t begin = 0;;) {
@@ -129,6 +134,13 @@ bool read_csv_row(std::istream& in, std::string& row) {
     if (!std::getline(in, row)) return false;
     for (std::string more; !split_csv_row(row) && std::getline(in, more);) row.append("\n").append(more);
     return true;
+}
+
+std::optional<std::size_t> end_of_csv_row(std::string_view text, std::size_t from) {
+    for (std::size_t end = text.find('\n', from); end != std::string_view::npos; end = text.find('\n', end + 1)) {
+        if (split_csv_row(text.substr(from, end - from))) return end + 1;
+    }
+    return std::nullopt;
 }
 
 Expected<std::vector<CsvRow>> read_csv(std::string_view text, const std::string& file,

@@ -1,6 +1,7 @@
 // CSV: how its rows and fields are written and taken apart, and tables of numbers.
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -13,6 +14,15 @@ namespace nezumi {
 
 /// A text as a field: in quotes, those within it doubled.
 std::string csv_quoted(std::string_view text);
+/// The same, in quotes only where it would not be read back without them.
+std::string csv_field(std::string_view text);
+/// Fields as they stand there, as a row without its end of line.
+template <class Text>
+std::string csv_row(const std::vector<Text>& fields) {
+    std::string row;
+    for (std::size_t i = 0; i < fields.size(); ++i) row.append(i > 0 ? 1 : 0, ',').append(fields[i]);
+    return row;
+}
 /// The fields of a row as they stand there, with their quotes and blanks: commas within quotes separate nothing.
 /// Nothing when a quote is not closed.
 std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row);
@@ -20,6 +30,8 @@ std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row)
 std::string csv_text(std::string_view field);
 /// Reads the next row, which goes on over ends of line within quotes, without its last end of line. False at the end.
 bool read_csv_row(std::istream& in, std::string& row);
+/// Where the row that begins at `from` ends, behind its end of line; nothing when it does not end in the text.
+std::optional<std::size_t> end_of_csv_row(std::string_view text, std::size_t from);
 
 /// A column that a table must have, and which numbers may stand in it.
 struct CsvColumn {

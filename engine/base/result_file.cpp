@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/csv.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -100,15 +102,11 @@ void ResultFile::cut_to_rows(std::uint64_t from, std::string_view note) {
     const ssize_t got = pread(file, tail.data(), tail.size(), static_cast<off_t>(from));
     tail.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
 
-    // The last end of a row, and the last one behind which the note fits where the disk has room already. A quoted cell
-    // may have line breaks in it.
+    // The last end of a row, and the last one behind which the note fits where the disk has room already.
     std::uint64_t whole = from;
     std::uint64_t with_note = from;
-    bool quoted = false;
-    for (std::size_t i = 0; i < tail.size(); ++i) {
-        if (tail[i] == '"') quoted = !quoted;
-        if (tail[i] != '\n' || quoted) continue;
-        whole = from + i + 1;
+    while (const auto end_of_row = end_of_csv_row(tail, static_cast<std::size_t>(whole - from))) {
+        whole = from + *end_of_row;
         if (whole + note.size() <= size) with_note = whole;
     }
     // Where the disk has room again, no row has to go for the note.

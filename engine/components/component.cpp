@@ -64,6 +64,7 @@ Expected<void> Component::use(std::string_view set) {
         }
     }
     set_in_use_ = is_none ? "" : found->first;
+    ++uses_;
     return {};
 }
 
@@ -173,7 +174,7 @@ void Component::abort(Error error) {
     last_error_ = std::move(error);
     if (auto ok = run_without_velocities(Hook::on_aborting); !ok) {
         for (const auto& port : out_ports_) port->discard();
-        log(LogLevel::error, fmt::format("on_aborting failed: {}", describe(ok.error())));
+        log(LogLevel::error, fmt::format("{} failed: {}", failed_at_aborting(), describe(ok.error())));
     }
     for (const auto& port : out_ports_) port->write_safe();
 }

@@ -66,15 +66,22 @@ public:
     /// depends on the machine. A reload that runs out of time is refused and does not count.
     const std::optional<Error>& out_of_time() const { return out_of_time_; }
 
+    /// What a call that the clock ended has left where another call finds it.
+    struct LeftState {
+        std::optional<PlainData> data{};
+        std::string lost{};  ///< what of it is not in `data`, and why; "" for nothing
+    };
     /// A call of a hook or command, counted from 1, that ran out of its time. Those of `on_reload` do not count.
     struct OutOfTime {
         std::int64_t call = 0;
         Error error;
+        LeftState left{};
     };
     /// Those since this function was last called: the first 16 of them.
     std::vector<OutOfTime> take_out_of_time() { return std::exchange(new_out_of_time_, {}); }
     bool has_new_out_of_time() const { return !new_out_of_time_.empty(); }
-    /// For a replay, which must not ask the clock: this call will end with this error, however long it takes.
+    /// For a replay, which must not ask the clock: this call will end with this error, however long it takes, and leave
+    /// the state that it left.
     void run_out_of_time_at(OutOfTime call) { foreseen_.push_back(std::move(call)); }
     /// Executions since the start.
     std::int64_t executions() const { return executions_; }
@@ -87,6 +94,8 @@ public:
     Expected<void> use(std::string_view set);
     /// The set in use; "" when none is.
     const std::string& set_in_use() const { return set_in_use_; }
+    /// Counts the calls of `use` that went well.
+    std::uint64_t uses() const { return uses_; }
 
     // Whoever has a constant component can look at its ports, and put nothing into them.
     const std::vector<std::unique_ptr<InPortBase>>& in_ports() { return in_ports_; }
@@ -152,6 +161,11 @@ protected:
     virtual Expected<void> on_aborting() { return {}; }
     virtual Expected<void> on_error() { return {}; }
     virtual Expected<void> on_reset() { return {}; }
+    /// What a call that was ended leaves, and the same put in the place of what is there.
+    virtual LeftState left_state() { return {}; }
+    virtual void restore(const PlainData& /*left*/) {}
+    /// What has just failed in `on_aborting`, for the log.
+    virtual std::string_view failed_at_aborting() const { return to_text(Hook::on_aborting); }
 
     /// Adds a port; the reference stays valid as long as the component keeps the port.
     template <Payload T>
@@ -169,6 +183,8 @@ protected:
         return reference;
     }
 
+    /// The set in use from now on, when its values have come or gone with a version of a script.
+    void note_set_in_use(std::string set) { set_in_use_ = std::move(set); }
     /// What `now` is between ticks, when something runs that is no part of the life cycle.
     void set_now(const Time& now) { now_ = now; }
     /// Runs `hook` as the hook that is running now. Calls may be nested: each is one that can run out of its time.
@@ -180,7 +196,8 @@ protected:
         hook_ = before;
         if (call == 0) return result;
         if (!foreseen_.empty()) take_foreseen(call, [&](const Error& error) { result = Unexpected(error); });
-        if (!result && result.error().kind == Error::Kind::out_of_time) note_out_of_time({call, result.error()});
+        if (!result && result.error().kind == Error::Kind::out_of_time)
+            note_out_of_time({call, result.error(), left_state()});
         return result;
     }
 
@@ -192,6 +209,7 @@ private:
         const auto found = std::find_if(foreseen_.begin(), foreseen_.end(), is_due);
         if (found == foreseen_.end()) return;
         end(found->error);
+        if (found->left.data) restore(*found->left.data);
         foreseen_.erase(found);
     }
     /// Forgets the velocities that `hook` wrote; what was written before it stays.
@@ -200,6 +218,7 @@ private:
     std::string name_;
     std::string type_;
     std::string set_in_use_;
+    std::uint64_t uses_ = 0;
     LogSink log_;
     Error last_error_;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/lua_text.hpp"
 #include "engine/components/parameter_fields.hpp"
 
 namespace nezumi {
@@ -19,30 +20,8 @@ struct IsVector<std::vector<T>> : std::true_type {};
 
 std::string element_text(bool value) { return value ? "true" : "false"; }
 std::string element_text(std::int64_t value) { return std::to_string(value); }
-std::string element_text(double value) {
-    if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-    std::string text = fmt::format("{}", value);
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text;
-}
-std::string element_text(const std::string& value) {
-    std::string text = "\"";
-    for (const char c : value) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            text += '\\';
-            text += c;
-        } else if (c == '\n') {
-            text += "\\n";
-        } else if (byte < 0x20 || byte == 0x7f) {
-            text += fmt::format("\\x{:02x}", byte);
-        } else {
-            text += c;
-        }
-    }
-    return text + "\"";
-}
+std::string element_text(double value) { return lua_number(value); }
+std::string element_text(const std::string& value) { return lua_quoted(value); }
 
 // A whole number that a double holds exactly, as an integer; nothing otherwise.
 std::optional<std::int64_t> to_integer(double value) {
@@ -359,6 +338,10 @@ void Parameters::adopt_from_outside(const Parameters& earlier) {
     for (const Parameter& parameter : earlier.all_) {
         if (parameter.from_outside) adopt(earlier, parameter.spec.name);
     }
+}
+
+void Parameters::begin_version() {
+    for (Parameter& parameter : all_) parameter.from_outside = false;
 }
 
 void Parameters::adopt(const Parameters& earlier, std::string_view name) {

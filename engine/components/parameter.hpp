@@ -84,6 +84,8 @@ public:
     void adopt_from_outside(const Parameters& earlier);
     /// The same for one of them.
     void adopt(const Parameters& earlier, std::string_view name);
+    /// From now on another version of its component runs: nothing was set from outside since.
+    void begin_version();
 
     /// Grows with every change of a value: tells a cache that it is out of date.
     std::uint64_t version() const { return version_; }

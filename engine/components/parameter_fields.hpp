@@ -8,9 +8,7 @@
 
 namespace nezumi {
 
-/// The ways in which a person is shown a parameter, named as in OpenRTM. A slider needs both bounds; radio needs
-/// choices; a checkbox shows a truth value, or an array as a part of its choices; an ordered list shows an array of its
-/// choices.
+/// The ways in which a person is shown a parameter, named as in OpenRTM.
 inline constexpr std::array<std::string_view, 6> widgets{"slider", "spin", "radio", "checkbox", "ordered_list", "text"};
 
 template <>
@@ -27,20 +25,37 @@ struct Describe<ParameterSpec> {
                 &ParameterSpec::min,
                 "",
                 "smallest value; of each element of an array",
-                {.most = any, .of = numbers}},
-        Setting{
-            "max", &ParameterSpec::max, "", "largest value; of each element of an array", {.most = any, .of = numbers}},
+                {.most = any, .of = numbers, .fallback = "none"}},
+        Setting{"max",
+                &ParameterSpec::max,
+                "",
+                "largest value; of each element of an array",
+                {.most = any, .of = numbers, .fallback = "none"}},
         Setting{"step",
                 &ParameterSpec::step,
                 "",
                 "of the widget only",
                 {.range = NumberRange::positive, .most = any, .of = numbers, .fallback = "none"}},
-        Setting{"widget", &ParameterSpec::widget, "", "how it is shown for a person to change", {.choices = widgets}},
+        Setting{"widget",
+                &ParameterSpec::widget,
+                "",
+                "how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox "
+                "shows a truth value, or an array as a part of its choices; an ordered list shows an array of its "
+                "choices",
+                {.choices = widgets}},
         Setting{"unit", &ParameterSpec::unit, "", "for example \"m/s\""},
         Setting{"doc", &ParameterSpec::doc, "", "what it means"},
         Extra{"choices", "ParameterValue[]", "", "the values that may be chosen; without: all within the bounds"},
-        Setting{"min_size", &ParameterSpec::min_size, "", "fewest elements", {.max = 1'000'000, .of = arrays}},
-        Setting{"max_size", &ParameterSpec::max_size, "", "most elements", {.max = 1'000'000, .of = arrays}},
+        Setting{"min_size",
+                &ParameterSpec::min_size,
+                "",
+                "fewest elements",
+                {.max = 1'000'000, .of = arrays, .fallback = "none"}},
+        Setting{"max_size",
+                &ParameterSpec::max_size,
+                "",
+                "most elements",
+                {.max = 1'000'000, .of = arrays, .fallback = "none"}},
         Internal{&ParameterSpec::name},
         Internal{&ParameterSpec::initial},
         Internal{&ParameterSpec::choices},

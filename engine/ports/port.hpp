@@ -200,22 +200,21 @@ public:
         arrived_at_ = 0;
     }
     void inject(const AnyPayload& value) override { injected_.push_back({std::get<T>(value), 0.0}); }
-    void set_queue(std::size_t queue) override {
-        if (queue == capacity_) return;
-        std::vector<Message<T>> unread;
-        for (std::size_t i = 0; i < unread_; ++i) {
-            unread.push_back(capacity_ > 0 ? std::move(queue_[(head_ + i) % capacity_]) : *latest_);
-        }
+    std::vector<AnyMessage> set_queue(std::size_t queue) override {
+        if (queue == capacity_) return {};
+        std::vector<Message<T>> unread = take_unread();
         if (capacity_ == 0) taken_ = unread_ > 0 ? Message<T>{} : *latest_;
-        const std::size_t kept = queue > 0 ? queue : 1;
-        if (unread.size() > kept) unread.erase(unread.begin(), unread.end() - static_cast<std::ptrdiff_t>(kept));
         capacity_ = queue;
-        head_ = 0;
-        unread_ = unread.size();
-        queue_ = queue > 0 ? std::move(unread) : std::vector<Message<T>>{};
-        queued_bytes_ = 0;
-        for (const Message<T>& message : queue_) queued_bytes_ += heap_bytes(message.data);
-        queue_.resize(queue);
+        return set_unread(std::move(unread));
+    }
+    void put_back(std::vector<AnyMessage> dropped) override {
+        if (capacity_ == 0) return;
+        std::vector<Message<T>> unread;
+        unread.reserve(dropped.size() + unread_);
+        for (AnyMessage& each : dropped) unread.push_back({std::get<T>(std::move(each.data)), each.tm});
+        overflow_ -= unread.size();
+        for (Message<T>& each : take_unread()) unread.push_back(std::move(each));
+        set_unread(std::move(unread));
     }
 
     AnyPayload value() const override { return latest_->data; }
@@ -343,6 +342,28 @@ private:
         queue_[(head_ + unread_) % capacity_] = message;
         ++unread_;
     }
+    std::vector<Message<T>> take_unread() {
+        std::vector<Message<T>> unread;
+        for (std::size_t i = 0; i < unread_; ++i)
+            unread.push_back(capacity_ > 0 ? std::move(queue_[(head_ + i) % capacity_]) : *latest_);
+        return unread;
+    }
+    std::vector<AnyMessage> set_unread(std::vector<Message<T>> unread) {
+        const std::size_t kept = std::min(unread.size(), std::max<std::size_t>(capacity_, 1));
+        const auto first = unread.end() - static_cast<std::ptrdiff_t>(kept);
+        std::vector<AnyMessage> dropped;
+        for (auto each = unread.begin(); each != first; ++each)
+            dropped.push_back({AnyPayload(std::in_place_type<T>, std::move(each->data)), each->tm});
+        unread.erase(unread.begin(), first);
+        overflow_ += dropped.size();
+        head_ = 0;
+        unread_ = kept;
+        queue_ = capacity_ > 0 ? std::move(unread) : std::vector<Message<T>>{};
+        queued_bytes_ = 0;
+        for (const Message<T>& message : queue_) queued_bytes_ += heap_bytes(message.data);
+        queue_.resize(capacity_);
+        return dropped;
+    }
     void drop_oldest() {
         if constexpr (holds_heap) {
             constexpr std::size_t large = 1 << 16;  // what is smaller keeps its memory for the next one
@@ -373,13 +394,5 @@ private:
     std::vector<Message<T>> arrived_;  // in the tick `arrival_tick_`, when it is followed
     std::unique_ptr<T> held_;
 };
-
-/// Makes a port of the message type at this index of `message_types`.
-std::unique_ptr<InPortBase> make_in_port(std::size_t type, std::string name, std::string doc, std::size_t queue);
-std::unique_ptr<OutPortBase> make_out_port(std::size_t type, std::string name, std::string doc,
-                                           std::optional<AnyPayload> safe = std::nullopt);
-
-/// The index of a message type by name, or an error that names the nearest.
-Expected<std::size_t> find_message_type(std::string_view name);
 
 }  // namespace nezumi

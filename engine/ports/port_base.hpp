@@ -161,6 +161,12 @@ protected:
     OutPortBase* companion_ = nullptr;
 };
 
+/// A message of any type.
+struct AnyMessage {
+    AnyPayload data;
+    double tm = 0;  ///< [s]
+};
+
 /// An in-port of any type, fed by any number of out-ports of that type.
 class InPortBase : public Port {
 public:
@@ -171,8 +177,10 @@ public:
     /// Sends one value as if it came from a connection; it arrives at the next latch, after what its sources published.
     virtual void inject(const AnyPayload& value) = 0;
     /// Gives it a queue of another length (0: the latest value only). What is unread stays, the newest of it if it is
-    /// too much.
-    virtual void set_queue(std::size_t queue) = 0;
+    /// too much. Gives what is dropped, oldest first, and counts it.
+    virtual std::vector<AnyMessage> set_queue(std::size_t queue) = 0;
+    /// Takes back what `set_queue` has dropped: it comes before what is unread. What is too much now stays dropped.
+    virtual void put_back(std::vector<AnyMessage> dropped) = 0;
 
     /// Something unread waits.
     bool is_new() const { return unread_ > 0; }
@@ -250,5 +258,13 @@ private:
 
     InPortBase* companion_ = nullptr;
 };
+
+/// Makes a port of the message type at this index of `message_types`.
+std::unique_ptr<InPortBase> make_in_port(std::size_t type, std::string name, std::string doc, std::size_t queue);
+std::unique_ptr<OutPortBase> make_out_port(std::size_t type, std::string name, std::string doc,
+                                           std::optional<AnyPayload> safe = std::nullopt);
+
+/// The index of a message type by name, or an error that names the nearest.
+Expected<std::size_t> find_message_type(std::string_view name);
 
 }  // namespace nezumi

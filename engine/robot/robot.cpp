@@ -9,6 +9,7 @@
 
 #include "engine/ports/payload.hpp"
 #include "engine/robot/robot_parameters.hpp"
+#include "engine/world/frames.hpp"
 
 namespace nezumi {
 
@@ -119,10 +120,9 @@ void Robot::tell_faults() {
 // A pose in the body frame, now that a servo has turned it.
 Pose3D Robot::turned(const Pose3D& pose, std::size_t servo) const {
     const Point3D &at = pose.position, &axis = spec_.actuators[servo].at;
-    const double angle = body_->servo_angle(servo), c = std::cos(angle), s = std::sin(angle);
-    const double x = at.x - axis.x, y = at.y - axis.y;
-    return {.position = {axis.x + c * x - s * y, axis.y + s * x + c * y, at.z},
-            .orientation = {.r = 0, .p = 0, .y = pose.orientation.y + angle}};
+    const double angle = body_->servo_angle(servo);
+    const Point2D now = placed_at({{axis.x, axis.y}, angle}, {{at.x - axis.x, at.y - axis.y}, 0}).position;
+    return {.position = {now.x, now.y, at.z}, .orientation = {.r = 0, .p = 0, .y = pose.orientation.y + angle}};
 }
 
 // Of wheels that nobody measures nothing is known: they count as standing.

@@ -1,23 +1,10 @@
 // Two motions since the same beginning, and the one as seen from the other.
 #include "engine/robot/twin.hpp"
 
-#include <cmath>
-#include <numbers>
-
 #include "engine/robot/robot.hpp"
+#include "engine/world/frames.hpp"
 
 namespace nezumi {
-namespace {
-
-// A pose in the frame that another one is the origin of.
-Pose2D seen_from(const Pose2D& origin, const Pose2D& pose) {
-    const double x = pose.position.x - origin.position.x, y = pose.position.y - origin.position.y;
-    const double c = std::cos(origin.heading), s = std::sin(origin.heading);
-    return {.position = {c * x + s * y, c * y - s * x},
-            .heading = std::remainder(pose.heading - origin.heading, 2 * std::numbers::pi)};
-}
-
-}  // namespace
 
 Twin::Twin(const Robot& real, const World& world, RobotId id, OutPort<Pose2D>& error)
     : real_(&real), world_(world), id_(id), error_(error), servo_angles_(real.spec().actuators.size()) {}

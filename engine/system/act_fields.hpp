@@ -58,15 +58,15 @@ struct Describe<HoldOptions> {
 };
 
 template <>
-struct Describe<Push> {
-    static constexpr std::string_view name = "push";
+struct Describe<VelocityConstraint> {
+    static constexpr std::string_view name = "velocity_constraint";
     static constexpr std::string_view doc = "Speeds that a hand forces on a robot.";
     static constexpr std::array<std::string_view, 2> kinds{"a component's disturb", "s:disturb"};
     static constexpr unsigned at_once = 1U << 0U, in_scenarios = 1U << 1U;
     static constexpr std::tuple fields{
-        Setting{"vx", &Push::vx, "m/s", "along the robot's x axis", {.fallback = "free"}},
-        Setting{"vy", &Push::vy, "m/s", "along the robot's y axis", {.fallback = "free"}},
-        Setting{"va", &Push::va, "rad/s", "yaw rate, counter-clockwise", {.fallback = "free"}},
+        Setting{"vx", &VelocityConstraint::vx, "m/s", "along the robot's x axis", {.fallback = "free"}},
+        Setting{"vy", &VelocityConstraint::vy, "m/s", "along the robot's y axis", {.fallback = "free"}},
+        Setting{"va", &VelocityConstraint::va, "rad/s", "yaw rate, counter-clockwise", {.fallback = "free"}},
         Extra{"seconds", "number", "s", "how long", {.of = in_scenarios, .fallback = "until `s:restore`"}},
     };
 };

@@ -15,12 +15,12 @@ constexpr double unit = 1e-6;  // [s], where the classes begin
 
 std::size_t Lateness::class_of(double seconds) {
     const double octave = std::log2(1 + seconds / unit);
-    const auto number = static_cast<std::size_t>(octave * kClasses);
-    return std::min(number, std::size_t{kClasses * kOctaves - 1});
+    const auto number = static_cast<std::size_t>(octave * classes);
+    return std::min(number, std::size_t{classes * octaves - 1});
 }
 
 double Lateness::upper_end(std::size_t number) {
-    return (std::exp2(static_cast<double>(number + 1) / kClasses) - 1) * unit;
+    return (std::exp2(static_cast<double>(number + 1) / classes) - 1) * unit;
 }
 
 void Lateness::add(double seconds, double period) {

@@ -30,13 +30,13 @@ public:
 
 private:
     // A power of 2 of microseconds has so many classes: each is 4.4 % wider than the one before.
-    static constexpr int kClasses = 16;
-    static constexpr int kOctaves = 27;  // up to 134 s
+    static constexpr int classes = 16;
+    static constexpr int octaves = 27;  // up to 134 s
 
     static std::size_t class_of(double seconds);
     static double upper_end(std::size_t number);
 
-    std::array<std::uint64_t, kClasses * kOctaves> counts_{};
+    std::array<std::uint64_t, classes * octaves> counts_{};
     std::uint64_t ticks_ = 0;
     std::uint64_t late_ = 0;
     std::uint64_t skipped_ = 0;

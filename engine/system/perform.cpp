@@ -18,7 +18,7 @@ Expected<ActResult> result_of(const Expected<void>& done) {
     return ActResult{};
 }
 
-// A port that a hand here has an effect on: what another host's in-port takes is decided there.
+// A port that a hold from here has an effect on: what another host's in-port takes is decided there.
 Expected<Port*> port_here(System& system, const std::string& path) {
     auto port = system.port(path);
     if (!port || (*port)->direction() == Direction::out || !is_remote(path)) return port;
@@ -51,7 +51,7 @@ Expected<ActResult> send(System& system, const std::string& path, const AnyPaylo
     return ActResult{};
 }
 
-// A hand on a port is that of one alone.
+// A hold on a port is that of one alone.
 Expected<void> check_holder(const System& system, const std::string& path, const Actor& who) {
     const Actor* holder = system.holder(path);
     if (holder == nullptr || *holder == who) return {};

@@ -115,7 +115,7 @@ Expected<void> System::remove(std::string_view name) {
     gone->latch_outputs(now_);
     wiring_.disconnect_all(*gone, now_);
     by_name_.erase(gone->name());
-    // A hand on what is gone is on nothing: another that comes under the name begins free.
+    // A hold on what is gone holds nothing: another that comes under the name begins free.
     const std::string ports = gone->name() + ".";
     std::erase_if(holders_, [&](const auto& held) { return held.first.starts_with(ports); });
     grouped_ = false;

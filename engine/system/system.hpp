@@ -115,7 +115,7 @@ public:
     /// Makes it again, in its former place among the connections.
     Expected<void> connect_again(const Dropped& dropped);
 
-    /// Whose hand is on the port "name.port", which is held, dropped or frozen; nullptr when nobody's is.
+    /// Who holds the port "name.port", or has it dropped or frozen; nullptr for nobody.
     const Actor* holder(std::string_view path) const;
     void set_holder(std::string_view path, const Actor& who) { holders_.insert_or_assign(std::string(path), who); }
     /// The ports that this one holds, drops or freezes, sorted.

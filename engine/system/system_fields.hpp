@@ -10,8 +10,8 @@ namespace nezumi {
 
 template <>
 struct Describe<LimitChanges> {
-    static constexpr std::string_view name = "limits";
-    static constexpr std::string_view doc = Describe<Limits>::doc;
+    static constexpr std::string_view name = "limit_changes";
+    static constexpr std::string_view doc = "What of its model's limits a robot of the system has otherwise.";
     static constexpr auto& fields = limit_fields<LimitChanges>;
 };
 

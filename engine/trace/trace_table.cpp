@@ -96,22 +96,16 @@ std::vector<std::size_t> TraceTable::order() const {
 }
 
 std::string TraceTable::header() const {
-    std::string text = "time";
-    for (const std::size_t id : order()) {
-        const bool plain = names_[id].find_first_of(",\"\n\r") == std::string::npos;
-        text += "," + (plain ? names_[id] : csv_quoted(names_[id]));
-    }
-    return text;
+    std::vector<std::string> fields{"time"};
+    for (const std::size_t id : order()) fields.push_back(csv_field(names_[id]));
+    return csv_row(fields);
 }
 
 std::string TraceTable::row(std::string_view time, const std::vector<std::size_t>& ids,
                             const std::vector<std::string>& cells) {
-    std::string text(time);
-    for (const std::size_t id : ids) {
-        text += ',';
-        if (id < cells.size()) text += cells[id];
-    }
-    return text;
+    std::vector<std::string_view> fields{time};
+    for (const std::size_t id : ids) fields.push_back(id < cells.size() ? std::string_view(cells[id]) : "");
+    return csv_row(fields);
 }
 
 }  // namespace nezumi

@@ -78,7 +78,7 @@ ColorDetector::ColorDetector(std::string name, bool wait)
     cv::setNumThreads(1);
 }
 
-Expected<ColorDetector::Look> ColorDetector::look_at(const CameraImage& image) {
+Expected<ColorDetector::DetectionTask> ColorDetector::detection_task(const CameraImage& image) {
     const ColorRange range{.hue_from = value<double>("hue_from"),
                            .hue_to = value<double>("hue_to"),
                            .saturation_from = value<double>("saturation_from"),

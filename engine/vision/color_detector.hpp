@@ -37,7 +37,7 @@ public:
     ColorDetector(std::string name, bool wait);
 
 private:
-    Expected<Look> look_at(const CameraImage& image) override;
+    Expected<DetectionTask> detection_task(const CameraImage& image) override;
     void publish(const std::optional<ColorSight>& sight) override;
 
     OutPort<bool>& visible_;

@@ -1,4 +1,4 @@
-// What components that look at pictures have in common: a picture in, work beside the tick, one look at a time.
+// What components that look at pictures have in common: a picture in, work beside the tick, one detection at a time.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ class ImageComponent : public Component {
 protected:
     /// A picture and what is looked for in it: called once, on a thread of its own, while the component lives. Whatever
     /// of the component it uses must outlive it: then the component's destructor calls `finish`.
-    using Look = std::function<Seen()>;
+    using DetectionTask = std::function<Seen()>;
 
     /// `wait`: what was seen in the picture of t is published at t + latency exactly (simulation), else as soon as it
     /// is known (hardware).
@@ -35,7 +35,7 @@ protected:
           image_(add_in_port<CameraImage>("image", "a camera's picture")) {}
 
     /// What there is to do with this picture. An error says why nothing can be seen in it: it is told once in the log.
-    virtual Expected<Look> look_at(const CameraImage& image) = 0;
+    virtual Expected<DetectionTask> detection_task(const CameraImage& image) = 0;
     /// Writes what was seen, which gets the stamp of its picture.
     virtual void publish(const Seen& seen) = 0;
 
@@ -58,8 +58,8 @@ protected:
         return std::get<T>(parameters_.find(parameter)->value);
     }
     InPortBase& image_port() { return image_; }
-    /// Waits for the look that is under way, if there is one, and forgets what it saw.
-    void finish() { look_.finish(); }
+    /// Waits for the detection that is under way, if there is one, and forgets what it saw.
+    void finish() { detection_.finish(); }
 
 private:
     Expected<void> on_activated() override {
@@ -76,20 +76,21 @@ private:
 
     Expected<void> on_execute() override {
         if (auto ok = take(); !ok) return ok;
-        if (look_.busy() || !image_.is_new()) return {};
+        if (detection_.busy() || !image_.is_new()) return {};
         start();
         return take();
     }
 
     void start() {
-        auto look = look_at(image_.read());
+        auto task = detection_task(image_.read());
         exposed_at_ = image_.tm();
-        fault_ = look ? std::string() : look.error().message;
-        look_.start(now(), value<double>("latency"), look ? std::move(*look) : Look([] { return Seen{}; }));
+        fault_ = task ? std::string() : task.error().message;
+        detection_.start(now(), value<double>("latency"),
+                         task ? std::move(*task) : DetectionTask([] { return Seen{}; }));
     }
 
     Expected<void> take() {
-        const auto seen = look_.take(now(), wait_);
+        const auto seen = detection_.take(now(), wait_);
         if (!seen) return {};
         if (!*seen) return failure("the picture could not be searched: " + seen->error().message);
         if (!fault_.empty() && !told_) log(LogLevel::warn, fault_ + ": nothing can be seen in it");
@@ -107,7 +108,7 @@ private:
     double exposed_at_ = 0;  // [s] stamp of the picture that is looked at
     std::string fault_;      // why nothing can be seen in the picture that is looked at
     bool told_ = false;
-    DelayedTask<Seen> look_;
+    DelayedTask<Seen> detection_;
 };
 
 /// Makes the component `entry`, a `T`; what `Makers::components` wants for its type in a simulation. An error when it

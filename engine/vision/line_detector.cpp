@@ -15,22 +15,22 @@ constexpr double white = 255;
 
 }  // namespace
 
-std::optional<Blob> find_line(const GrayImage& image, const LineLook& look) {
-    const int first = std::min(static_cast<int>(std::lround(look.top * image.height)), image.height - 1);
+std::optional<Blob> find_line(const GrayImage& image, const LineSettings& settings) {
+    const int first = std::min(static_cast<int>(std::lround(settings.top * image.height)), image.height - 1);
     GrayImage mask{image.width, image.height - first, {}};
     mask.pixels.resize(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height));
     // OpenCV has no matrix that is not to be written; this one is only read.
     const cv::Mat whole(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat part, marked(mask.height, mask.width, CV_8UC1, mask.pixels.data());
     cv::GaussianBlur(whole.rowRange(first, image.height), part, {}, smoothing);
-    const int side = look.dark ? cv::THRESH_BINARY_INV : cv::THRESH_BINARY;
+    const int side = settings.dark ? cv::THRESH_BINARY_INV : cv::THRESH_BINARY;
     cv::threshold(part, marked, 0, white, side | cv::THRESH_OTSU);
     // There is always a best division, of mere noise too: what it divides must differ.
     const int count = cv::countNonZero(marked);
     if (count == 0 || count == mask.width * mask.height) return std::nullopt;
     const cv::Mat rest = ~marked;
     const double difference = cv::mean(part, marked)[0] - cv::mean(part, rest)[0];
-    if (std::abs(difference) < look.contrast * white) return std::nullopt;
+    if (std::abs(difference) < settings.contrast * white) return std::nullopt;
     auto line = largest_blob(mask);
     if (line) line->y += first;
     return line;
@@ -70,13 +70,13 @@ LineDetector::LineDetector(std::string name, bool wait)
     cv::setNumThreads(1);
 }
 
-Expected<LineDetector::Look> LineDetector::look_at(const CameraImage& image) {
+Expected<LineDetector::DetectionTask> LineDetector::detection_task(const CameraImage& image) {
     auto gray = to_gray(image);
     if (!gray) return failure("image: " + gray.error().message);
-    const LineLook look{
+    const LineSettings settings{
         .dark = value<bool>("dark"), .contrast = value<double>("contrast"), .top = value<double>("top")};
-    return [gray = std::move(*gray), look, least_area = value<double>("least_area")]() -> std::optional<LineSight> {
-        const auto line = find_line(gray, look);
+    return [gray = std::move(*gray), settings, least_area = value<double>("least_area")]() -> std::optional<LineSight> {
+        const auto line = find_line(gray, settings);
         if (!line || line->area < least_area * gray.width * gray.height) return std::nullopt;
         return LineSight{from_middle(line->x, gray.width), line->angle};
     };

@@ -9,8 +9,8 @@
 
 namespace nezumi {
 
-/// What a line looks like.
-struct LineLook {
+/// What a line looks like, and where in the picture it may be.
+struct LineSettings {
     bool dark = true;       ///< on a lighter floor; else light on a darker one
     double contrast = 0.3;  ///< least difference of its mean grey from the floor's: 1 is black against white
     double top = 0.5;       ///< where the part of the picture begins that is looked at, as a share of its height
@@ -18,7 +18,7 @@ struct LineLook {
 
 /// The largest connected part of a picture that differs so from the rest (Otsu, 1979); nothing when there is none. The
 /// picture is smoothed by 1.5 px before.
-std::optional<Blob> find_line(const GrayImage& image, const LineLook& look);
+std::optional<Blob> find_line(const GrayImage& image, const LineSettings& settings);
 
 /// Where in its picture a line is.
 struct LineSight {
@@ -32,7 +32,7 @@ public:
     LineDetector(std::string name, bool wait);
 
 private:
-    Expected<Look> look_at(const CameraImage& image) override;
+    Expected<DetectionTask> detection_task(const CameraImage& image) override;
     void publish(const std::optional<LineSight>& sight) override;
 
     OutPort<bool>& visible_;

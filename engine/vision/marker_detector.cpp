@@ -106,7 +106,7 @@ Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image
 }
 
 // Grey is a third of what would have to be copied else.
-Expected<MarkerDetector::Look> MarkerDetector::look_at(const CameraImage& image) {
+Expected<MarkerDetector::DetectionTask> MarkerDetector::detection_task(const CameraImage& image) {
     auto gray = to_gray(image);
     if (!gray) return failure("image: " + gray.error().message);
     const auto intrinsics = intrinsics_for(*gray);

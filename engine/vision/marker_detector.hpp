@@ -17,7 +17,7 @@ public:
     ~MarkerDetector() override { finish(); }  // who looks uses finder_
 
 private:
-    Expected<Look> look_at(const CameraImage& image) override;
+    Expected<DetectionTask> detection_task(const CameraImage& image) override;
     void publish(const std::vector<SeenMarker>& seen) override;
     Expected<CameraIntrinsics> intrinsics_for(const GrayImage& image) const;
 

@@ -15,7 +15,7 @@ CameraIntrinsics pinhole(int width, int height, double field_of_view) {
             .cy = (height - 1) / 2.0};
 }
 
-CameraIntrinsics CameraSettings::lens() const {
+CameraIntrinsics CameraSettings::raw_intrinsics() const {
     CameraIntrinsics all = pinhole(width, height, field_of_view);
     if (fx > 0) {
         all.fx = fx;
@@ -32,7 +32,7 @@ CameraIntrinsics CameraSettings::lens() const {
 }
 
 CameraIntrinsics CameraSettings::intrinsics() const {
-    CameraIntrinsics all = lens();
+    CameraIntrinsics all = raw_intrinsics();
     if (undistort) all.k1 = all.k2 = all.p1 = all.p2 = all.k3 = 0;
     return all;
 }

@@ -30,9 +30,9 @@ struct CameraSettings {
     double fx = 0, fy = 0, cx = 0, cy = 0;          ///< as in `CameraIntrinsics`, instead of `field_of_view`; 0: not
     bool undistort = false;                         ///< its pictures are made those of the pinhole
 
-    /// What it looks through: the pinhole of size and field of view, or of `fx` and its like, with the distortion.
-    CameraIntrinsics lens() const;
-    /// Of the pictures: the lens', without its distortion where that is taken out.
+    /// Of what the camera takes: the pinhole of size and field of view, or of `fx` and its like, with the distortion.
+    CameraIntrinsics raw_intrinsics() const;
+    /// Of the pictures: the raw ones, without their distortion where that is taken out.
     CameraIntrinsics intrinsics() const;
 };
 

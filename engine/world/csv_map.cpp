@@ -55,8 +55,9 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
             continue;
         }
         const auto is_empty = [](const std::string& field) { return field.empty(); };
-        if (fields && std::all_of(fields->begin(), fields->end(), is_empty)) continue;
-        if (line[line.find_first_not_of(" \t")] == '#' || (fields && fields->size() < columns.size())) {
+        const bool is_blank = fields && std::all_of(fields->begin(), fields->end(), is_empty);
+        const bool is_comment = line.substr(std::min(line.find_first_not_of(" \t"), line.size())).starts_with('#');
+        if (is_blank || is_comment || (fields && fields->size() < columns.size())) {
             ++map.skipped;
             continue;
         }

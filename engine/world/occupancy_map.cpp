@@ -12,6 +12,7 @@
 #include <span>
 
 #include "engine/base/trimmed.hpp"
+#include "engine/world/frames.hpp"
 
 namespace nezumi {
 namespace {
@@ -196,14 +197,13 @@ Expected<OccupancyMap> read_occupancy(const OccupancyFacts& facts, std::string_v
         occupied.push_back((facts.negate ? light : 1 - light) > facts.threshold);
     }
     map.occupied = static_cast<std::size_t>(std::count(occupied.begin(), occupied.end(), true));
-    const double edge = facts.resolution, cosine = std::cos(facts.origin.heading),
-                 sine = std::sin(facts.origin.heading);
+    const double edge = facts.resolution;
     for (const Rectangle& found : cover(std::move(occupied), map.columns, map.rows)) {
-        const double x = (found.column + found.columns / 2.0) * edge;
-        const double y = (map.rows - found.row - found.rows / 2.0) * edge;
+        const Point2D in_picture{(found.column + found.columns / 2.0) * edge,
+                                 (map.rows - found.row - found.rows / 2.0) * edge};
+        const Point2D at = placed_at(facts.origin, {in_picture, 0}).position;
         BoxSpec box;
-        box.at = {facts.origin.position.x + cosine * x - sine * y, facts.origin.position.y + sine * x + cosine * y,
-                  occupancy_height / 2};
+        box.at = {at.x, at.y, occupancy_height / 2};
         box.size = {found.columns * edge, found.rows * edge, occupancy_height};
         box.yaw = facts.origin.heading;
         box.place = place;

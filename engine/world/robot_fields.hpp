@@ -10,13 +10,19 @@ inline constexpr double least_robot_length = 1e-3;  ///< [m] of a hull or betwee
 inline constexpr double least_robot_mass = 1e-3;    ///< [kg]
 inline constexpr double hull_clearance = 0.01;      ///< [m] below a hull whose height nobody gave
 
+/// What may stand in a limit; where `S` changes a model's, one that is left out is the model's.
+template <class S>
+inline constexpr Rule limit_rule{
+    .range = NumberRange::positive,
+    .fallback = std::is_same_v<decltype(S::speed), double> ? std::string_view() : "as of the model"};
+
 /// The four limits of `S`, a structure that has them under these names.
 template <class S>
 inline constexpr std::tuple limit_fields{
-    Setting{"speed", &S::speed, "m/s", "along x, both ways", {.range = NumberRange::positive}},
-    Setting{"yaw_rate", &S::yaw_rate, "rad/s", "", {.range = NumberRange::positive}},
-    Setting{"acceleration", &S::acceleration, "m/s^2", "", {.range = NumberRange::positive}},
-    Setting{"yaw_acceleration", &S::yaw_acceleration, "rad/s^2", "", {.range = NumberRange::positive}},
+    Setting{"speed", &S::speed, "m/s", "along x, both ways", limit_rule<S>},
+    Setting{"yaw_rate", &S::yaw_rate, "rad/s", "both ways", limit_rule<S>},
+    Setting{"acceleration", &S::acceleration, "m/s^2", "along x; of braking as well", limit_rule<S>},
+    Setting{"yaw_acceleration", &S::yaw_acceleration, "rad/s^2", "of the yaw rate", limit_rule<S>},
 };
 
 template <>
@@ -43,8 +49,8 @@ struct Describe<BodySpec> {
                 "m",
                 "length, width, height; of a cylinder: diameter, diameter, height",
                 {.range = NumberRange::positive, .least = least_robot_length, .by_hand = true, .fallback = "required"}},
-        Extra{"radius", "number", "m", "instead of `size`", {.of = 1U << 1U}},
-        Extra{"height", "number", "m", "instead of `size`", {.of = 1U << 1U}},
+        Extra{"radius", "number", "m", "instead of `size`", {.of = 1U << 1U, .fallback = "that of `size`"}},
+        Extra{"height", "number", "m", "instead of `size`", {.of = 1U << 1U, .fallback = "that of `size`"}},
         Setting{"at",
                 &BodySpec::at,
                 "m",

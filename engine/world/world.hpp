@@ -142,11 +142,11 @@ struct Ray {
     Point3D from{};  ///< [m] in the world
     Point3D to{};    ///< [m] where it hits or ends
     bool hit = false;
-    std::size_t distance = 0;  ///< the how manieth distance of the robot's range sensors and scans it measures
+    std::size_t distance = 0;  ///< which distance of the robot's range sensors and scans it measures
 };
 
 /// Velocities forced on a robot from outside; what is not set stays free.
-struct Push {
+struct VelocityConstraint {
     std::optional<double> vx;  ///< [m/s] along the robot's x axis
     std::optional<double> vy;  ///< [m/s]
     std::optional<double> va;  ///< [rad/s]
@@ -185,8 +185,8 @@ public:
     /// Puts a robot elsewhere, at rest. The odometry is not told. An error when the place is taken, or outside of an
     /// arena with a border.
     virtual Expected<void> teleport(RobotId robot, Pose2D pose) = 0;
-    /// Forces these velocities on the robot until the next call; an empty push lets go.
-    virtual void disturb(RobotId robot, const Push& push) = 0;
+    /// Forces these velocities on the robot until the next call; an empty constraint lets go.
+    virtual void disturb(RobotId robot, const VelocityConstraint& constraint) = 0;
     /// Presses or lets go of a button or touch sensor, by its index in the spec's sensors.
     virtual void press(RobotId robot, std::size_t sensor, bool pressed) = 0;
 

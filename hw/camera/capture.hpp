@@ -14,12 +14,12 @@ namespace nezumi::hw {
 
 /// What a camera is asked for, and what becomes of its pictures.
 struct CaptureSettings {
-    int width = 640;         ///< [px]
-    int height = 480;        ///< [px]
-    double frame_rate = 30;  ///< [Hz] the device may have another one
-    bool color = true;       ///< red, green, blue; else grey
-    CameraIntrinsics lens;   ///< for `undistort`
-    bool undistort = false;  ///< the pictures become those of a pinhole with the same `fx`, `fy`, `cx`, `cy`
+    int width = 640;                  ///< [px]
+    int height = 480;                 ///< [px]
+    double frame_rate = 30;           ///< [Hz] the device may have another one
+    bool color = true;                ///< red, green, blue; else grey
+    CameraIntrinsics raw_intrinsics;  ///< for `undistort`
+    bool undistort = false;           ///< the pictures become those of a pinhole with the same `fx`, `fy`, `cx`, `cy`
 };
 
 /// Not for two threads at once.

@@ -72,9 +72,9 @@ public:
 private:
     cv::VideoCapture& device() { return captures_.front(); }
     void make_maps() {
-        const CameraIntrinsics& lens = settings_.lens;
-        const cv::Matx33d matrix(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
-        const cv::Vec<double, 5> distortion(lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
+        const CameraIntrinsics& raw = settings_.raw_intrinsics;
+        const cv::Matx33d matrix(raw.fx, 0, raw.cx, 0, raw.fy, raw.cy, 0, 0, 1);
+        const cv::Vec<double, 5> distortion(raw.k1, raw.k2, raw.p1, raw.p2, raw.k3);
         cv::initUndistortRectifyMap(matrix, distortion, cv::noArray(), matrix, {settings_.width, settings_.height},
                                     CV_16SC2, places_, weights_);
     }

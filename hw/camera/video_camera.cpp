@@ -81,8 +81,8 @@ CaptureSettings capture_settings(const CameraSettings& settings) {
             .height = settings.height,
             .frame_rate = settings.frame_rate,
             .color = settings.color,
-            .lens = settings.lens(),
-            .undistort = settings.undistort && settings.lens() != settings.intrinsics()};
+            .raw_intrinsics = settings.raw_intrinsics(),
+            .undistort = settings.undistort && settings.raw_intrinsics() != settings.intrinsics()};
 }
 
 }  // namespace
@@ -198,7 +198,7 @@ private:
     const CameraSettings settings_;
     TickClock clock_;
     std::shared_ptr<VideoCamera> camera_;
-    Worker worker_;
+    DeviceWorker worker_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace nezumi::hw {
 
 /// A job. Takes the camera up when it is plugged in, and again after it was unplugged, failed or fell silent.
-class VideoCamera final : public Job {
+class VideoCamera final : public DeviceJob {
 public:
     /// `dev` stands for /dev. A device of the settings that begins with /dev/ is there.
     VideoCamera(std::string dev, const CameraSettings& settings, OpenCapture open);

@@ -11,7 +11,7 @@
 
 namespace nezumi::hw {
 
-class Lights final : public Job {
+class Lights final : public DeviceJob {
 public:
     /// What a person can do about a node that does not work.
     using Advice = std::string (*)(const NodeError& error);

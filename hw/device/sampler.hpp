@@ -48,7 +48,7 @@ private:
 
 /// Who derives from it says how to read the device once.
 template <class T>
-class Sampler : public Job {
+class Sampler : public DeviceJob {
 public:
     /// Reads every `period` [s], or as fast as the device allows when that is slower.
     Sampler(std::string device, double period) : health_(std::move(device)), period_(period) {}

@@ -9,20 +9,20 @@
 
 namespace nezumi::hw {
 
-Worker::Worker(std::shared_ptr<Job> job) : state_(std::make_shared<State>()) {
+DeviceWorker::DeviceWorker(std::shared_ptr<DeviceJob> job) : state_(std::make_shared<State>()) {
     state_->job = std::move(job);
     // Detached, as a thread that hangs in the kernel can't be joined; the state is its own as well.
     std::thread([state = state_] { work(*state); }).detach();
 }
 
-Worker::~Worker() {
+DeviceWorker::~DeviceWorker() {
     Lock lock(state_->mutex);
     state_->should_end = true;
     state_->bell.ring();
     state_->ended.wait_for(lock, std::chrono::duration<double>(patience), [this] { return state_->has_ended; });
 }
 
-void Worker::work(State& state) {
+void DeviceWorker::work(State& state) {
     const auto should_end = [&] {
         const std::lock_guard lock(state.mutex);
         return state.should_end;

@@ -12,9 +12,9 @@ namespace nezumi::hw {
 
 /// What a worker does, again and again. It outlives its worker where its thread hangs in the kernel: it must own all
 /// that it uses.
-class Job {
+class DeviceJob {
 public:
-    virtual ~Job() = default;
+    virtual ~DeviceJob() = default;
     /// Does what is to be done now. Returns after how many seconds it wants to be called again at the latest.
     virtual double run() = 0;
     /// A file that makes it run as well when there is something to read; -1: none.
@@ -31,27 +31,27 @@ public:
     static constexpr double hangs_after = 0.3;
 
 private:
-    friend class Worker;
+    friend class DeviceWorker;
     std::atomic<double> running_since_ = 0;  // [s] by `clock_seconds`; 0: it does not run
 };
 
-class Worker {
+class DeviceWorker {
 public:
     /// How long [s] a thread has time to end. One that hangs in the kernel for longer is left behind.
     static constexpr double patience = 1.0;
 
     /// Begins at once. Throws std::system_error when there can be no more threads.
-    explicit Worker(std::shared_ptr<Job> job);
-    ~Worker();
-    Worker(const Worker&) = delete;
-    Worker& operator=(const Worker&) = delete;
+    explicit DeviceWorker(std::shared_ptr<DeviceJob> job);
+    ~DeviceWorker();
+    DeviceWorker(const DeviceWorker&) = delete;
+    DeviceWorker& operator=(const DeviceWorker&) = delete;
 
     /// Makes the job run now, or again when it runs. Never waits.
     void wake() const { state_->bell.ring(); }
 
 private:
     struct State {
-        std::shared_ptr<Job> job;
+        std::shared_ptr<DeviceJob> job;
         Wake bell;
         Mutex mutex;
         std::condition_variable ended;

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "hw/doctor/examine.hpp"
-#include "hw/doctor/looks.hpp"
+#include "hw/doctor/machine_queries.hpp"
 
 namespace nezumi::hw {
 namespace {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "hw/doctor/examine.hpp"
-#include "hw/doctor/looks.hpp"
+#include "hw/doctor/machine_queries.hpp"
 
 namespace nezumi::hw {
 namespace {

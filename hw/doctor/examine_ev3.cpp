@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "hw/doctor/examine.hpp"
-#include "hw/doctor/looks.hpp"
+#include "hw/doctor/machine_queries.hpp"
 #include "hw/ev3/sensors.hpp"
 #include "hw/guard/lease.hpp"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "hw/doctor/examine.hpp"
-#include "hw/doctor/looks.hpp"
+#include "hw/doctor/machine_queries.hpp"
 
 namespace nezumi::hw {
 namespace {

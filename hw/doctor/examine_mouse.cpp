@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hw/doctor/examine.hpp"
-#include "hw/doctor/looks.hpp"
+#include "hw/doctor/machine_queries.hpp"
 #include "hw/guard/lease.hpp"
 #include "hw/raspimouse/advice.hpp"
 #include "hw/raspimouse/codec.hpp"

@@ -149,7 +149,7 @@ Ev3Body::Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_pt
       wheels_(std::move(wheels)),
       servo_(std::move(servo)),
       lights_(std::make_shared<Lights>(led_nodes(roots.in_sys()), "255", with_ev3_advice)),
-      screen_(std::make_shared<Screen>(roots.in_dev() + "/fb0", roots.in_sys() + "/class/graphics/fb0")),
+      screen_(std::make_shared<BrickScreen>(roots.in_dev() + "/fb0", roots.in_sys() + "/class/graphics/fb0")),
       battery_(std::make_shared<Battery>(roots.in_sys() + "/class/power_supply")),
       loudspeaker_(spec),
       wheels_worker_(wheels_),

@@ -69,7 +69,7 @@ private:
     struct Channel {
         Channel(std::shared_ptr<ModeSensor> its_device) : device(std::move(its_device)), worker(device) {}
         std::shared_ptr<ModeSensor> device;
-        Worker worker;
+        DeviceWorker worker;
     };
     Ev3Body(const RobotSpec& spec, const DeviceRoots& roots, std::shared_ptr<WheelMotors> wheels,
             std::shared_ptr<ServoMotor> servo, std::size_t servo_index);
@@ -91,13 +91,13 @@ private:
     std::shared_ptr<WheelMotors> wheels_;
     std::shared_ptr<ServoMotor> servo_;  // null: the robot has none
     std::shared_ptr<Lights> lights_;
-    std::shared_ptr<Screen> screen_;
+    std::shared_ptr<BrickScreen> screen_;
     std::shared_ptr<Battery> battery_;
     std::shared_ptr<BrickKeys> keys_;  // null: the robot has none
     Loudspeaker loudspeaker_;
     // Last: they end before what they work on.
-    Worker wheels_worker_, lights_worker_, screen_worker_, battery_worker_;
-    std::optional<Worker> servo_worker_, keys_worker_;
+    DeviceWorker wheels_worker_, lights_worker_, screen_worker_, battery_worker_;
+    std::optional<DeviceWorker> servo_worker_, keys_worker_;
     std::vector<std::unique_ptr<Channel>> channels_;
 };
 

@@ -57,17 +57,17 @@ std::string paint_screen(const CameraImage& picture, const ScreenFormat& format)
     return frame;
 }
 
-void Screen::show(const CameraImage& picture) {
+void BrickScreen::show(const CameraImage& picture) {
     const std::lock_guard lock(mutex_);
     newest_ = picture;
 }
 
-std::vector<std::string> Screen::take_faults() {
+std::vector<std::string> BrickScreen::take_faults() {
     if (hangs(clock_seconds())) health_.lost(no_answer);
     return health_.take();
 }
 
-ScreenFormat Screen::format() const {
+ScreenFormat BrickScreen::format() const {
     ScreenFormat format;
     Node bits(properties_ + "/bits_per_pixel", Node::Access::read), stride(properties_ + "/stride", Node::Access::read);
     const auto bits_per_pixel = read_whole_number(bits), bytes = read_whole_number(stride);
@@ -78,7 +78,7 @@ ScreenFormat Screen::format() const {
     return format;
 }
 
-double Screen::run() {
+double BrickScreen::run() {
     constexpr double idle = 1;  // [s]; it is woken when there is a picture
     std::optional<CameraImage> picture;
     {

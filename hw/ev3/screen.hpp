@@ -25,10 +25,10 @@ struct ScreenFormat {
 std::string paint_screen(const CameraImage& picture, const ScreenFormat& format);
 
 /// A job.
-class Screen final : public Job {
+class BrickScreen final : public DeviceJob {
 public:
     /// `frame_buffer` is "/dev/fb0"; `properties` the folder that says what it is, "/sys/class/graphics/fb0".
-    Screen(DevicePath frame_buffer, DevicePath properties)
+    BrickScreen(DevicePath frame_buffer, DevicePath properties)
         : frame_buffer_(std::move(frame_buffer)), properties_(std::move(properties)) {}
 
     /// From the control loop: the newest counts.

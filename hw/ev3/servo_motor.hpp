@@ -14,7 +14,7 @@ namespace nezumi::hw {
 
 /// A job. Its angle is 0 where it stood when it was found first. It may be missing: it is told, and taken up when it is
 /// there.
-class ServoMotor final : public Job {
+class ServoMotor final : public DeviceJob {
 public:
     /// `folder` of the class tacho-motor; `name` as a person calls it: "medium motor 'arm'".
     ServoMotor(const DevicePath& folder, const std::string& port, std::string name)

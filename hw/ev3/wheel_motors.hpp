@@ -23,7 +23,7 @@ namespace nezumi::hw {
 /// A job: the newest command counts. A wheel that is to stand is held. When a motor fails both stop, each by itself,
 /// and are looked for again every half a second. The kernel stops a motor that is not told again to run in time: that
 /// holds when engine and guard are killed at once as well.
-class WheelMotors final : public Job {
+class WheelMotors final : public DeviceJob {
 public:
     /// What the control loop wants.
     struct Command {

@@ -209,7 +209,7 @@ public:
 
 private:
     std::shared_ptr<EvdevGamepad> gamepad_;
-    Worker worker_;
+    DeviceWorker worker_;
 };
 
 }  // namespace

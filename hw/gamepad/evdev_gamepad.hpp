@@ -16,7 +16,7 @@ struct libevdev;
 namespace nezumi::hw {
 
 /// A job. Takes the gamepad up when it is plugged in, and again after it was unplugged.
-class EvdevGamepad final : public Job {
+class EvdevGamepad final : public DeviceJob {
 public:
     /// `dev` stands for /dev. A device of the settings that begins with /dev/ is there.
     EvdevGamepad(const std::string& dev, const GamepadSettings& settings);

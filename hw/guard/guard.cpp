@@ -46,10 +46,10 @@ Guard::~Guard() {
     waitpid(process_, nullptr, WNOHANG);
 }
 
-void Guard::say(GuardWord word) {
+void Guard::say(GuardMessage message) {
     if (has_ended_) return;
     // A guard that takes nothing is noticed by the answers that fail to come.
-    if (send(socket_, &word, 1, MSG_DONTWAIT | MSG_NOSIGNAL) < 0 && errno != EAGAIN && errno != EINTR)
+    if (send(socket_, &message, 1, MSG_DONTWAIT | MSG_NOSIGNAL) < 0 && errno != EAGAIN && errno != EINTR)
         has_ended_ = true;
 }
 
@@ -58,24 +58,24 @@ void Guard::beat(double now) {
     beats_ = true;
     beat_at_ = now;
     if (asked_at_ == 0) asked_at_ = now;
-    say(GuardWord::beat);
+    say(GuardMessage::beat);
 }
 
 void Guard::rest() {
     // A beat that has had no answer yet still wants it.
     if (!std::exchange(beats_, false)) return;
-    say(GuardWord::rest);
+    say(GuardMessage::rest);
 }
 
 bool Guard::has_stopped() {
     bool stopped = false;
-    std::array<GuardWord, 64> words{};
+    std::array<GuardMessage, 64> messages{};
     for (;;) {
-        const ssize_t count = recv(socket_, words.data(), words.size(), MSG_DONTWAIT);
+        const ssize_t count = recv(socket_, messages.data(), messages.size(), MSG_DONTWAIT);
         if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) has_ended_ = true;
         if (count <= 0) return stopped;
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-            if (words[i] == GuardWord::stopped) stopped = true;
+            if (messages[i] == GuardMessage::stopped) stopped = true;
             asked_at_ = 0;
         }
     }

@@ -44,7 +44,7 @@ public:
 
 private:
     Guard(Lease lease, int socket, pid_t process) : lease_(std::move(lease)), socket_(socket), process_(process) {}
-    void say(GuardWord word);
+    void say(GuardMessage message);
 
     // Beats that follow each other faster [s] say nothing new.
     static constexpr double shortest_beat = 0.01;

@@ -83,7 +83,7 @@ int open_death_notice() {
     return signalfd(-1, &only, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-void say(int socket, GuardWord word) { send(socket, &word, 1, MSG_DONTWAIT | MSG_NOSIGNAL); }
+void say(int socket, GuardMessage message) { send(socket, &message, 1, MSG_DONTWAIT | MSG_NOSIGNAL); }
 
 }  // namespace
 
@@ -108,18 +108,18 @@ void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> st
         if (poll(files.data(), files.size(), timeout) < 0 && errno != EINTR) break;
         if (files[1].revents != 0) break;
         if (files[0].revents != 0) {
-            std::array<GuardWord, 64> words{};
-            const ssize_t count = recv(socket, words.data(), words.size(), MSG_DONTWAIT);
+            std::array<GuardMessage, 64> messages{};
+            const ssize_t count = recv(socket, messages.data(), messages.size(), MSG_DONTWAIT);
             if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) break;
             if (count > 0) {
-                awaits_beat = words[static_cast<std::size_t>(count) - 1] == GuardWord::beat;
+                awaits_beat = messages[static_cast<std::size_t>(count) - 1] == GuardMessage::beat;
                 beat_at = clock_seconds();
-                say(socket, GuardWord::beat);
+                say(socket, GuardMessage::beat);
             }
         } else if (awaits_beat && clock_seconds() - beat_at >= beat_timeout) {
             write_stops(stop_writes, socket);
             awaits_beat = false;
-            say(socket, GuardWord::stopped);
+            say(socket, GuardMessage::stopped);
         }
     }
     write_stops(stop_writes, socket);

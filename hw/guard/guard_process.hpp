@@ -15,8 +15,8 @@ struct StopWrite {
 };
 
 /// What the engine says to the guard, a byte each, and the guard to the engine.
-enum class GuardWord : char {
-    beat = 'b',     ///< engine: the motors have power and I am alive. Guard, as its answer to any word: so am I
+enum class GuardMessage : char {
+    beat = 'b',     ///< engine: the motors have power and I am alive. Guard, as its answer to any message: so am I
     rest = 'r',     ///< engine: the motors have no power; there may be no beats now
     stopped = 's',  ///< guard: no beat came in time, the motors are stopped
 };

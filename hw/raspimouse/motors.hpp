@@ -36,7 +36,7 @@ struct MotorCommand {
 /// A job: the newest command counts. Motor power is off until a command wants it, and again when one no longer does,
 /// when the robot has stood for some time, when the guard has stopped it, and when a motor fails: then neither
 /// turns, and both are tried again every half a second.
-class Motors final : public Job {
+class Motors final : public DeviceJob {
 public:
     /// Takes the motors' lease, starts the guard and has all motors stopped and without power. `folder` has the nodes.
     /// `metres_per_pulse` of the wheels' rims, `acceleration` [m/s^2] that the limits allow it, `standing_power` [s] of

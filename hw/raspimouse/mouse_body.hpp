@@ -71,7 +71,8 @@ private:
     std::shared_ptr<Supply> supply_;
     Loudspeaker loudspeaker_;
     // Last: they end before what they work on.
-    Worker motors_worker_, counters_worker_, light_sensors_worker_, switches_worker_, lights_worker_, supply_worker_;
+    DeviceWorker motors_worker_, counters_worker_, light_sensors_worker_, switches_worker_, lights_worker_,
+        supply_worker_;
 };
 
 }  // namespace nezumi::hw

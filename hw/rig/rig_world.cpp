@@ -119,9 +119,10 @@ public:
         witnesses_[robot].truth.reset();
         return tell(robot, fmt::format("place {} {} {}", pose.position.x, pose.position.y, pose.heading));
     }
-    void disturb(RobotId robot, const Push& push) override {
+    void disturb(RobotId robot, const VelocityConstraint& constraint) override {
         const auto text = [](const std::optional<double>& speed) { return speed ? fmt::to_string(*speed) : "-"; };
-        must(tell(robot, fmt::format("disturb {} {} {}", text(push.vx), text(push.vy), text(push.va))));
+        must(tell(robot,
+                  fmt::format("disturb {} {} {}", text(constraint.vx), text(constraint.vy), text(constraint.va))));
     }
     void press(RobotId robot, std::size_t sensor, bool pressed) override {
         must(tell(robot, fmt::format("press {} {}", witnesses_[robot].sensor(sensor), pressed ? 1 : 0)));

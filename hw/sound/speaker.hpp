@@ -19,7 +19,7 @@ namespace nezumi::hw {
 
 /// A job. Both programs are run without a shell, and get what they are for as their input. Where one is missing it is
 /// told once, and the robot is silent.
-class Speaker final : public Job {
+class Speaker final : public DeviceJob {
 public:
     /// `device` as ALSA calls it ("plughw:1"); "": its default.
     explicit Speaker(std::string device = "") : device_(std::move(device)) {}
@@ -65,7 +65,7 @@ public:
 
 private:
     std::shared_ptr<Speaker> speaker_;
-    std::optional<Worker> worker_;
+    std::optional<DeviceWorker> worker_;
 };
 
 }  // namespace nezumi::hw

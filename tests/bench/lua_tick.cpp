@@ -20,7 +20,7 @@ namespace {
 
 using Shorts = std::vector<std::int16_t>;
 
-constexpr const char* kScript = R"(
+constexpr const char* controller_script = R"(
 local range  = input("in", "TimedShortSeq", "distance sensors; a larger value is nearer")
 local target = output("out", "TimedVelocity2D", "target velocity")
 param("speed_x", 0.1, { min = -1.5, max = 1.5, step = 0.01, widget = "slider", unit = "m/s", doc = "straight-ahead speed" })
@@ -43,7 +43,7 @@ function on_execute()
 end
 )";
 
-constexpr const char* kPlainScript = R"(
+constexpr const char* plain_script = R"(
 local range  = input("in", "TimedShortSeq")
 local target = output("out", "TimedVelocity2D")
 function on_execute()
@@ -129,8 +129,8 @@ long resident_kilobytes() {
 
 int main() {
     bench::print_header("a component's tick", "budget 0.1 s, memory limit 64 MB; the best of 15 rounds, CPU time");
-    measure("Lua, robot_controller", *load(kScript), 500);
-    measure("Lua, 4 integers and a velocity", *load(kPlainScript), 500);
+    measure("Lua, robot_controller", *load(controller_script), 500);
+    measure("Lua, 4 integers and a velocity", *load(plain_script), 500);
     Native native;
     measure("C++, 4 integers and a velocity", native, 60);
 
@@ -153,7 +153,7 @@ int main() {
     std::vector<std::unique_ptr<ScriptComponent>> all;
     const long before = resident_kilobytes();
     const double begin = bench::thread_seconds();
-    for (int i = 0; i < count; ++i) all.push_back(load(kScript, &chunks));
+    for (int i = 0; i < count; ++i) all.push_back(load(controller_script, &chunks));
     const double took = bench::thread_seconds() - begin;
     const double kilobytes = static_cast<double>(resident_kilobytes() - before) / count;
     std::printf(

@@ -25,7 +25,7 @@ constexpr std::size_t picture = 640 * 480 * 3 + 64;  // [bytes]
 
 Topic topic_of(const char* name) { return {.name = name, .type = "nezumi::Octets", .reliable = true, .depth = 128}; }
 
-std::unique_ptr<Transport> join() {
+std::unique_ptr<DdsTransport> join() {
     auto place = open_cyclone({.domain = domain, .xml = domain_xml("", {})});
     if (place) return std::move(*place);
     std::fprintf(stderr, "%s\n", place.error().message.c_str());
@@ -44,7 +44,7 @@ Octets cdr(std::size_t size) {
     const auto reader = place->read(topic_of("bench/there"));
     const auto writer = place->write(topic_of("bench/back"));
     for (;;) {
-        for (const Sample& sample : reader->take()) writer->write(sample.bytes);
+        for (const TopicSample& sample : reader->take()) writer->write(sample.bytes);
     }
 }
 

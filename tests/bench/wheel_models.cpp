@@ -14,9 +14,9 @@
 
 namespace {
 
-constexpr double kMass = 1.6, kRadius = 0.085, kHeight = 0.06, kCentre = 0.04;
-constexpr double kWheelRadius = 0.03, kTrack = 0.14, kWheelMass = 0.05, kSkidX = 0.06;
-constexpr double kStep = 0.01;
+constexpr double robot_mass = 1.6, hull_radius = 0.085, hull_height = 0.06, hull_centre = 0.04;
+constexpr double wheel_radius = 0.03, track = 0.14, wheel_mass = 0.05, skid_x = 0.06;
+constexpr double time_step = 0.01;
 
 struct Robot {
     dBodyID body = nullptr;
@@ -57,9 +57,9 @@ struct Bench {
     }
 
     void add_skids(dBodyID body) {
-        for (const double x : {kSkidX, -kSkidX}) {
+        for (const double x : {skid_x, -skid_x}) {
             dVector3 at;
-            dBodyGetRelPointPos(body, x, 0, -kCentre - 0.00157, at);
+            dBodyGetRelPointPos(body, x, 0, -hull_centre - 0.00157, at);
             if (at[2] < 0) add_contact(body, at, -at[2], 0, 0, 0.183, 0.0122, nullptr, 0);
         }
     }
@@ -68,15 +68,15 @@ struct Bench {
 dBodyID make_chassis(dWorldID world, double x, double y, double mass) {
     dBodyID body = dBodyCreate(world);
     dMass m;
-    dMassSetCylinderTotal(&m, mass, 3, kRadius, kHeight);
+    dMassSetCylinderTotal(&m, mass, 3, hull_radius, hull_height);
     dBodySetMass(body, &m);
-    dBodySetPosition(body, x, y, kCentre);
+    dBodySetPosition(body, x, y, hull_centre);
     return body;
 }
 
 void build_contact_robot(Bench& bench, double x, double y) {
     Robot robot;
-    robot.body = make_chassis(bench.world, x, y, kMass);
+    robot.body = make_chassis(bench.world, x, y, robot_mass);
     bench.robots.push_back(robot);
 }
 
@@ -85,7 +85,7 @@ void step_contact_robots(Bench& bench) {
         const double* r = dBodyGetRotation(robot.body);
         for (int side = 0; side < 2; ++side) {
             dVector3 at;
-            dBodyGetRelPointPos(robot.body, 0, (side == 0 ? 0.5 : -0.5) * kTrack, -kCentre, at);
+            dBodyGetRelPointPos(robot.body, 0, (side == 0 ? 0.5 : -0.5) * track, -hull_centre, at);
             const double forward[3] = {r[0], r[4], 0};
             const double depth = at[2] < 0 ? -at[2] : 0;
             bench.add_contact(robot.body, at, depth, dContactFDir1 | dContactMotion1 | dContactSlip1 | dContactSlip2,
@@ -93,22 +93,22 @@ void step_contact_robots(Bench& bench) {
         }
         bench.add_skids(robot.body);
     }
-    dWorldStep(bench.world, kStep);
+    dWorldStep(bench.world, time_step);
     dJointGroupEmpty(bench.contacts);
 }
 
 void build_hinge_robot(Bench& bench, double x, double y) {
     Robot robot;
-    robot.body = make_chassis(bench.world, x, y, kMass - 2 * kWheelMass);
+    robot.body = make_chassis(bench.world, x, y, robot_mass - 2 * wheel_mass);
     for (int side = 0; side < 2; ++side) {
         robot.wheels[side] = dBodyCreate(bench.world);
         dMass m;
-        dMassSetCylinderTotal(&m, kWheelMass, 2, kWheelRadius, 0.01);
+        dMassSetCylinderTotal(&m, wheel_mass, 2, wheel_radius, 0.01);
         dBodySetMass(robot.wheels[side], &m);
-        dBodySetPosition(robot.wheels[side], x, y + (side == 0 ? 0.5 : -0.5) * kTrack, kWheelRadius);
+        dBodySetPosition(robot.wheels[side], x, y + (side == 0 ? 0.5 : -0.5) * track, wheel_radius);
         robot.motors[side] = dJointCreateHinge(bench.world, nullptr);
         dJointAttach(robot.motors[side], robot.body, robot.wheels[side]);
-        dJointSetHingeAnchor(robot.motors[side], x, y + (side == 0 ? 0.5 : -0.5) * kTrack, kWheelRadius);
+        dJointSetHingeAnchor(robot.motors[side], x, y + (side == 0 ? 0.5 : -0.5) * track, wheel_radius);
         dJointSetHingeAxis(robot.motors[side], 0, -1, 0);
         dJointSetHingeParam(robot.motors[side], dParamFMax, 0.2);
     }
@@ -119,9 +119,9 @@ void step_hinge_robots(Bench& bench) {
     for (const Robot& robot : bench.robots) {
         const double* r = dBodyGetRotation(robot.body);
         for (int side = 0; side < 2; ++side) {
-            dJointSetHingeParam(robot.motors[side], dParamVel, robot.speed[side] / kWheelRadius);
+            dJointSetHingeParam(robot.motors[side], dParamVel, robot.speed[side] / wheel_radius);
             const double* p = dBodyGetPosition(robot.wheels[side]);
-            const double at[3] = {p[0], p[1], p[2] - kWheelRadius};
+            const double at[3] = {p[0], p[1], p[2] - wheel_radius};
             const double forward[3] = {r[0], r[4], 0};
             const double depth = at[2] < 0 ? -at[2] : 0;
             bench.add_contact(robot.wheels[side], at, depth, dContactFDir1 | dContactSlip1 | dContactSlip2, 1.0, 0.3,
@@ -129,7 +129,7 @@ void step_hinge_robots(Bench& bench) {
         }
         bench.add_skids(robot.body);
     }
-    dWorldStep(bench.world, kStep);
+    dWorldStep(bench.world, time_step);
     dJointGroupEmpty(bench.contacts);
 }
 

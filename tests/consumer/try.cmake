@@ -1,5 +1,5 @@
-# Installs the build to a folder of its own, then configures, builds and runs the consumer against nothing but that, and
-# runs the installed nezumi. What is installed must not name the sources.
+# Installs the build to a folder of its own, then configures, builds and runs the consumer against nothing but that,
+# links each component alone, and runs the installed nezumi. What is installed must not name the sources.
 # Usage: cmake -DBUILD=build/release -DSOURCE=. -DGENERATOR=Ninja -DCOMPILER=g++ -DFLAGS= -P tests/consumer/try.cmake
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -17,6 +17,19 @@ execute_process(COMMAND grep -rlF "${SOURCE}/" ${place}/prefix OUTPUT_VARIABLE n
 if(NOT result EQUAL 1)  # grep's word for: nowhere
   message(FATAL_ERROR "these installed files name ${SOURCE}:\n${named}")
 endif()
+# Headers are installed with all that they include, and Eigen is for the rooms alone: it takes long to compile.
+execute_process(COMMAND grep -rlE "# *include *<Eigen/" ${place}/prefix/include OUTPUT_VARIABLE named RESULT_VARIABLE result)
+if(NOT result EQUAL 1)
+  message(FATAL_ERROR "these installed headers include Eigen:\n${named}")
+endif()
+execute_process(COMMAND grep -rhoE "^# *include *\"[^\"]+" ${place}/prefix/include OUTPUT_VARIABLE included)
+string(REGEX MATCHALL "[^\"\n]+\n" included "${included}")
+foreach(header IN LISTS included)
+  string(STRIP "${header}" header)
+  if(NOT EXISTS ${place}/prefix/include/nezumi/${header})
+    message(FATAL_ERROR "an installed header includes \"${header}\", which is not installed")
+  endif()
+endforeach()
 run(${CMAKE_COMMAND} -E chdir / ${place}/prefix/bin/nezumi run
     ${place}/prefix/share/nezumi/behaviors/systems/stop_at_wall.lua --headless --speed max --duration 1)
 
@@ -29,3 +42,7 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place}/build -G ${GENERAT
 run(${CMAKE_COMMAND} --build ${place}/build)
 run(${place}/build/component)
 run(${place}/build/consumer)
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/alone -B ${place}/alone -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${place}/prefix
+    -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS} -O0")
+run(${CMAKE_COMMAND} --build ${place}/alone)

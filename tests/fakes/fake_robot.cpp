@@ -121,11 +121,11 @@ bool WorldBehind::answer(const std::string& line, std::string& text) {
         words >> pose.position.x >> pose.position.y >> pose.heading;
         if (auto placed = world_->teleport(body_->id(), pose); !placed) text = placed.error().message;
     } else if (command == "disturb") {
-        Push push;
-        for (auto* speed : {&push.vx, &push.vy, &push.va}) {
+        VelocityConstraint constraint;
+        for (auto* speed : {&constraint.vx, &constraint.vy, &constraint.va}) {
             if (words >> name && name != "-") *speed = std::strtod(name.c_str(), nullptr);
         }
-        world_->disturb(body_->id(), push);
+        world_->disturb(body_->id(), constraint);
     } else if (command == "press") {
         bool pressed = false;
         words >> name >> pressed;

@@ -9,7 +9,7 @@ using namespace nezumi;
 
 namespace {
 
-void check(const web::Message& message) {
+void check(const web::BrowserMessage& message) {
     if (const auto* watch = std::get_if<web::Watch>(&message.body))
         require(watch->ports.size() <= web::most_watched && watch->pictures.size() <= web::most_watched);
     if (const auto* act = std::get_if<web::ActMessage>(&message.body)) require(act->shown.size() < 200);

@@ -25,7 +25,7 @@ namespace {
 class OneMessage final : public dds::Reader {
 public:
     explicit OneMessage(std::span<const std::uint8_t> bytes) : bytes_(bytes.begin(), bytes.end()) {}
-    std::vector<dds::Sample> take() override { return {{std::exchange(bytes_, {}), 1}}; }
+    std::vector<dds::TopicSample> take() override { return {{std::exchange(bytes_, {}), 1}}; }
     std::vector<std::uint64_t> writers() const override { return {1}; }
     std::uint64_t lost() const override { return 0; }
 
@@ -56,7 +56,7 @@ void step(std::span<const std::uint8_t> bytes) {
 
 // What is read of a request can be looked through without a check.
 void request(std::span<const std::uint8_t> bytes) {
-    dds::Request read;
+    dds::RemoteRequest read;
     if (!read_cdr(bytes, {.header = true}, read)) return;
     const auto data = dds::from_wire(read.values);
     if (!data) return;

@@ -489,7 +489,7 @@ function output(name, type, doc, options) end
 ---@field min? number smallest value; of each element of an array (of numbers, arrays of numbers)
 ---@field max? number largest value; of each element of an array (of numbers, arrays of numbers)
 ---@field step? number of the widget only (of numbers, arrays of numbers)
----@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change
+---@field widget? "slider"|"spin"|"radio"|"checkbox"|"ordered_list"|"text" how it is shown for a person to change: a slider needs both bounds, radio needs choices; a checkbox shows a truth value, or an array as a part of its choices; an ordered list shows an array of its choices
 ---@field unit? string for example "m/s"
 ---@field doc? string what it means
 ---@field choices? ParameterValue[] the values that may be chosen; without: all within the bounds
@@ -501,9 +501,9 @@ function output(name, type, doc, options) end
 ---@field safe? a value of the port's type written when the component stops (of output)
 
 ---@class (exact) AboutFields
----@field version? string
----@field vendor? string
----@field category? string
+---@field version? string of the file, for example "1.2"
+---@field vendor? string who made it
+---@field category? string what kind of component it is, for example "navigation"
 
 ---@class (exact) TaskOptions
 ---@field repeating? boolean begins again at the execution after its end
@@ -569,16 +569,16 @@ function output(name, type, doc, options) end
 ---@field border? boolean|BorderFields walls around `size`
 ---@field [integer] Thing|Thing[]
 
----@class (exact) LimitsFields
+---@class (exact) LimitChangesFields
 ---@field speed? number [m/s] along x, both ways
----@field yaw_rate? number [rad/s]
----@field acceleration? number [m/s^2]
----@field yaw_acceleration? number [rad/s^2]
+---@field yaw_rate? number [rad/s] both ways
+---@field acceleration? number [m/s^2] along x; of braking as well
+---@field yaw_acceleration? number [rad/s^2] of the yaw rate
 
 ---@class (exact) RobotFields
 ---@field model string a robot's file, for example "raspimouse"
 ---@field pose? { x?: number, y?: number, heading?: number } where it starts
----@field limits? LimitsFields in the place of the model's
+---@field limits? LimitChangesFields in the place of the model's
 ---@field backend? string "sim": simulated with --hw as well; or the driver that --hw uses
 ---@field calibrated? boolean in simulation too it is as `NAME.calibration.lua` beside this file says
 ---@field active? boolean whether it is activated at the start
@@ -650,6 +650,12 @@ function output(name, type, doc, options) end
 ---@field radius? number [m] instead of `size` (of cylinder)
 ---@field height? number [m] instead of `size` (of cylinder)
 ---@field at? number[] [m] centre of the hull; x, y from the middle of the wheels' axis, z from the floor
+
+---@class (exact) LimitsFields
+---@field speed? number [m/s] along x, both ways
+---@field yaw_rate? number [rad/s] both ways
+---@field acceleration? number [m/s^2] along x; of braking as well
+---@field yaw_acceleration? number [rad/s^2] of the yaw rate
 
 ---@class (exact) DriveFields
 ---@field radius? number [m] of the wheels
@@ -735,7 +741,7 @@ function output(name, type, doc, options) end
 ---@field z? number [m] of its centre
 ---@field heading? number [rad] into which it looks
 
----@class (exact) PushFields
+---@class (exact) VelocityConstraintFields
 ---@field vx? number [m/s] along the robot's x axis
 ---@field vy? number [m/s] along the robot's y axis
 ---@field va? number [rad/s] yaw rate, counter-clockwise
@@ -977,28 +983,59 @@ function robot_model(fields) end
 
 ---A port as seen from outside: looking at it consumes nothing.
 ---@class Port
----@field value any the latest; the type's zero value before anything came
----@field tm number [s] its stamp, 0 before anything came
----@field age number [s]
----@field connected boolean
----@field stale boolean
----@field unread boolean of an in-port: something waits that its owner has not read
----@field type MessageType
----@field peers string[]
----@field name string
----@field path string "name.port"
----@field direction "in"|"out"
----@field doc string
----@field note string
+---@field age number how long ago its stamp was [s]; math.huge before anything came
+---@field connected boolean whether somebody is at its other end
 ---@field count integer messages since the start
----@field override string "held", "dropped", "frozen" or ""
----@field holder string? whose hand is on it
----@field write fun(self: Port, value: any) as if its component had written it; into an in-port: inject
----@field inject fun(self: Port, value: any) one message as from a connection
----@field hold fun(self: Port, value: any, options?: HoldOptions) this value and nothing else, until release
+---@field direction "in"|"out" whether its component reads or writes it
+---@field doc string what its component says that it is
 ---@field drop fun(self: Port) nothing gets through, until release
 ---@field freeze fun(self: Port) the present value again and again, until release
----@field release fun(self: Port)
+---@field hold fun(self: Port, value: any, options?: HoldOptions) this value and nothing else, until release
+---@field holder string? whose hand is on it, or nil
+---@field inject fun(self: Port, value: any) one message, as from a connection
+---@field name string its name
+---@field note string what its robot says of it: that commands are ignored, for example
+---@field override string "held", "dropped", "frozen" or ""
+---@field path string "name.port"
+---@field peers string[] the ports at its other end
+---@field release fun(self: Port) ends what hold, drop and freeze began
+---@field stale boolean whether it is overdue: nothing came for three periods of its sender, at least 0.1 s, where that declares a rate, for 0.5 s otherwise
+---@field tm number its stamp [s], 0 before anything came
+---@field type MessageType its message type
+---@field unread boolean of an in-port: whether something waits that its component has not read
+---@field value any a copy of the latest message; looking consumes nothing. Before anything came, the zero value of its type
+---@field write fun(self: Port, value: any) an out-port: published as if its component had written it; an in-port: as inject
+
+---@class Component
+---@field activate fun(self: Component): string makes it ACTIVE; gives the status that follows
+---@field buzzer integer of robots: what its buzzer sounds [Hz], 0 for nothing
+---@field collided boolean of robots: whether it touches something
+---@field commands string[] the names of its commands
+---@field config table<string, ParameterValue> its parameters, read and written within their bounds
+---@field deactivate fun(self: Component): string makes it INACTIVE; gives the status that follows
+---@field disturb fun(self: Component, velocities?: VelocityConstraintFields) of robots: a hand forces these speeds on it; without them the hand lets go
+---@field error string? what went wrong last, or nil
+---@field leds boolean[] of robots: which of its lights are on
+---@field limits table<string, number> of robots: the highest speeds and accelerations that it obeys
+---@field name string its name
+---@field ports table<string, Port> its ports by name
+---@field press fun(self: Component, sensor: string, pressed?: boolean) of robots: presses a button or touch sensor; with false lets it go
+---@field probes table<string, ProbeView> what its script shows by `probe`: value, tm and age of each
+---@field rate number executions a second [Hz]
+---@field reset fun(self: Component): string takes it out of ERROR; gives the status that follows
+---@field said string[] of robots: the last 100 texts that its speaker was given
+---@field set string? the named set of parameters in use, or nil
+---@field sets string[] the names of its sets of parameters
+---@field state table a copy of what its script keeps in `state`
+---@field status "INACTIVE"|"ACTIVE"|"ERROR" "INACTIVE", "ACTIVE" or "ERROR"
+---@field tasks table<string, TaskView> its tasks: status, since, waiting and line of each
+---@field teleport fun(self: Component, pose: PoseFields) of robots: carries it to a pose, at rest
+---@field touching string? of robots: what it touches, or nil
+---@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of robots: what the simulation knows of it: pose, velocity, height, tilt
+---@field type string its component type
+---@field use fun(self: Component, set: string): string switches to a named set of parameters
+---@field version integer counts the versions of its script, from 1
+---@field [string] any its ports and commands
 
 ---@class TaskView
 ---@field status "inactive"|"ready"|"waiting"|"finished"|"cancelled"|"failed"
@@ -1010,37 +1047,6 @@ function robot_model(fields) end
 ---@field value number|boolean|string|table
 ---@field tm number [s] when it was set
 ---@field age number [s]
-
----@class Component
----@field name string
----@field type string
----@field status "INACTIVE"|"ACTIVE"|"ERROR"
----@field error string? why it is in ERROR
----@field version integer
----@field rate number [Hz]
----@field ports table<string, Port>
----@field config table<string, ParameterValue>
----@field state table
----@field tasks table<string, TaskView>
----@field probes table<string, ProbeView>
----@field set string?
----@field sets table
----@field commands table
----@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of a robot
----@field collided boolean of a robot: it touches something
----@field touching any of a robot: what it touches
----@field leds boolean[] of a robot
----@field buzzer integer of a robot [Hz]
----@field said string[] of a robot: what its speaker was given, the last 100 texts
----@field limits table<string, number> of a robot
----@field activate fun(self: Component): string
----@field deactivate fun(self: Component): string
----@field reset fun(self: Component): string
----@field use fun(self: Component, set: string): string
----@field teleport fun(self: Component, pose: PoseFields)
----@field press fun(self: Component, button: string, pressed?: boolean)
----@field disturb fun(self: Component, push?: PushFields) without: the hand lets go
----@field [string] any its ports and commands
 
 ---@alias World table<string, Component>
 ---@alias PortName Port|string a port or "name.port"
@@ -1161,8 +1167,8 @@ function s:freeze(port, seconds) end
 
 ---A hand that moves the robot.
 ---@param robot Component|string
----@param push PushFields
-function s:disturb(robot, push) end
+---@param velocities VelocityConstraintFields
+function s:disturb(robot, velocities) end
 
 ---@param robot Component|string
 ---@param button string

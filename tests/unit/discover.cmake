@@ -1,4 +1,5 @@
 # Lists a test executable's cases for ctest; Catch2's own script breaks names at a semicolon.
+# A case that computes takes two slots of the four that tests/run_tests gives ctest for each processor.
 # Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DSANITIZED=OFF|address|thread -P discover.cmake
 
 # Appends an add_test for each case that matches `spec`.
@@ -43,11 +44,11 @@ if(SANITIZED)
 endif()
 if(SANITIZED STREQUAL thread)
   # This sanitizer keeps signals back until a thread calls something that it knows, which a loop of Lua's never does.
-  list_cases("~[watchdog]~[wallclock]~[long]~[.]" "")
+  list_cases("~[watchdog]~[wallclock]~[long]~[.]" "PROCESSORS 2")
   list_cases("[wallclock][threads]~[watchdog]~[.]" "LABELS wallclock")
 else()
-  list_cases("~[watchdog]~[wallclock]~[.]${unsanitized}" "")
-  list_cases("[watchdog]~[wallclock]~[.]${unsanitized}" "LABELS watchdog")
+  list_cases("~[watchdog]~[wallclock]~[.]${unsanitized}" "PROCESSORS 2")
+  list_cases("[watchdog]~[wallclock]~[.]${unsanitized}" "LABELS watchdog PROCESSORS 2")
   if(SANITIZED)
     set(threads "[threads]")  # threads and processes at work together, within times that even a sanitizer keeps
   endif()

@@ -62,7 +62,7 @@ same(what_is_wrong(parameter, "") !== "", true, "nothing is no number");
 same(what_is_wrong({ type: "integer", min: null, max: null }, "2.5") !== "", true, "a fraction is not whole");
 same(what_is_wrong({ type: "integer", min: null, max: null }, "-3"), "", "no bounds");
 
-same(to_csv(["a", 'b,"c"'], [[0.1, 1, null], [0.2, 2, 3]]), 'time_s,a,"b,""c"""\n0.1,1,\n0.2,2,3\n', "CSV");
+same(to_csv(["a", 'b,"c"'], [[0.1, 1, null], [0.2, 2, 3]]), 'time,a,"b,""c"""\n0.1,1,\n0.2,2,3\n', "CSV");
 same(ticks(0, 1, 5), [0, 0.2, 0.4, 0.6, 0.8, 1], "round numbers");
 same(number_text(0.12345), "0.123", "a small number");
 same(value_text({ vx: 0.1, va: 0 }), "{ vx = 0.100, va = 0 }", "a structure");

@@ -124,7 +124,7 @@ class Words(rig.PageCase):
         page.press("CSV")
         saved = page.until("window.saved", "it is saved")
         rows = list(csv.reader(io.StringIO(saved)))
-        self.assertEqual(rows[0], ["time_s", "controller.out.vx", "controller.out.va"])
+        self.assertEqual(rows[0], ["time", "controller.out.vx", "controller.out.va"])
         self.assertGreater(len(rows), 10)
         self.assertIn("0.1", [row[1] for row in rows])
         page.js("window.saved = ''")

@@ -60,7 +60,7 @@ public:
 
     std::string receive(double clock, const Give& give) override {
         std::string problem;
-        for (const dds::Sample& sample : reader_->take()) {
+        for (const dds::TopicSample& sample : reader_->take()) {
             Expected<void> read = take(sample.bytes, clock, give);
             if (!read) problem = read.error().message;
         }

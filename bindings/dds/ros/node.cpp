@@ -24,7 +24,7 @@ std::string port_name(std::string_view topic) {
 
 }  // namespace
 
-RosNode::RosNode(const System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings)
+RosNode::RosNode(const System& system, const RosSpec& spec, DdsTransport& transport, RosNodeSettings settings)
     : Device(fmt::format("ros/{}", spec.node), "RosNode"),
       system_(system),
       transport_(transport),
@@ -32,7 +32,8 @@ RosNode::RosNode(const System& system, const RosSpec& spec, Transport& transport
     place = spec.place;
 }
 
-Expected<RosNode*> RosNode::add(System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings) {
+Expected<RosNode*> RosNode::add(System& system, const RosSpec& spec, DdsTransport& transport,
+                                RosNodeSettings settings) {
     auto made = std::unique_ptr<RosNode>(new RosNode(system, spec, transport, std::move(settings)));
     RosNode* node = made.get();
     for (const RosTopic& topic : spec.publish) {

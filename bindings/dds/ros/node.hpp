@@ -25,7 +25,8 @@ class RosNode final : public Device {
 public:
     /// Adds the node "ros/NAME" to a system that has all its other components, with what its topics say, and connects
     /// it. The error has the place of the topic. Nothing is on the network before the first tick.
-    static Expected<RosNode*> add(System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings);
+    static Expected<RosNode*> add(System& system, const RosSpec& spec, DdsTransport& transport,
+                                  RosNodeSettings settings);
 
     /// As of `Network`: between two ticks, again and again only while time stands.
     void between_ticks() { ++turns_; }
@@ -44,14 +45,14 @@ private:
         Port* port;  // of this node
     };
 
-    RosNode(const System& system, const RosSpec& spec, Transport& transport, RosNodeSettings settings);
+    RosNode(const System& system, const RosSpec& spec, DdsTransport& transport, RosNodeSettings settings);
     Expected<void> make_port(System& system, const RosTopic& topic, bool publishes);
     void open();
     double offset(const Time& now) const;
     void send_clock(const Time& now);
 
     const System& system_;
-    Transport& transport_;
+    DdsTransport& transport_;
     RosNodeSettings settings_;
     std::vector<Line> lines_;
     bool opened_ = false;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 
@@ -100,7 +99,7 @@ Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Cali
         if (camera == nullptr || camera->on != robot.name || camera->type != "Camera") continue;
         const auto found = calibration.cameras.find(camera->name);
         if (found == calibration.cameras.end()) continue;
-        const CameraIntrinsics& lens = found->second;
+        const CameraIntrinsics& intrinsics = found->second;
         const auto pixels = [&](const char* name, std::int64_t otherwise) {
             const auto given = camera->config.find(name);
             const auto* number = given == camera->config.end() ? nullptr : std::get_if<std::int64_t>(&given->second);
@@ -108,13 +107,13 @@ Expected<void> use_cameras(SystemSpec& spec, const RobotEntry& robot, const Cali
         };
         const std::int64_t width = pixels("width", CameraSettings{}.width);
         const std::int64_t height = pixels("height", CameraSettings{}.height);
-        if (width != lens.width || height != lens.height)
+        if (width != intrinsics.width || height != intrinsics.height)
             return failure(
                 fmt::format("camera '{}' was calibrated with {} x {} pixels, and here it has {} x {}: set its "
                             "width and height to those, or calibrate it anew by nezumi calibrate camera",
-                            camera->name, lens.width, lens.height, width, height),
+                            camera->name, intrinsics.width, intrinsics.height, width, height),
                 camera->place);
-        for_each_field(lens, [&](const auto& field, const auto& value) {
+        for_each_field(intrinsics, [&](const auto& field, const auto& value) {
             if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>)
                 camera->config[std::string(field.name)] = value;
         });
@@ -141,9 +140,8 @@ Expected<Calibration> read_calibration_text(std::string_view text, const std::st
 
 std::string write_calibration(const Calibration& calibration) {
     std::string text = "--- Measured by nezumi calibrate: what this one robot is like.\ncalibration {\n";
-    text += fmt::format("  robot = {},\n  model = {},\n", nezumi::quoted(calibration.robot),
-                        nezumi::quoted(calibration.model));
-    if (!calibration.serial.empty()) text += fmt::format("  serial = {},\n", nezumi::quoted(calibration.serial));
+    text += fmt::format("  robot = {},\n  model = {},\n", lua_quoted(calibration.robot), lua_quoted(calibration.model));
+    if (!calibration.serial.empty()) text += fmt::format("  serial = {},\n", lua_quoted(calibration.serial));
     if (calibration.odometry.is_there()) text += fmt::format("  odometry = {},\n", write_record(calibration.odometry));
     if (!calibration.ranges.empty()) text += "  sensors = {\n";
     for (const RangeCalibration& range : calibration.ranges) {
@@ -173,9 +171,8 @@ Expected<void> use_calibration(SystemSpec& spec, RobotEntry& robot, const Projec
     const std::string shown = project.shown(path);
     const auto text = project.read(path);
     if (!text) {
-        std::error_code none;
-        if (!use.is_needed && !fs::exists(path, none)) return {};
-        if (fs::exists(path, none)) return Unexpected(text.error());
+        if (!project.files().what_is(path).empty()) return Unexpected(text.error());
+        if (!use.is_needed) return {};
         return failure(fmt::format("robot '{}': calibrated = true, and there is no {}: make it by nezumi calibrate",
                                    robot.name, shown),
                        robot.place);

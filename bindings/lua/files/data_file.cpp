@@ -80,17 +80,18 @@ Expected<Chunk> DataFile::compile_file(std::string_view text, const std::string&
     return std::move(*chunk);
 }
 
-Expected<void> DataFile::run(std::string_view text, const std::string& shown, const std::vector<Word>& words) {
-    auto ran = try_to_run(text, shown, words);
+Expected<void> DataFile::run(std::string_view text, const std::string& shown, const std::vector<Global>& globals) {
+    auto ran = try_to_run(text, shown, globals);
     if (!ran && errors_.empty()) errors_ = {ran.error()};
     return ran;
 }
 
-Expected<void> DataFile::try_to_run(std::string_view text, const std::string& shown, const std::vector<Word>& words) {
+Expected<void> DataFile::try_to_run(std::string_view text, const std::string& shown,
+                                    const std::vector<Global>& globals) {
     shown_ = shown;
     known_ = sandbox_names();
     known_.push_back("require");
-    for (const Word& word : words) known_.push_back(word.name);
+    for (const Global& global : globals) known_.push_back(global.name);
     auto chunk = compile_file(text, shown);
     if (!chunk) return Unexpected(chunk.error());
 
@@ -102,11 +103,11 @@ Expected<void> DataFile::try_to_run(std::string_view text, const std::string& sh
         lua_pushcclosure(inside, require, 1);
         lua_setfield(inside, -2, "require");
         lua_Integer index = 0;
-        for (const Word& word : words) {
-            lua_pushlightuserdata(inside, word.self);
+        for (const Global& global : globals) {
+            lua_pushlightuserdata(inside, global.self);
             lua_pushinteger(inside, index++);
-            lua_pushcclosure(inside, word.function, 2);
-            lua_setfield(inside, -2, word.name);
+            lua_pushcclosure(inside, global.function, 2);
+            lua_setfield(inside, -2, global.name);
         }
         return 0;
     });

@@ -36,9 +36,9 @@ Place calling_place(lua_State* lua);
 
 class DataFile {
 public:
-    /// A word's function, and what its first upvalue, a light userdata, points to. Further upvalues: its place among
-    /// the words.
-    struct Word {
+    /// A function of such a file, and what its first upvalue, a light userdata, points to. Further upvalues: its place
+    /// among the globals.
+    struct Global {
         const char* name;
         lua_CFunction function;
         void* self;
@@ -47,15 +47,15 @@ public:
     /// `project` must outlive it.
     static Expected<std::unique_ptr<DataFile>> create(const Project& project, DataFileOptions options);
 
-    /// Runs a text with these words, and `require`, beside the sandbox's library. `shown` names it in messages. Its
+    /// Runs a text with these globals, and `require`, beside the sandbox's library. `shown` names it in messages. Its
     /// first result is then on top of the stack. An error of `fail` comes before any other.
-    Expected<void> run(std::string_view text, const std::string& shown, const std::vector<Word>& words);
+    Expected<void> run(std::string_view text, const std::string& shown, const std::vector<Global>& globals);
 
     /// All that is wrong after a run that failed; a file that names unknown globals has one error for each.
     const std::vector<Error>& errors() const { return errors_; }
 
-    /// Keeps an error of one of our words, the first one, with its place, and returns it with the text for Lua. The run
-    /// has failed, even if the file catches the Lua error that the word then raises.
+    /// Keeps an error of one of our functions, the first one, with its place, and returns it with the text for Lua. The
+    /// run has failed, even if the file catches the Lua error that the function then raises.
     Error fail(Error error);
 
     /// The text of a file that was run or required; null when it was not.
@@ -71,7 +71,7 @@ private:
     enum class Module { known, compiled };
 
     DataFile(const Project& project, DataFileOptions options);
-    Expected<void> try_to_run(std::string_view text, const std::string& shown, const std::vector<Word>& words);
+    Expected<void> try_to_run(std::string_view text, const std::string& shown, const std::vector<Global>& globals);
     Expected<Chunk> compile_file(std::string_view text, const std::string& shown);
     Expected<Module> find_module(lua_State* lua);
     static int require(lua_State* lua);
@@ -80,7 +80,7 @@ private:
     DataFileOptions options_;
     std::vector<std::string_view> known_;
     std::string shown_;
-    std::optional<Error> error_;  // of a word, or of a file that does not compile
+    std::optional<Error> error_;  // of a function, or of a file that does not compile
     std::vector<Error> errors_;
     std::map<std::string, FileSource> sources_;
     std::vector<std::string> files_;

@@ -5,23 +5,17 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <type_traits>
 
+#include "engine/base/lua_text.hpp"
 #include "engine/components/parameter.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/ports/setting.hpp"
 
 namespace nezumi {
 
-/// `"text"`, with what Lua needs escaped.
-std::string quoted(std::string_view text);
-/// The shortest text that reads back as the same number; a whole one as "1.0".
-std::string lua_number(double value);
 /// A name as the key of a table: `speed`, `["two words"]`.
 std::string lua_key(const std::string& name);
-/// A parameter's value: `0.1`, `true`, `"text"`, `{ 1, 2 }`.
-std::string to_lua(const ParameterValue& value);
 
 namespace detail {
 std::string lua_list(std::span<const double> numbers);
@@ -31,13 +25,13 @@ std::string lua_list(std::span<const double> numbers);
 template <class T>
 std::string lua_text(const T& value, const Rule& rule = {}) {
     if constexpr (std::is_same_v<T, bool>) {
-        return rule.words[0].empty() ? (value ? "true" : "false") : quoted(rule.words[value ? 1 : 0]);
+        return rule.words[0].empty() ? (value ? "true" : "false") : lua_quoted(rule.words[value ? 1 : 0]);
     } else if constexpr (std::is_same_v<T, double>) {
         return lua_number(value);
     } else if constexpr (std::is_integral_v<T>) {
         return std::to_string(value);
     } else if constexpr (std::is_enum_v<T>) {
-        return quoted(Choices<T>::names[static_cast<std::size_t>(value)]);
+        return lua_quoted(Choices<T>::names[static_cast<std::size_t>(value)]);
     } else if constexpr (std::is_same_v<T, Point2D>) {
         return detail::lua_list({{value.x, value.y}});
     } else if constexpr (std::is_same_v<T, Point3D>) {
@@ -46,7 +40,7 @@ std::string lua_text(const T& value, const Rule& rule = {}) {
         return fmt::format("{{ x = {}, y = {}, heading = {} }}", lua_number(value.position.x),
                            lua_number(value.position.y), lua_number(value.heading));
     } else {
-        return quoted(value);
+        return lua_quoted(value);
     }
 }
 

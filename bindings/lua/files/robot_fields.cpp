@@ -97,11 +97,13 @@ PortSpec read_port(const std::string& name, Fields& port) {
     PortSpec spec;
     spec.name = name;
     spec.is_input = port.gives("to");
-    if (port.gives("from") == spec.is_input)
+    if (port.gives("from") == spec.is_input) {
+        port.field("from");  // where both are given, neither is unknown
         port.check().wrong_at(
             port.path(),
             fmt::format("port '{}': expected either 'from', what an out-port carries, or 'to', what an in-port drives",
                         name));
+    }
     read_record(port, spec, {.kind = spec.is_input ? Describe<PortSpec>::in_only : Describe<PortSpec>::out_only});
     return spec;
 }
@@ -206,7 +208,7 @@ RobotSpec read_robot_fields(FieldCheck& check, const FileValue& value, const Rob
         spec.actuators.push_back(read_actuator(name, entry, spec.body));
     });
     for_each_named(fields, "ports", [&](const std::string& name, Fields& entry) {
-        const auto& words = robot_words();
+        const auto& words = robot_members();
         if (std::find(words.begin(), words.end(), name) != words.end()) {
             check.wrong_at(entry.path(),
                            fmt::format("port '{0}': the name is taken: robot.{0} is a component's own word", name));

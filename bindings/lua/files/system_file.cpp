@@ -25,7 +25,7 @@ Expected<SystemSpec> read(std::string_view text, const std::string& shown, const
     host.source = [&](const std::string& name) { return (*file)->source(name); };
     host.fail = [&](Error error) { return (*file)->fail(std::move(error)); };
 
-    std::vector<DataFile::Word> functions;
+    std::vector<DataFile::Global> functions;
     for (const char* name : system_word_names()) functions.push_back({name, call_system_word, &host});
     if (auto ran = (*file)->run(text, shown, functions); !ran) {
         errors = (*file)->errors();

@@ -13,35 +13,22 @@
 namespace nezumi {
 namespace {
 
-enum Word : int {
-    arena,
-    behavior,
-    box,
-    component,
-    connect,
-    csv,
-    cylinder,
-    floor,
-    line,
-    map,
-    marker,
-    maze,
-    network,
-    physics,
-    rate,
-    robot,
-    ros,
-    rtm,
-    seed,
-    wall
-};
-
-// What a word gives back to Lua: nothing, a thing of the arena, an entry, or one that waits for its table.
+// An entry that was made, and one that waits for its table.
 struct Entered {};
 struct Begun {
     std::size_t index;
 };
-using Result = std::variant<std::monostate, FileThing, Entered, Begun>;
+
+}  // namespace
+
+/// What a word gives back to Lua: nothing, a thing of the arena, an entry, or one that waits for its table.
+struct SystemWord::Result {
+    std::variant<std::monostate, FileThing, Entered, Begun> made;
+};
+
+namespace {
+
+using Result = SystemWord::Result;
 
 Expected<Result> nothing(Expected<void> done) {
     if (!done) return Unexpected(done.error());
@@ -64,34 +51,19 @@ Expected<FileValue> end_of(const WordHost& host, const Arguments& arguments, int
     return value_of(arguments, position);
 }
 
-// What is given to a word, for messages.
-std::string_view usage_of(int word) {
-    switch (word) {
-        case connect: return "(from, to)";
-        case robot:
-        case behavior:
-        case component: return " \"NAME\" { ... }";
-        case csv:
-        case map: return " \"FILE\"";
-        case rate: return "(hertz)";
-        case seed: return "(number)";
-        default: return " { ... }";
-    }
-}
-
-Expected<Result> entry(SystemWords& words, const WordCall& call, const Arguments& arguments) {
+Expected<Result> entry(WordHost& host, const WordCall& call, const Arguments& arguments) {
     const auto name = value_of(arguments, 1);
     if (!name) return Unexpected(name.error());
-    auto begun = words.begin_entry(call, *name);
+    auto begun = host.words->begin_entry(call, *name);
     if (!begun) return Unexpected(begun.error());
     if (arguments.count() < 2) return Result{Begun{*begun}};
     const auto fields = value_of(arguments, 2);
     if (!fields) return Unexpected(fields.error());
-    if (auto done = words.complete_entry(*begun, *fields); !done) return Unexpected(done.error());
+    if (auto done = host.words->complete_entry(*begun, *fields); !done) return Unexpected(done.error());
     return Result{Entered{}};
 }
 
-Expected<Result> wire(const WordHost& host, const WordCall& call, const Arguments& arguments) {
+Expected<Result> wire(WordHost& host, const WordCall& call, const Arguments& arguments) {
     const auto from = end_of(host, arguments, 1);
     if (!from) return Unexpected(from.error());
     const auto to = end_of(host, arguments, 2);
@@ -99,29 +71,24 @@ Expected<Result> wire(const WordHost& host, const WordCall& call, const Argument
     return nothing(host.words->connect(call, *from, *to));
 }
 
-Expected<Result> carry_out(const WordHost& host, int word, const WordCall& call, const Arguments& arguments) {
-    SystemWords& words = *host.words;
-    const int most = word == connect || word == robot || word == behavior || word == component ? 2 : 1;
-    if (auto ok = arguments.at_most(call.word, most, usage_of(word)); !ok) return Unexpected(ok.error());
-    if (word == robot || word == behavior || word == component) return entry(words, call, arguments);
-    if (word == connect) return wire(host, call, arguments);
-    const auto first = value_of(arguments, 1);
-    if (!first) return Unexpected(first.error());
-    if (first->is_nil()) return failure(fmt::format("{}: expected an argument, got none", call.word));
-    switch (word) {
-        case arena: return nothing(words.arena(call, *first));
-        case network: return nothing(words.network(call, *first));
-        case physics: return nothing(words.physics(call, *first));
-        case rate: return nothing(words.rate(call, *first));
-        case ros: return nothing(words.ros(call, *first));
-        case rtm: return nothing(words.rtm(call, *first));
-        case seed: return nothing(words.seed(call, *first));
-        default: {
-            auto thing = words.thing(call, *first);
-            if (!thing) return Unexpected(thing.error());
-            return Result{*thing};
-        }
-    }
+// The one argument of all other words.
+Expected<FileValue> only_argument(const WordCall& call, const Arguments& arguments) {
+    auto value = value_of(arguments, 1);
+    if (value && value->is_nil()) return failure(fmt::format("{}: expected an argument, got none", call.word));
+    return value;
+}
+
+Expected<Result> thing(WordHost& host, const WordCall& call, const Arguments& arguments) {
+    const auto value = only_argument(call, arguments);
+    if (!value) return Unexpected(value.error());
+    return host.words->thing(call, *value).map([](const FileThing& made) { return Result{made}; });
+}
+
+template <Expected<void> (SystemWords::*setting)(const WordCall&, const FileValue&)>
+Expected<Result> set(WordHost& host, const WordCall& call, const Arguments& arguments) {
+    const auto value = only_argument(call, arguments);
+    if (!value) return Unexpected(value.error());
+    return nothing((host.words->*setting)(call, *value));
 }
 
 // Tells the host of an error; what to raise.
@@ -140,17 +107,19 @@ WordCall make_call(lua_State* lua, const WordHost& host, std::string word) {
     return call;
 }
 
-Expected<Result> run_word(lua_State* lua, WordHost& host, int word, bool method) {
+Expected<Result> run_word(lua_State* lua, WordHost& host, const SystemWord& word, bool method) {
     ++host.calls;
-    const WordCall call = make_call(lua, host, system_word_names()[static_cast<std::size_t>(word)]);
+    const WordCall call = make_call(lua, host, word.name);
     host.called = call.place;
-    auto done = carry_out(host, word, call, {lua, method ? 2 : 1});
+    const Arguments arguments{lua, method ? 2 : 1};
+    const auto fits = arguments.at_most(word.name, word.most, word.usage);
+    auto done = fits ? word.run(host, call, arguments) : Unexpected(fits.error());
     if (!done) return Unexpected(report(host, call, done.error()));
     return done;
 }
 
 Expected<void> complete(lua_State* lua, WordHost& host, std::size_t begun) {
-    auto done = Arguments{lua}.at_most("NAME", 1, " { ... }");
+    auto done = Arguments{lua}.at_most(host.words->begun_title(begun), 1, " { ... }");
     if (done) {
         const auto fields = read_file_value(lua, 1);
         done = fields ? host.words->complete_entry(begun, *fields) : Expected<void>(Unexpected(fields.error()));
@@ -177,25 +146,84 @@ int take_table(lua_State* lua) {
 
 }  // namespace
 
+std::span<const SystemWord> system_words() {
+    using Words = SystemWords;
+    using Form = SystemWord::Form;
+    static constexpr std::string_view table = " { ... }", named = " \"NAME\" { ... }", of_file = " \"FILE\"";
+    static constexpr SystemWord words[] = {
+        {"arena", Form::plain, 1, table, set<&Words::arena>},
+        {"behavior", Form::entry, 2, named, entry},
+        {"box", Form::thing, 1, table, thing},
+        {"component", Form::entry, 2, named, entry},
+        {"connect",
+         Form::plain,
+         2,
+         "(from, to)",
+         wire,
+         {"Connects an out-port to an in-port of the same type.",
+          {{"from", "string|Port \"name.port\", \"rtm:NAME.port\", or in a scenario the port itself"},
+           {"to", "string|Port"}}}},
+        {"csv",
+         Form::thing,
+         1,
+         of_file,
+         thing,
+         {"Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.", {{"file", "string"}}}},
+        {"cylinder", Form::thing, 1, table, thing},
+        {"floor", Form::thing, 1, table, thing},
+        {"line", Form::thing, 1, table, thing},
+        {"map",
+         Form::thing,
+         1,
+         of_file,
+         thing,
+         {"Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.",
+          {{"file", "string"}}}},
+        {"marker", Form::thing, 1, table, thing},
+        {"maze", Form::thing, 1, table, thing},
+        {"network", Form::plain, 1, table, set<&Words::network>},
+        {"physics", Form::plain, 1, table, set<&Words::physics>},
+        {"rate",
+         Form::plain,
+         1,
+         "(hertz)",
+         set<&Words::rate>,
+         {"Ticks a second, 100 unless it says otherwise.", {{"hz", "number"}}}},
+        {"robot", Form::entry, 2, named, entry},
+        {"ros", Form::plain, 1, table, set<&Words::ros>},
+        {"rtm", Form::plain, 1, table, set<&Words::rtm>},
+        {"seed",
+         Form::plain,
+         1,
+         "(number)",
+         set<&Words::seed>,
+         {"Of everything random in the run.", {{"n", "integer"}}}},
+        {"wall", Form::thing, 1, table, thing},
+    };
+    return words;
+}
+
 const std::vector<const char*>& system_word_names() {
-    static const std::vector<const char*> names{
-        "arena",  "behavior", "box",     "component", "connect", "csv",   "cylinder", "floor", "line", "map",
-        "marker", "maze",     "network", "physics",   "rate",    "robot", "ros",      "rtm",   "seed", "wall"};
+    static const std::vector<const char*> names = [] {
+        std::vector<const char*> all;
+        for (const SystemWord& word : system_words()) all.push_back(word.name);
+        return all;
+    }();
     return names;
 }
 
 int call_system_word(lua_State* lua) {
     auto& host = *static_cast<WordHost*>(lua_touserdata(lua, lua_upvalueindex(1)));
-    const auto word = static_cast<int>(lua_tointeger(lua, lua_upvalueindex(2)));
+    const SystemWord& word = system_words()[static_cast<std::size_t>(lua_tointeger(lua, lua_upvalueindex(2)))];
     const bool method = lua_toboolean(lua, lua_upvalueindex(3)) != 0;
     Result result;
     bridge(lua, [&] { return run_word(lua, host, word, method).map([&](const Result& made) { result = made; }); });
-    if (const auto* thing = std::get_if<FileThing>(&result)) {
+    if (const auto* thing = std::get_if<FileThing>(&result.made)) {
         push_file_thing(lua, *thing);
         return 1;
     }
-    if (std::holds_alternative<Entered>(result)) return push_entry(lua, host);
-    if (const auto* begun = std::get_if<Begun>(&result)) {
+    if (std::holds_alternative<Entered>(result.made)) return push_entry(lua, host);
+    if (const auto* begun = std::get_if<Begun>(&result.made)) {
         lua_pushvalue(lua, lua_upvalueindex(1));
         lua_pushinteger(lua, static_cast<lua_Integer>(begun->index));
         lua_pushcclosure(lua, take_table, 2);

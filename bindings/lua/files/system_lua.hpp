@@ -4,11 +4,13 @@
 #include <functional>
 #include <lua.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bindings/lua/files/system_words.hpp"
+#include "bindings/lua/values/bridge.hpp"
 
 namespace nezumi {
 
@@ -31,7 +33,34 @@ struct WordHost {
     std::size_t calls = 0;
 };
 
+/// A word of system files: all that is said of it, but for the fields of its table.
+struct SystemWord {
+    enum class Form {
+        plain,  ///< gives nothing back
+        thing,  ///< a thing of the arena
+        entry,  ///< has a name, and its table may follow in a call of its own
+    };
+    struct Result;
+    /// Of a word without a described table: what editors show.
+    struct Help {
+        struct Parameter {
+            std::string_view name, type;
+        };
+        std::string_view doc{};
+        Parameter parameters[2] = {};  ///< an empty name: no more
+    };
+
+    const char* name;
+    Form form;
+    int most;                ///< arguments at most
+    std::string_view usage;  ///< what is given to it, for messages: " { ... }"
+    Expected<Result> (*run)(WordHost& host, const WordCall& call, const Arguments& arguments);
+    Help help{};
+};
+
 /// "arena", "behavior", "box", ..., in the order of their numbers.
+std::span<const SystemWord> system_words();
+/// What they are called, in the same order.
 const std::vector<const char*>& system_word_names();
 
 /// The function of every word. Upvalue 1: a light userdata, the `WordHost`; upvalue 2: the word's number; upvalue 3:

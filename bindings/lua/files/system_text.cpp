@@ -61,13 +61,13 @@ std::string topics(std::string_view field, const std::vector<RosTopic>& all) {
         RosTopic own = each;
         (publishes ? own.port : own.topic).clear();
         const bool named = own.type.empty() && own.frame.empty();
-        by_name[publishes ? each.port : each.topic].push_back(named ? quoted(publishes ? each.topic : each.port)
+        by_name[publishes ? each.port : each.topic].push_back(named ? lua_quoted(publishes ? each.topic : each.port)
                                                                     : write_record(own));
     }
     std::string text;
     for (const auto& [name, entries] : by_name) {
         const std::string list = fmt::format("{}", fmt::join(entries, ", "));
-        text += fmt::format("    [{}] = {},\n", quoted(name), entries.size() == 1 ? list : "{ " + list + " }");
+        text += fmt::format("    [{}] = {},\n", lua_quoted(name), entries.size() == 1 ? list : "{ " + list + " }");
     }
     return text.empty() ? "" : fmt::format("  {} = {{\n{}  }},\n", field, text);
 }
@@ -79,7 +79,7 @@ std::string place_in_domain(const T& spec) {
     std::string text = own.substr(2, own.size() - 4);
     const auto add = [&](std::string_view field, const std::vector<std::string>& names) {
         std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + quoted(name);
+        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + lua_quoted(name);
         if (!list.empty()) text += fmt::format(", {} = {{ {} }}", field, list);
     };
     add("peers", spec.peers);
@@ -94,7 +94,7 @@ std::string ros(const RosSpec& spec) {
 
 std::string rtm(const RtmSpec& rtm) {
     std::string names;
-    for (const std::string& name : rtm.exported) names += (names.empty() ? "{ " : ", ") + quoted(name);
+    for (const std::string& name : rtm.exported) names += (names.empty() ? "{ " : ", ") + lua_quoted(name);
     const std::string own = write_record(rtm);
     if (names.empty()) return fmt::format("rtm {}\n", own);
     return fmt::format("rtm {{ export = {} }}{}\n", names, own == "{}" ? " }" : ", " + own.substr(2));
@@ -116,7 +116,7 @@ std::string write_system_text(const SystemSpec& spec, const std::string& title) 
     for (const Entry& each : spec.entries) {
         std::visit(
             [&]<class T>(const T& entry) {
-                text += fmt::format("{}({}, {})\n", Describe<T>::name, quoted(entry.name), table_of(entry));
+                text += fmt::format("{}({}, {})\n", Describe<T>::name, lua_quoted(entry.name), table_of(entry));
             },
             each);
     }
@@ -124,7 +124,7 @@ std::string write_system_text(const SystemSpec& spec, const std::string& title) 
     text += spec.connections.empty() && spec.rtm_connections.empty() ? "" : "\n";
     for (const auto* connections : {&spec.connections, &spec.rtm_connections}) {
         for (const ConnectionSpec& connection : *connections)
-            text += fmt::format("connect({}, {})\n", quoted(connection.from), quoted(connection.to));
+            text += fmt::format("connect({}, {})\n", lua_quoted(connection.from), lua_quoted(connection.to));
     }
     return text;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/names.hpp"
@@ -123,6 +124,10 @@ Expected<void> SystemWords::complete_entry(std::size_t begun, const FileValue& f
     return entry(call.call, call.name, fields);
 }
 
+std::string SystemWords::begun_title(std::size_t begun) const {
+    return begun < begun_.size() ? fmt::format("{} '{}'", begun_[begun].call.word, begun_[begun].name) : "NAME";
+}
+
 Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name,
                                                    const FileValue& value) {
     FieldCheck check(fmt::format("behavior '{}'", name), call.word, call.place, call.source);
@@ -141,7 +146,7 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
                                                          did_you_mean(entry.set, names_of(entry.sets))));
     }
     if (check.ok()) {
-        if (const auto path = project_.find(FileKind::script, entry.script, call.place.file)) {
+        if (const auto path = find_script(project_, entry.script, call.place.file)) {
             entry.path = project_.shown(*path);
         } else {
             check.wrong_at({"script"}, path.error().message);

@@ -42,6 +42,8 @@ public:
     /// A name that was given without its table yet: `robot "mouse"` before `{ ... }`. `finish` refuses what stays so.
     Expected<std::size_t> begin_entry(const WordCall& call, const FileValue& name);
     Expected<void> complete_entry(std::size_t begun, const FileValue& fields);
+    /// "robot 'mouse'", for messages.
+    std::string begun_title(std::size_t begun) const;
 
     Expected<void> connect(const WordCall& call, const FileValue& from, const FileValue& to);
 

@@ -22,7 +22,7 @@ std::string write_setting(const T& value, const T& from, const Rule& rule) {
     } else if constexpr (std::is_same_v<T, ParameterValues>) {
         std::string text;
         for (const auto& [name, each] : value)
-            text += (text.empty() ? "{ " : ", ") + lua_key(name) + " = " + to_lua(each);
+            text += (text.empty() ? "{ " : ", ") + lua_key(name) + " = " + to_text(each);
         return text.empty() ? "{}" : text + " }";
     } else if constexpr (std::is_same_v<T, Sets>) {
         std::string text;

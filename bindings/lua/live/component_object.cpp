@@ -50,9 +50,10 @@ Expected<Act> read_act(lua_State* L, const Objects& objects, const std::string& 
         return Teleport{name, *pose};
     }
     if (method == "disturb") {
-        const auto push = lua_isnoneornil(L, 2) ? Expected<Push>(Push{}) : read_push(L, 2);
-        if (!push) return Unexpected(push.error());
-        return Disturb{name, push->vx, push->vy, push->va};
+        const auto constraint =
+            lua_isnoneornil(L, 2) ? Expected<VelocityConstraint>({}) : read_velocity_constraint(L, 2);
+        if (!constraint) return Unexpected(constraint.error());
+        return Disturb{name, constraint->vx, constraint->vy, constraint->va};
     }
     if (lua_type(L, 2) != LUA_TSTRING) return failure("press: expected the name of a button");
     if (!lua_isnoneornil(L, 3) && !lua_isboolean(L, 3))
@@ -119,51 +120,51 @@ int command(lua_State* L) {
 }
 
 // What a script shows as plain data; other components show an empty table.
-Expected<PlainLook> data_of(const ComponentAt& at, std::string_view word, const PlainLimit& limit) {
-    PlainLook look;
+Expected<PlainSnapshot> data_of(const ComponentAt& at, std::string_view member, const PlainLimit& limit) {
+    PlainSnapshot snapshot;
     if (const auto* script = dynamic_cast<const ScriptComponent*>(at.component)) {
-        if (word == "state") return script->look_at_state(limit);
-        look.data =
-            word == "tasks" ? script->describe_tasks() : script->describe_probes(at.live->system().now().seconds);
+        if (member == "state") return script->state_snapshot(limit);
+        snapshot.data =
+            member == "tasks" ? script->describe_tasks() : script->describe_probes(at.live->system().now().seconds);
     } else {
-        look.data.values.emplace_back(PlainData::TableRef{0});
-        look.data.tables.emplace_back();
+        snapshot.data.values.emplace_back(PlainData::TableRef{0});
+        snapshot.data.tables.emplace_back();
     }
-    look.whole = look.data.tables.size();
-    return look;
+    snapshot.whole = snapshot.data.tables.size();
+    return snapshot;
 }
 
-Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::string_view word) {
+Expected<Answer> member_of(const ObjectRef& ref, const ComponentAt& at, std::string_view member) {
     const Component& component = *at.component;
     const auto part = [&](ObjectKind kind) {
         return Answer{ObjectName{kind, at.live, std::string(ref.component()), ""}};
     };
-    if (word == "ports") return part(ObjectKind::ports);
-    if (word == "config") return part(ObjectKind::config);
-    if (word == "truth") {
+    if (member == "ports") return part(ObjectKind::ports);
+    if (member == "config") return part(ObjectKind::config);
+    if (member == "truth") {
         if (auto robot = seen_robot(at.live->system(), component); !robot) return Unexpected(robot.error());
         return part(ObjectKind::truth);
     }
-    if (word == "name") return Answer{component.name()};
-    if (word == "type") return Answer{component.type()};
-    if (word == "status") return now_in(at);
-    if (word == "version") return Answer{std::int64_t{component.version()}};
-    if (word == "state" || word == "tasks" || word == "probes") {
-        auto look = data_of(at, word, ObjectAccess::look_limit(*ref.objects));
-        if (!look) return Unexpected(look.error());
-        return Answer{std::move(*look)};
+    if (member == "name") return Answer{component.name()};
+    if (member == "type") return Answer{component.type()};
+    if (member == "status") return now_in(at);
+    if (member == "version") return Answer{std::int64_t{component.version()}};
+    if (member == "state" || member == "tasks" || member == "probes") {
+        auto snapshot = data_of(at, member, ObjectAccess::snapshot_limit(*ref.objects));
+        if (!snapshot) return Unexpected(snapshot.error());
+        return Answer{std::move(*snapshot)};
     }
-    if (word == "sets") {
+    if (member == "sets") {
         std::vector<std::string> names;
         for (const auto& [name, values] : component.sets) names.push_back(name);
         return Answer{std::move(names)};
     }
-    if (word == "rate") return Answer{component.rate > 0 ? component.rate : at.live->system().settings().rate};
-    if (word == "set") {
+    if (member == "rate") return Answer{component.rate > 0 ? component.rate : at.live->system().settings().rate};
+    if (member == "set") {
         if (component.set_in_use().empty()) return Answer{};
         return Answer{component.set_in_use()};
     }
-    if (word == "error") {
+    if (member == "error") {
         if (component.last_error().message.empty()) return Answer{};
         return Answer{describe(component.last_error())};
     }
@@ -172,12 +173,12 @@ Expected<Answer> word_of(const ObjectRef& ref, const ComponentAt& at, std::strin
     return Answer{std::move(names)};
 }
 
-Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
+Expected<Answer> robot_member_of(const ComponentAt& at, std::string_view member) {
     const auto& robot = dynamic_cast<const Robot&>(*at.component);
-    if (word == "leds") return Answer{ParameterValue(robot.leds())};
-    if (word == "said") return Answer{std::vector<std::string>(robot.said().begin(), robot.said().end())};
-    if (word == "buzzer") return Answer{std::int64_t{robot.buzzer_hertz()}};
-    if (word == "limits") {
+    if (member == "leds") return Answer{ParameterValue(robot.leds())};
+    if (member == "said") return Answer{std::vector<std::string>(robot.said().begin(), robot.said().end())};
+    if (member == "buzzer") return Answer{std::int64_t{robot.buzzer_hertz()}};
+    if (member == "limits") {
         const Limits& limits = robot.guard().limits();
         return Answer{std::map<std::string, double>{{"speed", limits.speed},
                                                     {"yaw_rate", limits.yaw_rate},
@@ -186,7 +187,7 @@ Expected<Answer> robot_word_of(const ComponentAt& at, std::string_view word) {
     }
     const auto seen = seen_robot(at.live->system(), *at.component);
     if (!seen) return Unexpected(seen.error());
-    if (word == "collided") return Answer{seen->world->collided(seen->id)};
+    if (member == "collided") return Answer{seen->world->collided(seen->id)};
     const std::string touching = seen->world->collided_with(seen->id);
     if (touching.empty()) return Answer{};
     return Answer{touching};
@@ -197,7 +198,7 @@ Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string
     const MemberName* own = find_member(component, name);
     const auto own_member = [&]() -> Expected<Answer> {
         if (own->called) return Answer{MethodName{method, std::string(name)}};
-        return own->robot && name != "truth" ? robot_word_of(at, name) : word_of(ref, at, name);
+        return own->robot && name != "truth" ? robot_member_of(at, name) : member_of(ref, at, name);
     };
     if (own != nullptr && !own->yields) return own_member();
     if (component.find_port(name) != nullptr)

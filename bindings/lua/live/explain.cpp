@@ -98,7 +98,7 @@ std::string text_of(const Explanation::PortValue& port, std::string_view arrow) 
 }  // namespace
 
 Explanation explain(const System& system, const ScriptComponent& component) {
-    const LineTrace::Seen& seen = component.looked_at();
+    const LineTrace::Seen& seen = component.latest_trace();
     Explanation explanation{.component = component.name(),
                             .tick = component.now().tick,
                             .seconds = component.now().seconds,

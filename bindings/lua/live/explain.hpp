@@ -45,7 +45,7 @@ struct Explanation {
     std::vector<OfRobot> robots{};
 };
 
-/// Of the execution that was looked at last; the ports are as they are now, so that it is to be asked for between that
+/// Of the execution that was traced last; the ports are as they are now, so that it is to be asked for between that
 /// tick and the next.
 Explanation explain(const System& system, const ScriptComponent& component);
 

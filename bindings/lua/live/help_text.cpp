@@ -34,7 +34,7 @@ std::string_view first_line(std::string_view text) { return text.substr(0, text.
 // "  text", or nothing.
 std::string behind(std::string_view text) { return text.empty() ? "" : "  " + std::string(text); }
 
-void add_fields(std::string& text, const Shape& shape, const std::string& path) {
+void add_fields(std::string& text, const ValueShape& shape, const std::string& path) {
     for (const FieldShape& field : shape.fields) {
         const std::string name = fmt::format("{}.{}", path, field.name);
         if (!field.shape.fields.empty() && !field.shape.sequence) {
@@ -122,13 +122,13 @@ Expected<void> check_below(const System& system, const Component& component, std
     if (below.empty() || (member != "truth" && component.find_port(member) == nullptr)) return {};
     std::string followed = fmt::format("{}.{}", component.name(), member);
     if (member != "truth") {
-        const std::string_view word = below.substr(0, below.find_first_of(".["));
-        const auto words = Objects::port_members();
-        const std::vector<std::string_view> names(words.begin(), words.end());
-        if (std::find(names.begin(), names.end(), word) == names.end())
-            return failure(fmt::format("{} has no '{}'{}", followed, shown(word), did_you_mean(word, names)));
-        if (word != "value") return {};
-        below.remove_prefix(std::min(word.size() + 1, below.size()));
+        const std::string_view of_port = below.substr(0, below.find_first_of(".["));
+        const auto members = Objects::port_members();
+        const std::vector<std::string_view> names(members.begin(), members.end());
+        if (std::find(names.begin(), names.end(), of_port) == names.end())
+            return failure(fmt::format("{} has no '{}'{}", followed, shown(of_port), did_you_mean(of_port, names)));
+        if (of_port != "value") return {};
+        below.remove_prefix(std::min(of_port.size() + 1, below.size()));
     }
     if (!below.empty()) followed += fmt::format(".{}", below);
     const auto channel = Channel::find(system, followed);

@@ -1,10 +1,11 @@
 // `hosts`: the other hosts, and the components of each.
+#include "bindings/lua/live/hosts_object.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "bindings/lua/live/host_look.hpp"
 #include "bindings/lua/live/object_core.hpp"
 
 namespace nezumi {
@@ -139,7 +140,7 @@ Names host_members(const System& system, std::string_view path, bool called) {
         for (const RemoteMethod& each : remote_methods) names.emplace_back(each.name);
         return names;
     }
-    for (const std::string_view word : remote_words) names.emplace_back(word);
+    for (const std::string_view member : remote_members) names.emplace_back(member);
     names.insert(names.end(), {"config", "name", "ports"});
     for (const OfferedPort& port : ports_of(system, path)) names.push_back(port.name);
     return names;

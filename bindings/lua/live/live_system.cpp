@@ -90,6 +90,10 @@ std::unique_ptr<LiveSystem::Running> LiveSystem::take(std::unique_ptr<Running> r
     }
     ++starts_;
     if (!foreseen_.empty()) take_foreseen();
+    if (running != nullptr && running->system->is_stopped()) {
+        running_->system->emergency_stop();
+        running_->system->log(LogLevel::warn, "still stopped: rearm() lets the robots drive again");
+    }
     return running;
 }
 
@@ -205,13 +209,13 @@ Expected<std::int64_t> LiveSystem::explain_next(std::string_view name) {
     if (script == nullptr) return failure(fmt::format("{} is no behaviour: it has no lines", name));
     if (script->state() != LifeState::active)
         return failure(fmt::format("{} is {}: nothing of it is executed", name, to_text(script->state())));
-    return script->look_at_next();
+    return script->trace_next();
 }
 
-Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view name, std::int64_t look) const {
+Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view name, std::int64_t trace) const {
     const auto* const script = dynamic_cast<const ScriptComponent*>(system().find(name));
     if (script == nullptr) return failure(fmt::format("{} is gone", name));
-    if (script->looks() < look) return std::optional<Explanation>();
+    if (script->traces() < trace) return std::optional<Explanation>();
     return std::optional(explain(system(), *script));
 }
 

@@ -41,7 +41,7 @@ struct LiveOptions {
     std::function<void(std::string_view)> print;  ///< takes what system files print, a line at a time; may be empty
 };
 
-/// When an act was performed: in which start, before which tick, and the how manieth act it was of all.
+/// When an act was performed: in which start, before which tick, and its number among all acts.
 struct ActTime {
     int start = 1;
     std::int64_t tick = 0;
@@ -90,12 +90,12 @@ public:
     Expected<ActResult> add(PreparedAdd prepared, const Actor& who);
     /// Ends what one holds who goes for good, as a connection that closes: a velocity is zero for a tick first.
     void let_go(const Actor& who);
-    /// Has an execution of a behaviour looked at, line by line; it runs as it would without. Returns the number of that
-    /// look, for `explanation`. No act: nothing changes.
+    /// Has an execution of a behaviour traced, line by line; it runs as it would without. Returns the number of that
+    /// trace, for `explanation`. No act: nothing changes.
     Expected<std::int64_t> explain_next(std::string_view component);
-    /// What was seen in that look, or in a later one; nothing before it was executed. An error when the component is
+    /// What was seen in that trace, or in a later one; nothing before it was executed. An error when the component is
     /// gone. To be asked for after each tick.
-    Expected<std::optional<Explanation>> explanation(std::string_view component, std::int64_t look) const;
+    Expected<std::optional<Explanation>> explanation(std::string_view component, std::int64_t trace) const;
     /// `System::set_at_rest`: a loop that is paused has it so where robots are real. No act: a replay has no clock.
     void set_at_rest(bool at_rest);
     /// `Robot::halt` of each: real robots stand from the next tick on, without braking.

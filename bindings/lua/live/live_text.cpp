@@ -8,14 +8,13 @@
 
 #include "bindings/lua/live/live_system.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
 namespace {
-
-std::string quoted_text(std::string_view text) { return to_text(ParameterValue(std::string(text))); }
 
 template <class T>
 void append(std::string& out, const T& value, std::size_t most) {
@@ -40,7 +39,7 @@ void append(std::string& out, const T& value, std::size_t most) {
         }
         out += out.size() >= most ? " ..." : value.empty() ? "}" : " }";
     } else if constexpr (std::is_same_v<T, std::string>) {
-        out += value.size() > most ? quoted_text(value.substr(0, most)) + "..." : quoted_text(value);
+        out += value.size() > most ? lua_quoted(value.substr(0, most)) + "..." : lua_quoted(value);
     } else if constexpr (std::is_floating_point_v<T>) {
         out += fmt::format("{:.6g}", value == 0 ? T{0} : value);
     } else {

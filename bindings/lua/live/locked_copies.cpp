@@ -4,13 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "bindings/lua/live/host_look.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "engine/base/error.hpp"
 #include "engine/ports/usage.hpp"
 #include "engine/system/act_fields.hpp"
 
@@ -53,7 +58,8 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
             return fmt::format("write {0}:write(value), or hold it by {0}:hold(value)", path);
         case ObjectKind::truth:
             if (name == "pose") return fmt::format("write {}:teleport {}", ref.component(), usage_of<RobotPlace>());
-            return fmt::format("write {}:disturb {}", ref.component(), usage_of<Push>(Describe<Push>::at_once));
+            return fmt::format("write {}:disturb {}", ref.component(),
+                               usage_of<VelocityConstraint>(Describe<VelocityConstraint>::at_once));
         case ObjectKind::config:
         case ObjectKind::remote_config: return fmt::format("write all of it, {}.{} = {{ ... }}", path, name);
         default: break;
@@ -63,31 +69,74 @@ std::string instead_of(const ObjectRef& ref, std::string_view name) {
     return found != all.end() ? std::string(found->instead) : "";
 }
 
-// The message about an assignment to the copy at index 1, with its key at index 2. Raises nothing.
-std::string refusal(lua_State* L) {
-    constexpr std::size_t longest = 200;
-    if (lua_checkstack(L, 8) == 0) return "stack overflow";
-    std::string path;
+// Where the copy at index 1 is from.
+struct Origin {
+    const ObjectRef* object = nullptr;
     std::string name;  // what the object calls it
+    std::string path;  // "controller.out.value[2]"
+};
+
+std::optional<Origin> origin_of(lua_State* L) {
+    constexpr std::size_t longest = 200;
+    Origin origin;
+    const int top = lua_gettop(L);
     lua_pushvalue(L, 1);
     while (push_origin(L, -1)) {
-        if (lua_type(L, -1) == LUA_TSTRING) name = text_at(L, -1);
-        if (path.size() < longest) path.insert(0, step_of(L, -1));
+        if (lua_type(L, -1) == LUA_TSTRING) origin.name = text_at(L, -1);
+        if (origin.path.size() < longest) origin.path.insert(0, step_of(L, -1));
         lua_pop(L, 1);
         lua_remove(L, -2);
     }
-    const ObjectRef* ref = to_object(L, -1);
-    if (ref == nullptr) return "a copy can't be set";
-    path = path.size() < longest ? path_of(*ref) + path : "..." + path;
-    const std::string instead = instead_of(*ref, name);
-    return fmt::format("can't set '{0}{1}': '{0}' is a copy{2}{3}", path, step_of(L, 2), instead.empty() ? "" : ": ",
-                       instead);
+    origin.object = to_object(L, -1);
+    lua_settop(L, top);
+    if (origin.object == nullptr) return std::nullopt;
+    origin.path = (origin.path.size() < longest ? path_of(*origin.object) : "...") + origin.path;
+    return origin;
+}
+
+// The message about an assignment to the copy at index 1, with its key at index 2. Raises nothing.
+std::string refusal(lua_State* L) {
+    if (lua_checkstack(L, 8) == 0) return "stack overflow";
+    const auto origin = origin_of(L);
+    if (!origin) return "a copy can't be set";
+    const std::string instead = instead_of(*origin->object, origin->name);
+    return fmt::format("can't set '{0}{1}': '{0}' is a copy{2}{3}", origin->path, step_of(L, 2),
+                       instead.empty() ? "" : ": ", instead);
 }
 
 int refuse(lua_State* L) {
     keep_error(L, refusal(L));
     return raise_kept(L);
 }
+
+// What is wrong with a look at a name that the copy at index 1 does not have: a message and a truth have all of their
+// fields. Nothing where there may be others, as in a state. Raises nothing.
+std::string unknown_field(lua_State* L) {
+    if (lua_checkstack(L, 8) == 0) return "";
+    const auto origin = origin_of(L);
+    if (!origin) return "";
+    const ObjectKind kind = origin->object->kind;
+    if (kind != ObjectKind::truth && !(kind == ObjectKind::port && origin->name == "value")) return "";
+    std::vector<std::string_view> names;
+    for (lua_pushnil(L); lua_next(L, 3) != 0; lua_pop(L, 1)) {
+        if (lua_type(L, -2) == LUA_TSTRING) names.push_back(text_at(L, -2));
+    }
+    if (names.empty()) return "";
+    std::sort(names.begin(), names.end());
+    const std::string_view name = text_at(L, 2);
+    std::string hint = did_you_mean(name, names);
+    if (hint.empty()) hint = fmt::format(" (its fields are {})", fmt::join(names, ", "));
+    return fmt::format("'{}' has no field '{}'{}", origin->path, shown(name), hint);
+}
+
+bool keep_unknown_field(lua_State* L) {
+    std::string text = unknown_field(L);
+    if (text.empty()) return false;
+    keep_error(L, std::move(text));
+    return true;
+}
+
+int missing(lua_State* L) { return keep_unknown_field(L) ? raise_kept(L) : 1; }
 
 // Replaces the table on top of the stack, and all tables in it, by locked ones.
 void lock_tree(lua_State* L, int owner, int key) {
@@ -158,7 +207,7 @@ void lock_deeply(lua_State* L) {
 
 }  // namespace
 
-void open_locked_copies(lua_State* L) { open_copies(L, refuse); }
+void open_locked_copies(lua_State* L) { open_copies(L, refuse, missing); }
 
 void lock_copies(lua_State* L, Within within) {
     switch (within) {

@@ -63,8 +63,8 @@ struct MethodName {
 
 /// All that a member of an object can be.
 using Answer = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::string>,
-                            std::map<std::string, double>, AnyPayload, ParameterValue, PlainData, PlainLook, ObjectName,
-                            MethodName>;
+                            std::map<std::string, double>, AnyPayload, ParameterValue, PlainData, PlainSnapshot,
+                            ObjectName, MethodName>;
 
 /// Whose the tables of an answer are: the caller's, or a copy that can't be written.
 enum class Tables : bool { own, locked };
@@ -100,12 +100,12 @@ struct ObjectAccess {
     /// Whether there are ticks beside.
     static bool ticks_beside(const Objects& objects) { return static_cast<bool>(objects.visit_); }
     /// Where there are no ticks beside, all may be copied.
-    static PlainLimit look_limit(const Objects& objects) {
+    static PlainLimit snapshot_limit(const Objects& objects) {
         constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
         return objects.visit_ ? PlainLimit{} : PlainLimit{all, all};
     }
-    static void note_look(const Objects& objects, const PortAt& port) {
-        if (objects.look_) objects.look_(port);
+    static void note_read(const Objects& objects, const PortAt& port) {
+        if (objects.on_read_) objects.on_read_(port);
     }
 };
 

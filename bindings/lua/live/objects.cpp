@@ -199,7 +199,7 @@ int push_answer(lua_State* L, Objects& objects, Tables tables) {
                 std::visit([]<class T>(const T&) { return is_flat<T>() ? Within::nothing : Within::tree; }, value));
         }
         int operator()(const ParameterValue& value) const { return push_parameter(lua, value), one(); }
-        int operator()(const PlainLook& look) const { return push_plain(lua, look), one(Within::anything); }
+        int operator()(const PlainSnapshot& snapshot) const { return push_plain(lua, snapshot), one(Within::anything); }
         int operator()(const PlainData& data) const {
             luaL_checkstack(lua, static_cast<int>(data.values.size()) + 10, nullptr);
             push_plain(lua, data);

@@ -1,21 +1,9 @@
 // A component as seen from outside: the one object model of console and scenarios, opened in a Lua state.
 //
 // `X` is a component by its name: it stays valid over reloads and restarts, and says so when the component is gone.
-//   X.ports.NAME, X.NAME   a port; X.NAME gives way to the words below, X.ports.NAME never
-//   X.config               parameters, read and written within their bounds
-//   X.state                what the script keeps in `state`: a copy that can't be changed
-//   X.probes               what the script shows by `probe`: X.probes.NAME has .value .tm .age
-//   X.status               "INACTIVE", "ACTIVE" or "ERROR"
-//   X.version X.type X.name X.rate X.set X.sets X.error X.commands
-//   X:activate() X:deactivate() X:reset()  return the status that follows; X:use "set" the set's name
+//   X.ports.NAME, X.NAME   a port; X.NAME gives way to the members below, X.ports.NAME never
+//   X.status, X:reset()    and all that values/member_names.hpp lists, of ports too
 //   X:command(...)         runs in the component's own state; arguments and results are copies of plain data
-//   robots: X.truth.pose .velocity .height .tilt, X.collided, X.touching, X.leds, X.buzzer, X.limits,
-//           X:teleport(pose), X:press(button, pressed), X:disturb { vx =, vy =, va = }
-// A port has .value .tm .age .connected .stale .type .peers .name .path .direction .doc .note .count .override
-// .holder, and
-//   port:write(value)      an out-port: published as if its component had written it, whatever the component's state;
-//                          an in-port: the same as inject
-//   port:inject(value) port:hold(value, { take = true }) port:release() port:drop() port:freeze()
 // Whatever fails raises an error with its message, in the console as in scenarios.
 #pragma once
 
@@ -67,7 +55,7 @@ public:
     /// Is called before each change of a parameter, whose error its own is.
     void set_prepare_change(std::function<Expected<void>()> prepare) { prepare_change_ = std::move(prepare); }
     /// Is called with every port that a script looks at. Must not throw.
-    void on_look(std::function<void(const PortAt&)> look) { look_ = std::move(look); }
+    void on_read(std::function<void(const PortAt&)> read) { on_read_ = std::move(read); }
 
     // These push one object, and may raise a Lua error (memory): with nothing alive that needs its destructor, or
     // within a protected call. The names are not looked up yet.
@@ -89,16 +77,16 @@ public:
     static LiveSystem* to_system(lua_State* L, int index);
     /// Does what a method of ports is called ("inject", "hold", "release") to the port at `index`, with the arguments
     /// that follow it, in visits of its own. Raises nothing.
-    Expected<void> act_on_port(lua_State* L, int index, std::string_view word) const;
+    Expected<void> act_on_port(lua_State* L, int index, std::string_view method) const;
 
-    /// Every member that `X.` has: ports, words, commands. Sorted.
+    /// Every member that `X.` has: ports, properties and methods, commands. Sorted.
     static std::vector<std::string> members(const Component& component);
     /// Those of them that are called, with a colon: `X:activate()`, commands. Sorted.
     static std::vector<std::string> methods(const Component& component);
-    /// Every word that a port has, and those of them that are called. Sorted.
+    /// Every member that a port has, and those of them that are called. Sorted.
     static std::vector<std::string> port_members();
     static std::vector<std::string> port_methods();
-    /// Every word that `X.truth` has. Sorted.
+    /// Every member that `X.truth` has. Sorted.
     static std::vector<std::string> truth_members();
 
     struct Core;
@@ -107,7 +95,7 @@ private:
     Objects();
 
     bool hardware_ = false;
-    std::function<void(const PortAt&)> look_;
+    std::function<void(const PortAt&)> on_read_;
     std::function<bool(const std::function<void()>&)> visit_;
     std::function<Expected<void>()> prepare_;
     std::function<Expected<void>()> prepare_change_;

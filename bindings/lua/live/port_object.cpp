@@ -1,45 +1,24 @@
-// A port as seen from outside: a look at it, and a hand on it.
+// A port as seen from outside: its members, and the acts on it.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "bindings/lua/values/member_names.hpp"
 #include "engine/system/act_fields.hpp"
 
 namespace nezumi {
 namespace {
 
-constexpr std::array<std::string_view, 16> properties{"age",  "connected", "count", "direction", "doc",   "holder",
-                                                      "name", "note",      "path",  "peers",     "stale", "tm",
-                                                      "type", "unread",    "value", "override"};
-
-// What a port has done to it: `port:NAME(...)`.
-struct Called {
-    std::string_view name;
-    int most;  // arguments at most
-    std::string_view usage;
-};
-constexpr std::array<Called, 6> called{{{"drop", 0, "()"},
-                                        {"freeze", 0, "()"},
-                                        {"hold", 2, "(value, { take = true })"},
-                                        {"inject", 1, "(value)"},
-                                        {"release", 0, "()"},
-                                        {"write", 1, "(value)"}}};
-
-// The one of this name; null for none.
-const Called* find_called(std::string_view name) {
-    const auto* found =
-        std::find_if(called.begin(), called.end(), [&](const Called& each) { return each.name == name; });
-    return found != called.end() ? found : nullptr;
-}
-
-bool is_property(std::string_view name) {
-    return std::find(properties.begin(), properties.end(), name) != properties.end();
+// The member of this name; null for none.
+const MemberName* find_member(std::string_view name) {
+    const auto all = port_member_names();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
+    return found == all.end() ? nullptr : &*found;
 }
 
 Answer property(const PortAt& at, std::string_view name) {
@@ -63,7 +42,8 @@ Answer property(const PortAt& at, std::string_view name) {
     }
     if (name == "count") return static_cast<std::int64_t>(port.count());
     if (name == "unread") return port.direction() == Direction::in && static_cast<const InPortBase&>(port).is_new();
-    return std::string(to_text(port.override()));
+    if (name == "override") return std::string(to_text(port.override()));
+    return {};
 }
 
 // What is to be known of a port before a value for it is read.
@@ -82,7 +62,7 @@ PortToRead to_read(const PortAt& at) {
             port.type()};
 }
 
-// The value that a word puts into a port. `value` is its index.
+// The value that a method puts into a port. `value` is its index.
 Expected<AnyPayload> value_for(lua_State* L, int value, const PortToRead& port) {
     if (lua_type(L, value) == LUA_TNONE) return failure(fmt::format("expected a value for {}", port.path));
     if (lua_checkstack(L, 30) == 0) return failure("stack overflow");
@@ -91,16 +71,16 @@ Expected<AnyPayload> value_for(lua_State* L, int value, const PortToRead& port) 
     return payload;
 }
 
-// The act that a word means for a port: `value` is the index of the value, where there is one.
-Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view word, int value) {
+// The act that a method means for a port: `value` is the index of the value, where there is one.
+Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view method, int value) {
     const std::string& path = port.path;
-    if (word == "release") return Release{path};
-    if (word == "drop") return Drop{path};
-    if (word == "freeze") return Freeze{path};
+    if (method == "release") return Release{path};
+    if (method == "drop") return Drop{path};
+    if (method == "freeze") return Freeze{path};
     auto payload = value_for(L, value, port);
     if (!payload) return Unexpected(payload.error());
-    if (word == "inject") return Inject{path, std::move(*payload)};
-    if (word == "write") return Write{path, std::move(*payload)};
+    if (method == "inject") return Inject{path, std::move(*payload)};
+    if (method == "write") return Write{path, std::move(*payload)};
     HoldOptions options;
     if (auto ok = read_options(L, value + 1, FieldCheck::of_options(path), options); !ok) return Unexpected(ok.error());
     return Hold{path, std::move(*payload), options.take};
@@ -108,14 +88,14 @@ Expected<Act> read_act(lua_State* L, const PortToRead& port, std::string_view wo
 
 // Two visits: what is read between them may be a million numbers. `find()` gives the port, a `PortToRead`.
 template <class Find>
-Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view word, int value, Find&& find) {
+Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view method, int value, Find&& find) {
     Expected<PortToRead> port;
     auto found = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
         port = find();
         return port ? Expected<Answer>() : Unexpected(port.error());
     });
     if (!found) return found;
-    const auto act = read_act(L, *port, word, value);
+    const auto act = read_act(L, *port, method, value);
     if (!act) return Unexpected(act.error());
     return ObjectAccess::visit(objects, [&] { return answer_of(port->live->act(*act, ObjectAccess::who(objects))); });
 }
@@ -130,7 +110,7 @@ int method(lua_State* L) {
         return act(L, objects, name, 2, [&]() -> Expected<PortToRead> {
             const auto at = find_port(*self);
             if (!at) return Unexpected(at.error());
-            const Called& own = *find_called(name);
+            const MemberName& own = *find_member(name);
             const std::string whole = fmt::format("{}:{}", at->path(), name);
             if (auto ok = Arguments{L, 2}.at_most(whole, own.most, own.usage); !ok) return Unexpected(ok.error());
             return to_read(*at);
@@ -145,9 +125,8 @@ std::string explain_key(lua_State* L, const PortAt& at) {
     if (key == "read") {
         return fmt::format("{}: only its own component reads it; a look at it is {}.value", at.path(), at.path());
     }
-    std::vector<std::string_view> names(properties.begin(), properties.end());
-    for (const Called& each : called) names.push_back(each.name);
-    std::string near = did_you_mean(key, names);
+    const std::vector<std::string> names = Objects::port_members();
+    std::string near = did_you_mean(key, std::vector<std::string_view>(names.begin(), names.end()));
     if (near.empty()) near = fmt::format("; the value's own fields are {}.value.NAME", at.path());
     return fmt::format("{} has no '{}'{}", at.path(), shown(key), near);
 }
@@ -159,11 +138,12 @@ int port_index(lua_State* L) {
         if (!at) return Unexpected(at.error());
         if (lua_type(L, 2) == LUA_TSTRING) {
             const std::string_view key = text_at(L, 2);
-            if (is_property(key)) {
-                ObjectAccess::note_look(objects, *at);
+            const MemberName* own = find_member(key);
+            if (own != nullptr && own->called) return Answer{MethodName{method, std::string(key)}};
+            if (own != nullptr) {
+                ObjectAccess::note_read(objects, *at);
                 return property(*at, key);
             }
-            if (find_called(key) != nullptr) return Answer{MethodName{method, std::string(key)}};
         }
         return failure(explain_key(L, *at));
     });
@@ -213,16 +193,16 @@ const ObjectFunctions& port_functions() {
 }
 
 std::vector<std::string> Objects::port_members() {
-    std::vector<std::string> all(properties.begin(), properties.end());
-    for (const Called& each : called) all.emplace_back(each.name);
-    std::sort(all.begin(), all.end());
+    std::vector<std::string> all;
+    for (const MemberName& each : port_member_names()) all.emplace_back(each.name);
     return all;
 }
 
 std::vector<std::string> Objects::port_methods() {
     std::vector<std::string> all;
-    all.reserve(called.size());
-    for (const Called& each : called) all.emplace_back(each.name);
+    for (const MemberName& each : port_member_names()) {
+        if (each.called) all.emplace_back(each.name);
+    }
     return all;
 }
 
@@ -251,8 +231,8 @@ Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
     return PortAt{&live, live.system().find(path.substr(0, path.find('.'))), *port};
 }
 
-Expected<void> Objects::act_on_port(lua_State* L, int index, std::string_view word) const {
-    const auto done = act(L, *this, word, index + 1, [&]() -> Expected<PortToRead> {
+Expected<void> Objects::act_on_port(lua_State* L, int index, std::string_view method) const {
+    const auto done = act(L, *this, method, index + 1, [&]() -> Expected<PortToRead> {
         const auto at = to_port(L, index);
         if (!at) return Unexpected(at.error());
         return to_read(*at);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "bindings/lua/live/command_arguments.hpp"
-#include "bindings/lua/live/host_look.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/values/member_names.hpp"
@@ -65,14 +65,14 @@ const PlainData::Value* find(const PlainData& data, std::size_t table, std::stri
     return nullptr;
 }
 
-// One value of a look, whose tables go with it.
-Answer answer_of_value(PlainData looked_at, const PlainData::Value& value) {
-    looked_at.values = {value};
-    const std::size_t whole = looked_at.tables.size();
-    return Answer{PlainLook{std::move(looked_at), whole}};
+// One value of a snapshot, whose tables go with it.
+Answer answer_of_value(PlainData snapshot, const PlainData::Value& value) {
+    snapshot.values = {value};
+    const std::size_t whole = snapshot.tables.size();
+    return Answer{PlainSnapshot{std::move(snapshot), whole}};
 }
 
-// The table of parameters in a look.
+// The table of parameters in a snapshot.
 std::size_t config_of(const PlainData& data) {
     const auto* value = find(data, 0, "config");
     const auto* ref = value != nullptr ? std::get_if<PlainData::TableRef>(value) : nullptr;
@@ -159,7 +159,7 @@ std::optional<Expected<Answer>> known_member(const ObjectRef& ref, std::string_v
         for (const OfferedPort& port : ports) names.push_back(port.name);
         return Answer{std::move(names)};
     }
-    if (std::find(remote_words.begin(), remote_words.end(), name) != remote_words.end()) return std::nullopt;
+    if (std::find(remote_members.begin(), remote_members.end(), name) != remote_members.end()) return std::nullopt;
     for (const OfferedPort& port : ports) {
         if (port.name == name) return Answer{fmt::format("{}.{}", path, name)};
     }
@@ -185,12 +185,12 @@ int remote_index(lua_State* L) {
         });
         if (!visited) return visited;
         if (known) return std::move(*known);
-        auto look = ask(objects, ref, What::look);
-        if (!look) return Unexpected(look.error());
-        const PlainData::Value* value = find(*look, 0, name);
+        auto snapshot = ask(objects, ref, What::look);
+        if (!snapshot) return Unexpected(snapshot.error());
+        const PlainData::Value* value = find(*snapshot, 0, name);
         if (value == nullptr) return Answer{};
         const PlainData::Value found = *value;
-        return answer_of_value(std::move(*look), found);
+        return answer_of_value(std::move(*snapshot), found);
     });
 }
 
@@ -211,15 +211,15 @@ int remote_tostring(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
-        const auto look = ask(objects, ref, What::look);
-        if (!look) return Answer{fmt::format("{}: {}", ref.component(), look.error().message)};
+        const auto snapshot = ask(objects, ref, What::look);
+        if (!snapshot) return Answer{fmt::format("{}: {}", ref.component(), snapshot.error().message)};
         const auto text = [&](std::string_view key) {
-            const auto* value = find(*look, 0, key);
+            const auto* value = find(*snapshot, 0, key);
             const auto* is = value != nullptr ? std::get_if<std::string>(value) : nullptr;
             return is != nullptr ? visible(*is) : "?";
         };
         std::string all = fmt::format("{}  {}, {}", ref.component(), text("type"), text("status"));
-        if (find(*look, 0, "error") != nullptr) all += "\nerror: " + text("error");
+        if (find(*snapshot, 0, "error") != nullptr) all += "\nerror: " + text("error");
         auto listed = ObjectAccess::visit(objects, [&]() -> Expected<Answer> {
             for (const OfferedPort& port : ports_of(ref.live()->system(), ref.component()))
                 all += fmt::format("\n  {:<3} {}  {}", port.direction == Direction::in ? "in" : "out", port.name,
@@ -227,7 +227,7 @@ int remote_tostring(lua_State* L) {
             return Answer{};
         });
         if (!listed) return listed;
-        const std::string config = config_text(*look);
+        const std::string config = config_text(*snapshot);
         if (!config.empty()) all += "\n" + config;
         return Answer{std::move(all)};
     });
@@ -240,17 +240,17 @@ int config_index(lua_State* L) {
     return look_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
         if (lua_type(L, 2) != LUA_TSTRING) return failure("config: what is in it has a name");
-        auto look = ask(objects, ref, What::look);
-        if (!look) return Unexpected(look.error());
-        const std::size_t config = config_of(*look);
-        const PlainData::Value* value = find(*look, config, text_at(L, 2));
+        auto snapshot = ask(objects, ref, What::look);
+        if (!snapshot) return Unexpected(snapshot.error());
+        const std::size_t config = config_of(*snapshot);
+        const PlainData::Value* value = find(*snapshot, config, text_at(L, 2));
         if (value == nullptr) {
-            const Names known = keys_of(*look, config);
+            const Names known = keys_of(*snapshot, config);
             return failure(fmt::format("{}: unknown parameter '{}'{}", ref.component(), shown(text_at(L, 2)),
                                        did_you_mean(text_at(L, 2), {known.begin(), known.end()})));
         }
         const PlainData::Value found = *value;
-        return answer_of_value(std::move(*look), found);
+        return answer_of_value(std::move(*snapshot), found);
     });
 }
 
@@ -276,10 +276,10 @@ int config_pairs(lua_State* L) {
     lua_settop(L, 1);
     lua_pushnil(L);  // it is all of the object
     look_beside(L, objects, [&]() -> Expected<Answer> {
-        auto look = ask(objects, *to_object(L, 1), What::look);
-        if (!look) return Unexpected(look.error());
-        const std::size_t config = config_of(*look);
-        return answer_of_value(std::move(*look), PlainData::TableRef{config});
+        auto snapshot = ask(objects, *to_object(L, 1), What::look);
+        if (!snapshot) return Unexpected(snapshot.error());
+        const std::size_t config = config_of(*snapshot);
+        return answer_of_value(std::move(*snapshot), PlainData::TableRef{config});
     });
     lua_pushcfunction(L, ordered_pairs);
     lua_pushvalue(L, 3);
@@ -290,8 +290,8 @@ int config_pairs(lua_State* L) {
 int config_tostring(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
-        const auto look = ask(objects, *to_object(L, 1), What::look);
-        return Answer{look ? config_text(*look) : look.error().message};
+        const auto snapshot = ask(objects, *to_object(L, 1), What::look);
+        return Answer{snapshot ? config_text(*snapshot) : snapshot.error().message};
     });
 }
 

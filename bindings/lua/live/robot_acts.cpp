@@ -83,9 +83,9 @@ Expected<Pose2D> read_pose(lua_State* L, int index) {
     return Pose2D{{place->x, place->y}, place->heading};
 }
 
-Expected<Push> read_push(lua_State* L, int index, unsigned kind) {
-    if (lua_type(L, index) != LUA_TTABLE) return failure("expected a table " + usage_of<Push>(kind));
-    return read_fields<Push>(L, index, "disturb", {.kind = kind});
+Expected<VelocityConstraint> read_velocity_constraint(lua_State* L, int index, unsigned kind) {
+    if (lua_type(L, index) != LUA_TTABLE) return failure("expected a table " + usage_of<VelocityConstraint>(kind));
+    return read_fields<VelocityConstraint>(L, index, "disturb", {.kind = kind});
 }
 
 std::vector<std::string> marker_names(const System& system) {

@@ -18,9 +18,10 @@ namespace nezumi {
 /// A pose as people write it, `{ x =, y =, heading = }` or `{ position = { x =, y = }, heading = }`; what is left out
 /// is 0. Raises no Lua error.
 Expected<Pose2D> read_pose(lua_State* L, int index);
-/// Speeds to force on a robot, `{ vx =, vy =, va = }`, what is left out stays free, as one of `Describe<Push>::kinds`
-/// takes them. Raises no Lua error.
-Expected<Push> read_push(lua_State* L, int index, unsigned kind = Describe<Push>::at_once);
+/// Speeds to force on a robot, `{ vx =, vy =, va = }`, what is left out stays free, as one of
+/// `Describe<VelocityConstraint>::kinds` takes them. Raises no Lua error.
+Expected<VelocityConstraint> read_velocity_constraint(lua_State* L, int index,
+                                                      unsigned kind = Describe<VelocityConstraint>::at_once);
 
 /// The names of the arena's markers, and of the boxes and cylinders that can be carried.
 std::vector<std::string> marker_names(const System& system);

@@ -1,11 +1,9 @@
 // Part by part: a slip in a folder's name does not hide one in the file's.
 #include "bindings/lua/project/near_path.hpp"
 
-#include <algorithm>
-#include <string_view>
-#include <system_error>
 #include <vector>
 
+#include "bindings/lua/project/project_files.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -13,17 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_names = 10'000;  // of one folder
-
 std::string nearest_in(const fs::path& folder, const std::string& name) {
-    std::vector<std::string> names;
-    std::error_code problem;
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, problem), end;
-         !problem && entry != end && names.size() < most_names; entry.increment(problem)) {
-        std::string found = entry->path().filename().string();
-        if (!found.starts_with('.')) names.push_back(std::move(found));
-    }
-    std::sort(names.begin(), names.end());
+    auto names = disk().names_in(folder.empty() ? "." : folder);
+    std::erase_if(names, [](const std::string& found) { return found.starts_with('.'); });
     return std::string(nearest(name, {names.begin(), names.end()}));
 }
 
@@ -31,14 +21,13 @@ std::string nearest_in(const fs::path& folder, const std::string& name) {
 
 std::string near_path(const fs::path& path) {
     fs::path there;
-    std::error_code none;
     for (const fs::path& part : path) {
-        if (fs::exists(fs::symlink_status(there / part, none))) {
+        if (!disk().what_is(there / part).empty()) {
             there /= part;
             continue;
         }
         const std::string near = nearest_in(there, part.string());
-        if (near.empty()) return "";
+        if (near.empty() || near == part) return "";  // a link may lead nowhere
         there /= near;
     }
     return there.string();

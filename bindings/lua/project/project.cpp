@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <set>
-#include <system_error>
 
 #include "engine/base/visible.hpp"
-#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace fs = std::filesystem;
@@ -50,28 +48,25 @@ fs::path file_name(FileKind kind, std::string_view name) {
 }
 
 // The names in a folder that could have been meant, as a person would write them.
-void collect_names(const fs::path& folder, FileKind kind, std::set<std::string>& names) {
-    std::error_code problem;
-    std::size_t seen = 0;
-    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end && ++seen < 10000;
-         entry.increment(problem)) {
-        const fs::path& path = entry->path();
+void collect_names(const ProjectFiles& files, const fs::path& folder, FileKind kind, std::set<std::string>& names) {
+    for (std::string& name : files.names_in(folder)) {
         if (kind == FileKind::data) {
-            names.insert(path.filename().string());
-        } else if (path.extension() == ".lua") {
+            names.insert(std::move(name));
+        } else if (const fs::path path(name); path.extension() == ".lua") {
             names.insert(path.stem().string());
         }
     }
 }
 
-std::string nearest_name(const std::vector<fs::path>& folders, FileKind kind, std::string_view name) {
+std::string nearest_name(const ProjectFiles& files, const std::vector<fs::path>& folders, FileKind kind,
+                         std::string_view name) {
     std::set<std::string> names;
     const fs::path wanted =
         kind == FileKind::module ? fs::path(file_name(kind, name)).replace_extension() : fs::path(name);
     const bool written_out = kind != FileKind::data && kind != FileKind::module && ends_in_lua(name);
     for (const fs::path& folder : folders) {
         std::set<std::string> here;
-        collect_names(folder / wanted.parent_path(), kind, here);
+        collect_names(files, folder / wanted.parent_path(), kind, here);
         for (const std::string& found : here) {
             std::string text = (wanted.parent_path() / found).string();
             if (kind == FileKind::module) std::replace(text.begin(), text.end(), '/', '.');
@@ -121,11 +116,12 @@ std::vector<fs::path> Project::folders(FileKind kind, const fs::path& naming) co
 std::vector<std::string> Project::names(FileKind kind, const fs::path& named_in) const {
     const fs::path naming = (working_ / named_in).lexically_normal();
     std::set<std::string> names;
-    for (const fs::path& folder : folders(kind, naming)) collect_names(folder, kind, names);
+    for (const fs::path& folder : folders(kind, naming)) collect_names(*files_, folder, kind, names);
     return {names.begin(), names.end()};
 }
 
-Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in) const {
+Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs::path& named_in,
+                                 const std::function<bool(const fs::path&)>& passes_over) const {
     if (name.empty()) return failure(fmt::format("the name of a {} is empty", word(kind)));
     // It stands in messages, and in the names of the files that are looked for.
     if (visible(name) != name || name.find_first_of("\n\t") != std::string_view::npos)
@@ -143,15 +139,17 @@ Expected<fs::path> Project::find(FileKind kind, std::string_view name, const fs:
         const fs::path candidate = (folder / file).lexically_normal();
         // Nobody means the file itself: a system may be called like the behaviour that it is for.
         if (candidate == naming) continue;
-        if (files_->is_file(candidate)) return candidate;
+        const std::string what = files_->what_is(candidate);
+        const bool is_file = what == "a file";
+        if (is_file && !(passes_over && passes_over(candidate))) return candidate;
         const std::string place = shown(candidate);
         if (std::find(places.begin(), places.end(), place) != places.end()) continue;
-        if (const auto what = other_than_file(candidate); !what.empty() && what != "a folder")
+        if (!what.empty() && !is_file && what != "a folder")
             other += fmt::format("; {} is {}, expected a file", place, what);
         places.push_back(place);
     }
     return failure(fmt::format("there is no {} '{}'{}; looked for {}{}", word(kind), name,
-                               nearest_name(folders, kind, name), fmt::join(places, ", "), other));
+                               nearest_name(*files_, folders, kind, name), fmt::join(places, ", "), other));
 }
 
 Expected<std::string> Project::read(const fs::path& path) const { return files_->read(path, shown(path)); }

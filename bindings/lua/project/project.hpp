@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,9 +46,10 @@ public:
 
     /// Where the file called `name` is: beside the file `named_in`, then in `behaviors/`, then among the installed
     /// ones; never that file itself. The error says the nearest name and every place that was looked at; it has no
-    /// place of its own.
-    Expected<std::filesystem::path> find(FileKind kind, std::string_view name,
-                                         const std::filesystem::path& named_in) const;
+    /// place of its own. A file that `passes_over` says is meant by nobody is none.
+    Expected<std::filesystem::path> find(
+        FileKind kind, std::string_view name, const std::filesystem::path& named_in,
+        const std::function<bool(const std::filesystem::path&)>& passes_over = {}) const;
 
     /// The names of all such files that `find` would find, sorted.
     std::vector<std::string> names(FileKind kind, const std::filesystem::path& named_in) const;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bindings/lua/project/project.hpp"
-#include "engine/base/whole_file.hpp"
 #include "engine/ports/payload.hpp"
 
 namespace nezumi {
@@ -20,7 +19,7 @@ ScriptFile::ScriptFile(const SourceText& source)
 
 Expected<SourceText> read_source(const std::string& path) {
     std::string shown(file_name(path));
-    auto text = read_whole(path, shown);
+    auto text = disk().read(path, shown);
     if (!text) return Unexpected(text.error());
     return SourceText{path, std::move(shown), std::move(*text)};
 }

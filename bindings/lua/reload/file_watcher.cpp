@@ -22,8 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLongestGathering = 0.02;             // [s] of a burst of saves
-constexpr std::chrono::milliseconds kLongestEnd{200};  // for a file that is just being read
+constexpr double longest_gathering = 0.02;             // [s] of a burst of saves
+constexpr std::chrono::milliseconds longest_end{200};  // for a file that is just being read
 
 std::chrono::nanoseconds nanoseconds(double seconds) {
     return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
@@ -141,23 +141,23 @@ private:
 // What the thread does and knows.
 class FileWatcher::Watch {
 public:
-    Watch(Shared& shared, double look_every, const Reader& read)
-        : shared_(shared), look_every_(look_every), read_(read) {}
+    Watch(Shared& shared, double poll_period, const Reader& read)
+        : shared_(shared), poll_period_(poll_period), read_(read) {}
     void run();
 
 private:
     void watch_anew();
-    void look(bool noticed);
+    void poll(bool noticed);
     // A file that has been missing or unreadable for a while.
     struct Trouble {
         Clock::time_point since;
         bool told = false;
     };
-    void look_at(const std::string& path, std::uint64_t known, bool noticed);
+    void poll_file(const std::string& path, std::uint64_t known, bool noticed);
     void lose(const std::string& path, const std::string& why);
 
     Shared& shared_;
-    const double look_every_;  // [s]
+    const double poll_period_;  // [s]
     const Reader& read_;
     std::optional<Notices> notices_;
     std::map<std::string, Stamp> stamps_;
@@ -170,9 +170,9 @@ FileWatcher::Shared::~Shared() {
     if (wake >= 0) ::close(wake);
 }
 
-FileWatcher::FileWatcher(double look_every, Reader read)
-    : shared_(std::make_shared<Shared>()), thread_([shared = shared_, look_every, read = std::move(read)] {
-          Watch(*shared, look_every, read).run();
+FileWatcher::FileWatcher(double poll_period, Reader read)
+    : shared_(std::make_shared<Shared>()), thread_([shared = shared_, poll_period, read = std::move(read)] {
+          Watch(*shared, poll_period, read).run();
           const std::lock_guard lock(shared->mutex);
           shared->ended = true;
           shared->end.notify_all();
@@ -182,7 +182,7 @@ FileWatcher::~FileWatcher() {
     shared_->quit = true;
     ::eventfd_write(shared_->wake, 1);
     Lock lock(shared_->mutex);
-    const bool ended = shared_->end.wait_for(lock, kLongestEnd, [this] { return shared_->ended; });
+    const bool ended = shared_->end.wait_for(lock, longest_end, [this] { return shared_->ended; });
     lock.unlock();
     if (ended) {
         thread_.join();
@@ -234,10 +234,10 @@ void FileWatcher::Watch::run() {
     bool pending = false;
     bool renew_first = false;
     Clock::time_point first{};
-    Clock::time_point last_look = Clock::now();
+    Clock::time_point last_poll = Clock::now();
     while (!shared_.quit) {
         pollfd fds[2] = {{shared_.wake, POLLIN, 0}, {notices_->fd(), POLLIN, 0}};
-        const auto wait = pending ? nanoseconds(kQuiet) : nanoseconds(look_every_);
+        const auto wait = pending ? nanoseconds(quiet_time) : nanoseconds(poll_period_);
         const timespec timeout{.tv_sec = static_cast<std::time_t>(wait.count() / 1'000'000'000),
                                .tv_nsec = static_cast<long>(wait.count() % 1'000'000'000)};
         const int ready = ::ppoll(fds, notices_->fd() >= 0 ? 2 : 1, &timeout, nullptr);
@@ -256,24 +256,24 @@ void FileWatcher::Watch::run() {
             pending = true;
         }
         const Clock::time_point now = Clock::now();
-        const bool is_quiet = pending && (ready == 0 || now - first > nanoseconds(kLongestGathering));
-        if (!is_quiet && now - last_look < nanoseconds(look_every_)) continue;
+        const bool is_quiet = pending && (ready == 0 || now - first > nanoseconds(longest_gathering));
+        if (!is_quiet && now - last_poll < nanoseconds(poll_period_)) continue;
         if (std::exchange(renew_first, false)) watch_anew();
-        last_look = now;
-        look(std::exchange(pending, false));
+        last_poll = now;
+        poll(std::exchange(pending, false));
     }
 }
 
-void FileWatcher::Watch::look(bool noticed) {
+void FileWatcher::Watch::poll(bool noticed) {
     Files files;
     {
         const std::lock_guard lock(shared_.mutex);
         files = shared_.known;
     }
-    for (const auto& [path, hash] : files) look_at(path, hash, noticed);
+    for (const auto& [path, hash] : files) poll_file(path, hash, noticed);
 }
 
-void FileWatcher::Watch::look_at(const std::string& path, std::uint64_t known, bool noticed) {
+void FileWatcher::Watch::poll_file(const std::string& path, std::uint64_t known, bool noticed) {
     const Stamp stamp(path);
     // What can't be read may be readable again without another look from outside.
     const auto [before, is_new] = stamps_.try_emplace(path, stamp);
@@ -296,7 +296,7 @@ void FileWatcher::Watch::look_at(const std::string& path, std::uint64_t known, b
 void FileWatcher::Watch::lose(const std::string& path, const std::string& why) {
     const Clock::time_point now = Clock::now();
     Trouble& trouble = troubles_.try_emplace(path, Trouble{.since = now}).first->second;
-    if (trouble.told || now - trouble.since < nanoseconds(look_every_)) return;
+    if (trouble.told || now - trouble.since < nanoseconds(poll_period_)) return;
     trouble.told = true;
     const std::lock_guard lock(shared_.mutex);
     shared_.losses.push_back({path, why});

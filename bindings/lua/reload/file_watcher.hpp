@@ -36,10 +36,10 @@ public:
     };
 
     /// How often it looks for itself [s].
-    static constexpr double kLook = 0.5;
+    static constexpr double usual_poll_period = 0.5;
 
     /// `read` is called from another thread, and may outlive the watcher when a call does not return.
-    explicit FileWatcher(double look_every = kLook, Reader read = read_source);
+    explicit FileWatcher(double poll_period = usual_poll_period, Reader read = read_source);
     /// Waits for its thread, but not for a file system that does not answer.
     ~FileWatcher();
     FileWatcher(const FileWatcher&) = delete;
@@ -48,19 +48,19 @@ public:
     /// The files to watch from now on. Of those watched already, what is known stays known.
     void watch(const Files& files);
 
-    /// Whether there is something to take, changes or losses: no more than a look at a flag.
+    /// Whether there is something to take, changes or losses: no more than a read of a flag.
     bool has_news() const { return shared_->has_news.load(std::memory_order_relaxed); }
     /// The files that have changed since the last time, in the order of their paths, each once with what it holds now.
     /// A file that went is none of them.
     std::vector<Change> take_changes();
-    /// The files that went, or are there and can't be read, for at least as long as it is from look to look: each once,
+    /// The files that went, or are there and can't be read, for at least as long as it is from poll to poll: each once,
     /// and again only when it could be read in between.
     std::vector<Loss> take_losses();
     /// Whether another file of Lua was saved in one of the folders since the last time.
     bool take_others() { return shared_->others.exchange(false); }
 
     /// How long after a notice it waits for the next one of the same save [s].
-    static constexpr double kQuiet = 0.002;
+    static constexpr double quiet_time = 0.002;
 
 private:
     class Notices;

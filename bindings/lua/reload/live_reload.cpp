@@ -70,7 +70,7 @@ bool LiveReload::runs_already(const FileWatcher::Change& change) const {
 }
 
 void LiveReload::reload(const std::vector<std::string>& paths, bool rehearsed) {
-    reloader_.limit_preparation(rehearsed ? 0 : kBetweenTicks);
+    reloader_.limit_preparation(rehearsed ? 0 : longest_preparation);
     const Expected<void> done = act_(paths);
     reloader_.limit_preparation(0);
     failed_.clear();

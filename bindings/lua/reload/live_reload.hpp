@@ -40,7 +40,7 @@ private:
     void rehearse(std::vector<std::string> paths);
 
     /// What loading may take between two ticks before it is tried in a thread of its own [s].
-    static constexpr double kBetweenTicks = 0.005;
+    static constexpr double longest_preparation = 0.005;
 
     const System& system_;
     Reloader& reloader_;

@@ -305,8 +305,8 @@ void Reloader::after_tick() {
             back.push_back(fmt::format("version {} in {}", group.version, list_of(group.components)));
         system_.log(LogLevel::error,
                     fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to {}",
-                                list_of(each.names), each.what.version, each.what.execution,
-                                ScriptComponent::kProbation, describe(each.what.error), fmt::join(back, " and ")));
+                                list_of(each.names), each.what.version, each.what.execution, ScriptComponent::probation,
+                                describe(each.what.error), fmt::join(back, " and ")));
         for (const std::string& note : each.report.notes) system_.log(LogLevel::warn, note);
     }
     std::erase_if(on_probation_, [this](const std::string& name) {

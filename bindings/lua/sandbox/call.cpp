@@ -31,24 +31,29 @@ std::size_t prefix_length(const char* message, const lua_Debug& activation, int&
     return end + 2;
 }
 
-// The place that the message itself names, if it names one of a function that runs; else the innermost line of Lua.
+// The place that the message itself names, if it names one of a function that runs, or of one that was closed; else the
+// innermost line of Lua.
 void find_error_place(lua_State* lua, CallRecord& call) {
     call.error_place.line = 0;
     call.error_prefix = 0;
     find_place(lua, call.error_place);
     if (lua_type(lua, -1) != LUA_TSTRING) return;
     const char* message = lua_tostring(lua, -1);
-    lua_Debug activation;
-    for (int level = 0; level < searched_levels && lua_getstack(lua, level, &activation) != 0; ++level) {
-        if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) continue;
+    const auto is_named = [&](lua_Debug& activation) {
         int line = 0;
         const std::size_t length = prefix_length(message, activation, line);
-        if (length == 0) continue;
+        if (length == 0) return false;
         activation.currentline = line;
         call.error_prefix = length;
         call.error_place.set(activation);
-        return;
+        return true;
+    };
+    lua_Debug activation;
+    for (int level = 0; level < searched_levels && lua_getstack(lua, level, &activation) != 0; ++level) {
+        if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) continue;
+        if (is_named(activation)) return;
     }
+    if (call.closes) is_named(call.closed);
 }
 
 // The deepest level of the stack that there is.
@@ -140,8 +145,11 @@ int handle_error(lua_State* lua) {
         return 1;
     }
     if (lua_type(lua, 1) != LUA_TSTRING && luaL_getmetafield(lua, 1, "__tostring") != LUA_TNIL) {
+        // If this fails, it is another error, which begins here.
+        const int slice_status = std::exchange(call.slice_status, LUA_OK);
         lua_pushvalue(lua, 1);
         lua_call(lua, 1, 1);
+        call.slice_status = slice_status;
         if (lua_type(lua, -1) != LUA_TSTRING) lua_settop(lua, 1);
     }
     if (call.slice_status == LUA_OK) note_error(lua, call);
@@ -187,6 +195,13 @@ CallError lost_error(double budget_seconds) {
 void note_slice_error(lua_State* coroutine, int status) {
     note_error(coroutine, *current_call);
     current_call->slice_status = status;
+}
+
+void note_closed(lua_State* coroutine) {
+    CallRecord& call = *current_call;
+    lua_Debug& activation = call.closed;
+    const int level = last_level(coroutine);
+    call.closes = lua_getstack(coroutine, level, &activation) != 0 && lua_getinfo(coroutine, "Sl", &activation) != 0;
 }
 
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {

@@ -43,4 +43,7 @@ CallResult protect(lua_State* lua, Budget budget, Body&& body) {
 /// Keeps the place of the error on top of a coroutine that has failed in a slice: it will be raised again elsewhere.
 void note_slice_error(lua_State* coroutine, int status);
 
+/// Keeps what is to be known of a coroutine that is about to be closed: an error of that has no place any more.
+void note_closed(lua_State* coroutine);
+
 }  // namespace nezumi

@@ -11,13 +11,13 @@
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
-#include "engine/components/parameter.hpp"
 
 namespace nezumi {
 namespace {
 
-constexpr int most_free_looks = 4;  // at a table whose entries have been counted
+constexpr int most_free_visits = 4;  // at a table whose entries have been counted
 
 // The functions below run under `protect` and may raise Lua errors: what has a destructor lies outside, in here.
 class Inspector {
@@ -51,7 +51,7 @@ private:
     std::size_t limit_ = 0;               // of `out_` while a table is tried in one line; 0: none
 };
 
-void quote_into(std::string& out, std::string_view text) noexcept { out += to_text(ParameterValue(std::string(text))); }
+void quote_into(std::string& out, std::string_view text) noexcept { out += lua_quoted(text); }
 
 bool has_metafield(lua_State* L, int index, const char* name) {
     if (luaL_getmetafield(L, index, name) == LUA_TNIL) return false;
@@ -135,7 +135,7 @@ bool Inspector::can_count(int index) {
     if (luaL_getmetafield(lua_, index, "__pairs") != LUA_TNIL) return lua_pop(lua_, 1), true;
     const void* const self = lua_topointer(lua_, index);
     const auto counted = counted_.find(self);
-    if (counted != counted_.end() && ++counted->second <= most_free_looks) return true;
+    if (counted != counted_.end() && ++counted->second <= most_free_visits) return true;
     const int top = lua_gettop(lua_);
     const int table = push_behind_lock(lua_, index) ? lua_gettop(lua_) : index;
     std::size_t entries = 0;

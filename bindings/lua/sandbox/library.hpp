@@ -9,11 +9,11 @@
 namespace nezumi::library {
 
 /// A function of the library and what it is called.
-struct Entry {
+struct LibraryFunction {
     const char* name;
     lua_CFunction function;
 };
-using Entries = std::vector<Entry>;
+using Entries = std::vector<LibraryFunction>;
 
 /// Each room of the library: the functions that scripts see, stock ones where those are safe as they are.
 const Entries& basic();
@@ -32,7 +32,7 @@ lua_CFunction stock(std::string_view library, std::string_view name);
 Entries stock(std::string_view library, std::initializer_list<const char*> names);
 
 /// What a function of `table` does with its first argument.
-enum Access : unsigned { reads = 1, writes = 2, has_length = 4 };
+enum TableAccess : unsigned { reads = 1, writes = 2, has_length = 4 };
 
 /// Raises an error unless the value at `index` is a table, or behaves like one as far as `access` goes.
 void check_table(lua_State* lua, int index, unsigned access);

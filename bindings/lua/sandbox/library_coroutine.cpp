@@ -267,6 +267,7 @@ bool close_slices(lua_State* lua, lua_State* coroutine) {
     const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with an error that is known
     luaL_checkstack(lua, 1, nullptr);
     library::unset_all_paused(coroutine);
+    note_closed(coroutine);
     if (library::reset(lua, coroutine) || has_failed) return true;
     lua_xmove(coroutine, lua, 1);
     return false;

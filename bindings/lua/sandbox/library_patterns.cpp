@@ -28,11 +28,11 @@ void push_capture(lua_State* lua, const PatternMatcher& matcher, int index, cons
         lua_pushlstring(lua, start, static_cast<std::size_t>(end - start));
         return;
     }
-    const Capture& capture = matcher.capture(index);
+    const PatternCapture& capture = matcher.capture(index);
     switch (capture.kind) {
-        case Capture::Kind::text: lua_pushlstring(lua, capture.start, capture.length); break;
-        case Capture::Kind::position: lua_pushinteger(lua, capture.start - matcher.subject_begin() + 1); break;
-        case Capture::Kind::open: luaL_error(lua, "unfinished capture");
+        case PatternCapture::Kind::text: lua_pushlstring(lua, capture.start, capture.length); break;
+        case PatternCapture::Kind::position: lua_pushinteger(lua, capture.start - matcher.subject_begin() + 1); break;
+        case PatternCapture::Kind::open: luaL_error(lua, "unfinished capture");
     }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 // Their addresses are keys that no script can have: of the table behind, in the metatable or in the copy; of a copy's
 // owner and key; of the copies' metatable in the registry.
-constexpr char kBehind = 0, kOwner = 0, kKey = 0, kCopies = 0;
+constexpr char table_behind = 0, copy_owner = 0, copy_key = 0, copies_metatable = 0;
 
 // Upvalues: what the table is called, and why it can't be changed.
 int refuse_write(lua_State* lua) {
@@ -26,12 +26,13 @@ int length_behind(lua_State* lua) {
     return 1;
 }
 
+// Upvalue: what is to be said of a name that is not there.
 int read_behind(lua_State* lua) {
     lua_settop(lua, 2);
-    lua_rawgetp(lua, 1, &kBehind);
-    lua_insert(lua, 2);
-    lua_rawget(lua, 2);
-    return 1;
+    lua_rawgetp(lua, 1, &table_behind);
+    lua_pushvalue(lua, 2);
+    if (lua_rawget(lua, 3) != LUA_TNIL || lua_type(lua, 2) != LUA_TSTRING) return 1;
+    return lua_tocfunction(lua, lua_upvalueindex(1))(lua);
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ void lock_table(lua_State* lua, const char* name, const char* why) {
     lua_createtable(lua, 0, 5);
     lua_rotate(lua, -3, 2);  // the locked table, its metatable, what is behind it
     lua_pushvalue(lua, -1);
-    lua_rawsetp(lua, -3, &kBehind);
+    lua_rawsetp(lua, -3, &table_behind);
     lua_setfield(lua, -2, "__index");
     lua_pushstring(lua, name);
     lua_pushstring(lua, why);
@@ -55,12 +56,13 @@ void lock_table(lua_State* lua, const char* name, const char* why) {
     lua_setmetatable(lua, -2);
 }
 
-void open_copies(lua_State* lua, lua_CFunction refuse) {
+void open_copies(lua_State* lua, lua_CFunction refuse, lua_CFunction missing) {
     luaL_checkstack(lua, 3, nullptr);
     lua_createtable(lua, 0, 5);
     lua_pushboolean(lua, 1);  // what is behind, the copy has
-    lua_rawsetp(lua, -2, &kBehind);
-    lua_pushcfunction(lua, read_behind);
+    lua_rawsetp(lua, -2, &table_behind);
+    lua_pushcfunction(lua, missing);
+    lua_pushcclosure(lua, read_behind, 1);
     lua_setfield(lua, -2, "__index");
     lua_pushcfunction(lua, refuse);
     lua_setfield(lua, -2, "__newindex");
@@ -68,19 +70,19 @@ void open_copies(lua_State* lua, lua_CFunction refuse) {
     lua_setfield(lua, -2, "__len");
     lua_pushboolean(lua, 0);
     lua_setfield(lua, -2, "__metatable");
-    lua_rawsetp(lua, LUA_REGISTRYINDEX, &kCopies);
+    lua_rawsetp(lua, LUA_REGISTRYINDEX, &copies_metatable);
 }
 
 void lock_copy(lua_State* lua, int owner, int key) {
     luaL_checkstack(lua, 3, nullptr);
     lua_createtable(lua, 0, 3);
     lua_insert(lua, -2);
-    lua_rawsetp(lua, -2, &kBehind);
+    lua_rawsetp(lua, -2, &table_behind);
     lua_pushvalue(lua, owner);
-    lua_rawsetp(lua, -2, &kOwner);
+    lua_rawsetp(lua, -2, &copy_owner);
     lua_pushvalue(lua, key);
-    lua_rawsetp(lua, -2, &kKey);
-    lua_rawgetp(lua, LUA_REGISTRYINDEX, &kCopies);
+    lua_rawsetp(lua, -2, &copy_key);
+    lua_rawgetp(lua, LUA_REGISTRYINDEX, &copies_metatable);
     lua_setmetatable(lua, -2);
 }
 
@@ -88,18 +90,18 @@ bool push_origin(lua_State* lua, int index) {
     index = lua_absindex(lua, index);
     if (!push_behind_lock(lua, index)) return false;
     lua_pop(lua, 1);
-    if (lua_rawgetp(lua, index, &kOwner) == LUA_TNIL) return lua_pop(lua, 1), false;
-    lua_rawgetp(lua, index, &kKey);
+    if (lua_rawgetp(lua, index, &copy_owner) == LUA_TNIL) return lua_pop(lua, 1), false;
+    lua_rawgetp(lua, index, &copy_key);
     return true;
 }
 
 bool push_behind_lock(lua_State* lua, int index) {
     if (lua_getmetatable(lua, index) == 0) return false;
-    const int type = lua_rawgetp(lua, -1, &kBehind);
+    const int type = lua_rawgetp(lua, -1, &table_behind);
     if (type == LUA_TTABLE) return lua_remove(lua, -2), true;
     lua_pop(lua, 2);
     if (type == LUA_TNIL) return false;
-    lua_rawgetp(lua, index, &kBehind);
+    lua_rawgetp(lua, index, &table_behind);
     return true;
 }
 

@@ -13,8 +13,9 @@ void lock_table(lua_State* lua, const char* name, const char* why = "is read-onl
 
 /// The same for the copies that objects of the engine give, often: a third of the work to make one, a call for each
 /// field that is read. All of a state share one metatable, in which `refuse` is told of every assignment (table, key,
-/// value); it raises the error. Called once for a state.
-void open_copies(lua_State* lua, lua_CFunction refuse);
+/// value); it raises the error. `missing` is told of every look at a name that is not there (table, key, what is behind
+/// it, nil); it raises an error or returns the nil. Called once for a state.
+void open_copies(lua_State* lua, lua_CFunction refuse, lua_CFunction missing);
 /// Locks the table on top of the stack as a copy of what `owner` has under `key`, both at absolute indices.
 void lock_copy(lua_State* lua, int owner, int key);
 /// Pushes owner and key of the copy at `index`, or returns false when it is none.

@@ -135,8 +135,8 @@ const char* PatternMatcher::match_items(const char* s, const char* p) {
 const char* PatternMatcher::match_special(const char* s, const char* p) {
     if (*p == ')') return close_capture(s, p + 1);
     if (*p == '(') {
-        if (p + 1 < pattern_end() && p[1] == ')') return open_capture(s, p + 2, Capture::Kind::position);
-        return open_capture(s, p + 1, Capture::Kind::open);
+        if (p + 1 < pattern_end() && p[1] == ')') return open_capture(s, p + 2, PatternCapture::Kind::position);
+        return open_capture(s, p + 1, PatternCapture::Kind::open);
     }
     if (p[1] == 'b') return match_balance(s, p + 2);
     if (p[1] == 'f') return match_frontier(s, p + 2);
@@ -197,19 +197,19 @@ const char* PatternMatcher::match_frontier(const char* s, const char* p) {
 // %1 to %9: what a capture captured, again.
 const char* PatternMatcher::match_repeat(const char* s, const char* p) {
     const int index = p[1] - '1';
-    if (index < 0 || index >= capture_count_ || captures_[index].kind == Capture::Kind::open) {
+    if (index < 0 || index >= capture_count_ || captures_[index].kind == PatternCapture::Kind::open) {
         return fail("invalid capture index %%%d", index + 1);
     }
-    const Capture& again = captures_[index];
+    const PatternCapture& again = captures_[index];
     // A captured position has no text, and Lua matches none with it.
-    if (again.kind == Capture::Kind::position) return nullptr;
+    if (again.kind == PatternCapture::Kind::position) return nullptr;
     if (static_cast<std::size_t>(subject_end() - s) < again.length) return nullptr;
     if (!take_steps(static_cast<std::int64_t>(again.length))) return nullptr;
     if (std::memcmp(again.start, s, again.length) != 0) return nullptr;
     return match(s + again.length, p + 2);
 }
 
-const char* PatternMatcher::open_capture(const char* s, const char* p, Capture::Kind kind) {
+const char* PatternMatcher::open_capture(const char* s, const char* p, PatternCapture::Kind kind) {
     if (capture_count_ >= captures_limit) return fail("too many captures");
     captures_[capture_count_++] = {s, 0, kind};
     const char* end = match(s, p);
@@ -219,12 +219,12 @@ const char* PatternMatcher::open_capture(const char* s, const char* p, Capture::
 
 const char* PatternMatcher::close_capture(const char* s, const char* p) {
     int index = capture_count_ - 1;
-    while (index >= 0 && captures_[index].kind != Capture::Kind::open) --index;
+    while (index >= 0 && captures_[index].kind != PatternCapture::Kind::open) --index;
     if (index < 0) return fail("invalid pattern capture");
-    captures_[index].kind = Capture::Kind::text;
+    captures_[index].kind = PatternCapture::Kind::text;
     captures_[index].length = static_cast<std::size_t>(s - captures_[index].start);
     const char* end = match(s, p);
-    if (end == nullptr) captures_[index].kind = Capture::Kind::open;
+    if (end == nullptr) captures_[index].kind = PatternCapture::Kind::open;
     return end;
 }
 

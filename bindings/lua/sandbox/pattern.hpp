@@ -8,7 +8,7 @@
 namespace nezumi {
 
 /// What a pattern captured: a part of the subject, or a position in it.
-struct Capture {
+struct PatternCapture {
     const char* start = nullptr;
     std::size_t length = 0;
     enum class Kind : unsigned char { text, position, open } kind = Kind::open;
@@ -29,7 +29,7 @@ public:
     const char* match_at(const char* place);
 
     int capture_count() const { return capture_count_; }
-    const Capture& capture(int index) const { return captures_[index]; }  ///< from 0, below `capture_count`
+    const PatternCapture& capture(int index) const { return captures_[index]; }  ///< from 0, below `capture_count`
 
     /// Null while nothing is wrong; a text for luaL_error with at most one %d, which is `error_number`.
     const char* error() const { return error_; }
@@ -49,7 +49,7 @@ private:
     const char* match_balance(const char* s, const char* p);
     const char* match_frontier(const char* s, const char* p);
     const char* match_repeat(const char* s, const char* p);
-    const char* open_capture(const char* s, const char* p, Capture::Kind kind);
+    const char* open_capture(const char* s, const char* p, PatternCapture::Kind kind);
     const char* close_capture(const char* s, const char* p);
     const char* item_end(const char* p);
     bool item_matches(const char* s, const char* p, const char* after) const;
@@ -62,7 +62,7 @@ private:
     int capture_count_ = 0;
     const char* error_ = nullptr;
     int error_number_ = 0;
-    Capture captures_[captures_limit];
+    PatternCapture captures_[captures_limit];
 };
 
 }  // namespace nezumi

@@ -46,7 +46,7 @@ StockFunctions find_stock_functions() {
 // Copies lua_State's functions that need no upvalues; those that do are not among what we take.
 void push_entries(lua_State* lua, const Entries& entries, int more = 0) {
     lua_createtable(lua, 0, static_cast<int>(entries.size()) + more);
-    for (const Entry& entry : entries) {
+    for (const LibraryFunction& entry : entries) {
         lua_pushcfunction(lua, entry.function);
         lua_setfield(lua, -2, entry.name);
     }
@@ -153,7 +153,7 @@ Expected<void> open_sandbox(LuaState& state, Libraries libraries) {
         library::push_entries(lua, library::basic());
         lua_setfield(lua, -2, LUA_GNAME);
         lua_pushglobaltable(lua);
-        for (const library::Entry& entry : library::basic()) {
+        for (const library::LibraryFunction& entry : library::basic()) {
             lua_pushcfunction(lua, entry.function);
             lua_setfield(lua, -2, entry.name);
         }
@@ -187,7 +187,7 @@ Expected<std::unique_ptr<LuaState>> create_sandbox(StateOptions options, Librari
 const std::vector<std::string_view>& sandbox_names() {
     static const std::vector<std::string_view> names = [] {
         std::vector<std::string_view> list;
-        for (const library::Entry& entry : library::basic()) list.emplace_back(entry.name);
+        for (const library::LibraryFunction& entry : library::basic()) list.emplace_back(entry.name);
         for (const library::Library& each : library::libraries) list.emplace_back(each.name);
         std::sort(list.begin(), list.end());
         return list;

@@ -59,9 +59,9 @@ struct Describe<ScriptAbout> {
     static constexpr std::string_view name = "about";
     static constexpr std::string_view doc = "Says who made this component, and what it is.";
     static constexpr std::tuple fields{
-        Setting{"version", &ScriptAbout::version, "", ""},
-        Setting{"vendor", &ScriptAbout::vendor, "", ""},
-        Setting{"category", &ScriptAbout::category, "", ""},
+        Setting{"version", &ScriptAbout::version, "", "of the file, for example \"1.2\""},
+        Setting{"vendor", &ScriptAbout::vendor, "", "who made it"},
+        Setting{"category", &ScriptAbout::category, "", "what kind of component it is, for example \"navigation\""},
         Internal{&ScriptAbout::given},
     };
 };

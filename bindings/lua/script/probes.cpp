@@ -70,7 +70,7 @@ Expected<PlainData> read_value(lua_State* L, Budget budget) {
 }
 
 // probe(name, value)
-int word_probe(lua_State* L) {
+int global_probe(lua_State* L) {
     Script& script = script_of(L);
     return bridge(L, [&]() -> Expected<void> {
         if (auto ok = Arguments{L}.at_most("probe", 2, "(name, value)"); !ok) return ok;
@@ -144,11 +144,11 @@ PlainData Probes::describe(double now) const {
     });
 }
 
-void set_probe_word(lua_State* L, Script& script) {
+void set_probe_global(lua_State* L, Script& script) {
     // Past the metatable, which takes new globals for slips.
     lua_pushliteral(L, "probe");
     lua_pushlightuserdata(L, &script);
-    lua_pushcclosure(L, word_probe, 1);
+    lua_pushcclosure(L, global_probe, 1);
     lua_rawset(L, -3);
 }
 

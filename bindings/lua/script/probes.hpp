@@ -43,7 +43,7 @@ private:
     std::vector<Probe> probes_;
 };
 
-/// Sets the word in the table of globals, which is on top of the stack. May raise a Lua error (memory).
-void set_probe_word(lua_State* L, Script& script);
+/// Sets `probe` in the table of globals, which is on top of the stack. May raise a Lua error (memory).
+void set_probe_global(lua_State* L, Script& script);
 
 }  // namespace nezumi

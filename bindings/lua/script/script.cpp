@@ -8,8 +8,9 @@
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/first_comment.hpp"
 #include "bindings/lua/script/script_config.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/script/script_ports.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/values/set_plain.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -69,7 +70,7 @@ Expected<void> Script::run_top_level(const SourceText& source) {
     auto chunk = compile(source, ScriptKind::component);
     if (!chunk) return Unexpected(chunk.error());
     auto installed = protect(L, context_.budget, [&](lua_State* inside) {
-        install_words(inside, *this, inheritance_.state);
+        install_globals(inside, *this, inheritance_.state);
         return 0;
     });
     if (!installed) return Unexpected(to_error(installed.error()));
@@ -222,7 +223,7 @@ Expected<void> Script::call(Hook hook) {
         lua_rawgeti(L, LUA_REGISTRYINDEX, function);
     }
     Budget budget = context_.budget;
-    if (hook == Hook::on_aborting && has_used_its_tick()) budget.seconds *= kReserve;
+    if (hook == Hook::on_aborting && has_used_its_tick()) budget.seconds *= reserve;
     if (auto ok = protected_call(L, with_tasks ? 2 : 0, 0, budget); !ok) {
         failed_seconds_ = ok.error().used_seconds;
         return Unexpected(to_error(ok.error()));
@@ -295,8 +296,17 @@ Expected<PlainData> Script::take_state(std::vector<Dropped>& dropped) {
     return with_state([&](lua_State* L) { return take_plain(L, 1, context_.budget, {"state"}, dropped); });
 }
 
-Expected<PlainLook> Script::look_at_state(const PlainLimit& limit) {
-    return with_state([&](lua_State* L) { return look_at_plain(L, context_.budget, limit); });
+Expected<PlainSnapshot> Script::state_snapshot(const PlainLimit& limit, std::vector<Dropped>* dropped) {
+    return with_state([&](lua_State* L) { return snapshot_plain(L, context_.budget, limit, "state", dropped); });
+}
+
+Expected<void> Script::set_state(const PlainData& data) {
+    auto set = protect(lua_->lua(), context_.budget, [&](lua_State* inside) {
+        push_state(inside);
+        set_plain(inside, data);
+        return 0;
+    });
+    return set ? Expected<void>() : Unexpected(to_error(set.error()));
 }
 
 std::string Script::hint(const Error& error) const {

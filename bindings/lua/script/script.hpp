@@ -135,12 +135,12 @@ public:
     void go_live(bool live);
 
     /// The part of a budget that is kept for `on_aborting`: the hooks of a tick have one budget, not one each.
-    static constexpr double kReserve = 0.1;
+    static constexpr double reserve = 0.1;
     /// Calls a callback; nothing when the script has none. Tasks start with `on_activated`, run a slice before
     /// `on_execute`, and end before the others.
     Expected<void> call(Hook hook);
     /// Whether the call that failed last used more than the reserve: then only that is left of the tick's budget.
-    bool has_used_its_tick() const { return failed_seconds_ > context_.budget.seconds * kReserve; }
+    bool has_used_its_tick() const { return failed_seconds_ > context_.budget.seconds * reserve; }
     /// Calls `on_reload(old_version)`.
     Expected<void> call_on_reload(int old_version);
     /// Calls a command with copies of these arguments; its results are copies.
@@ -148,7 +148,9 @@ public:
     /// A copy of the script's `state`; what is no plain data is listed in `dropped`.
     Expected<PlainData> take_state(std::vector<Dropped>& dropped);
     /// As much of `state` as a limit allows.
-    Expected<PlainLook> look_at_state(const PlainLimit& limit);
+    Expected<PlainSnapshot> state_snapshot(const PlainLimit& limit, std::vector<Dropped>* dropped = nullptr);
+    /// `set_plain` of `state`.
+    Expected<void> set_state(const PlainData& data);
 
     /// [bytes] that its Lua state uses.
     std::size_t memory() const { return lua_->memory(); }
@@ -189,7 +191,7 @@ public:
     Expected<void> declare_about(ScriptAbout about);
     Expected<void> declare_task(Task task);
     /// Tasks can be started and cancelled now.
-    Expected<void> check_tasks_run(std::string_view word) const;
+    Expected<void> check_tasks_run(std::string_view function) const;
     /// The hook that may be defined by this global now, with a value of this Lua type.
     Expected<std::size_t> check_hook(std::string_view name, std::string_view type) const;
     void set_hook(std::size_t hook, int function, int line);
@@ -212,7 +214,7 @@ private:
     template <class Body>
     std::invoke_result_t<Body, lua_State*> with_state(Body&& body);
     Expected<void> run_top_level(const SourceText& source);
-    Expected<void> check_loading(std::string_view word) const;
+    Expected<void> check_loading(std::string_view function) const;
     Expected<void> check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const;
     // What comes before each call: shows parameters that have changed, and counts anew.
     Expected<void> begin_call();

@@ -9,11 +9,11 @@
 
 namespace nezumi {
 
-/// The script that `set_word` gave to the C function that runs.
+/// The script that `set_function` gave to the C function that runs.
 inline Script& script_of(lua_State* L) { return *static_cast<Script*>(lua_touserdata(L, lua_upvalueindex(1))); }
 
 /// Sets a field of the table on top of the stack to a function that knows its script. May raise a Lua error (memory).
-inline void set_word(lua_State* L, Script& script, const char* name, lua_CFunction function) {
+inline void set_function(lua_State* L, Script& script, const char* name, lua_CFunction function) {
     lua_pushlightuserdata(L, &script);
     lua_pushcclosure(L, function, 1);
     lua_setfield(L, -2, name);
@@ -22,7 +22,7 @@ inline void set_word(lua_State* L, Script& script, const char* name, lua_CFuncti
 /// The line of the script that calls the C function that runs; no place when there is none.
 Place caller(lua_State* L);
 
-/// A registry reference to the function at index 2 of a word that takes at most 3 arguments; LUA_NOREF where that is
+/// A registry reference to the function at index 2 of a global that takes at most 3 arguments; LUA_NOREF where that is
 /// none, or they are more. May raise a Lua error (memory).
 int keep_function(lua_State* L);
 

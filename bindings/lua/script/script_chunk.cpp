@@ -8,14 +8,14 @@
 
 #include "bindings/lua/sandbox/lexer.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 
 namespace nezumi {
 namespace {
 
 const KnownGlobals& known_globals(ScriptKind kind) {
     static const KnownGlobals components = [] {
-        KnownGlobals known{script_words(), hook_names()};
+        KnownGlobals known{script_globals(), hook_names()};
         known.readable.insert(known.readable.end(), sandbox_names().begin(), sandbox_names().end());
         return known;
     }();
@@ -60,7 +60,9 @@ constexpr std::array instead{
     Instead{"load", no_loading},
     Instead{"loadfile", no_loading},
     Instead{"dofile", no_loading},
+    Instead{"loadstring", no_loading},
     Instead{"package", no_loading},
+    Instead{"unpack", "it is table.unpack in Lua 5.4"},
     Instead{"collectgarbage", "memory is collected by itself"},
     Instead{"arena", of_system_files},
     Instead{"robot", of_system_files},

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "bindings/lua/script/carry_over.hpp"
 #include "bindings/lua/script/script_config.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 
 namespace nezumi {
 namespace {
@@ -27,67 +28,6 @@ auto take_fitting(Ports& ports, const PortDeclaration& declaration) {
         ports.erase(found);
     }
     return taken;
-}
-
-void describe_lost(const Parameters& before, const Parameters& after, std::vector<std::string>& warnings) {
-    for (const auto& old : before.all()) {
-        if (!old.set) continue;
-        const auto* now = after.find(old.spec.name);
-        if (now == nullptr) {
-            warnings.push_back(
-                fmt::format("parameter '{}' went, and its value {} with it", old.spec.name, to_text(old.value)));
-        } else if (!now->set) {
-            warnings.push_back(fmt::format("parameter '{}': its value {} no longer fits, it is the default {} now",
-                                           old.spec.name, to_text(old.value), to_text(now->value)));
-        }
-    }
-}
-
-// "speed_x = 0.3 (its default is 0.2)": values that a reload kept, where that may surprise: somebody set them since the
-// start, or the file has another default now, which they do not follow.
-std::string kept_text(const Parameters& before, const Parameters& after, const ParameterValues& configured) {
-    constexpr std::size_t shown = 5;
-    std::size_t count = 0;
-    std::string text;
-    for (const auto& now : after.all()) {
-        const auto* old = before.find(now.spec.name);
-        if (!now.set || old == nullptr || !old->set || now.value == now.spec.initial) continue;
-        const auto given = configured.find(now.spec.name);
-        const bool by_hand = given == configured.end() || check_value(now.spec, given->second) != now.value;
-        if ((!by_hand && old->spec.initial == now.spec.initial) || ++count > shown) continue;
-        text += fmt::format("{}{} = {} (its default is {})", text.empty() ? "" : ", ", now.spec.name,
-                            to_text(now.value), to_text(now.spec.initial));
-    }
-    if (count > shown) text += fmt::format(" and {} more", count - shown);
-    return text;
-}
-
-// Whether the set in use is one that these parameters take whole.
-Expected<void> check_set(const Component& component, Parameters parameters) {
-    const auto set = component.sets.find(component.set_in_use());
-    return set == component.sets.end() ? Expected<void>() : parameters.set_all(set->second);
-}
-
-// What `settings` would be without the set in use, but for what was set since.
-void leave_set(const Component& component, Parameters& settings) {
-    for (const auto& [name, value] : component.sets.at(component.set_in_use())) {
-        const auto* parameter = settings.find(name);
-        if (parameter == nullptr || check_value(parameter->spec, value) != parameter->value) continue;
-        const auto given = component.configured.find(name);
-        if (given == component.configured.end() || !settings.set(name, given->second)) settings.follow_default(name);
-    }
-}
-
-void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings) {
-    constexpr std::size_t shown = 10;
-    for (std::size_t i = 0; i < dropped.size() && i < shown; ++i) {
-        const bool kept = dropped[i].what.starts_with("a table with");
-        warnings.push_back(
-            fmt::format("{} is {}: {}", dropped[i].path, dropped[i].what,
-                        kept ? "only its plain data was kept" : "it was dropped, state keeps plain data"));
-    }
-    if (dropped.size() > shown)
-        warnings.push_back(fmt::format("and {} more such values of state", dropped.size() - shown));
 }
 
 }  // namespace
@@ -128,6 +68,23 @@ Expected<PlainData> ScriptComponent::copy_state() const {
     return script_->take_state(dropped);
 }
 
+// A call that the clock ended was late already: no more is taken than a look may.
+Component::LeftState ScriptComponent::left_state() {
+    std::vector<Dropped> dropped;
+    auto look = script_->state_snapshot({}, &dropped);
+    if (!look) return {.lost = "state: " + look.error().message};
+    if (look->whole < look->data.tables.size())
+        return {.lost = fmt::format("state has more than {} values or {} kB of text", PlainLimit{}.values,
+                                    PlainLimit{}.text >> 10)};
+    LeftState left{.data = std::move(look->data)};
+    if (!dropped.empty()) left.lost = fmt::format("{} is {}", dropped.front().path, dropped.front().what);
+    return left;
+}
+
+void ScriptComponent::restore(const PlainData& left) {
+    if (auto ok = script_->set_state(left); !ok) log(LogLevel::warn, "state is not as it was: " + describe(ok.error()));
+}
+
 ComponentAbout ScriptComponent::about() const {
     const ScriptAbout& about = script_->about();
     return {
@@ -138,7 +95,7 @@ bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& v
     if (member == "tasks") visit_plain(describe_tasks(), visit);
     if (member == "probes") visit_plain(script_->probes().values(), visit);
     if (member != "state") return member == "tasks" || member == "probes";
-    if (const auto state = look_at_state({})) visit_plain(state->data, visit);
+    if (const auto state = state_snapshot({})) visit_plain(state->data, visit);
     return true;
 }
 
@@ -155,8 +112,9 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& so
     context.budget = budget;
     context.seconds = now.seconds;
     context.tick_rate = tick_rate();
-    Parameters settings = parameters_;
-    settings.take_staged();
+    Parameters running = parameters_;
+    running.take_staged();
+    Parameters settings = running;
     const std::size_t others = required.size();
     const auto try_load = [&] {
         required.erase(required.begin() + static_cast<std::ptrdiff_t>(others), required.end());
@@ -174,7 +132,7 @@ Expected<ScriptComponent::Version> ScriptComponent::prepare(const SourceText& so
     next.script = std::move(*script);
     next.script->set_budget(script_->context().budget);
     next.number = next_version();
-    describe_lost(settings, next.script->parameters(), next.warnings);
+    describe_lost(running, settings, next.script->parameters(), next.warnings);
     return next;
 }
 
@@ -185,7 +143,9 @@ Expected<void> ScriptComponent::adopt(Version& next, const Time& now) {
     next.script->bind(*this);
     if (state() == LifeState::active) next.script->tasks().start_all(now.seconds);
     auto ok = run(Hook::on_reload, [&] { return next.script->call_on_reload(version_); });
-    if (ok) next.parameters = next.script->take_parameters();  // with what on_reload set
+    if (!ok) return ok;
+    next.parameters = next.script->take_parameters();  // with what on_reload set
+    next.parameters.begin_version();
     return ok;
 }
 
@@ -208,9 +168,12 @@ void ScriptComponent::commit(Version next, int reload) {
     constexpr std::size_t most = 8;
     constexpr std::size_t most_memory = std::size_t{32} << 20;  // [bytes]
 
-    if (!check_set(*this, next.parameters)) static_cast<void>(use(no_set));  // which is always there
+    const bool set_fits = check_set(*this, next.parameters).has_value();
     Version old = replace(std::move(next));
     old.replaced_by = reload;
+    old.set = set_in_use();
+    old.uses = uses();
+    if (!set_fits) note_set_in_use("");  // its values went when this version was prepared
     if (state() == LifeState::active && !script_->tasks().empty())
         log(LogLevel::info, fmt::format("tasks begin anew: {}", script_->tasks().names()));
     if (const std::string kept = kept_text(old.parameters, parameters_, configured); !kept.empty())
@@ -230,30 +193,58 @@ void ScriptComponent::go_back(bool keep_settings) {
     assert(!past_.empty());
     Version back = std::move(past_.back());
     past_.pop_back();
+    const bool was_on_probation = !keep_settings || on_probation();
+    const bool set_went = !back.set.empty() && back.set != set_in_use() && back.uses == uses();  // by the reload
+    const Parameters its = back.parameters;
     if (keep_settings) {
         back.parameters.adopt(parameters_);
     } else {
         back.parameters.adopt_from_outside(parameters_);
     }
+    if (set_went) {
+        note_set_in_use(back.set);
+        for (const auto& [name, value] : sets.at(back.set)) {
+            const auto* now = parameters_.find(name);
+            if (now == nullptr || !now->from_outside) back.parameters.adopt(its, name);
+        }
+    }
     make_ports(back);
     fill_slots(back);
     probation_left_ = past_.empty() ? 0 : back.probation_left;
-    // Its tasks go on where they stood, unless all have been ended since.
-    if (state() == LifeState::active && back.activation != activation_) back.script->tasks().start_all(now().seconds);
+    // Its tasks go on where they stood, unless all have been ended since; messages wait unless the ports were emptied.
+    const bool is_same = back.activation == activation_;
+    if (state() == LifeState::active && !is_same) back.script->tasks().start_all(now().seconds);
+    std::vector<DroppedMessages> dropped = std::exchange(back.dropped, {});
     replace(std::move(back));
+    if (is_same && was_on_probation) put_back(std::move(dropped));
+}
+
+void ScriptComponent::set_queue(InPortBase& port, std::size_t queue, Version& old) const {
+    std::vector<AnyMessage> dropped = port.set_queue(queue);
+    if (dropped.empty()) return;
+    log(LogLevel::warn, fmt::format("input '{}' {} now: the oldest {} of {} unread messages were dropped", port.name(),
+                                    queue > 0 ? fmt::format("has a queue of {}", queue) : "has no queue",
+                                    dropped.size(), dropped.size() + std::max<std::size_t>(queue, 1)));
+    old.dropped.push_back({port.name(), std::move(dropped)});
+}
+
+void ScriptComponent::put_back(std::vector<DroppedMessages> dropped) {
+    for (DroppedMessages& each : dropped) {
+        if (InPortBase* port = find_in_port(each.port)) port->put_back(std::move(each.messages));
+    }
 }
 
 void ScriptComponent::begin_probation() {
-    probation_left_ = kProbation;
+    probation_left_ = probation;
     relapses_.clear();
 }
 
-Expected<void> ScriptComponent::execute_looked_at() {
+Expected<void> ScriptComponent::execute_traced() {
     LineTrace trace(script_->lua(), {{"config", push_config_values}, {"state", push_state}});
     auto ok = script_->call(Hook::on_execute);
-    looked_at_ = trace.take();
-    looks_ahead_ = false;
-    ++looks_;
+    latest_trace_ = trace.take();
+    traces_next_ = false;
+    ++traces_;
     return ok;
 }
 
@@ -270,7 +261,7 @@ Expected<void> ScriptComponent::execute_on_probation() {
     const Version& before = past_.back();
     relapses_.push_back({.error = std::move(ok.error()),
                          .version = version_,
-                         .execution = kProbation - probation_left_ + 1,
+                         .execution = probation - probation_left_ + 1,
                          .reload = before.replaced_by});
     Relapse& relapse = relapses_.back();
     // When no port differs, the version before can take this very tick, unless its time is up. How much of it was used
@@ -282,7 +273,7 @@ Expected<void> ScriptComponent::execute_on_probation() {
     const bool is_late = script_->has_used_its_tick();
     go_back(false);
     const Budget budget = script_->context().budget;
-    if (is_late) script_->set_budget({budget.seconds * Script::kReserve});
+    if (is_late) script_->set_budget({budget.seconds * Script::reserve});
     auto again = on_probation() ? execute_on_probation() : execute();
     script_->set_budget(budget);
     return again;
@@ -309,7 +300,7 @@ ScriptComponent::Version ScriptComponent::replace(Version next) {
             auto port = take_fitting(old.in_ports, declaration);
             if (port == nullptr) port = take_fitting(next.in_ports, declaration);
             port->set_doc(declaration.doc);
-            port->set_queue(declaration.queue);
+            set_queue(*port, declaration.queue, old);
             in_ports_.push_back(std::move(port));
         } else {
             auto port = take_fitting(old.out_ports, declaration);

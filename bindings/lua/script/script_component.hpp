@@ -32,7 +32,7 @@ public:
     Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now) override;
     /// A copy of the script's `state`; what is no plain data is left out.
     Expected<PlainData> copy_state() const;
-    Expected<PlainLook> look_at_state(const PlainLimit& limit) const { return script_->look_at_state(limit); }
+    Expected<PlainSnapshot> state_snapshot(const PlainLimit& limit) const { return script_->state_snapshot(limit); }
     /// Its tasks by name, for a look at them: `status`, `since`, and of those that wait `waiting` and `line`.
     PlainData describe_tasks() const { return script_->tasks().describe(now().seconds); }
     /// Its probes by name, for a look at them at this time [s]: `value`, `tm` and `age`.
@@ -41,17 +41,23 @@ public:
     /// What the script printed while it loaded is told first.
     void set_log(LogSink sink) override;
 
-    /// Has an execution looked at, line by line: the next one that is not on probation. Returns the number of that
-    /// look.
-    std::int64_t look_at_next() {
-        looks_ahead_ = true;
-        return looks_ + 1;
+    /// Has an execution traced, line by line: the next one that is not on probation. Returns the number of that
+    /// trace.
+    std::int64_t trace_next() {
+        traces_next_ = true;
+        return traces_ + 1;
     }
-    /// The number of the latest look, and what was seen.
-    std::int64_t looks() const { return looks_; }
-    const LineTrace::Seen& looked_at() const { return looked_at_; }
+    /// The number of the latest trace, and what was seen.
+    std::int64_t traces() const { return traces_; }
+    const LineTrace::Seen& latest_trace() const { return latest_trace_; }
 
     // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
+
+    /// Unread messages of an in-port for which a version's queue had no room.
+    struct DroppedMessages {
+        std::string port;
+        std::vector<AnyMessage> messages;
+    };
 
     /// A version that does not run (yet, or any more), with the ports that only it has.
     struct Version {
@@ -60,10 +66,13 @@ public:
         Parameters parameters;
         std::vector<std::unique_ptr<InPortBase>> in_ports;
         std::vector<std::unique_ptr<OutPortBase>> out_ports;
-        std::vector<std::string> warnings;  ///< what could not be taken over from the version before
-        int replaced_by = 0;                ///< number of the reload that replaced it
-        int activation = 0;                 ///< the how manieth it was active in: its tasks are of that one
-        int probation_left = 0;             ///< executions that it was still on probation for
+        std::vector<DroppedMessages> dropped{};  ///< when another version came, of which the queues are shorter
+        std::vector<std::string> warnings;       ///< what could not be taken over from the version before
+        int replaced_by = 0;                     ///< number of the reload that replaced it
+        std::string set{};                       ///< that was in use then; "": none
+        std::uint64_t uses = 0;                  ///< of sets, until then
+        int activation = 0;      ///< number of the activation it was active in: its tasks are of that one
+        int probation_left = 0;  ///< executions that it was still on probation for
     };
 
     /// Loads another version, which takes over the state and the parameters of the one that runs. Touches nothing. The
@@ -81,16 +90,18 @@ public:
     /// The version to go back to; null when there is none.
     const Version* version_before() const { return past_.empty() ? nullptr : &past_.back(); }
     /// Goes back to it as it was, state and what is left of its probation included. Parameters keep what was set from
-    /// outside since; with `keep_settings` also what the component itself did.
+    /// outside since; with `keep_settings` also what the component itself did. A set that the reload left is in use
+    /// again, unless somebody has chosen another one since. Messages that a shorter queue dropped are back after
+    /// a probation.
     void go_back(bool keep_settings);
 
     /// Executions for which a new version is on probation: when one fails, the version before takes its place.
-    static constexpr int kProbation = 10;
+    static constexpr int probation = 10;
     /// A failure on probation.
     struct Relapse {
         Error error;
         int version = 0;         ///< that failed
-        int execution = 0;       ///< the how manieth failed
+        int execution = 0;       ///< which of its executions failed, from 1
         int reload = 0;          ///< number of the reload that brought it
         bool went_back = false;  ///< the version before has run in its place already; else the component waits
     };
@@ -107,12 +118,17 @@ protected:
     }
     Expected<void> on_execute() override {
         if (probation_left_ > 0) return execute_on_probation();
-        return looks_ahead_ ? execute_looked_at() : script_->call(Hook::on_execute);
+        return traces_next_ ? execute_traced() : script_->call(Hook::on_execute);
     }
     Expected<void> on_deactivated() override { return script_->call(Hook::on_deactivated); }
     Expected<void> on_aborting() override { return script_->call(Hook::on_aborting); }
     Expected<void> on_error() override { return script_->call(Hook::on_error); }
     Expected<void> on_reset() override { return script_->call(Hook::on_reset); }
+    LeftState left_state() override;
+    void restore(const PlainData& left) override;
+    std::string_view failed_at_aborting() const override {
+        return script_->tasks().ends() ? "the end of its tasks" : Component::failed_at_aborting();
+    }
 
 private:
     ScriptComponent(std::string name, std::string type) : Component(std::move(name), std::move(type)) {}
@@ -120,10 +136,12 @@ private:
     /// The number that the next version will have.
     int next_version() const { return newest_ + 1; }
     Expected<void> execute_on_probation();
-    Expected<void> execute_looked_at();
+    Expected<void> execute_traced();
     void tell_early_log();
     void make_ports(Version& next) const;
     void fill_slots(Version& next) const;
+    void set_queue(InPortBase& port, std::size_t queue, Version& old) const;
+    void put_back(std::vector<DroppedMessages> dropped);
     Version replace(Version next);
 
     std::unique_ptr<Script> script_;
@@ -133,9 +151,9 @@ private:
     int activation_ = 0;         // counts them
     int probation_left_ = 0;     // executions
     std::vector<Relapse> relapses_;
-    bool looks_ahead_ = false;
-    std::int64_t looks_ = 0;
-    LineTrace::Seen looked_at_{};
+    bool traces_next_ = false;
+    std::int64_t traces_ = 0;
+    LineTrace::Seen latest_trace_{};
 };
 
 }  // namespace nezumi

@@ -69,10 +69,10 @@ void push_config(lua_State* L, Script& script) {
     lua_pushvalue(L, -1);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &config_values_key);
     lua_createtable(L, 0, 1);
-    set_word(L, script, "__index", unknown_parameter);
+    set_function(L, script, "__index", unknown_parameter);
     lua_setmetatable(L, -2);
     lua_setfield(L, -2, "__index");
-    set_word(L, script, "__newindex", config_newindex);
+    set_function(L, script, "__newindex", config_newindex);
     lua_pushcfunction(L, config_pairs);
     lua_setfield(L, -2, "__pairs");
     lua_pushliteral(L, "config");

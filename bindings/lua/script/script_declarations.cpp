@@ -19,9 +19,9 @@
 namespace nezumi {
 namespace {
 
-// All of a word's arguments lie on the stack after this, nil where none is given.
-Expected<void> take_arguments(lua_State* L, std::string_view word, int most, std::string_view usage) {
-    auto ok = Arguments{L}.at_most(word, most, usage);
+// All of a function's arguments lie on the stack after this, nil where none is given.
+Expected<void> take_arguments(lua_State* L, std::string_view function, int most, std::string_view usage) {
+    auto ok = Arguments{L}.at_most(function, most, usage);
     if (ok) lua_settop(L, most);
     return ok;
 }
@@ -39,15 +39,15 @@ Expected<std::string> text_at(lua_State* L, int index, std::string_view what) {
 // input(name, type, doc, { queue = n }) and output(name, type, doc, { safe = value })
 
 Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction direction) {
-    const std::string_view word = direction == Direction::in ? "input" : "output";
+    const std::string_view function = direction == Direction::in ? "input" : "output";
     PortDeclaration port{
         .direction = direction, .name = {}, .type = 0, .doc = {}, .queue = 0, .safe = {}, .place = caller(L)};
-    if (auto ok = take_arguments(L, word, 4, "(name, type, doc, options)"); !ok) return Unexpected(ok.error());
+    if (auto ok = take_arguments(L, function, 4, "(name, type, doc, options)"); !ok) return Unexpected(ok.error());
     if (lua_type(L, 1) != LUA_TSTRING)
-        return failure(fmt::format("{}: its name expected a string, got {}", word, luaL_typename(L, 1)));
+        return failure(fmt::format("{}: its name expected a string, got {}", function, luaL_typename(L, 1)));
     port.name = *text_at(L, 1, "");
     const auto refuse = [&](const Error& error) {
-        return failure(fmt::format("{} '{}': {}", word, shown(port.name), error.message));
+        return failure(fmt::format("{} '{}': {}", function, shown(port.name), error.message));
     };
     if (lua_type(L, 2) != LUA_TSTRING) {
         return refuse(
@@ -74,14 +74,14 @@ Expected<PortSlot*> declare_port(lua_State* L, Script& script, Direction directi
         port.safe.push_back(std::move(*safe));
     };
     const unsigned kind = 1U << static_cast<unsigned>(direction);
-    if (auto ok = read_options(L, options, FieldCheck::of_options(fmt::format("{} '{}'", word, shown(port.name))), port,
-                               {.kind = kind}, read_safe);
+    if (auto ok = read_options(L, options, FieldCheck::of_options(fmt::format("{} '{}'", function, shown(port.name))),
+                               port, {.kind = kind}, read_safe);
         !ok)
         return Unexpected(ok.error());
     return script.declare_port(std::move(port));
 }
 
-int word_port(lua_State* L, Direction direction) {
+int global_port(lua_State* L, Direction direction) {
     Script& script = script_of(L);
     PortSlot* slot = nullptr;
     const bool declared = declare(
@@ -94,8 +94,8 @@ int word_port(lua_State* L, Direction direction) {
     return 1;
 }
 
-int word_input(lua_State* L) { return word_port(L, Direction::in); }
-int word_output(lua_State* L) { return word_port(L, Direction::out); }
+int global_input(lua_State* L) { return global_port(L, Direction::in); }
+int global_output(lua_State* L) { return global_port(L, Direction::out); }
 
 // param(name, default, { min, max, step, widget, unit, doc, choices, min_size, max_size })
 
@@ -154,7 +154,7 @@ Expected<void> declare_parameter(lua_State* L, Script& script) {
     return script.declare_parameter(std::move(spec));
 }
 
-int word_param(lua_State* L) {
+int global_param(lua_State* L) {
     Script& script = script_of(L);
     if (declare(L, script, [&] { return declare_parameter(L, script); }))
         show_parameter(L, script.parameters().all().back());
@@ -162,7 +162,7 @@ int word_param(lua_State* L) {
 }
 
 // command(name, fn, doc)
-int word_command(lua_State* L) {
+int global_command(lua_State* L) {
     Script& script = script_of(L);
     const int function = keep_function(L);
     declare(L, script, [&]() -> Expected<void> {
@@ -183,7 +183,7 @@ int word_command(lua_State* L) {
 }
 
 // about { version =, vendor =, category = }
-int word_about(lua_State* L) {
+int global_about(lua_State* L) {
     Script& script = script_of(L);
     declare(L, script, [&]() -> Expected<void> {
         if (auto ok = take_arguments(L, "about", 1, " { version =, vendor =, category = }"); !ok) return ok;
@@ -198,12 +198,12 @@ int word_about(lua_State* L) {
 
 }  // namespace
 
-void set_declaring_words(lua_State* L, Script& script) {
-    set_word(L, script, "input", word_input);
-    set_word(L, script, "output", word_output);
-    set_word(L, script, "param", word_param);
-    set_word(L, script, "command", word_command);
-    set_word(L, script, "about", word_about);
+void set_declaring_globals(lua_State* L, Script& script) {
+    set_function(L, script, "input", global_input);
+    set_function(L, script, "output", global_output);
+    set_function(L, script, "param", global_param);
+    set_function(L, script, "command", global_command);
+    set_function(L, script, "about", global_about);
 }
 
 }  // namespace nezumi

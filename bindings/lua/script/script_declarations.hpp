@@ -1,4 +1,4 @@
-// The words with which a file declares what its component has: input, output, param, command, about.
+// The globals with which a file declares what its component has: input, output, param, command, about.
 #pragma once
 
 #include <lua.hpp>
@@ -7,7 +7,7 @@
 
 namespace nezumi {
 
-/// Sets the words in the table on top of the stack. May raise a Lua error (memory).
-void set_declaring_words(lua_State* L, Script& script);
+/// Sets them in the table on top of the stack. May raise a Lua error (memory).
+void set_declaring_globals(lua_State* L, Script& script);
 
 }  // namespace nezumi

@@ -5,8 +5,8 @@
 
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/script/script.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/script/script_ports.hpp"
-#include "bindings/lua/script/script_words.hpp"
 #include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
 
@@ -21,8 +21,8 @@ Expected<void> check_count(std::size_t count, std::string_view kind, std::string
     return failure(fmt::format("{} '{}': a component has at most {} {}", kind, name, most_of_a_kind, kinds));
 }
 
-bool contains(const std::vector<std::string_view>& words, std::string_view word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
+bool contains(const std::vector<std::string_view>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 // "input 'in'" of what has this name already, and where.
@@ -32,9 +32,9 @@ std::string first_in(const Place& place) {
 
 }  // namespace
 
-Expected<void> Script::check_loading(std::string_view word) const {
+Expected<void> Script::check_loading(std::string_view function) const {
     if (phase_ == Phase::loading) return {};
-    return failure(fmt::format("{} can only be called while the file loads", word));
+    return failure(fmt::format("{} can only be called while the file loads", function));
 }
 
 Expected<void> Script::check_name(std::string_view kind, std::string_view name, bool keyword_allowed) const {
@@ -44,7 +44,7 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
         return failure(fmt::format("{} '{}': the name is no identifier{}", kind, shown(name), keyword));
     }
     if (name.size() > longest_name) return failure(fmt::format("{} '{}': the name is too long", kind, shown(name)));
-    if (contains(script_words(), name) || contains(component_words(), name)) {
+    if (contains(script_globals(), name) || contains(component_members(), name)) {
         return failure(fmt::format("{0} '{1}': the name is one of a component's own words: choose another, as 'my_{1}'",
                                    kind, name));
     }
@@ -54,10 +54,10 @@ Expected<void> Script::check_name(std::string_view kind, std::string_view name, 
 }
 
 Expected<PortSlot*> Script::declare_port(PortDeclaration declaration) {
-    const std::string_view word = declaration.direction == Direction::in ? "input" : "output";
-    if (auto ok = check_loading(word); !ok) return Unexpected(ok.error());
-    if (auto ok = check_name(word, declaration.name, true); !ok) return Unexpected(ok.error());
-    if (auto ok = check_count(ports_.size(), word, declaration.name, "ports"); !ok) return Unexpected(ok.error());
+    const std::string_view function = declaration.direction == Direction::in ? "input" : "output";
+    if (auto ok = check_loading(function); !ok) return Unexpected(ok.error());
+    if (auto ok = check_name(function, declaration.name, true); !ok) return Unexpected(ok.error());
+    if (auto ok = check_count(ports_.size(), function, declaration.name, "ports"); !ok) return Unexpected(ok.error());
     for (const PortDeclaration& other : ports_) {
         if (other.name != declaration.name) continue;
         if (other.direction == declaration.direction) {
@@ -135,11 +135,11 @@ Expected<void> Script::declare_task(Task task) {
     return tasks_.declare(std::move(task));
 }
 
-Expected<void> Script::check_tasks_run(std::string_view word) const {
-    if (phase_ == Phase::loading) return failure(fmt::format("{} can't be called while the file loads", word));
+Expected<void> Script::check_tasks_run(std::string_view function) const {
+    if (phase_ == Phase::loading) return failure(fmt::format("{} can't be called while the file loads", function));
     if (owner_->state() == LifeState::active) return {};
     return failure(
-        fmt::format("{}: tasks run while the component is ACTIVE, it is {}", word, to_text(owner_->state())));
+        fmt::format("{}: tasks run while the component is ACTIVE, it is {}", function, to_text(owner_->state())));
 }
 
 Expected<std::size_t> Script::check_hook(std::string_view name, std::string_view type) const {

@@ -58,6 +58,10 @@ public:
     std::string names() const;
     /// The task whose slice runs; null when none does.
     Task* current() const { return current_; }
+    /// Whether what a task has open is being closed.
+    bool closes() const { return closes_; }
+    /// Whether `end` has failed, or runs.
+    bool ends() const { return ends_; }
 
     /// All begin at the next execution. None may be under way.
     void start_all(double now);
@@ -82,11 +86,14 @@ private:
     void begin(lua_State* L, Task& task);
     void run_slice_of(lua_State* L, Task& task, double now);
     static void forget(lua_State* L, Task& task);
+    bool close(lua_State* L, lua_State* thread);
     Task* find(std::string_view name);
     Expected<Task*> known(std::string_view name);
 
     std::deque<Task> tasks_;  // stay where they are
     Task* current_ = nullptr;
+    bool closes_ = false;
+    bool ends_ = false;
 };
 
 /// Whether `seconds` have passed from `since` to `now`, but for what rounding may have taken off.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bindings/lua/script/declaration_fields.hpp"
+#include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "engine/world/robot_fields.hpp"
@@ -18,15 +19,17 @@ namespace {
 // What scripts read is whole; in what they write, fields may be left out.
 enum class Use { read, write };
 
-std::string type_of(const Shape& shape, Use use) {
+std::string type_of(const ValueShape& shape, Use use) {
     std::string type;
     switch (shape.kind) {
-        case Shape::Kind::boolean: type = "boolean"; break;
-        case Shape::Kind::integer: type = "integer"; break;
-        case Shape::Kind::number: type = "number"; break;
-        case Shape::Kind::text:
-        case Shape::Kind::octets: type = "string"; break;
-        case Shape::Kind::structure: type = fmt::format("{}{}", shape.name, use == Use::write ? ".Written" : ""); break;
+        case ValueShape::Kind::boolean: type = "boolean"; break;
+        case ValueShape::Kind::integer: type = "integer"; break;
+        case ValueShape::Kind::number: type = "number"; break;
+        case ValueShape::Kind::text:
+        case ValueShape::Kind::octets: type = "string"; break;
+        case ValueShape::Kind::structure:
+            type = fmt::format("{}{}", shape.name, use == Use::write ? ".Written" : "");
+            break;
     }
     return shape.sequence ? type + "[]" : type;
 }
@@ -36,13 +39,13 @@ std::string remark(const FieldShape& field) {
     std::string text;
     if (!field.unit.empty()) text = fmt::format(" [{}]", field.unit);
     if (!field.doc.empty()) text += fmt::format(" {}", field.doc);
-    if (field.shape.kind == Shape::Kind::integer) text += fmt::format(" {}..{}", field.shape.min, field.shape.max);
+    if (field.shape.kind == ValueShape::Kind::integer) text += fmt::format(" {}..{}", field.shape.min, field.shape.max);
     return text;
 }
 
 // A structure after those that it is made of, each once.
-void add_structure(std::string& text, const Shape& shape, std::set<std::string_view>& done) {
-    if (shape.kind != Shape::Kind::structure || !done.insert(shape.name).second) return;
+void add_structure(std::string& text, const ValueShape& shape, std::set<std::string_view>& done) {
+    if (shape.kind != ValueShape::Kind::structure || !done.insert(shape.name).second) return;
     for (const FieldShape& field : shape.fields) add_structure(text, field.shape, done);
     for (const Use use : {Use::read, Use::write}) {
         text += fmt::format("---@class (exact) {}{}\n", shape.name, use == Use::write ? ".Written" : "");
@@ -54,8 +57,8 @@ void add_structure(std::string& text, const Shape& shape, std::set<std::string_v
     }
 }
 
-std::string limits(const Shape& shape) {
-    return shape.kind == Shape::Kind::integer ? fmt::format(" from {} to {}", shape.min, shape.max) : "";
+std::string limits(const ValueShape& shape) {
+    return shape.kind == ValueShape::Kind::integer ? fmt::format(" from {} to {}", shape.min, shape.max) : "";
 }
 
 void add_ports(std::string& text, const MessageShape& message) {
@@ -128,6 +131,11 @@ std::string annotations(const std::vector<RecordShape>& more) {
     text += "---@class Thing\n\n" + system_word_annotations(false);
     text += fmt::format("---{}\n---@param fields {}\n---@return table\nfunction {}(fields) end\n\n",
                         Describe<RobotSpec>::doc, class_of(Describe<RobotSpec>::name), Describe<RobotSpec>::name);
+    text += "---A port as seen from outside: looking at it consumes nothing.\n---@class Port\n";
+    for (const MemberName& member : port_member_names()) text += annotation(member);
+    text += "\n---@class Component\n";
+    for (const MemberName& member : member_names()) text += annotation(member);
+    text += "---@field [string] any its ports and commands\n\n";
     return text + detail::scenario_annotations + "\n" + system_word_annotations(true);
 }
 

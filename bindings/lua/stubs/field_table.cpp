@@ -8,10 +8,9 @@
 namespace nezumi {
 namespace {
 
-constexpr std::string_view opening = "<!-- fields: ", closing = "<!-- end -->";
-
-// A cell can't have a bar. A class that editors know is a table with its own fields.
+// A cell can't have a bar. A class that editors know is a table with its own fields, an alias a value.
 std::string cell(std::string text) {
+    if (text == "ParameterValue[]") return "{ VALUE, ... }";
     constexpr std::string_view suffix = "Fields";
     if (const std::size_t end = text.find(suffix); end != std::string::npos) {
         const std::size_t before = text.find_last_of("| ", end);
@@ -46,22 +45,32 @@ std::string field_table(const RecordShape& record) {
     return text;
 }
 
-Expected<std::string> with_field_tables(std::string_view page, const std::vector<RecordShape>& records) {
+Expected<std::string> with_tables(std::string_view page, std::string_view kind,
+                                  const std::function<Expected<std::string>(std::string_view name)>& table) {
+    const std::string opening = fmt::format("<!-- {}: ", kind);
+    constexpr std::string_view closing = "<!-- end -->";
     std::string text;
     for (;;) {
         const std::size_t begin = page.find(opening);
         if (begin == std::string_view::npos) return text + std::string(page);
         const std::size_t end_of_line = page.find('\n', begin), end = page.find(closing, begin);
-        if (end == std::string_view::npos) return failure("a marker for fields has no end");
-        const std::string_view name =
-            page.substr(begin + opening.size(), page.find(' ', begin + opening.size()) - begin - opening.size());
-        const auto record = std::find_if(records.begin(), records.end(), [&](const auto& r) { return r.name == name; });
-        if (record == records.end()) return failure(fmt::format("there are no fields of '{}'", name));
+        if (end == std::string_view::npos) return failure(fmt::format("a marker for {} has no end", kind));
+        const std::size_t name = begin + opening.size();
+        const auto made = table(page.substr(name, page.find(" -->", name) - name));
+        if (!made) return Unexpected(made.error());
         text += page.substr(0, end_of_line + 1);
-        text += field_table(*record);
+        text += *made;
         text += closing;
         page.remove_prefix(end + closing.size());
     }
+}
+
+Expected<std::string> with_field_tables(std::string_view page, const std::vector<RecordShape>& records) {
+    return with_tables(page, "fields", [&](std::string_view name) -> Expected<std::string> {
+        const auto record = std::find_if(records.begin(), records.end(), [&](const auto& r) { return r.name == name; });
+        if (record == records.end()) return failure(fmt::format("there are no fields of '{}'", name));
+        return field_table(*record);
+    });
 }
 
 }  // namespace nezumi

@@ -11,10 +11,10 @@ namespace nezumi {
 namespace {
 
 template <class T>
-Shape shape_of() {
-    Shape shape;
+ValueShape shape_of() {
+    ValueShape shape;
     if constexpr (Described<T>) {
-        shape.kind = Shape::Kind::structure;
+        shape.kind = ValueShape::Kind::structure;
         shape.name = Describe<T>::name;
         const T sample{};
         for_each_field(sample, [&](const auto& field, const auto& member) {
@@ -25,16 +25,16 @@ Shape shape_of() {
         shape = shape_of<typename T::value_type>();
         shape.sequence = true;
     } else if constexpr (std::is_same_v<T, bool>) {
-        shape.kind = Shape::Kind::boolean;
+        shape.kind = ValueShape::Kind::boolean;
     } else if constexpr (std::is_integral_v<T>) {
-        shape.kind = Shape::Kind::integer;
+        shape.kind = ValueShape::Kind::integer;
         shape.min = std::numeric_limits<T>::min();
         shape.max = std::numeric_limits<T>::max();
     } else if constexpr (std::is_floating_point_v<T>) {
-        shape.kind = Shape::Kind::number;
+        shape.kind = ValueShape::Kind::number;
         shape.limit = static_cast<double>(std::numeric_limits<T>::max());
     } else {
-        shape.kind = std::is_same_v<T, Octets> ? Shape::Kind::octets : Shape::Kind::text;
+        shape.kind = std::is_same_v<T, Octets> ? ValueShape::Kind::octets : ValueShape::Kind::text;
     }
     return shape;
 }

@@ -13,7 +13,7 @@ namespace nezumi {
 struct FieldShape;
 
 /// What a value looks like in Lua, and which values are taken.
-struct Shape {
+struct ValueShape {
     enum class Kind { boolean, integer, number, text, octets, structure };
 
     Kind kind = Kind::boolean;
@@ -30,14 +30,14 @@ struct FieldShape {
     std::string_view name;
     std::string_view unit;  ///< "" for none
     std::string_view doc;
-    Shape shape;
+    ValueShape shape;
 };
 
 /// One message type.
 struct MessageShape {
     std::string_view name;
     std::string_view doc;
-    Shape shape;
+    ValueShape shape;
 };
 
 /// All message types, in the order of `message_types`, from their one description.

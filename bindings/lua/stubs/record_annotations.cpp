@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/script/declaration_fields.hpp"
 #include "engine/components/parameter_fields.hpp"
 #include "engine/system/act_fields.hpp"
@@ -14,10 +15,10 @@
 namespace nezumi {
 namespace {
 
-// What a word's function takes and gives.
-enum class Form { thing, entry, plain };
+using Form = SystemWord::Form;
 
-std::string word(const RecordShape& record, Form form, bool methods) {
+// A word whose table is described.
+std::string word_of_table(const RecordShape& record, Form form, bool methods) {
     const std::string table = class_of(record.name);
     const std::string receiver = methods ? "self: Scenario, " : "";
     const std::string name = (methods ? "s:" : "") + record.name;
@@ -55,21 +56,16 @@ RecordShape robot_of_system() {
 }
 
 // A word that takes no table.
-struct Word {
-    std::string_view name, doc, parameters, arguments;
-};
-constexpr Word words[] = {
-    {"connect", "Connects an out-port to an in-port of the same type.",
-     "---@param from string|Port \"name.port\", \"rtm:NAME.port\", or in a scenario the port itself\n---@param to "
-     "string|Port\n",
-     "from, to"},
-    {"csv", "Fixed boxes from a file with rows x,y,z,lx,ly,lz,yaw.", "---@param file string\n---@return Thing\n",
-     "file"},
-    {"map", "Fixed boxes from a map of ROS: what is occupied in the picture that the YAML file names.",
-     "---@param file string\n---@return Thing\n", "file"},
-    {"rate", "Ticks a second, 100 unless it says otherwise.", "---@param hz number\n", "hz"},
-    {"seed", "Of everything random in the run.", "---@param n integer\n", "n"},
-};
+std::string plain_word(const SystemWord& word, bool methods) {
+    std::string text = fmt::format("---{}\n", word.help.doc), arguments;
+    for (const SystemWord::Help::Parameter& each : word.help.parameters) {
+        if (each.name.empty()) continue;
+        text += fmt::format("---@param {} {}\n", each.name, each.type);
+        arguments += fmt::format("{}{}", arguments.empty() ? "" : ", ", each.name);
+    }
+    if (word.form == Form::thing) text += "---@return Thing\n";
+    return text + fmt::format("function {}{}({}) end\n\n", methods ? "s:" : "", word.name, arguments);
+}
 
 }  // namespace
 
@@ -100,6 +96,7 @@ const std::vector<RecordShape>& file_records() {
         shape_of_record<RosTopic>(),
         shape_of_record<RtmSpec>(),
         of_robot(shape_of_record<BodySpec>()),
+        of_robot(shape_of_record<Limits>()),
         of_robot(shape_of_record<DriveSpec>()),
         of_robot(shape_of_record<SensorSpec>()),
         of_robot(shape_of_record<ActuatorSpec>()),
@@ -108,7 +105,7 @@ const std::vector<RecordShape>& file_records() {
         of_robot(shape_of_record<RobotSpec>()),
         shape_of_record<RobotPlace>(),
         shape_of_record<MarkerPlace>(),
-        shape_of_record<Push>(),
+        shape_of_record<VelocityConstraint>(),
         shape_of_record<HoldOptions>(),
         shape_of_record<Calibration>(),
         shape_of_record<WheelCalibration>(),
@@ -135,18 +132,14 @@ std::string annotation(const RecordShape& record, const std::string& name, std::
 std::string system_word_annotations(bool methods) {
     std::string text;
     for (const RecordShape& record : file_records()) {
-        const bool is_entry = record.name == "robot" || record.name == "behavior" || record.name == "component";
-        const bool is_thing = record.name == "box" || record.name == "wall" || record.name == "cylinder" ||
-                              record.name == "marker" || record.name == "maze" || record.name == "floor" ||
-                              record.name == "line";
-        if (is_entry || is_thing || record.name == "arena" || record.name == "physics" || record.name == "network" ||
-            record.name == "ros" || record.name == "rtm")
-            text += word(record, is_entry ? Form::entry : is_thing ? Form::thing : Form::plain, methods);
+        for (const SystemWord& word : system_words()) {
+            if (word.name == record.name) text += word_of_table(record, word.form, methods);
+        }
     }
-    for (const Word& each : words) {
-        if (methods && each.name == "seed") continue;  // a run's is that of nezumi test
-        text += fmt::format("---{}\n{}function {}{}({}) end\n\n", each.doc, each.parameters, methods ? "s:" : "",
-                            each.name, each.arguments);
+    for (const SystemWord& word : system_words()) {
+        if (word.help.doc.empty()) continue;
+        if (methods && word.name == std::string_view("seed")) continue;  // a run's is that of nezumi test
+        text += plain_word(word, methods);
     }
     return text;
 }

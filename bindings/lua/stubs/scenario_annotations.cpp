@@ -3,32 +3,7 @@
 
 namespace nezumi::detail {
 
-const char* const scenario_annotations = R"lua(---A port as seen from outside: looking at it consumes nothing.
----@class Port
----@field value any the latest; the type's zero value before anything came
----@field tm number [s] its stamp, 0 before anything came
----@field age number [s]
----@field connected boolean
----@field stale boolean
----@field unread boolean of an in-port: something waits that its owner has not read
----@field type MessageType
----@field peers string[]
----@field name string
----@field path string "name.port"
----@field direction "in"|"out"
----@field doc string
----@field note string
----@field count integer messages since the start
----@field override string "held", "dropped", "frozen" or ""
----@field holder string? whose hand is on it
----@field write fun(self: Port, value: any) as if its component had written it; into an in-port: inject
----@field inject fun(self: Port, value: any) one message as from a connection
----@field hold fun(self: Port, value: any, options?: HoldOptions) this value and nothing else, until release
----@field drop fun(self: Port) nothing gets through, until release
----@field freeze fun(self: Port) the present value again and again, until release
----@field release fun(self: Port)
-
----@class TaskView
+const char* const scenario_annotations = R"lua(---@class TaskView
 ---@field status "inactive"|"ready"|"waiting"|"finished"|"cancelled"|"failed"
 ---@field since number [s] since when
 ---@field waiting? string what it is waiting for, and how long yet
@@ -38,37 +13,6 @@ const char* const scenario_annotations = R"lua(---A port as seen from outside: l
 ---@field value number|boolean|string|table
 ---@field tm number [s] when it was set
 ---@field age number [s]
-
----@class Component
----@field name string
----@field type string
----@field status "INACTIVE"|"ACTIVE"|"ERROR"
----@field error string? why it is in ERROR
----@field version integer
----@field rate number [Hz]
----@field ports table<string, Port>
----@field config table<string, ParameterValue>
----@field state table
----@field tasks table<string, TaskView>
----@field probes table<string, ProbeView>
----@field set string?
----@field sets table
----@field commands table
----@field truth { pose: Pose2D, velocity: Velocity2D, height: number, tilt: number } of a robot
----@field collided boolean of a robot: it touches something
----@field touching any of a robot: what it touches
----@field leds boolean[] of a robot
----@field buzzer integer of a robot [Hz]
----@field said string[] of a robot: what its speaker was given, the last 100 texts
----@field limits table<string, number> of a robot
----@field activate fun(self: Component): string
----@field deactivate fun(self: Component): string
----@field reset fun(self: Component): string
----@field use fun(self: Component, set: string): string
----@field teleport fun(self: Component, pose: PoseFields)
----@field press fun(self: Component, button: string, pressed?: boolean)
----@field disturb fun(self: Component, push?: PushFields) without: the hand lets go
----@field [string] any its ports and commands
 
 ---@alias World table<string, Component>
 ---@alias PortName Port|string a port or "name.port"
@@ -189,8 +133,8 @@ function s:freeze(port, seconds) end
 
 ---A hand that moves the robot.
 ---@param robot Component|string
----@param push PushFields
-function s:disturb(robot, push) end
+---@param velocities VelocityConstraintFields
+function s:disturb(robot, velocities) end
 
 ---@param robot Component|string
 ---@param button string

@@ -13,28 +13,28 @@ struct Row {
     std::string path, values, unit, doc;
 };
 
-std::string values_of(const Shape& shape) {
+std::string values_of(const ValueShape& shape) {
     const std::string_view many = shape.sequence ? "s" : "";
     switch (shape.kind) {
-        case Shape::Kind::boolean: return shape.sequence ? "array of booleans" : "true or false";
-        case Shape::Kind::integer:
+        case ValueShape::Kind::boolean: return shape.sequence ? "array of booleans" : "true or false";
+        case ValueShape::Kind::integer:
             return fmt::format("{}integer{} from {} to {}", shape.sequence ? "array of " : "", many, shape.min,
                                shape.max);
-        case Shape::Kind::number:
+        case ValueShape::Kind::number:
             return fmt::format(
                 "{}finite number{}{}", shape.sequence ? "array of " : "", many,
                 shape.limit < 1e100 ? fmt::format(" from {:.4g} to {:.4g}", -shape.limit, shape.limit) : "");
-        case Shape::Kind::text: return shape.sequence ? "array of strings" : "string";
-        case Shape::Kind::octets: return "string of bytes";
-        case Shape::Kind::structure: break;
+        case ValueShape::Kind::text: return shape.sequence ? "array of strings" : "string";
+        case ValueShape::Kind::octets: return "string of bytes";
+        case ValueShape::Kind::structure: break;
     }
     return fmt::format("{}{}", shape.sequence ? "array of " : "", shape.name);
 }
 
-void add_rows(std::vector<Row>& rows, const std::string& path, const Shape& shape) {
+void add_rows(std::vector<Row>& rows, const std::string& path, const ValueShape& shape) {
     for (const FieldShape& field : shape.fields) {
         const std::string name = path + std::string(field.name);
-        const bool is_structure = field.shape.kind == Shape::Kind::structure;
+        const bool is_structure = field.shape.kind == ValueShape::Kind::structure;
         if (!is_structure || field.shape.sequence || !field.doc.empty()) {
             rows.push_back({name, values_of(field.shape), std::string(field.unit), std::string(field.doc)});
         }
@@ -47,7 +47,7 @@ void add_rows(std::vector<Row>& rows, const std::string& path, const Shape& shap
 std::string type_table(const MessageShape& message) {
     std::string text = fmt::format("{}: {}\n", message.name, message.doc);
     std::vector<Row> rows;
-    if (message.shape.kind == Shape::Kind::structure) {
+    if (message.shape.kind == ValueShape::Kind::structure) {
         add_rows(rows, "", message.shape);
     } else {
         rows.push_back({"value", values_of(message.shape), "", ""});

@@ -36,11 +36,11 @@ Expected<double> Arguments::number(int position, std::string_view what) const {
     return lua_tonumber(lua, index(position));
 }
 
-Expected<void> Arguments::at_most(std::string_view word, int most, std::string_view usage) const {
+Expected<void> Arguments::at_most(std::string_view function, int most, std::string_view usage) const {
     if (count() <= most) return {};
     const std::string expected =
         most == 0 ? "no arguments" : fmt::format("at most {} argument{}", most, most == 1 ? "" : "s");
-    return failure(fmt::format("{0}: expected {1}, got {2}: {0}{3}", word, expected, count(), usage));
+    return failure(fmt::format("{0}: expected {1}, got {2}: {0}{3}", function, expected, count(), usage));
 }
 
 int raise_kept(lua_State* L) {

@@ -33,7 +33,7 @@ struct Arguments {
     /// A number, of which a numeral in a string is none; else "expected WHAT, got KIND".
     Expected<double> number(int position, std::string_view what) const;
     /// "WORD: expected at most 2 arguments, got 3: WORD(name, value)" when there are more; `usage` is "(name, value)".
-    Expected<void> at_most(std::string_view word, int most, std::string_view usage) const;
+    Expected<void> at_most(std::string_view function, int most, std::string_view usage) const;
 };
 
 /// Keeps the text of an error until it is raised.

@@ -9,6 +9,7 @@
 
 #include "bindings/lua/sandbox/hidden_metatable.hpp"
 #include "bindings/lua/sandbox/locked_table.hpp"
+#include "bindings/lua/values/plain_scalar.hpp"
 #include "engine/base/names.hpp"
 #include "engine/system/system_spec.hpp"
 
@@ -56,11 +57,11 @@ std::string type_name(lua_State* L, int index) {
 // Where a value was found: under a key of a table, or as one of the values themselves. Whole paths would cost the
 // square of a list's length.
 struct Origin {
-    std::size_t table = kNoTable;
+    std::size_t table = no_table;
     Value key;
     std::size_t value = 0;
 
-    static constexpr std::size_t kNoTable = static_cast<std::size_t>(-1);
+    static constexpr std::size_t no_table = static_cast<std::size_t>(-1);
 };
 
 // Lives outside of the protected call in which it works, so that an error there skips no destructor of its own.
@@ -84,7 +85,7 @@ struct Taker {
     std::string path_of(Origin at) const {
         constexpr std::size_t longest = 200;
         std::string path;
-        while (at.table != Origin::kNoTable) {
+        while (at.table != Origin::no_table) {
             path.insert(0, key_text(at.key));
             if (path.size() > longest) return "..." + path;
             at = origins[at.table];
@@ -180,20 +181,6 @@ struct Taker {
         lua_settop(L, table - 1);
     }
 
-    static void push_scalar(lua_State* L, const Value& value) {
-        if (const auto* truth = std::get_if<bool>(&value)) {
-            lua_pushboolean(L, *truth ? 1 : 0);
-        } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-            lua_pushinteger(L, *whole);
-        } else if (const auto* number = std::get_if<double>(&value)) {
-            lua_pushnumber(L, *number);
-        } else if (const auto* text = std::get_if<std::string>(&value)) {
-            lua_pushlstring(L, text->data(), text->size());
-        } else {
-            lua_pushnil(L);
-        }
-    }
-
     // Stack: this, values...
     static int run(lua_State* L) {
         Taker& self = *static_cast<Taker*>(lua_touserdata(L, 1));
@@ -225,23 +212,23 @@ Expected<void> run(Taker& taker, lua_State* L, int count, Budget budget) {
     return {};
 }
 
-constexpr const char* kLeftOut = "left out: more than a look takes";
+constexpr const char* left_out = "left out: more than a look takes";
 
-int refuse_look(lua_State* L) {
+int refuse_access(lua_State* L) {
     return luaL_error(L,
                       "this table was left out, so that no tick is late: a look takes %d values at most; a command of "
                       "the script can return a part",
                       static_cast<int>(PlainLimit{}.values));
 }
 
-int say_left_out(lua_State* L) { return lua_pushfstring(L, "(%s)", kLeftOut), 1; }
+int say_left_out(lua_State* L) { return lua_pushfstring(L, "(%s)", left_out), 1; }
 
 // No table, so that nobody takes it for an empty one.
 void push_left_out(lua_State* L) {
     lua_newuserdatauv(L, 0, 0);
-    if (luaL_newmetatable(L, kLeftOut) != 0) {
+    if (luaL_newmetatable(L, left_out) != 0) {
         for (const char* event : {"__index", "__newindex", "__len", "__pairs"}) {
-            lua_pushcfunction(L, refuse_look);
+            lua_pushcfunction(L, refuse_access);
             lua_setfield(L, -2, event);
         }
         lua_pushcfunction(L, say_left_out);
@@ -258,7 +245,7 @@ void push(lua_State* L, const PlainData& data, std::size_t whole) {
         if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
             lua_rawgeti(L, tables, static_cast<lua_Integer>(ref->index + 1));
         } else {
-            Taker::push_scalar(L, value);
+            push_scalar(L, value);
         }
     };
     lua_createtable(L, static_cast<int>(data.tables.size()), 0);
@@ -293,11 +280,12 @@ Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std
     return std::move(taker.data);
 }
 
-Expected<PlainLook> look_at_plain(lua_State* L, Budget budget, const PlainLimit& limit) {
-    const std::vector<std::string> names{""};
-    std::vector<Dropped> dropped;
+Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainLimit& limit, const std::string& name,
+                                       std::vector<Dropped>* dropped) {
+    const std::vector<std::string> names{name};
+    std::vector<Dropped> unseen;
     Taker taker{.names = names,
-                .dropped = dropped,
+                .dropped = dropped != nullptr ? *dropped : unseen,
                 .data = {},
                 .origins = {},
                 .indices = {},
@@ -307,7 +295,7 @@ Expected<PlainLook> look_at_plain(lua_State* L, Budget budget, const PlainLimit&
     if (auto ok = run(taker, L, 1, budget); !ok) return Unexpected(ok.error());
     // Half a table would be another half in every run.
     for (std::size_t i = taker.whole; i < taker.data.tables.size(); ++i) taker.data.tables[i].clear();
-    return PlainLook{std::move(taker.data), taker.whole};
+    return PlainSnapshot{std::move(taker.data), taker.whole};
 }
 
 void visit_plain(const PlainData& data, const LeafVisitor& visit) {
@@ -346,6 +334,6 @@ void visit_plain(const PlainData& data, const LeafVisitor& visit) {
 
 void push_plain(lua_State* L, const PlainData& data) { push(L, data, data.tables.size()); }
 
-void push_plain(lua_State* L, const PlainLook& look) { push(L, look.data, look.whole); }
+void push_plain(lua_State* L, const PlainSnapshot& snapshot) { push(L, snapshot.data, snapshot.whole); }
 
 }  // namespace nezumi

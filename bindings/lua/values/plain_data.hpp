@@ -26,20 +26,21 @@ struct Dropped {
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped);
 
-/// How much a look takes. What is copied between two ticks makes none of them late: some 0.3 us a value.
+/// How much a snapshot takes. What is copied between two ticks makes none of them late: some 0.3 us a value.
 struct PlainLimit {
     std::size_t values = 4000;                ///< entries of tables
     std::size_t text = std::size_t{1} << 16;  ///< [bytes] of keys and values
 };
 
 /// A copy of a table, breadth first, as far as a limit goes: the tables from `whole` on are empty here.
-struct PlainLook {
+struct PlainSnapshot {
     PlainData data;
     std::size_t whole = 0;
 };
 
-/// The same as `take_plain` for the topmost value, which stays; what is no plain data is left out in silence.
-Expected<PlainLook> look_at_plain(lua_State* L, Budget budget, const PlainLimit& limit);
+/// The same as `take_plain` for the topmost value, which stays; `dropped` may be null.
+Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainLimit& limit,
+                                       const std::string& name = "", std::vector<Dropped>* dropped = nullptr);
 
 /// Visits the numbers, truth values and texts in the table that is the first value: "count", "list[2].deep". Tables
 /// that lie too deep, as those within themselves, and what is beyond some thousand entries are left out.
@@ -48,6 +49,6 @@ void visit_plain(const PlainData& data, const LeafVisitor& visit);
 /// Pushes fresh copies of all values. May raise a Lua error: use it within a protected call.
 void push_plain(lua_State* L, const PlainData& data);
 /// The same; in place of each table that was left out stands an object that says so, to whoever looks into it.
-void push_plain(lua_State* L, const PlainLook& look);
+void push_plain(lua_State* L, const PlainSnapshot& snapshot);
 
 }  // namespace nezumi

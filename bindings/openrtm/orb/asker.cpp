@@ -103,8 +103,8 @@ PeerAnswer Asker::look_at_all() {
     const auto look = [&] {
         for (std::size_t i = next++; i < all.size(); i = next++) {
             const bool has_time = !ends_ && std::chrono::steady_clock::now() < end;
-            answer.peers[i] =
-                has_time ? look_at(all[i], false) : PeerLook{.name = all[i].name, .state = PeerLook::State::unasked};
+            answer.peers[i] = has_time ? look_at(all[i], false)
+                                       : PeerSnapshot{.name = all[i].name, .state = PeerSnapshot::State::unasked};
         }
     };
     std::vector<std::thread> helpers;

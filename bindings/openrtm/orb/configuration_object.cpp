@@ -1,4 +1,4 @@
-// Values are read from the latest look at the component, and set by requests that are checked as any other act.
+// Values are read from the latest snapshot of the component, and set by requests that are checked as any other act.
 #include "bindings/openrtm/orb/configuration_object.hpp"
 
 #include <algorithm>
@@ -25,10 +25,10 @@ SDOPackage::ConfigurationSet set_of(const std::string& id, const Texts& values) 
     return set;
 }
 
-const Texts* find(const RtcLook& look, std::string_view id) {
+const Texts* find(const RtcSnapshot& snapshot, std::string_view id) {
     const auto found =
-        std::find_if(look.sets.begin(), look.sets.end(), [&](const auto& set) { return set.first == id; });
-    return found != look.sets.end() ? &found->second : nullptr;
+        std::find_if(snapshot.sets.begin(), snapshot.sets.end(), [&](const auto& set) { return set.first == id; });
+    return found != snapshot.sets.end() ? &found->second : nullptr;
 }
 
 }  // namespace
@@ -46,15 +46,15 @@ bool ConfigurationObject::perform(RtcRequest request) {
 }
 
 Texts ConfigurationObject::active_values() {
-    const RtcLook look = site_.look(component_);
-    const Texts* values = find(look, look.set);
+    const RtcSnapshot snapshot = site_.snapshot(component_);
+    const Texts* values = find(snapshot, snapshot.set);
     return values != nullptr ? *values : Texts{};
 }
 
 SDOPackage::ConfigurationSetList* ConfigurationObject::get_configuration_sets() {
-    const RtcLook look = site_.look(component_);
+    const RtcSnapshot snapshot = site_.snapshot(component_);
     SDOPackage::ConfigurationSetList_var list = new SDOPackage::ConfigurationSetList;
-    for (const auto& [id, values] : look.sets) {
+    for (const auto& [id, values] : snapshot.sets) {
         list->length(list->length() + 1);
         list[list->length() - 1] = set_of(id, values);
     }
@@ -62,16 +62,16 @@ SDOPackage::ConfigurationSetList* ConfigurationObject::get_configuration_sets() 
 }
 
 SDOPackage::ConfigurationSet* ConfigurationObject::get_configuration_set(const char* id) {
-    const RtcLook look = site_.look(component_);
-    const Texts* values = find(look, id);
+    const RtcSnapshot snapshot = site_.snapshot(component_);
+    const Texts* values = find(snapshot, id);
     if (values == nullptr) throw SDOPackage::InvalidParameter(no_set);
     return new SDOPackage::ConfigurationSet(set_of(id, *values));
 }
 
 SDOPackage::ConfigurationSet* ConfigurationObject::get_active_configuration_set() {
-    const RtcLook look = site_.look(component_);
-    const Texts* values = find(look, look.set);
-    return new SDOPackage::ConfigurationSet(set_of(look.set, values != nullptr ? *values : Texts{}));
+    const RtcSnapshot snapshot = site_.snapshot(component_);
+    const Texts* values = find(snapshot, snapshot.set);
+    return new SDOPackage::ConfigurationSet(set_of(snapshot.set, values != nullptr ? *values : Texts{}));
 }
 
 CORBA::Boolean ConfigurationObject::set_configuration_set_values(const SDOPackage::ConfigurationSet& values) {
@@ -84,8 +84,8 @@ CORBA::Boolean ConfigurationObject::set_configuration_set_values(const SDOPackag
 }
 
 CORBA::Boolean ConfigurationObject::activate_configuration_set(const char* id) {
-    const RtcLook look = site_.look(component_);
-    if (find(look, id) == nullptr) throw SDOPackage::InvalidParameter(no_set);
+    const RtcSnapshot snapshot = site_.snapshot(component_);
+    if (find(snapshot, id) == nullptr) throw SDOPackage::InvalidParameter(no_set);
     return perform({.what = RtcRequest::What::use, .set = id});
 }
 
@@ -105,7 +105,7 @@ CORBA::Any* ConfigurationObject::get_configuration_parameter_value(const char* n
 
 CORBA::Boolean ConfigurationObject::set_configuration_parameter(const char* name, const CORBA::Any& value) {
     return perform({.what = RtcRequest::What::set,
-                    .set = site_.look(component_).set,
+                    .set = site_.snapshot(component_).set,
                     .values = {{std::string(name), text_of(value)}}});
 }
 

@@ -27,7 +27,7 @@ std::size_t capacity_for(const Terms& terms) {
 
 class InPortObject final : public POA_OpenRTM::InPortCdr {
 public:
-    InPortObject(Inlet inlet, std::endian order) : inlet_(std::move(inlet)), order_(order) {}
+    InPortObject(RtcInlet inlet, std::endian order) : inlet_(std::move(inlet)), order_(order) {}
     OpenRTM::PortStatus put(const OpenRTM::CdrData& data) override {
         const std::span<const std::uint8_t> bytes(data.get_buffer(), data.length());
         const std::lock_guard lock(mutex_);
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    const Inlet inlet_;
+    const RtcInlet inlet_;
     const std::endian order_;
     Mutex mutex_;  // of what follows, and held while a message is taken; never while a peer is called
     bool closed_ = false;
@@ -79,7 +79,7 @@ std::string reference_of(CORBA::ORB_ptr orb, Object& object) {
 
 class PushInlet final : public Connector {
 public:
-    PushInlet(CORBA::ORB_ptr orb, const Inlet& inlet, const Terms& terms)
+    PushInlet(CORBA::ORB_ptr orb, const RtcInlet& inlet, const Terms& terms)
         : object_(new InPortObject(inlet, terms.order)), reference_(reference_of(orb, *object_.in())) {}
     ~PushInlet() override {
         object_->close();
@@ -186,7 +186,7 @@ private:
 
 class PullInlet final : public Caller {
 public:
-    PullInlet(OpenRTM::OutPortCdr_ptr peer, Inlet inlet, const Terms& terms)
+    PullInlet(OpenRTM::OutPortCdr_ptr peer, RtcInlet inlet, const Terms& terms)
         : Caller(terms), inlet_(std::move(inlet)), peer_(OpenRTM::OutPortCdr::_duplicate(peer)) {
         start([this] { run(); });
     }
@@ -214,7 +214,7 @@ private:
         }
     }
 
-    const Inlet inlet_;
+    const RtcInlet inlet_;
     OpenRTM::OutPortCdr_var peer_;
 };
 
@@ -231,7 +231,7 @@ typename Interface::_ptr_type peer_of(CORBA::ORB_ptr orb, const std::string& ref
 
 }  // namespace
 
-std::unique_ptr<Connector> make_push_inlet(CORBA::ORB_ptr orb, const Inlet& inlet, const Terms& terms) {
+std::unique_ptr<Connector> make_push_inlet(CORBA::ORB_ptr orb, const RtcInlet& inlet, const Terms& terms) {
     return std::make_unique<PushInlet>(orb, inlet, terms);
 }
 
@@ -239,7 +239,7 @@ std::unique_ptr<Connector> make_pull_outlet(CORBA::ORB_ptr orb, const Terms& /*t
     return std::make_unique<PullOutlet>(orb);
 }
 
-std::unique_ptr<Connector> make_pull_inlet(CORBA::ORB_ptr orb, const std::string& reference, const Inlet& inlet,
+std::unique_ptr<Connector> make_pull_inlet(CORBA::ORB_ptr orb, const std::string& reference, const RtcInlet& inlet,
                                            const Terms& terms) {
     const OpenRTM::OutPortCdr_var peer = peer_of<OpenRTM::OutPortCdr>(orb, reference);
     if (CORBA::is_nil(peer)) return nullptr;

@@ -28,17 +28,17 @@ public:
 };
 
 /// Where an in-port's messages go, and under which name they come.
-struct Inlet {
+struct RtcInlet {
     RtcSite& site;
     std::string path{};
     std::string from{};
 };
 
 /// The peer calls us.
-std::unique_ptr<Connector> make_push_inlet(CORBA::ORB_ptr orb, const Inlet& inlet, const Terms& terms);
+std::unique_ptr<Connector> make_push_inlet(CORBA::ORB_ptr orb, const RtcInlet& inlet, const Terms& terms);
 std::unique_ptr<Connector> make_pull_outlet(CORBA::ORB_ptr orb, const Terms& terms);
 /// We call the peer. nullptr when the reference is none.
-std::unique_ptr<Connector> make_pull_inlet(CORBA::ORB_ptr orb, const std::string& reference, const Inlet& inlet,
+std::unique_ptr<Connector> make_pull_inlet(CORBA::ORB_ptr orb, const std::string& reference, const RtcInlet& inlet,
                                            const Terms& terms);
 std::unique_ptr<Connector> make_push_outlet(CORBA::ORB_ptr orb, const std::string& reference, const Terms& terms);
 

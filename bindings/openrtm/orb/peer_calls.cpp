@@ -22,19 +22,19 @@ RTC::ExecutionContext_ptr context_of(RTC::RTObject_ptr rtc) {
     return RTC::ExecutionContext::_duplicate(contexts[0]);
 }
 
-PeerLook::State state_of(RTC::RTObject_ptr rtc) {
+PeerSnapshot::State state_of(RTC::RTObject_ptr rtc) {
     const RTC::ExecutionContext_var context = context_of(rtc);
-    if (CORBA::is_nil(context)) return PeerLook::State::unknown;
+    if (CORBA::is_nil(context)) return PeerSnapshot::State::unknown;
     switch (context->get_component_state(rtc)) {
-        case RTC::CREATED_STATE: return PeerLook::State::created;
-        case RTC::INACTIVE_STATE: return PeerLook::State::inactive;
-        case RTC::ACTIVE_STATE: return PeerLook::State::active;
-        case RTC::ERROR_STATE: return PeerLook::State::error;
+        case RTC::CREATED_STATE: return PeerSnapshot::State::created;
+        case RTC::INACTIVE_STATE: return PeerSnapshot::State::inactive;
+        case RTC::ACTIVE_STATE: return PeerSnapshot::State::active;
+        case RTC::ERROR_STATE: return PeerSnapshot::State::error;
     }
-    return PeerLook::State::unknown;
+    return PeerSnapshot::State::unknown;
 }
 
-PeerLook::Port look_at(const RTC::PortProfile& profile) {
+PeerSnapshot::Port look_at(const RTC::PortProfile& profile) {
     std::string name = profile.name.in();
     name.erase(0, name.rfind('.') + 1);  // "ConsoleOut0.out"
     return {.name = std::move(name),
@@ -43,15 +43,15 @@ PeerLook::Port look_at(const RTC::PortProfile& profile) {
             .connections = static_cast<int>(profile.connector_profiles.length())};
 }
 
-void look_at_sets(PeerLook& look, RTC::RTObject_ptr rtc) {
+void look_at_sets(PeerSnapshot& snapshot, RTC::RTObject_ptr rtc) {
     try {
         const SDOPackage::Configuration_var configuration = rtc->get_configuration();
         if (CORBA::is_nil(configuration)) return;
         SDOPackage::ConfigurationSetList_var sets = configuration->get_configuration_sets();
         for (CORBA::ULong i = 0; i < sets->length(); ++i)
-            look.sets.emplace_back(sets[i].id.in(), texts_of(sets[i].configuration_data));
+            snapshot.sets.emplace_back(sets[i].id.in(), texts_of(sets[i].configuration_data));
         const SDOPackage::ConfigurationSet_var active = configuration->get_active_configuration_set();
-        look.set = active->id.in();
+        snapshot.set = active->id.in();
     } catch (const CORBA::UserException&) {
         return;  // it has no configuration
     }
@@ -87,14 +87,15 @@ std::vector<std::string> names_of(const Pairs& pairs) {
 
 // What is changed in a set counts when that is chosen, or chosen again.
 PeerAnswer configure(RTC::RTObject_ptr rtc, const RtcRequest& request) {
-    PeerLook look;
-    look_at_sets(look, rtc);
-    const std::string set = request.set.empty() ? look.set : request.set;
+    PeerSnapshot snapshot;
+    look_at_sets(snapshot, rtc);
+    const std::string set = request.set.empty() ? snapshot.set : request.set;
     const auto found =
-        std::find_if(look.sets.begin(), look.sets.end(), [&](const auto& each) { return each.first == set; });
-    if (look.sets.empty()) return {.problem = "it has no configuration"};
-    if (found == look.sets.end())
-        return {.problem = "it has no configuration set '" + set + "'", .missing = set, .known = names_of(look.sets)};
+        std::find_if(snapshot.sets.begin(), snapshot.sets.end(), [&](const auto& each) { return each.first == set; });
+    if (snapshot.sets.empty()) return {.problem = "it has no configuration"};
+    if (found == snapshot.sets.end())
+        return {
+            .problem = "it has no configuration set '" + set + "'", .missing = set, .known = names_of(snapshot.sets)};
     const SDOPackage::Configuration_var configuration = rtc->get_configuration();
     if (request.what == RtcRequest::What::set) {
         SDOPackage::ConfigurationSet values;
@@ -114,25 +115,25 @@ PeerAnswer configure(RTC::RTObject_ptr rtc, const RtcRequest& request) {
 
 }  // namespace
 
-PeerLook look_at(const NameService::Named& named, bool whole) {
-    PeerLook look{.name = named.name};
+PeerSnapshot look_at(const NameService::Named& named, bool whole) {
+    PeerSnapshot snapshot{.name = named.name};
     RTC::RTObject_ptr rtc = named.rtc.in();
     try {
         const RTC::ComponentProfile_var profile = rtc->get_component_profile();
-        look.type = profile->type_name.in();
+        snapshot.type = profile->type_name.in();
         RTC::PortServiceList_var ports = rtc->get_ports();
         for (CORBA::ULong i = 0; i < ports->length(); ++i) {
             const RTC::PortProfile_var port = ports[i]->get_port_profile();
-            look.ports.push_back(look_at(port.in()));
+            snapshot.ports.push_back(look_at(port.in()));
         }
-        look.state = state_of(rtc);
-        if (whole) look_at_sets(look, rtc);
+        snapshot.state = state_of(rtc);
+        if (whole) look_at_sets(snapshot, rtc);
     } catch (const CORBA::TIMEOUT&) {
-        look.state = PeerLook::State::silent;
+        snapshot.state = PeerSnapshot::State::silent;
     } catch (const CORBA::Exception&) {
-        look.state = PeerLook::State::gone;
+        snapshot.state = PeerSnapshot::State::gone;
     }
-    return look;
+    return snapshot;
 }
 
 PeerAnswer perform(const NameService::Named& named, const RtcRequest& request) {

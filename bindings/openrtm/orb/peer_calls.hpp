@@ -7,7 +7,7 @@
 namespace nezumi::openrtm {
 
 /// How an RTC is, and with its configuration when `whole`. One that is gone, or silent, costs a second at most.
-PeerLook look_at(const NameService::Named& named, bool whole);
+PeerSnapshot look_at(const NameService::Named& named, bool whole);
 
 /// Has an RTC do something, and looks at it then. May throw CORBA's exceptions: it is gone, or does not answer.
 PeerAnswer perform(const NameService::Named& named, const RtcRequest& request);

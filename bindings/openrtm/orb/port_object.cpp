@@ -253,7 +253,7 @@ RTC::ReturnCode_t PortObject::reserve(const RTC::ConnectorProfile& profile, cons
     return RTC::RTC_OK;
 }
 
-Inlet PortObject::inlet_of(const RTC::ConnectorProfile& profile) const {
+RtcInlet PortObject::inlet_of(const RTC::ConnectorProfile& profile) const {
     const std::string name = profile.name.in();
     return {home_.site, port_.path, name.empty() ? std::string(profile.connector_id.in()) : name};
 }

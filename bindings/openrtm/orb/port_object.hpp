@@ -70,7 +70,7 @@ private:
     RTC::ReturnCode_t reserve(const RTC::ConnectorProfile& profile, const Terms& terms);
     RTC::ReturnCode_t make(RTC::ConnectorProfile& profile, const Terms& terms);
     RTC::ReturnCode_t notify_next(RTC::ConnectorProfile& profile);
-    Inlet inlet_of(const RTC::ConnectorProfile& profile) const;
+    RtcInlet inlet_of(const RTC::ConnectorProfile& profile) const;
     Connection take_away(const std::string& id);
     void end(Connection connection);
     std::vector<std::string> ids();

@@ -47,7 +47,7 @@ RTC::ReturnCode_t ContextObject::reset_component(RTC::LightweightRTObject_ptr rt
 
 RTC::LifeCycleState ContextObject::get_component_state(RTC::LightweightRTObject_ptr rtc) {
     if (!is_owner(rtc)) return RTC::CREATED_STATE;
-    switch (site_.look(component_).state) {
+    switch (site_.snapshot(component_).state) {
         case RtcState::inactive: return RTC::INACTIVE_STATE;
         case RtcState::active: return RTC::ACTIVE_STATE;
         case RtcState::error: break;
@@ -102,11 +102,11 @@ RTC::ComponentProfile* RtcObject::get_component_profile() {
     RTC::ComponentProfile_var profile = new RTC::ComponentProfile;
     profile->instance_name = corba_string(instance_);
     profile->type_name = corba_string(profile_.type);
-    const RtcLook look = site_.look(profile_.component);
-    profile->description = corba_string(look.description.empty() ? profile_.type : look.description);
-    profile->version = corba_string(look.version.empty() ? version : look.version);
-    profile->vendor = corba_string(look.vendor.empty() ? vendor : look.vendor);
-    profile->category = corba_string(look.category.empty() ? category : look.category);
+    const RtcSnapshot snapshot = site_.snapshot(profile_.component);
+    profile->description = corba_string(snapshot.description.empty() ? profile_.type : snapshot.description);
+    profile->version = corba_string(snapshot.version.empty() ? version : snapshot.version);
+    profile->vendor = corba_string(snapshot.vendor.empty() ? vendor : snapshot.vendor);
+    profile->category = corba_string(snapshot.category.empty() ? category : snapshot.category);
     profile->port_profiles.length(static_cast<CORBA::ULong>(ports_.size()));
     for (CORBA::ULong i = 0; i < profile->port_profiles.length(); ++i) {
         const RTC::PortProfile_var port = ports_[i]->get_port_profile();

@@ -3,10 +3,10 @@
 const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
-/// A column of time, and one for each name; empty where there was no value.
+/// As `--record` writes it: a column of time, and one for each name; empty where there was no value.
 export function to_csv(names, rows) {
   const number = (value) => (value === null ? "" : String(Number(value.toPrecision(9))));
-  return [["time_s", ...names.map(quoted)].join(","), ...rows.map((row) => row.map(number).join(","))].join("\n") + "\n";
+  return [["time", ...names.map(quoted)].join(","), ...rows.map((row) => row.map(number).join(","))].join("\n") + "\n";
 }
 
 /// Round numbers from low to high, about `count` of them.

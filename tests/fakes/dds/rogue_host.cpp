@@ -73,8 +73,8 @@ public:
     std::unique_ptr<Reader> read(const Topic& topic) const { return (sealed_ ? *sealed_ : *plain_).read(topic); }
 
 private:
-    std::unique_ptr<Transport> plain_;
-    std::unique_ptr<Transport> sealed_;
+    std::unique_ptr<DdsTransport> plain_;
+    std::unique_ptr<DdsTransport> sealed_;
 };
 
 /// This host's announcement, and those of others.
@@ -86,7 +86,7 @@ public:
         said.run = own_run;
     }
     void look() {
-        for (const Sample& sample : reader_->take()) table_.heard(sample.writer, sample.bytes, now());
+        for (const TopicSample& sample : reader_->take()) table_.heard(sample.writer, sample.bytes, now());
         table_.keep(reader_->writers(), now());
         for (const HostTable::News& news : table_.take_news()) std::printf("%s\n", news.text.c_str());
         std::fflush(stdout);
@@ -185,12 +185,12 @@ private:
         return bytes;
     }
     Octets request() {
-        return cdr(Request{.from = own_run,
-                           .to = presence_.run_of(victim_),
-                           .number = ++asked_,
-                           .what = static_cast<std::uint8_t>(asked_ % 9),
-                           .component = "witness",
-                           .name = "nothing_that_is_there"});
+        return cdr(RemoteRequest{.from = own_run,
+                                 .to = presence_.run_of(victim_),
+                                 .number = ++asked_,
+                                 .what = static_cast<std::uint8_t>(asked_ % 9),
+                                 .component = "witness",
+                                 .name = "nothing_that_is_there"});
     }
 
     std::string victim_;
@@ -217,8 +217,8 @@ int main(int count, char** words) {
     const std::vector<std::string> given(words + 1, words + count);
     const bool is_version = given.size() == 5 && given[2] == "version";
     if (!is_version && (given.size() != 4 || given[2] != "flood"))
-        fail("usage: rogue_host INTERFACE SECRET|- version VERSION PROTOCOL | flood VICTIM");
+        fail("usage: rogue_host INTERFACE SECRET|- version VERSION same|other | flood VICTIM");
     const Access place(given[0], given[1]);
-    if (is_version) be_of_another_version(place, given[3], static_cast<std::uint32_t>(std::stoul(given[4])));
+    if (is_version) be_of_another_version(place, given[3], given[4] == "same" ? protocol : protocol + 1);
     flood(place, given[3]);
 }

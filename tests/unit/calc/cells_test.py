@@ -1,10 +1,14 @@
 """What the spreadsheet's link makes of cells and messages, without an office."""
 
 import os
+import shutil
+import subprocess
 import sys
+import tempfile
 import unittest
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../bindings/calc"))
+BINDINGS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../bindings")
+sys.path.insert(0, BINDINGS + "/calc")
 from console import lua
 from tables import address, rows_of
 from values import Type, Wrong, message_of
@@ -29,15 +33,15 @@ class CellsTest(unittest.TestCase):
         self.assertEqual(names, ["A1", "Z10", "AA100", "ZZ1", "AAA1"])
 
     def test_headings_say_which_field_a_column_is_in_any_order(self):
-        self.assertEqual(message(VELOCITY, ["va [rad/s]", "vx"], 1.0, 0.25), '{["va"]=1,["vx"]=0.25}')
+        self.assertEqual(message(VELOCITY, ["va [rad/s]", "vx"], 1.0, 0.25), '{["va"]=1.0,["vx"]=0.25}')
         pose = message(POSE, ["heading (rad)", "position.y"], 1.5, 2.0)
-        self.assertEqual(pose, '{["heading"]=1.5,["position"]={["y"]=2}}')
-        self.assertEqual(message(VELOCITY, ["vx", "remarks", "va"], 1.0, "slow", ""), '{["vx"]=1}')
+        self.assertEqual(pose, '{["heading"]=1.5,["position"]={["y"]=2.0}}')
+        self.assertEqual(message(VELOCITY, ["vx", "remarks", "va"], 1.0, "slow", ""), '{["vx"]=1.0}')
 
     def test_without_names_in_the_headings_fields_have_their_own_order(self):
-        self.assertEqual(message(VELOCITY, ["a", "b"], 1.0, 2.0), '{["vx"]=1,["vy"]=2}')
-        self.assertEqual(message(SHORTS, ["1", "2", "3"], 31.0, 0.0, ""), "{[1]=31,[2]=0}")
-        self.assertEqual(message(RANGES, ["r", "r"], 0.5, 1.0), '{["ranges"]={[1]=0.5,[2]=1}}')
+        self.assertEqual(message(VELOCITY, ["a", "b"], 1.0, 2.0), '{["vx"]=1.0,["vy"]=2.0}')
+        self.assertEqual(message(SHORTS, ["1", "2", "3"], 31.0, 0.0, ""), "{[1]=31.0,[2]=0.0}")
+        self.assertEqual(message(RANGES, ["r", "r"], 0.5, 1.0), '{["ranges"]={[1]=0.5,[2]=1.0}}')
         both = message(RANGES, ["ranges[1] [m]", "config.minRange"], 0.5, 0.03)
         self.assertEqual(both, '{["ranges"]={[1]=0.5},["config"]={["minRange"]=0.03}}')
 
@@ -47,7 +51,7 @@ class CellsTest(unittest.TestCase):
 
     def test_empty_cells_are_no_message_and_a_sequence_has_no_gap(self):
         self.assertEqual(message(VELOCITY, ["vx", "va"], "", ""), "nil")
-        self.assertEqual(message(VELOCITY, ["vx", "va"], "", 1.0), '{["va"]=1}')
+        self.assertEqual(message(VELOCITY, ["vx", "va"], "", 1.0), '{["va"]=1.0}')
         with self.assertRaisesRegex(Wrong, "^A2 is empty: a sequence has no gaps$"):
             message(SHORTS, ["1", "2"], "", 1.0)
 
@@ -66,7 +70,24 @@ class CellsTest(unittest.TestCase):
     def test_texts_go_over_as_they_are_whatever_is_in_them(self):
         self.assertEqual(message(TEXT, ["value"], 'a"b\\c\n]] é'), '"a\\034b\\092c\\010]] \\195\\169"')
         self.assertEqual(message(TEXT, ["value"], 7.0), '"7"')
-        self.assertEqual(lua([True, None, -0.0, 1e300, 2.5, "x"]), '{true,nil,0,1e+300,2.5,"x"}')
+        self.assertEqual(lua([True, None, -0.0, 1e300, 2.5, "x"]), '{true,nil,-0.0,1e+300,2.5,"x"}')
+        self.assertEqual(lua("half a character: \ud800"), '"half a character: ?"')
+
+    def test_a_number_without_end_is_one_that_lua_has(self):
+        self.assertEqual(lua([float("inf"), float("-inf"), float("nan")]), "{math.huge,-math.huge,(0/0)}")
+
+    def test_the_installed_link_finds_the_client_that_was_installed_with_it(self):
+        with tempfile.TemporaryDirectory() as prefix:
+            calc, client = prefix + "/share/nezumi/bindings/calc", prefix + "/lib/python3/dist-packages"
+            os.makedirs(calc)
+            os.makedirs(client)
+            shutil.copy(BINDINGS + "/calc/console.py", calc)
+            shutil.copy(BINDINGS + "/python/nezumi.py", client)
+            text = "import sys; sys.path.insert(0, %r); import console, nezumi; print(nezumi.__file__)" % calc
+            found = subprocess.run(
+                [sys.executable, "-B", "-E", "-s", "-c", text], capture_output=True, text=True, cwd="/"
+            )
+            self.assertEqual(os.path.realpath(found.stdout.strip()), os.path.realpath(client + "/nezumi.py"), found.stderr)
 
     def test_of_a_picture_all_but_the_pixels_is_shown(self):
         picture = Type("CameraImage", [["width", "px", "integer", False], ["pixels", "", "octets", False]])

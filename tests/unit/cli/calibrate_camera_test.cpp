@@ -71,7 +71,7 @@ double pixel_error(const CameraIntrinsics& believed) {
     int count = 0;
     for (double a = -0.6; a < 0.61; a += 0.05) {
         for (double b = -0.45; b < 0.46; b += 0.05) {
-            const Point2D is = pixel_of(truth.lens(), a, b), said = pixel_of(believed, a, b);
+            const Point2D is = pixel_of(truth.raw_intrinsics(), a, b), said = pixel_of(believed, a, b);
             if (is.x < 0 || is.x > 639 || is.y < 0 || is.y > 479) continue;
             sum += std::hypot(is.x - said.x, is.y - said.y);
             ++count;
@@ -105,8 +105,8 @@ TEST_CASE("a calibrated camera errs by less than a fifth of what its model does"
     const auto fit = calibrated(all_around);
     INFO((fit ? "" : fit.error().message));
     REQUIRE(fit);
-    const double pixels = pixel_error(fit->intrinsics), pixels_before = pixel_error(model.lens());
-    const double metres = marker_error(fit->intrinsics), metres_before = marker_error(model.lens());
+    const double pixels = pixel_error(fit->intrinsics), pixels_before = pixel_error(model.raw_intrinsics());
+    const double metres = marker_error(fit->intrinsics), metres_before = marker_error(model.raw_intrinsics());
     CAPTURE(pixels, pixels_before, metres, metres_before);
     CHECK(pixels_before > 5);
     CHECK(pixels < pixels_before / 5);

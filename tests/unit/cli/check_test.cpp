@@ -160,6 +160,53 @@ connect("mouse.ir_sensor_out", "mouse.target_velocity_in")
                 "mouse.target_velocity_in is TimedVelocity2D (did you mean 'mouse.current_velocity_out'?)"});
 }
 
+TEST_CASE("a system is told what is wrong with the scripts that it names, each once", "[cli][check]") {
+    Checked project("behaviors/systems/s.lua",
+                    "behavior 'a' { script = 'slip' }\nbehavior 'b' { script = 'slip' }\n"
+                    "behavior 'c' { script = 'wrong' }\nconnect('a.ou', 'b.in')");
+    project.with("behaviors/slip.lua",
+                 "local out = output('out', 'TimedLong')\nlocal function never() return config.q end\n"
+                 "function on_execute() out:write(1) end");
+    project.with("behaviors/wrong.lua", "local p = output('p', 'TimedLnog')\nparam('x', 1, { mim = 0 })");
+    const Lines of_slip = project.check("behaviors/slip.lua");
+    const Lines of_wrong = project.check("behaviors/wrong.lua");
+    REQUIRE(of_slip.size() == 1);
+    REQUIRE(of_wrong.size() == 2);
+    CHECK(project.check("behaviors/systems/s.lua") ==
+          Lines{of_slip[0], of_wrong[0], of_wrong[1],
+                "behaviors/systems/s.lua:4: a has no out-port 'ou' (did you mean 'out'?)"});
+}
+
+TEST_CASE("a global of another kind of file is told in a system as a run tells it", "[cli][check]") {
+    const std::string of_behavior = "': it is a behaviour's; a system file says `behavior NAME { script = ... }`";
+    Checked project("behaviors/systems/s.lua", "log.info('x')\nrate(50)\nseed(1)");
+    CHECK(project.check("behaviors/systems/s.lua") ==
+          Lines{"behaviors/systems/s.lua:1:1: unknown global 'log" + of_behavior});
+    project.with("behaviors/b.lua", "local out = output('out', 'TimedLong')");
+    project.with("behaviors/systems/s.lua", "rate(50) require 'b'");
+    CHECK(project.check("behaviors/systems/s.lua") ==
+          Lines{"behaviors/b.lua:1:13: unknown global 'output" + of_behavior});
+}
+
+TEST_CASE("the secret of a network is checked as a run would read it", "[cli][check][network]") {
+    Checked checked("systems/s.lua", "rate(100)\nnetwork { name = 'pi', secret = 'nofile' }\nconnect('a.b', 'c.d')");
+    const std::string none = "systems/s.lua:3: 'a.b': there is no component 'a'";
+    CHECK(
+        checked.check("systems/s.lua") ==
+        Lines{
+            "systems/s.lua:2: network: the secret 'nofile' is not there: `nezumi network secret FILE` makes one, to be "
+            "copied to each host",
+            none});
+    checked.with("systems/nofile", "abc");
+    std::filesystem::permissions(checked.files.path("systems/nofile"), std::filesystem::perms::owner_read);
+    CHECK(
+        checked.check("systems/s.lua") ==
+        Lines{
+            "systems/s.lua:2: network: the secret 'nofile' is no secret: `nezumi network secret FILE` makes one, to be "
+            "copied to each host",
+            none});
+}
+
 TEST_CASE("robots that overlap, unknown models and fields are found in a system", "[cli][check]") {
     const Lines overlap =
         wrong("behaviors/systems/a.lua", "robot 'a' { model = 'raspimouse' }\nrobot 'b' { model = 'raspimouse' }\n");

@@ -28,21 +28,22 @@ struct Values {
     std::string did;
 };
 
-Command described(Values& values) {
-    const Command paint{.name = "paint",
-                        .help = "Paints",
-                        .options = {{"FILE", &values.file, "what"},
-                                    {"--fast", &values.fast, "quickly"},
-                                    {"-n,--name", &values.name, "its name", "NAME"},
-                                    {"--text", &values.text, "may be empty", "TEXT"},
-                                    {"--many", &values.many, "can be given again", "WORD"},
-                                    {"--count", &values.count, "how many", "N", whole_number(1, 9, "9")},
-                                    {"--rate", &values.rate, "how often", "HZ", number_from(4, 25)}},
-                        .run = [&values] { return values.did = "painted", 7; },
-                        .alias = "colour"};
-    const Command in{.name = "in", .help = "Inside", .options = {{"[DIR]", &values.file, "where"}}, .run = [&values] {
-                         return values.did = "in", 0;
-                     }};
+SubCommand described(Values& values) {
+    const SubCommand paint{.name = "paint",
+                           .help = "Paints",
+                           .options = {{"FILE", &values.file, "what"},
+                                       {"--fast", &values.fast, "quickly"},
+                                       {"-n,--name", &values.name, "its name", "NAME"},
+                                       {"--text", &values.text, "may be empty", "TEXT"},
+                                       {"--many", &values.many, "can be given again", "WORD"},
+                                       {"--count", &values.count, "how many", "N", whole_number(1, 9, "9")},
+                                       {"--rate", &values.rate, "how often", "HZ", number_from(4, 25)}},
+                           .run = [&values] { return values.did = "painted", 7; },
+                           .alias = "colour"};
+    const SubCommand in{
+        .name = "in", .help = "Inside", .options = {{"[DIR]", &values.file, "where"}}, .run = [&values] {
+            return values.did = "in", 0;
+        }};
     return {.name = "tool", .help = "A tool", .commands = {paint, {.name = "dig", .help = "Digs", .commands = {in}}}};
 }
 
@@ -93,7 +94,7 @@ TEST_CASE("nothing runs when a word is wrong", "[cli][command line]") {
                                                   {"dig", "--deep"}}) {
         Values values;
         INFO((words.empty() ? "nothing" : words.back()));
-        CHECK(run_command_line(described(values), words) == kCouldNotRun);
+        CHECK(run_command_line(described(values), words) == exit_could_not_run);
         CHECK(values.did.empty());
     }
 }
@@ -205,8 +206,8 @@ TEST_CASE("two results may go to one device", "[cli][command line]") {
 }
 
 TEST_CASE("every command's --help shows each option with its form, help and default", "[cli][command line]") {
-    for (const Command& command : {run_command(), attach_command(), calc_command(), types_command(), check_command(),
-                                   new_command(), test_command()}) {
+    for (const SubCommand& command : {run_command(), attach_command(), calc_command(), types_command(), check_command(),
+                                      new_command(), test_command()}) {
         INFO(command.name);
         const Outcome helped = run_nezumi({command.name, "--help"});
         CHECK(helped.status == 0);
@@ -218,7 +219,8 @@ TEST_CASE("every command's --help shows each option with its form, help and defa
             CHECK(helped.out.find("\n  " + name.substr(0, name.find(']')) +
                                   (option.form.empty() ? "" : " " + option.form)) != std::string::npos);
         }
-        for (const Command& below : command.commands) CHECK(helped.out.find("\n  " + below.name) != std::string::npos);
+        for (const SubCommand& below : command.commands)
+            CHECK(helped.out.find("\n  " + below.name) != std::string::npos);
     }
     const std::string test = run_nezumi({"test", "--help"}).out;
     CHECK(test.find("-o,--output DIR=nezumi-test ") != std::string::npos);

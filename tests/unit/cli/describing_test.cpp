@@ -86,10 +86,10 @@ TEST_CASE("the scripts are well-formed where their shell is there to say so", "[
 }
 
 TEST_CASE("every script knows every command and option", "[cli][completion]") {
-    const Command whole = program();
+    const SubCommand whole = program();
     for (const std::string_view shell : completed_shells()) {
         const std::string script = completion_script(whole, shell);
-        for (const Command& command : whole.commands) {
+        for (const SubCommand& command : whole.commands) {
             CHECK(script.find("nezumi " + command.name) != std::string::npos);
             for (const Option& option : command.options) {
                 if (is_positional(option)) continue;
@@ -128,7 +128,7 @@ TEST_CASE("the manual has a page for each command, with every option, and man fi
     const std::string folder = files.path("man").string();
     const Outcome wrote = run_nezumi({"manual", folder});
     CHECK(wrote.error.empty());
-    const Command whole = program();
+    const SubCommand whole = program();
     const auto pages = manual_pages(whole);
     REQUIRE(pages.size() == whole.commands.size() + 1);
     for (const ManualPage& page : pages) {
@@ -155,12 +155,12 @@ TEST_CASE("the manual has a page for each command, with every option, and man fi
     CHECK(words("nezumi-new.1").find("NEZUMI NEW BEHAVIOR") != std::string::npos);
     CHECK(words("nezumi.1").find("NAME nezumi - runs what small robots do") != std::string::npos);
     const std::string all = read("nezumi.1");
-    for (const Command& command : whole.commands) CHECK(all.find("\n       " + command.name) != std::string::npos);
+    for (const SubCommand& command : whole.commands) CHECK(all.find("\n       " + command.name) != std::string::npos);
 }
 
 TEST_CASE("a text of the manual is what it was, whatever roff would make of it", "[cli][manual]") {
     bool flag = false;
-    const Command odd{
+    const SubCommand odd{
         .name = "tool",
         .help = ".so \\fBit\\fR's -- `odd`",
         .commands = {

@@ -3,10 +3,12 @@
 // In a page, "```console" has commands after `$ ` and what they say; "..." stands for any text within a line, and alone
 // in a line for any lines. "```lua FILE" or "```python FILE" writes a file; "```lua" is a part of a file that is there
 // by then.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -158,6 +160,42 @@ std::vector<std::string> parts_between(const std::string& page, const std::strin
     return parts;
 }
 
+// The test cases of a room, as its sources write them.
+struct Case {
+    std::string name, tags;
+};
+
+std::vector<Case> cases_of(const fs::path& room) {
+    std::vector<Case> cases;
+    for (const auto& entry : fs::directory_iterator(room)) {
+        if (entry.path().extension() != ".cpp") continue;
+        for (const std::string& part : parts_between(text_of_file(entry.path()), "TEST_CASE(", '{')) {
+            Case found;
+            bool inside = false, is_name = true;
+            for (const char c : part) {
+                if (c == '"') {
+                    inside = !inside;
+                } else if (inside) {
+                    (is_name ? found.name : found.tags) += c;
+                } else if (c == ',') {
+                    is_name = false;
+                }
+            }
+            cases.push_back(found);
+        }
+    }
+    return cases;
+}
+
+// Whether a pattern for unit tests means one: "[tag]", or a name, which `*` may cut off.
+bool is_there(const std::string& pattern, const std::vector<Case>& cases) {
+    return std::any_of(cases.begin(), cases.end(), [&](const Case& each) {
+        if (pattern.starts_with('[')) return each.tags.find(pattern) != std::string::npos;
+        if (pattern.ends_with('*')) return each.name.starts_with(pattern.substr(0, pattern.size() - 1));
+        return each.name == pattern;
+    });
+}
+
 }  // namespace
 
 TEST_CASE("every link within the documentation leads to a file", "[cli][docs]") {
@@ -190,6 +228,45 @@ TEST_CASE("every source that the pages for developers name is there", "[cli][doc
         }
     }
     CHECK(sources > 20);
+}
+
+TEST_CASE("every unit test that a page names is there", "[cli][docs]") {
+    const fs::path rooms = root / "tests/unit";
+    CHECK_FALSE(is_there("[no such tag]", cases_of(rooms / "cli")));
+    CHECK_FALSE(is_there("no such name*", cases_of(rooms / "cli")));
+    std::size_t patterns = 0;
+    for (const fs::path& page : pages()) {
+        const std::string text = text_of_file(page);
+        for (std::size_t at = 0; (at = text.find("unit_", at)) != std::string::npos;) {
+            at += std::string("unit_").size();
+            const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", at);
+            const std::size_t quote = text.find_first_not_of(" \n", end);
+            if (quote == std::string::npos || quote == end || (text[quote] != '\'' && text[quote] != '"')) continue;
+            const std::string room = text.substr(at, end - at);
+            const std::string pattern = text.substr(quote + 1, text.find(text[quote], quote + 1) - quote - 1);
+            CAPTURE(page.filename().string(), room, pattern);
+            REQUIRE(fs::is_directory(rooms / room));
+            CHECK(is_there(pattern, cases_of(rooms / room)));
+            ++patterns;
+        }
+    }
+    CHECK(patterns > 25);
+}
+
+TEST_CASE("the program that the README embeds nezumi in is the one that is tried", "[cli][docs]") {
+    const std::map<std::string, fs::path> files{{"cmake", "tests/consumer/CMakeLists.txt"},
+                                                {"cpp", "tests/consumer/main.cpp"}};
+    std::size_t compared = 0;
+    for (const Block& block : blocks_of(text_of_file(root / "README.md"))) {
+        const auto file = files.find(block.kind);
+        if (file == files.end()) continue;
+        std::string text;
+        for (const std::string& line : block.lines) text += line + "\n";
+        CAPTURE(block.line, text);
+        CHECK(text_of_file(root / file->second).find("\n" + text) != std::string::npos);
+        ++compared;
+    }
+    CHECK(compared == 2);
 }
 
 TEST_CASE("the page about the architecture lists the engine's rooms as the doors have them", "[cli][docs]") {

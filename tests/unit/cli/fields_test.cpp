@@ -12,6 +12,7 @@
 #include "bindings/lua/files/system_file.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/lua/stubs/field_table.hpp"
+#include "bindings/lua/stubs/member_table.hpp"
 #include "bindings/lua/stubs/record_annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "engine/base/whole_file.hpp"
@@ -47,7 +48,7 @@ const std::map<std::string, std::string> systems{
     {"line", "arena { size = { 2, 2 }, line { % } }"},
     {"border", "arena { border = { % } }"},
     {"arena", "arena { % }"},
-    {"limits", "robot 'm' { model = 'raspimouse', limits = { % } }"},
+    {"limit_changes", "robot 'm' { model = 'raspimouse', limits = { % } }"},
     {"robot", "robot 'm' { model = 'raspimouse', % }"},
     {"behavior", "behavior 'b' { % }"},
     {"component", "component 'c' { % }"},
@@ -61,6 +62,7 @@ const std::string wheels = "return robot_model { mass = 1, drive = { radius = 0.
 const std::map<std::string, std::string> robots{
     {"robot_model", "return robot_model { % }"},
     {"body", wheels + "body = { % } }"},
+    {"limits", "return robot_model { mass = 1, drive = { radius = 0.02, track = 0.1, limits = { % } } }"},
     {"drive", "return robot_model { mass = 1, drive = { % } }"},
     {"sensor", wheels + "sensors = { s = { % } } }"},
     {"actuator", wheels + "actuators = { a = { % } } }"},
@@ -141,7 +143,7 @@ TEST_CASE("the documentation's tables are those of the descriptions", "[cli][fie
         if (entry.path().extension() != ".md") continue;
         const auto page = read_whole(entry.path(), entry.path().string());
         REQUIRE(page.has_value());
-        const auto fresh = with_field_tables(*page, all_records());
+        const auto fresh = with_field_tables(*page, all_records()).and_then(with_member_tables);
         INFO((fresh ? "run this test with NEZUMI_RENEW=1 in the environment to bring the page up to date"
                     : fresh.error().message));
         REQUIRE(fresh.has_value());
@@ -151,23 +153,41 @@ TEST_CASE("the documentation's tables are those of the descriptions", "[cli][fie
     }
     for (const RecordShape& record : all_records()) {
         CAPTURE(record.name);
-        if (record.name == "about" || record.name == "parameter_options" || record.name == "port_options") continue;
         CHECK(all.find("<!-- fields: " + record.name + " -->") != std::string::npos);
     }
+    CHECK(all.find("<!-- members: component -->") != std::string::npos);
+    CHECK(all.find("<!-- members: port -->") != std::string::npos);
+}
+
+TEST_CASE("a number that may be left out has a default that is told", "[cli][fields]") {
+    std::size_t numbers = 0;
+    for (const RecordShape& record : all_records()) {
+        for (const FieldRow& row : record.rows) {
+            if (row.required || (row.type != "number" && row.type != "integer")) continue;
+            CAPTURE(record.name, row.name);
+            CHECK_FALSE(row.fallback.empty());
+            ++numbers;
+        }
+    }
+    CHECK(numbers > 60);
 }
 
 TEST_CASE("the pages tell all that disturb takes", "[cli][fields]") {
     const auto page = [](const fs::path& name) { return read_whole(root / "docs" / name, name.string()).value(); };
-    CHECK_THAT(page("console.md"), Catch::Contains(":disturb " + usage_of<Push>(Describe<Push>::at_once)));
+    CHECK_THAT(page("console.md"),
+               Catch::Contains(":disturb " + usage_of<VelocityConstraint>(Describe<VelocityConstraint>::at_once)));
     CHECK_THAT(page("scenarios.md"),
-               Catch::Contains("s:disturb(robot, " + usage_of<Push>(Describe<Push>::in_scenarios) + ")"));
+               Catch::Contains("s:disturb(robot, " +
+                               usage_of<VelocityConstraint>(Describe<VelocityConstraint>::in_scenarios) + ")"));
 }
 
-TEST_CASE("a page that asks for fields that nobody described is refused", "[cli][fields]") {
+TEST_CASE("a page that asks for fields or members that nobody described is refused", "[cli][fields]") {
     CHECK(with_field_tables("a\n<!-- fields: bxo -->\n<!-- end -->\n", file_records()).error().message ==
           "there are no fields of 'bxo'");
     CHECK(with_field_tables("<!-- fields: box -->\n", file_records()).error().message ==
           "a marker for fields has no end");
+    CHECK(with_member_tables("<!-- members: prot -->\n<!-- end -->\n").error().message ==
+          "there are no members of 'prot'");
     CHECK(with_field_tables("no table", file_records()) == "no table");
     CHECK(with_field_tables("x\n<!-- fields: border -->\nold\n<!-- end -->\ny\n", file_records()) ==
           "x\n<!-- fields: border -->\n| field | value | default | meaning |\n|---|---|---|---|\n"

@@ -5,7 +5,7 @@
 
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "engine/base/names.hpp"
 #include "tests/unit/console/session_rig.hpp"
@@ -26,7 +26,7 @@ std::vector<std::string> exported_words() {
     append(all, ScenarioRun::Methods::names());
     append(all, std::vector<std::string>{"scenario", "range"});
     append(all, system_word_names());
-    append(all, script_words());
+    append(all, script_globals());
     return all;
 }
 

@@ -6,11 +6,11 @@
 
 #include "bindings/cli/check_files.hpp"
 #include "bindings/cli/environment.hpp"
+#include "bindings/cli/new_arguments.hpp"
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
-#include "bindings/cli/new_words.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -114,7 +114,7 @@ TEST_CASE("a default's text says its type", "[cli][new]") {
     CHECK(default_text("hello world") == "\"hello world\"");
     CHECK(default_text("\"30\"") == "\"30\"");
     CHECK(default_text("") == "\"\"");
-    CHECK(default_text("say \"hi\"\n") == "\"say \\\"hi\\\"\\010\"");
+    CHECK(default_text("say \"hi\"\n") == "\"say \\\"hi\\\"\\n\"");
     CHECK(default_text("{1.0,0.5}") == "{ 1.0, 0.5 }");
     CHECK(default_text("{ a, b }") == "{ \"a\", \"b\" }");
     const auto refused = [](const std::string& text) { return default_text(text).error().message; };

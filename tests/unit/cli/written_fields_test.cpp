@@ -31,7 +31,7 @@ const std::map<std::string, std::string> systems{
     {"line", "arena { size = { 2, 2 }, line { points = { { 0, 0 }, { 0.5, 0 } }, % } }"},
     {"border", "arena { size = { 2, 2 }, border = { % } }"},
     {"arena", "arena { size = { 2, 2 }, % }"},
-    {"limits", "robot('m', { model = 'raspimouse', limits = { % } })"},
+    {"limit_changes", "robot('m', { model = 'raspimouse', limits = { % } })"},
     {"robot", "robot('m', { model = 'raspimouse', % })"},
     {"behavior", "behavior('b', { script = 'robot_controller', sets = { slow = {} }, % })"},
     {"behavior.sets", "behavior('b', { script = 'robot_controller', % })"},
@@ -52,15 +52,25 @@ const std::map<std::string, std::string> systems{
 };
 
 // Structures that no system file has.
-const std::set<std::string> others{"about",        "parameter_options",
-                                   "port_options", "task_options",
-                                   "wait_options", "body",
-                                   "drive",        "sensor",
-                                   "actuator",     "port",
-                                   "hardware",     "robot_model",
-                                   "pose",         "marker_pose",
-                                   "push",         "hold_options",
-                                   "calibration",  "odometry_calibration"};
+const std::set<std::string> others{"about",
+                                   "parameter_options",
+                                   "port_options",
+                                   "task_options",
+                                   "wait_options",
+                                   "body",
+                                   "drive",
+                                   "sensor",
+                                   "actuator",
+                                   "port",
+                                   "hardware",
+                                   "limits",
+                                   "robot_model",
+                                   "pose",
+                                   "marker_pose",
+                                   "velocity_constraint",
+                                   "hold_options",
+                                   "calibration",
+                                   "odometry_calibration"};
 
 // What a field is given, as `save` writes it. Numbers and truth values need none.
 const std::map<std::string, std::string> values{
@@ -130,7 +140,7 @@ const std::map<std::string, std::string> values{
 
 std::string value_of(const RecordShape& record, const FieldRow& row) {
     if (const auto found = values.find(record.name + "." + row.name); found != values.end()) return found->second;
-    if (row.name == "image") return nezumi::quoted(source_root() + "/docs/images/flock.png");
+    if (row.name == "image") return lua_quoted(source_root() + "/docs/images/flock.png");
     if (row.type == "number") return record.name == "physics" ? "0.01" : "0.25";
     if (row.type == "boolean") return row.fallback == "true" ? "false" : "true";
     return "";

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "tests/unit/console/session_rig.hpp"
 
@@ -18,8 +19,10 @@ using Clock = std::chrono::steady_clock;
 class DeadFiles final : public ProjectFiles {
 public:
     std::filesystem::path working_folder() const override { return disk().working_folder(); }
-    bool is_file(const std::filesystem::path& path) const override { return wait(path), disk().is_file(path); }
-    bool is_folder(const std::filesystem::path& path) const override { return wait(path), disk().is_folder(path); }
+    std::string what_is(const std::filesystem::path& path) const override { return wait(path), disk().what_is(path); }
+    std::vector<std::string> names_in(const std::filesystem::path& folder) const override {
+        return disk().names_in(folder);
+    }
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override {
         wait(path);
         return disk().read(path, shown);

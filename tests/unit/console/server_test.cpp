@@ -244,34 +244,37 @@ TEST_CASE("each console has a level of its own for the log", "[console][server]"
     CHECK(it.eval(usual, "1") == Said{"debug [    2.000] debug it: d", "1", "well"});
 }
 
-TEST_CASE("what the last console holds on a real robot ends with it, a velocity by zero", "[console][server][safety]") {
+TEST_CASE("what the last console holds on a real robot ends with it, a spreadsheet's everywhere, a velocity by zero",
+          "[console][server][safety]") {
     ServerRig it;
     LiveOptions options;
     options.installed = {source_root()};
     options.world = sim::make_world;
-    for (const bool real : {true, false}) {
-        INFO("real " << real);
-        options.build.real_time = real;
-        auto loaded = LiveSystem::load(it.file, options);
-        REQUIRE(loaded);
-        LiveSystem& live = **loaded;
-        ConsoleServer server(live, it);
-        std::optional<ConsoleClient> one(std::move(*server.connect(ConsoleServer::Use::prompt)));
-        std::optional<ConsoleClient> other(std::move(*server.connect(ConsoleServer::Use::prompt)));
-        const auto holder = [&] { return live.system().holder("mouse.target_velocity_in"); };
-        const auto serve = [&](std::chrono::milliseconds patience, bool until_held) {
-            const auto end = Clock::now() + patience;
-            while (Clock::now() < end && (holder() != nullptr) != until_held) {
-                server.serve(Clock::now() + std::chrono::milliseconds(1));
-                live.tick();
-            }
-            return (holder() != nullptr) == until_held;
-        };
-        one->send({.kind = Request::Kind::eval, .text = "hold('mouse.target_velocity_in', { vx = 0.1 })"});
-        REQUIRE(serve(std::chrono::seconds(20), true));
-        one.reset();
-        CHECK_FALSE(serve(std::chrono::milliseconds(200), false));  // all consoles of a user are one
-        other.reset();
-        CHECK(serve(std::chrono::milliseconds(real ? 20'000 : 200), false) == real);
-    }
+    const std::string who = GENERATE("", "spreadsheet");
+    const bool real = GENERATE(true, false);
+    CAPTURE(who, real);
+    options.build.real_time = real;
+    auto loaded = LiveSystem::load(it.file, options);
+    REQUIRE(loaded);
+    LiveSystem& live = **loaded;
+    ConsoleServer server(live, it);
+    std::optional<ConsoleClient> one(std::move(*server.connect(ConsoleServer::Use::prompt)));
+    std::optional<ConsoleClient> other(std::move(*server.connect(ConsoleServer::Use::prompt)));
+    const auto holder = [&] { return live.system().holder("mouse.target_velocity_in"); };
+    const auto serve = [&](std::chrono::milliseconds patience, bool until_held) {
+        const auto end = Clock::now() + patience;
+        while (Clock::now() < end && (holder() != nullptr) != until_held) {
+            server.serve(Clock::now() + std::chrono::milliseconds(1));
+            live.tick();
+        }
+        return (holder() != nullptr) == until_held;
+    };
+    for (auto* client : {&one, &other}) (*client)->send({.kind = Request::Kind::hello, .text = {}, .who = who});
+    one->send({.kind = Request::Kind::eval, .text = "hold('mouse.target_velocity_in', { vx = 0.1 })"});
+    REQUIRE(serve(std::chrono::seconds(20), true));
+    one.reset();
+    CHECK_FALSE(serve(std::chrono::milliseconds(200), false));  // all consoles of a user are one
+    other.reset();
+    const bool ends = real || !who.empty();
+    CHECK(serve(std::chrono::milliseconds(ends ? 20'000 : 200), false) == ends);
 }

@@ -1,6 +1,7 @@
 // What Tab offers: names, ports, fields, parameters and commands of the system that runs.
 #include <catch2/catch.hpp>
 
+#include "bindings/console/command_offers.hpp"
 #include "tests/unit/console/session_rig.hpp"
 
 using namespace nezumi;
@@ -116,6 +117,33 @@ TEST_CASE("fields are completed in the table of what is added to the system", "[
     CHECK(offer(it, "x = { fa", 6) == "false");
 }
 
+TEST_CASE("fields are completed in the options of a word", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "plot(controller.out.vx, { e", 26) == "every");
+    CHECK(offer(it, "plot('controller.out', 5, { e", 28) == "every");
+    CHECK(offer(it, "hold(controller.out, { vx = 1 }, { t", 35) == "take");
+    CHECK(offer(it, "hold(controller.out, { v", 23) == "va vx vy");
+    CHECK(offer(it, "watch(controller.out, { contr", 24) == "controller");
+}
+
+TEST_CASE("every port that is plotted is completed within quotes", "[console][completion]") {
+    SessionRig it;
+    CHECK(offer(it, "plot('controller.o", 6) == "controller.out");
+    CHECK(offer(it, "plot('controller.out', 'mouse.ta", 24) == "mouse.target_velocity_in");
+    CHECK(offer(it, "inject('controller.in', 'mouse.ta", 25).empty());
+}
+
+TEST_CASE("every record whose fields a word's table has is described", "[console][completion]") {
+    for (const ConsoleCommand& command : console_commands()) {
+        if (command.table.record.empty()) continue;
+        TextAtCursor call;
+        call.word = command.name;
+        call.argument = command.table.from;
+        INFO(command.name);
+        CHECK_FALSE(fields_of_table(call).empty());
+    }
+}
+
 TEST_CASE("fields are completed in what is plotted", "[console][completion]") {
     SessionRig it;
     CHECK(offer(it, "plot(controller.out.", 20) == "va vx vy");
@@ -130,7 +158,12 @@ TEST_CASE("names of things are completed within the quotes of a word", "[console
     SessionRig it;
     it.type("marker { name = 'target', id = 7, at = { 1, 0, 0.1 } }");
     CHECK(offer(it, "remove \"", 8) == "controller mouse target");
-    CHECK(offer(it, "teleport('", 10) == "mouse target");
+    CHECK(offer(it, "teleport('", 10) == "box 1 mouse target");
+    CHECK(offer(it, "teleport('box", 10) == "box 1");
+    CHECK(offer(it, "teleport('mouse', '", 19).empty());
+    CHECK(offer(it, "explain 'c", 9) == "controller");
+    CHECK(offer(it, "speed '", 7) == "max");
+    CHECK(offer(it, "restart '", 9) == "anyway");
     CHECK(offer(it, "log_level \"", 11) == "debug error info warn");
     CHECK(offer(it, "deactivate 'c", 12) == "controller");
     CHECK(offer(it, "behavior 'x' { script = \"cou", 25) == "counter");

@@ -45,6 +45,8 @@ TEST_CASE("help explains components, ports, parameters and members", "[console][
     CHECK(it.type("help 'controller.out.value.vx'") == it.type("help(controller.out)"));
     CHECK(it.type("help 'controller.config.sped_x'") ==
           "! help: controller has no parameter 'sped_x' (did you mean 'speed_x'?)");
+    CHECK_THAT(it.type("help 'step'"), Contains("step(n)"));
+    CHECK(it.type("help(step)") == it.type("help 'step'"));
     CHECK(it.type("help 'contrller'") == "! help: there is no word 'contrller' (did you mean 'controller'?)");
     CHECK(it.type("help(5)") ==
           "! help: expected a word, a component, a port or a name, as in help \"mouse.status\", got number");

@@ -30,7 +30,7 @@ bool comes(const std::function<bool()>& what) {
     return false;
 }
 
-std::unique_ptr<Transport> join(std::uint32_t domain) {
+std::unique_ptr<DdsTransport> join(std::uint32_t domain) {
     auto place = open_cyclone({.domain = domain, .xml = domain_xml("", {})});
     INFO((place ? std::string() : place.error().message));
     REQUIRE(place.has_value());
@@ -60,9 +60,9 @@ TEST_CASE("octets arrive as they were written, whatever their number", "[dds][cy
     REQUIRE(comes([&] { return writer->readers() == 1 && reader->writers().size() == 1; }));
     const std::vector<std::size_t> sizes{5, 6, 7, 8, 1200, 65537, 921604};
     for (const std::size_t size : sizes) REQUIRE(writer->write(cdr(size)));
-    std::vector<Sample> got;
+    std::vector<TopicSample> got;
     REQUIRE(comes([&] {
-        for (Sample& sample : reader->take()) got.push_back(std::move(sample));
+        for (TopicSample& sample : reader->take()) got.push_back(std::move(sample));
         return got.size() == sizes.size();
     }));
     for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -130,9 +130,9 @@ TEST_CASE("who comes late is given what is kept for it", "[dds][cyclone][wallclo
     REQUIRE(writer->write(cdr(9)));
     REQUIRE(writer->write(cdr(10)));
     const auto reader = place->read(topic);
-    std::vector<Sample> got;
+    std::vector<TopicSample> got;
     REQUIRE(comes([&] {
-        for (Sample& sample : reader->take()) got.push_back(std::move(sample));
+        for (TopicSample& sample : reader->take()) got.push_back(std::move(sample));
         return !got.empty();
     }));
     CHECK(got.back().bytes == cdr(10));

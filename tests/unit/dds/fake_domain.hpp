@@ -16,7 +16,7 @@ namespace nezumi::dds {
 class FakeDomain {
 public:
     /// Another place, whose messages are held up while it is cut off.
-    std::unique_ptr<Transport> join() { return std::make_unique<Place>(*this); }
+    std::unique_ptr<DdsTransport> join() { return std::make_unique<Place>(*this); }
     /// Nothing gets through from now on; what is written meanwhile is lost, but for what is kept for who comes late.
     bool cut = false;
     /// Topics that somebody writes or reads now.
@@ -32,8 +32,8 @@ private:
         Topic topic;
         bool writes = false;
         std::uint64_t id = 0;
-        std::deque<Sample> waiting{};  // of a reader
-        Octets last{};                 // of a writer
+        std::deque<TopicSample> waiting{};  // of a reader
+        Octets last{};                      // of a writer
         std::uint64_t lost = 0;
     };
     // Types must be equal, and no reader is promised more than the writer gives.
@@ -82,8 +82,8 @@ private:
             }
         }
         ~FakeReader() override { std::erase(domain_.ends_, &end_); }
-        std::vector<Sample> take() override {
-            std::vector<Sample> all(end_.waiting.begin(), end_.waiting.end());
+        std::vector<TopicSample> take() override {
+            std::vector<TopicSample> all(end_.waiting.begin(), end_.waiting.end());
             end_.waiting.clear();
             return all;
         }
@@ -101,7 +101,7 @@ private:
         End end_;
     };
 
-    class Place final : public Transport {
+    class Place final : public DdsTransport {
     public:
         explicit Place(FakeDomain& domain) : domain_(domain) {}
         // As DDS, which has no topics of other names.

@@ -153,13 +153,13 @@ TEST_CASE("a request that somebody recorded is not done again after its host was
     const auto ask = [&](std::uint64_t number, What what) {
         Octets bytes;
         write_cdr(bytes, {.order = std::endian::little, .header = true},
-                  Request{.from = 5,
-                          .to = 77,
-                          .number = number,
-                          .what = static_cast<std::uint8_t>(what),
-                          .component = "part",
-                          .name = "",
-                          .values = {}});
+                  RemoteRequest{.from = 5,
+                                .to = 77,
+                                .number = number,
+                                .what = static_cast<std::uint8_t>(what),
+                                .component = "part",
+                                .name = "",
+                                .values = {}});
         writer->write(bytes);
         return serve();
     };

@@ -123,7 +123,7 @@ struct HostRig {
     }
 
     Room& room;
-    std::unique_ptr<Transport> transport;  // outlives the system
+    std::unique_ptr<DdsTransport> transport;  // outlives the system
     std::vector<std::string> log;
     std::vector<std::string> acts;      // that others asked for
     std::vector<std::string> arrivals;  // acts of what came for ports

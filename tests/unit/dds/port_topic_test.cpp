@@ -16,7 +16,7 @@ namespace {
 // An inlet for velocities, and who sends to it.
 struct Line {
     FakeDomain domain;
-    std::unique_ptr<Transport> place = domain.join();
+    std::unique_ptr<DdsTransport> place = domain.join();
     OutPort<Velocity2D> port{"speed"};
     Topic topic = topic_of("ev3", "part.speed", port.type());
     std::unique_ptr<Writer> writer = place->write(topic);

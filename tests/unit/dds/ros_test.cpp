@@ -69,8 +69,8 @@ struct NodeRig {
 
     double clock = 100;
     FakeDomain domain;
-    std::unique_ptr<dds::Transport> place = domain.join();
-    std::unique_ptr<dds::Transport> other = domain.join();
+    std::unique_ptr<dds::DdsTransport> place = domain.join();
+    std::unique_ptr<dds::DdsTransport> other = domain.join();
     std::vector<std::string> log;
     std::vector<std::string> arrivals;  // acts of what came
     std::string refusal;

@@ -68,14 +68,15 @@ TEST_CASE("a map's first line is skipped, whatever it says in whatever encoding"
     CHECK(error("") == "map.csv: is empty: expected a header line, then rows x,y,z,lx,ly,lz,yaw");
 }
 
-TEST_CASE("a map's further columns are ignored, and its short rows skipped and counted", "[engine][csv]") {
+TEST_CASE("a map's further columns are ignored, and its comments, blank and short rows skipped and counted",
+          "[engine][csv]") {
     const auto read =
         map_of(header +
-               "1,2,3,4,5,6,7,red,9\n# walls, of, the, room, in, the, east, wing\n\nnorth\n1,2,3\n,,,,,,,\n"
+               "1,2,3,4,5,6,7,red,9\n# walls, of, the, room, in, the, east, wing\n\nnorth\n1,2,3\n,,,,,,,\n \t\n"
                "1,2,3,4,5,6,7,,\n");
     CHECK(read.boxes.size() == 2);
-    CHECK(read.skipped == 3);
-    CHECK(describe(read, "map.csv") == "map.csv: 2 boxes, 3 rows of fewer than 7 columns skipped");
+    CHECK(read.skipped == 6);
+    CHECK(describe(read, "map.csv") == "map.csv: 2 boxes, 6 rows of fewer than 7 columns skipped");
     CHECK(describe(map_of("7,6,5,4,3,2,1\n1,2,3,4,5,6,7\n"), "m") ==
           "m: 1 box; its first line, which is skipped as a header, reads like a box");
 }

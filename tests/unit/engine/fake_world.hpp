@@ -137,7 +137,7 @@ public:
     bool collided(RobotId) const override { return false; }
     std::string collided_with(RobotId) const override { return ""; }
     Expected<void> teleport(RobotId, Pose2D) override { return {}; }
-    void disturb(RobotId, const Push&) override {}
+    void disturb(RobotId, const VelocityConstraint&) override {}
     void press(RobotId robot, std::size_t sensor, bool pressed) override { hulls[robot]->pressed[sensor] = pressed; }
     std::vector<ThingPose> things() const override { return {}; }
     std::vector<Ray> rays(RobotId) const override { return {}; }

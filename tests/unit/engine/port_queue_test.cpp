@@ -34,7 +34,11 @@ TEST_CASE("a full queue drops the oldest and counts what it dropped", "[engine][
 TEST_CASE("a queue that gets another length keeps the newest of what is unread", "[engine][port]") {
     Pair p(4);
     p.pass(1, {1, 2, 3});
-    p.in.set_queue(2);
+    const auto dropped = p.in.set_queue(2);
+    REQUIRE(dropped.size() == 1);
+    CHECK(std::get<std::int32_t>(dropped[0].data) == 1);
+    CHECK(dropped[0].tm == Approx(p.in.tm()));
+    CHECK(p.in.dropped() == 1);
     CHECK(p.in.queue() == 2);
     CHECK(p.read_all() == Values{2, 3});
     p.pass(2, {4, 5});
@@ -44,6 +48,19 @@ TEST_CASE("a queue that gets another length keeps the newest of what is unread",
     p.in.set_queue(3);
     p.pass(4, {7});
     CHECK(p.read_all() == Values{6, 7});
+}
+
+TEST_CASE("what a shorter queue dropped is put back before what is unread, as far as there is room", "[engine][port]") {
+    const int later = GENERATE(0, 1);
+    Pair p(4);
+    p.pass(1, {1, 2, 3, 4});
+    auto dropped = p.in.set_queue(1);
+    CHECK(p.in.dropped() == 3);
+    p.in.set_queue(4);
+    if (later > 0) p.pass(2, {5});
+    p.in.put_back(std::move(dropped));
+    CHECK(p.in.dropped() == static_cast<std::uint64_t>(later));
+    CHECK(p.read_all() == (later > 0 ? Values{2, 3, 4, 5} : Values{1, 2, 3, 4}));
 }
 
 TEST_CASE("a queue of large messages drops the oldest before it fills the memory", "[engine][port]") {

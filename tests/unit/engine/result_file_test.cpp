@@ -76,6 +76,7 @@ TEST_CASE("a file that was cut off ends with its last whole row and a note", "[f
     CHECK(cut("time\n1\n2\n3.33", 7) == "time\n1\n2\n# note\n");
     CHECK(cut("time\n1\n2\n", 0) == "time\n1\n2\n# note\n");
     CHECK(cut("time,x\n1,\"a\nb\"\n2,\"c\nd", 0) == "time,x\n1,\"a\nb\"\n# note\n");
+    CHECK(cut("time,x\n1,5\" wide\n2,3", 0) == "time,x\n1,5\" wide\n# note\n");
     CHECK(cut("", 0) == "# note\n");
     CHECK(cut("ti", 0) == "# note\n");
     CHECK(cut("time\n", 100) == "time\n# note\n");

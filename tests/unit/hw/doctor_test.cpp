@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "hw/doctor/looks.hpp"
+#include "hw/doctor/machine_queries.hpp"
 #include "hw/guard/lease.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 

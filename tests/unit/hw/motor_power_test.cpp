@@ -14,7 +14,7 @@ TEST_CASE("motors that have stood for long have no power until they are to turn 
     FakeMouse fake;
     auto motors = Motors::make(fake.dev(), {.left = metres_per_pulse, .right = metres_per_pulse}, 0.52, standing_power);
     REQUIRE(motors);
-    const Worker worker(*motors);
+    const DeviceWorker worker(*motors);
     // As a control loop does, for some seconds or until something is so; returns after how many it was.
     const auto command = [&](double speed, double seconds, const std::function<bool(FakeMouse::Motion)>& until) {
         const double begin = clock_seconds();

@@ -35,7 +35,7 @@ struct Programs {
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    // Its words on the first line, and what it read: of the so manieth call.
+    // Its words on the first line, and what it read: of the call of this number.
     std::string call(const std::string& program, int number) const {
         std::ifstream file(folder.path(program + "." + std::to_string(number)), std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};

@@ -20,7 +20,7 @@ bool soon(const std::function<bool()>& is_so) {
 }
 
 // Counts how often it was called, and hangs when it is told to.
-struct CountingJob final : Job {
+struct CountingJob final : DeviceJob {
     double run() override {
         ++runs;
         while (hang) sleep_for(0.001);
@@ -48,7 +48,7 @@ struct Thermometer final : Sampler<int> {
 TEST_CASE("a device's thread works when it is woken, and once more at the end", "[hw][device]") {
     const auto job = std::make_shared<CountingJob>();
     {
-        const Worker worker(job);
+        const DeviceWorker worker(job);
         CHECK(soon([&] { return job->runs == 1; }));
         worker.wake();
         CHECK(soon([&] { return job->runs == 2; }));
@@ -62,10 +62,10 @@ TEST_CASE("a device's thread that hangs is left behind with all that it uses", "
     job->hang = true;
     const double before = clock_seconds();
     {
-        const Worker worker(job);
+        const DeviceWorker worker(job);
         REQUIRE(soon([&] { return job->runs == 1; }));
     }
-    CHECK(clock_seconds() - before < Worker::patience + 0.5);
+    CHECK(clock_seconds() - before < DeviceWorker::patience + 0.5);
     CHECK(job->hangs(clock_seconds()));
     CHECK_FALSE(job->ended);
     job->hang = false;
@@ -74,7 +74,7 @@ TEST_CASE("a device's thread that hangs is left behind with all that it uses", "
 
 TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][device][wallclock]") {
     const auto device = std::make_shared<Thermometer>();
-    const Worker worker(device);
+    const DeviceWorker worker(device);
     REQUIRE(soon([&] { return device->newest(clock_seconds()) && device->newest(clock_seconds())->value > 3; }));
     const auto sample = device->newest(clock_seconds());
     REQUIRE(sample);
@@ -85,7 +85,7 @@ TEST_CASE("the loop gets a device's newest sample, and none that is old", "[hw][
 
 TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw][device][threads][wallclock]") {
     const auto device = std::make_shared<Thermometer>();
-    const Worker worker(device);
+    const DeviceWorker worker(device);
     device->broken = true;
     std::vector<std::string> told;
     const auto listen = [&] {
@@ -112,7 +112,7 @@ TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw]
 }
 
 TEST_CASE("what a job holds is free when its owner and its worker have gone", "[hw][worker]") {
-    struct Holder final : Job {
+    struct Holder final : DeviceJob {
         explicit Holder(bool& its_flag) : is_held(its_flag) { is_held = true; }
         ~Holder() override { is_held = false; }
         double run() override { return 1; }
@@ -122,7 +122,7 @@ TEST_CASE("what a job holds is free when its owner and its worker have gone", "[
         bool is_held = false;
         {
             const auto job = std::make_shared<Holder>(is_held);
-            const Worker worker(job);
+            const DeviceWorker worker(job);
         }
         REQUIRE_FALSE(is_held);
     }

@@ -53,10 +53,10 @@ TEST_CASE("plain data comes back with its shape", "[journal]") {
     CHECK(back(Command{"c", "f", data}).arguments == data);
 }
 
-TEST_CASE("a push keeps what it leaves free", "[journal]") {
-    Disturb push{"mouse"};
-    push.va = 0.5;
-    const Disturb same = back(push);
+TEST_CASE("a disturbance keeps what it leaves free", "[journal]") {
+    Disturb disturbance{"mouse"};
+    disturbance.va = 0.5;
+    const Disturb same = back(disturbance);
     CHECK_FALSE(same.vx);
     CHECK(same.va == 0.5);
 }

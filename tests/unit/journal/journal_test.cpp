@@ -1,6 +1,7 @@
 // Whatever is done to a system is journaled, and a journal makes the same run again.
 #include "bindings/journal/journal.hpp"
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,12 +12,14 @@
 #include <thread>
 
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "engine/base/whole_file.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/journal/random_run.hpp"
 #include "tests/unit/journal/small_run.hpp"
 
 using namespace nezumi;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 
 namespace {
 
@@ -80,6 +83,42 @@ TEST_CASE("a replay reads no file of the project", "[journal]") {
     SECTION("they are changed") { run.folder.write("behaviors/wanderer.lua", "error('another one')"); }
     SECTION("they are gone") { fs::remove_all(run.folder.path("")); }
     const Replayed again = replay(journal);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
+TEST_CASE("a replay looks into no folder of the project", "[journal]") {
+    const std::string place = GENERATE("behaviors/it.lua", "it.lua");
+    CAPTURE(place);
+    const auto prepare = [&](const Scratch& folder) {
+        fs::rename(folder.path("behaviors/it.lua"), folder.path(place));
+        folder.write("behaviors/nothera.lua", "return 1");
+        fs::resize_file(folder.write("behaviors/large.lua", ""), largest_text + 1);
+        REQUIRE(mkfifo(folder.path("behaviors/pipe.lua").c_str(), 0600) == 0);
+    };
+    SmallRun run(R"(
+local out = output("out", "TimedString")
+local whys = ""
+for _, name in ipairs { "nothere", "none.at.all", "large", "pipe" } do
+  local _, why = pcall(require, name)
+  whys = whys .. why .. "\n"
+end
+function on_execute() out:write(whys) end
+)",
+                 headless_budget, prepare);
+    run.tick(5);
+    const auto whys = std::get<std::string>(run.live->system().port("it.out").value()->value());
+    CHECK_THAT(whys, Contains("there is no module 'nothere' (did you mean 'nothera'?)"));
+    CHECK_THAT(whys, Contains("is larger than 16 MB"));
+    CHECK_THAT(whys, Contains("pipe.lua is a FIFO, expected a file"));
+    const std::uint64_t hash = run.end();
+    SECTION("with other files in it") {
+        run.folder.write("behaviors/nother.lua", "return 2");
+        run.folder.write("behaviors/large.lua", "return 3");
+        fs::remove(run.folder.path("behaviors/pipe.lua"));
+    }
+    SECTION("that is gone") { fs::remove_all(run.folder.path("behaviors")); }
+    const Replayed again = replay(run.file);
     CHECK(again.error.empty());
     CHECK(hash_text(again.hash) == hash_text(hash));
 }
@@ -264,6 +303,67 @@ end
         CHECK(again.error.empty());
         CHECK(hash_text(again.hash) == hash_text(hash));
     }
+}
+
+TEST_CASE("a call that the clock ended leaves the state that it left in the run, in the replay too",
+          "[journal][watchdog]") {
+    SmallRun it(R"(
+local out = output("out", "TimedLongSeq")
+param("go", false)
+state.k = 0
+state.list = { 1, 2, deep = { n = 0 } }
+local list, deep = state.list, state.list.deep
+state.again = list
+command("hang", function() while true do list[1] = list[1] + 1 end end)
+function on_execute()
+  while config.go do
+    state.k = state.k + 1
+    deep.n = deep.n + 1
+    list[2] = nil
+    list[#list + 1] = state.k < 5 and 7 or nil
+  end
+  out:write { state.k, state.list.deep.n, deep.n, #list, list[1], state.again == list and 1 or 0 }
+end
+)",
+                Budget{0.02});
+    it.tick(5);
+    REQUIRE(it.live->act(SetParameter{"it", "go", true}, {}));
+    it.tick(5);
+    CHECK(it.live->system().find("it")->state() == LifeState::error);
+    REQUIRE(it.live->act(SetParameter{"it", "go", false}, {}));
+    REQUIRE(it.live->act(Reset{"it"}, {}));
+    REQUIRE(it.live->act(Activate{"it"}, {}));
+    it.tick(5);
+    CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
+    it.tick(5);
+    const auto written = std::get<std::vector<std::int32_t>>(it.live->system().port("it.out").value()->value());
+    CHECK(written[0] > 100);
+    CHECK(written[4] > 100);
+    const std::uint64_t hash = it.end();
+    const Replayed again = replay(it.file);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
+TEST_CASE("a replay that becomes another run says what the clock had ended, and what of it was not kept",
+          "[journal][watchdog]") {
+    const auto [left, lost] = GENERATE(table<std::string, std::string>(
+        {{"", ""},
+         {"state.f = print", ", nor is all of its state: state.f is a function"},
+         {"for i = 1, 5000 do state[i] = i end",
+          ", nor is all of its state: state has more than 4000 values or 64 kB of text"}}));
+    SmallRun it("local out = output('out', 'TimedDouble')\nlocal n = 0\n" + left +
+                    "\ncommand('hang', function() while true do n = n + 1 end end)\n"
+                    "function on_execute() out:write(n) end",
+                Budget{0.02});
+    it.tick(5);
+    CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
+    it.tick(5);
+    it.journal->mark();
+    it.end();
+    CHECK_THAT(replay(it.file).error, EndsWith("; the clock had ended a call of it at tick 5 of start 1, and what that "
+                                               "left in locals is in no journal" +
+                                               lost));
 }
 
 TEST_CASE("a version on probation that the clock ended is taken back in the replay too", "[journal][watchdog]") {

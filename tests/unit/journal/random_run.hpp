@@ -150,9 +150,9 @@ function on_execute()
     }
     Act make(std::in_place_type_t<RemoveMarker>) { return RemoveMarker{"sign"}; }
     Act make(std::in_place_type_t<Disturb>) {
-        Disturb push{"mouse"};
-        if (below(2) == 0) push.vx = number() / 4;
-        return push;
+        Disturb disturbance{"mouse"};
+        if (below(2) == 0) disturbance.vx = number() / 4;
+        return disturbance;
     }
     Act make(std::in_place_type_t<Press>) {
         return Press{"mouse", one_of<std::string>({"switch0", "switch1", "switch2"}), below(2) == 0};

@@ -1,6 +1,7 @@
 // A system with one behaviour, journaled tick by tick.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -13,8 +14,10 @@ namespace nezumi {
 
 /// Journals as `nezumi run --journal` does.
 struct SmallRun {
-    explicit SmallRun(const std::string& script, Budget budget = headless_budget) {
+    explicit SmallRun(const std::string& script, Budget budget = headless_budget,
+                      const std::function<void(const Scratch&)>& prepare = {}) {
         folder.write("behaviors/it.lua", script);
+        if (prepare) prepare(folder);
         const std::filesystem::path system = folder.write("system.lua", "behavior 'it' { script = 'it' }\n");
         LiveOptions options;
         options.files = &files;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bindings/lua/files/system_lua.hpp"
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "tests/unit/lua/rig.hpp"
 #include "tests/unit/lua/system_reader.hpp"
 
@@ -73,7 +73,7 @@ TEST_CASE("every word of a script refuses an argument too many and one of a wron
           "probe expected a name, got number"}},
         {"now", {"now(1)", "now: expected no arguments, got 1: now()", "", ""}},
     };
-    check_covered(table, script_words(), {"config", "dt", "log", "state"});
+    check_covered(table, script_globals(), {"config", "dt", "log", "state"});
     for (const auto& [word, refusals] : table) {
         CHECK(refusal(refusals.surplus) == "robot_controller.lua:1: " + refusals.surplus_says);
         if (!refusals.wrong.empty()) CHECK(refusal(refusals.wrong) == "robot_controller.lua:1: " + refusals.wrong_says);
@@ -132,7 +132,7 @@ TEST_CASE("every word of a system file refuses an argument too many and one of a
         CHECK(system_files::error(refusals.wrong) == "s.lua:1: " + refusals.wrong_says);
     }
     CHECK(system_files::error("robot 'm' ({ model = 'raspimouse' }, 2)") ==
-          "s.lua:1: NAME: expected at most 1 argument, got 2: NAME { ... }");
+          "s.lua:1: robot 'm': expected at most 1 argument, got 2: robot 'm' { ... }");
     CHECK(system_files::error("require('a', 2)") ==
           "s.lua:1: require: expected at most 1 argument, got 2: require(name)");
 }

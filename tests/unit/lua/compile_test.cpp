@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/lua/sandbox/strict_globals.hpp"
+#include "engine/base/lua_text.hpp"
 #include "machine_speed.hpp"
 #include "sandbox_support.hpp"
 
@@ -11,6 +12,17 @@ namespace {
 std::string error_of(std::string_view source) {
     const auto chunk = compile(source, "a.lua");
     return chunk ? "compiles" : describe(chunk.error());
+}
+
+TEST_CASE("a text in quotes is what Lua reads", "[lua][compile]") {
+    std::string all;
+    for (int byte = 0; byte < 256; ++byte) all += static_cast<char>(byte);
+    Box box;
+    CHECK(box.run("return " + lua_quoted(all)) == all);
+    CHECK(box.run("return " + lua_quoted("\x01"
+                                         "23\n\\n")) ==
+          "\x01"
+          "23\n\\n");
 }
 
 TEST_CASE("a text that is no Lua is refused with its line", "[lua][compile]") {

@@ -280,7 +280,7 @@ TEST_CASE("a file system that does not answer does not hold up the end", "[lua][
     const auto waiting = std::make_shared<Waiting>();
     auto begin = Clock::now();
     {
-        FileWatcher watcher(FileWatcher::kLook, [waiting](const Text&) -> Expected<SourceText> {
+        FileWatcher watcher(FileWatcher::usual_poll_period, [waiting](const Text&) -> Expected<SourceText> {
             waiting->asked.set_value();
             waiting->answer.get_future().wait();
             waiting->left.set_value();

@@ -47,10 +47,10 @@ function on_execute()
 end
 )");
     rig.activate();
-    CHECK(rig.component->look_at_next() == 1);
+    CHECK(rig.component->trace_next() == 1);
     rig.tick();
-    CHECK(rig.component->looks() == 1);
-    const LineTrace::Seen& seen = rig.component->looked_at();
+    CHECK(rig.component->traces() == 1);
+    const LineTrace::Seen& seen = rig.component->latest_trace();
     CHECK_FALSE(seen.is_cut);
     CHECK(numbers_of(seen) == std::vector<int>{8, 9, 4, 5, 10, 13, 14, 15, 16});
     CHECK(value_at(seen, 8, "count") == "1");
@@ -72,9 +72,9 @@ function on_execute()
 end
 )");
     rig.activate();
-    rig.component->look_at_next();
+    rig.component->trace_next();
     rig.tick();
-    const LineTrace::Seen& seen = rig.component->looked_at();
+    const LineTrace::Seen& seen = rig.component->latest_trace();
     CHECK(value_at(seen, 4, "config.gain") == "0.5");
     CHECK(value_at(seen, 4, "state.count") == "4");
     CHECK(value_at(seen, 4, "state.list").empty());
@@ -84,14 +84,14 @@ end
 TEST_CASE("only the execution that was asked for is looked at, and no hook is left", "[lua][explain]") {
     ScriptRig rig("function on_execute()\n  local x = 1\nend\n");
     rig.activate().tick();
-    CHECK(rig.component->looks() == 0);
-    rig.component->look_at_next();
+    CHECK(rig.component->traces() == 0);
+    rig.component->trace_next();
     rig.tick(3);
-    CHECK(rig.component->looks() == 1);
+    CHECK(rig.component->traces() == 1);
     CHECK(lua_gethook(rig.component->script().lua()) == nullptr);
-    CHECK(rig.component->look_at_next() == 2);
+    CHECK(rig.component->trace_next() == 2);
     rig.tick();
-    CHECK(rig.component->looks() == 2);
+    CHECK(rig.component->traces() == 2);
 }
 
 TEST_CASE("lines of tasks are seen, and no hook is left in their coroutines", "[lua][explain]") {
@@ -104,12 +104,12 @@ TEST_CASE("lines of tasks are seen, and no hook is left in their coroutines", "[
 end)
 )");
     rig.activate().tick(2);
-    rig.component->look_at_next();
+    rig.component->trace_next();
     rig.tick();
-    CHECK_FALSE(value_at(rig.component->looked_at(), 4, "n").empty());
-    const std::size_t lines = rig.component->looked_at().lines.size();
+    CHECK_FALSE(value_at(rig.component->latest_trace(), 4, "n").empty());
+    const std::size_t lines = rig.component->latest_trace().lines.size();
     rig.tick(3);
-    CHECK(rig.component->looked_at().lines.size() == lines);
+    CHECK(rig.component->latest_trace().lines.size() == lines);
 }
 
 TEST_CASE("a look ends after so many lines, the execution does not", "[lua][explain]") {
@@ -123,10 +123,10 @@ function on_execute()
 end
 )");
     rig.activate();
-    rig.component->look_at_next();
+    rig.component->trace_next();
     rig.tick();
-    CHECK(rig.component->looked_at().is_cut);
-    CHECK(rig.component->looked_at().lines.size() == LineTrace::most_lines);
+    CHECK(rig.component->latest_trace().is_cut);
+    CHECK(rig.component->latest_trace().lines.size() == LineTrace::most_lines);
     CHECK(std::get<double>(rig.out<double>("out").value()) == 50005000.0);
     CHECK(lua_gethook(rig.component->script().lua()) == nullptr);
 }
@@ -136,16 +136,16 @@ TEST_CASE("an error in an execution that is looked at is the same, and the lines
     ScriptRig plain(text), looked(text);
     plain.activate().tick();
     looked.activate();
-    looked.component->look_at_next();
+    looked.component->trace_next();
     looked.tick();
     CHECK(looked.error() == plain.error());
-    CHECK(numbers_of(looked.component->looked_at()) == std::vector<int>{2, 3});
+    CHECK(numbers_of(looked.component->latest_trace()) == std::vector<int>{2, 3});
 }
 
 TEST_CASE("an endless loop that is looked at still runs out of its time", "[lua][explain][wallclock]") {
     ScriptRig rig("function on_execute()\n  while true do local x = 1 end\nend\n");
     rig.activate();
-    rig.component->look_at_next();
+    rig.component->trace_next();
     rig.tick();
     CHECK(rig.status() == "ERROR");
     CHECK(rig.error().find("ran for more than 0.1 s") != std::string::npos);

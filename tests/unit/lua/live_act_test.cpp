@@ -1,7 +1,11 @@
 // The one door through which a running system is changed, and what goes with it.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/ports/payload.hpp"
+#include "engine/robot/robot.hpp"
 #include "tests/unit/live_rig.hpp"
 
 using namespace nezumi;
@@ -43,6 +47,33 @@ TEST_CASE("the hash after a restart is a chain over the starts", "[lua][act]") {
     it.tick(20);
     CHECK(it.live->trace_hash() == mix(first, first));
     CHECK(it.live->starts() == 2);
+}
+
+TEST_CASE("an emergency stop outlives a restart, which says so, and rearm() works at once", "[lua][act]") {
+    LiveRig it;
+    it.tick(30);
+    REQUIRE(it.live->act(Stop{}, {}));
+    it.tick(50);
+    const auto speed = [&] { return dynamic_cast<const Robot&>(it.component("mouse")).measured().vx; };
+    for (int start = 2; start < 4; ++start) {
+        it.log.clear();
+        REQUIRE(it.live->act(Restart{}, {}));
+        CHECK(it.live->system().is_stopped());
+        it.tick(50);
+        CHECK(sent(it).vx == 0.25);
+        CHECK(std::abs(speed()) < 0.001);
+        CHECK(std::count_if(it.log.begin(), it.log.end(), [](const LogLine& line) {
+                  return line.text == "still stopped: rearm() lets the robots drive again";
+              }) == 1);
+    }
+    REQUIRE(it.live->act(Restart{}, {}));
+    REQUIRE(it.live->act(Rearm{}, {}));
+    it.tick(50);
+    CHECK(speed() > 0.1);
+    it.log.clear();
+    REQUIRE(it.live->act(Restart{}, {}));
+    CHECK_FALSE(it.live->system().is_stopped());
+    CHECK_FALSE(it.said("still stopped"));
 }
 
 TEST_CASE("an act that is refused changes nothing and says why", "[lua][act]") {

@@ -172,10 +172,39 @@ TEST_CASE("setting a part of the truth is an error that says what to use", "[lua
     CHECK(it.run("mouse:teleport(mouse.truth.pose) return mouse.truth.pose.position.x") == "0.0");
 }
 
+TEST_CASE("setting a port is an error that names it", "[lua][objects]") {
+    Objective it;
+    CHECK(it.run("controller.ports.zzz = 3") == "box.lua:1: zzz can't be set");
+    CHECK(it.run("controller.ports[1] = 'zzz'") == "box.lua:1: what you name can't be set");
+    CHECK_THAT(it.run("controller.ports.out.zzz = 3"), Catch::Contains("write a value with :write(value)"));
+}
+
 TEST_CASE("every member says what it is", "[lua][objects]") {
-    for (const MemberName& member : member_names()) {
+    for (const auto members : {member_names(), port_member_names()}) {
+        for (const MemberName& member : members) {
+            CAPTURE(member.name);
+            CHECK_FALSE(member.doc.empty());
+            CHECK_FALSE(member.type.empty());
+            CHECK(member.called == member.type.starts_with("fun("));
+        }
+        CHECK(std::is_sorted(members.begin(), members.end(),
+                             [](const MemberName& a, const MemberName& b) { return a.name < b.name; }));
+    }
+}
+
+TEST_CASE("every member that a port is said to have is of the type that editors are told", "[lua][objects]") {
+    Objective it;
+    it.run("hold('controller.out', { vx = 0.1 })");
+    for (const MemberName& member : port_member_names()) {
+        if (member.type == "any") continue;
+        const std::string_view type = member.type;
+        const std::string expected = member.called                           ? "function"
+                                     : type == "boolean"                     ? "boolean"
+                                     : type == "number" || type == "integer" ? "number"
+                                     : type.ends_with("[]")                  ? "table"
+                                                                             : "string";
         CAPTURE(member.name);
-        CHECK_FALSE(member.doc.empty());
+        CHECK(it.run("return type(controller.out." + std::string(member.name) + ")") == expected);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/values/set_plain.hpp"
 
 using namespace nezumi;
 
@@ -51,6 +52,36 @@ TEST_CASE("values and tables cross from one Lua state to another", "[lua][plain]
 TEST_CASE("shared and cyclic tables keep their shape, also across values", "[lua][plain]") {
     CHECK(check(take("local s = {} local t = { s, s } t.t = t return t, s"),
                 "local t, s = ... assert(t[1] == s and t[2] == s and t.t == t and next(s) == nil)") == "");
+}
+
+TEST_CASE("plain data put into a table leaves the tables and the other values that it has", "[lua][plain]") {
+    const PlainData data = take(
+        "local s = { n = 2 } local t = { n = 1, list = { 7, s, [4] = false }, s = s, other = { 1 }, f = 5, "
+        "was_number = {} } t.list.t = t return t");
+    auto state = create_sandbox().value();
+    lua_State* L = state->lua();
+    REQUIRE(load_chunk(L, compile(R"(
+local t = { n = 5, gone = 1, gone_too = { 1 }, list = { 1, { n = 0 }, 3 }, f = print, g = print, was_number = 3,
+            [print] = 1 }
+local list, s = t.list, t.list[2]
+t.s, t.same = s, s
+return function()
+  assert(t.n == 1 and t.gone == nil and t.gone_too == nil and t.same == nil and t.f == print and t.g == print)
+  assert(t.list == list and list[1] == 7 and list[2] == s and list[3] == nil and list[4] == false and list.t == t)
+  assert(t.s == s and s.n == 2 and t.other[1] == 1 and next(t.was_number) == nil and t[print] == 1)
+end, t
+)",
+                                  "test")
+                              .value()));
+    REQUIRE(protected_call(L, 0, 2, {}));
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &data);
+    REQUIRE(protect(L, {}, [&](lua_State* inside) {
+        lua_rawgetp(inside, LUA_REGISTRYINDEX, &data);
+        set_plain(inside, data);
+        return lua_gettop(inside) == 1 ? 0 : luaL_error(inside, "what is on the stack?");
+    }));
+    const auto ok = protected_call(L, 0, 0, {});
+    CHECK((ok ? "" : ok.error().message) == "");
 }
 
 TEST_CASE("what is no plain data is left out and named in a fixed order", "[lua][plain]") {
@@ -111,12 +142,12 @@ TEST_CASE("a look takes whole tables as far as its limit goes, the nearest first
         lua_settop(L, 0);
         REQUIRE(load_chunk(L, compile(text, "test").value()));
         REQUIRE(protected_call(L, 0, 1, {}));
-        auto seen = look_at_plain(L, Budget{5.0}, limit);
+        auto seen = snapshot_plain(L, Budget{5.0}, limit);
         CHECK(lua_gettop(L) == 1);
         REQUIRE(seen);
         return *seen;
     };
-    const auto check = [](const PlainLook& seen, const std::string& text) -> std::string {
+    const auto check = [](const PlainSnapshot& seen, const std::string& text) -> std::string {
         auto other = create_sandbox().value();
         lua_State* inside = other->lua();
         REQUIRE(load_chunk(inside, compile(text, "test").value()));
@@ -131,7 +162,7 @@ TEST_CASE("a look takes whole tables as far as its limit goes, the nearest first
     CHECK(look(table, {.values = 11, .text = 5}).whole == 7);
     CHECK(look(table, {.values = 11, .text = 4}).whole == 3);
 
-    const PlainLook part = look(table, {.values = 7, .text = 100});
+    const PlainSnapshot part = look(table, {.values = 7, .text = 100});
     CHECK(part.whole == 2);
     CHECK(part.data.tables[2].empty());
     CHECK(check(part, "local t = ... assert(t.a == 1 and t.b[2] == 2) assert(type(t.c) == 'userdata')") == "");
@@ -142,7 +173,7 @@ TEST_CASE("a look takes whole tables as far as its limit goes, the nearest first
                         "of the script can return a part") != std::string::npos);
     CHECK(check(part, "local t = ... assert(tostring(t.c) == '(left out: more than a look takes)')") == "");
 
-    const PlainLook none = look(table, {.values = 2, .text = 100});
+    const PlainSnapshot none = look(table, {.values = 2, .text = 100});
     CHECK(none.whole == 0);
     CHECK(none.data.tables[0].empty());
     CHECK(look("return { ('x'):rep(101) }", {.values = 10, .text = 100}).whole == 0);

@@ -203,6 +203,88 @@ TEST_CASE("a parameter that was set from outside during probation outlives the r
     CHECK(it.parameters().find("own")->value == ParameterValue(std::int64_t{1}));
 }
 
+namespace {
+
+// k = 7 by the system, k = 50 by the set that is in use.
+struct SetRig : ReloadRig {
+    SetRig() {
+        it.configured = {{"k", std::int64_t{7}}};
+        it.sets = {{"big", {{"k", std::int64_t{50}}}}, {"small", {{"k", std::int64_t{2}}}}};
+        REQUIRE(it.parameters().set_all(it.configured));
+        REQUIRE(it.use("big"));
+    }
+    // Reloads a version with this parameter that fails in its second execution.
+    void fail(const Text& parameter, const std::function<void()>& meanwhile = {}) {
+        REQUIRE(change("it.lua",
+                       parameter +
+                           "\nlocal n = 0 function on_execute() n = n + 1 if n == 2 then error('no') end end") == "");
+        CHECK(it.set_in_use().empty());
+        tick();
+        if (meanwhile) meanwhile();
+        tick();
+        CHECK(it.version() == 1);
+    }
+    Text k() const { return to_text(it.parameters().find("k")->value) + " " + it.set_in_use(); }
+
+    ScriptComponent& it = add_text("it", "param('k', 1, { max = 100 })\nfunction on_execute() end");
+};
+
+}  // namespace
+
+TEST_CASE("a roll-back in probation brings back the set that was in use, with its values", "[lua][reload]") {
+    SetRig world;
+    world.fail("param('k', 1, { max = 40 })");
+    CHECK(world.k() == "50 big");
+    world.fail("param('q', 1)");
+    CHECK(world.said("it: parameter 'k' went, and its value 50 with it"));
+    CHECK_FALSE(world.said("its value 7 with it"));
+    CHECK(world.k() == "50 big");
+}
+
+TEST_CASE("unread messages that a version on probation had no room for are back with the version before",
+          "[lua][reload]") {
+    ReloadRig world;
+    const Text ports = "local out = output('out', 'TimedLongSeq') local from = input('from', 'TimedLong', ''";
+    ScriptComponent& it =
+        world.add_text("it", ports +
+                                 ", { queue = 10 }) param('go', false) function on_execute() if not config.go then "
+                                 "return end local all = {} while from.is_new do all[#all + 1] = "
+                                 "from:read() end out:write(all) end");
+    for (std::int32_t i = 1; i <= 5; ++i) it.find_in_port("from")->inject(i);
+    world.tick();
+    const std::size_t queue = GENERATE(0, 2);
+    CHECK(world.change("it.lua", ports + (queue == 0 ? "" : ", { queue = 2 }") +
+                                     ") function on_execute() error('no') end") == "");
+    CHECK(it.find_in_port("from")->dropped() == (queue == 0 ? 4 : 3));
+    CHECK(world.said(queue == 0
+                         ? "it: input 'from' has no queue now: the oldest 4 of 5 unread messages were dropped"
+                         : "it: input 'from' has a queue of 2 now: the oldest 3 of 5 unread messages were dropped"));
+    world.tick();
+    CHECK(it.version() == 1);
+    CHECK(it.find_in_port("from")->dropped() == 0);
+    REQUIRE(it.parameters().set("go", true));
+    world.tick();
+    CHECK(world.out<Longs>("it.out") == Longs{1, 2, 3, 4, 5});
+}
+
+TEST_CASE("what somebody chose during probation outlives the roll-back: a set, a value", "[lua][reload]") {
+    SetRig world;
+    world.fail("param('k', 1, { max = 40 })", [&] { REQUIRE(world.it.parameters().set("k", std::int64_t{30})); });
+    CHECK(world.k() == "30 big");
+    REQUIRE(world.it.use("big"));
+    world.fail("param('k', 1, { max = 40 })", [&] { REQUIRE(world.it.use("small")); });
+    CHECK(world.k() == "2 small");
+}
+
+TEST_CASE("rollback by hand brings back a set that the reload left", "[lua][reload]") {
+    SetRig world;
+    REQUIRE(world.change("it.lua", "param('k', 1, { max = 40 })\nfunction on_execute() end") == "");
+    world.tick(20);
+    CHECK(world.k() == "7 ");
+    REQUIRE(world.reloader.rollback(world.it));
+    CHECK(world.k() == "50 big");
+}
+
 TEST_CASE("components of one file that fail alike are told in one line", "[lua][reload]") {
     ReloadRig world;
     world.write("all.lua", counter("1"));

@@ -156,9 +156,11 @@ TEST_CASE("a port carries something that is there and that its type fits", "[lua
           "r.lua:3:11: robot_model: port 'p': 'lamps' takes a TimedBooleanSeq, not a TimedShort");
     CHECK(error(with(sensors + "ports = { p = { type = 'TimedBooleanSeq', to = 'lamp' } }")) ==
           "r.lua:3:11: robot_model: port 'p': there is no actuator 'lamp' (did you mean 'lamps'?)");
-    CHECK(error(with(sensors + "ports = { p = { type = 'TimedShortSeq' } }")) ==
-          "r.lua:3:11: robot_model: port 'p': expected either 'from', what an out-port carries, or 'to', what an "
-          "in-port drives");
+    for (const std::string both : {"", ", from = 'front', to = 'lamps'"}) {
+        CHECK(error(with(sensors + "ports = { p = { type = 'TimedShortSeq'" + both + " } }")) ==
+              "r.lua:3:11: robot_model: port 'p': expected either 'from', what an out-port carries, or 'to', what an "
+              "in-port drives");
+    }
     CHECK(error(with(sensors + "ports = { p = { type = 'TimedShortSeq', from = {} } }")) ==
           "r.lua:3:41: robot_model: field 'ports.p.from' expected a name or a list of names, got another table");
     CHECK_THAT(error(with("ports = { a = { type = 'TimedVelocity2D', to = 'drive' }, b = { type = 'TimedVelocity2D', "

@@ -54,12 +54,13 @@ TEST_CASE("a library that behaviours don't have is refused with what there is in
     CHECK(refusal("local m = {} function m:count() self.n = 1 end function on_execute() m:count() end").empty());
     CHECK(refusal("debug.traceback()") ==
           "robot_controller.lua:1:1: unknown global 'debug': `print` and the console show values");
-    for (const std::string name : {"load", "loadfile", "dofile", "package"}) {
+    for (const std::string name : {"load", "loadfile", "loadstring", "dofile", "package"}) {
         CHECK(refusal(name + "('x')") ==
               "robot_controller.lua:1:1: unknown global '" + name + "': code comes from files, by `require`");
     }
     CHECK(refusal("collectgarbage()") ==
           "robot_controller.lua:1:1: unknown global 'collectgarbage': memory is collected by itself");
+    CHECK(refusal("unpack({})") == "robot_controller.lua:1:1: unknown global 'unpack': it is table.unpack in Lua 5.4");
 }
 
 TEST_CASE("a system file in the place of a behaviour is told as such", "[lua][refusals]") {

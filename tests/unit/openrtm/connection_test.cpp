@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 // Takes a message as slowly as it is told to, and remembers what was called.
 class SlowSite final : public RtcSite {
 public:
-    RtcLook look(std::string_view /*component*/) override { return {}; }
+    RtcSnapshot snapshot(std::string_view /*component*/) override { return {}; }
     RtcAnswer perform(const RtcRequest& /*request*/) override { return RtcAnswer::refused; }
     PutAnswer put(std::string_view /*path*/, std::string_view /*from*/, std::span<const std::uint8_t> /*bytes*/,
                   std::endian /*order*/) override {

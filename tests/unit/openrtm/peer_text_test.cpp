@@ -13,10 +13,10 @@ std::string told(const PeerQuestion& question, const PeerAnswer& answer) {
     return text ? *text : "! " + text.error().message;
 }
 
-PeerLook out0() {
+PeerSnapshot out0() {
     return {.name = "pc.host_cxt/Out0",
             .type = "ConsoleOut",
-            .state = PeerLook::State::active,
+            .state = PeerSnapshot::State::active,
             .ports = {{"in", "TimedLong", true, 2}, {"service", "", false, 0}},
             .set = "fast",
             .sets = {{"default", {{"speed", "1"}}}, {"fast", {{"speed", "2"}}}, {"__widget__", {{"speed", "text"}}}}};
@@ -34,11 +34,11 @@ TEST_CASE("an RTC is shown with state, ports and the set in use", "[openrtm][pee
 }
 
 TEST_CASE("RTCs that are gone or hang are told as such", "[openrtm][peers]") {
-    const auto look = [](const std::string& name, PeerLook::State state) {
-        return PeerLook{.name = name, .state = state};
+    const auto snapshot = [](const std::string& name, PeerSnapshot::State state) {
+        return PeerSnapshot{.name = name, .state = state};
     };
-    CHECK(told({}, {.peers = {look("a", PeerLook::State::gone), look("b", PeerLook::State::silent),
-                              look("c", PeerLook::State::unasked)}}) ==
+    CHECK(told({}, {.peers = {snapshot("a", PeerSnapshot::State::gone), snapshot("b", PeerSnapshot::State::silent),
+                              snapshot("c", PeerSnapshot::State::unasked)}}) ==
           "rtm:a  is not there: a program that has crashed left its name\n"
           "rtm:b  does not answer\n"
           "rtm:c  was not asked: too many others do not answer");
@@ -58,10 +58,10 @@ TEST_CASE("what could not be done names the nearest", "[openrtm][peers]") {
 }
 
 TEST_CASE("names that somebody else chose can't look like lines of ours", "[openrtm][peers]") {
-    PeerLook look = out0();
-    look.name = "a\nrtm:b  ACTIVE\x1b[2J";
-    look.ports.clear();
-    look.sets.clear();
-    look.set = "x\ny";
-    CHECK(told({}, {.peers = {look}}) == "rtm:a rtm:b  ACTIVE\\x1b[2J  ConsoleOut, ACTIVE, set x y");
+    PeerSnapshot snapshot = out0();
+    snapshot.name = "a\nrtm:b  ACTIVE\x1b[2J";
+    snapshot.ports.clear();
+    snapshot.sets.clear();
+    snapshot.set = "x\ny";
+    CHECK(told({}, {.peers = {snapshot}}) == "rtm:a rtm:b  ACTIVE\\x1b[2J  ConsoleOut, ACTIVE, set x y");
 }

@@ -22,12 +22,12 @@ param("mode", "slow", { choices = { "slow", "fast" }, widget = "radio" })
 param("gains", { 1.0, 0.5 })
 )";
 
-const Texts& set_of(const RtcLook& look, const std::string& name) {
-    for (const auto& [id, texts] : look.sets) {
+const Texts& set_of(const RtcSnapshot& snapshot, const std::string& name) {
+    for (const auto& [id, texts] : snapshot.sets) {
         if (id == name) return texts;
     }
     FAIL("there is no set " << name);
-    return look.sets.front().second;
+    return snapshot.sets.front().second;
 }
 
 std::string error_of(const LiveRig& rig) {
@@ -71,24 +71,24 @@ TEST_CASE("a robot is exported as a component", "[openrtm][profiles]") {
 TEST_CASE("parameters are a configuration set, with widgets, bounds and types as tools know them",
           "[openrtm][profiles]") {
     const LiveRig rig("behavior \"c\" { script = \"all\" }", {{"all", all_kinds}});
-    const RtcLook look = look_at(*rig.live->system().find("c"));
-    CHECK(look.state == RtcState::active);
-    CHECK(look.set == "default");
-    CHECK(set_of(look, "default") == Texts{{"speed_x", "0.25"},
-                                           {"count", "30"},
-                                           {"on", "true"},
-                                           {"text", "a, b"},
-                                           {"mode", "slow"},
-                                           {"gains", "1,0.5"}});
-    CHECK(set_of(look, "__widget__") == Texts{{"speed_x", "slider.0.01"}, {"mode", "radio"}});
-    CHECK(set_of(look, "__constraints__") ==
+    const RtcSnapshot snapshot = look_at(*rig.live->system().find("c"));
+    CHECK(snapshot.state == RtcState::active);
+    CHECK(snapshot.set == "default");
+    CHECK(set_of(snapshot, "default") == Texts{{"speed_x", "0.25"},
+                                               {"count", "30"},
+                                               {"on", "true"},
+                                               {"text", "a, b"},
+                                               {"mode", "slow"},
+                                               {"gains", "1,0.5"}});
+    CHECK(set_of(snapshot, "__widget__") == Texts{{"speed_x", "slider.0.01"}, {"mode", "radio"}});
+    CHECK(set_of(snapshot, "__constraints__") ==
           Texts{{"speed_x", "-1.5<=x<=1.5"}, {"count", "0<=x"}, {"mode", "(slow,fast)"}});
-    CHECK(set_of(look, "__type__") == Texts{{"speed_x", "double"},
-                                            {"count", "long"},
-                                            {"on", "bool"},
-                                            {"text", "string"},
-                                            {"mode", "string"},
-                                            {"gains", "vector<double>"}});
+    CHECK(set_of(snapshot, "__type__") == Texts{{"speed_x", "double"},
+                                                {"count", "long"},
+                                                {"on", "bool"},
+                                                {"text", "string"},
+                                                {"mode", "string"},
+                                                {"gains", "vector<double>"}});
 }
 
 TEST_CASE("named sets are configuration sets, and the one in use has the present values", "[openrtm][profiles]") {
@@ -99,13 +99,13 @@ TEST_CASE("named sets are configuration sets, and the one in use has the present
         {{"all", all_kinds}});
     REQUIRE(rig.live->act(SetParameter{"c", "speed_x", 0.125}, {Actor::Kind::console}));
     rig.tick();
-    const RtcLook look = look_at(*rig.live->system().find("c"));
-    CHECK(look.set == "slow");
-    CHECK(set_of(look, "slow")[0].second == "0.125");
-    CHECK(set_of(look, "slow")[1].second == "5");
-    CHECK(set_of(look, "fast")[0].second == "1");
-    CHECK(set_of(look, "fast")[1].second == "5");
-    CHECK(set_of(look, "default")[0].second == "0.25");
+    const RtcSnapshot snapshot = look_at(*rig.live->system().find("c"));
+    CHECK(snapshot.set == "slow");
+    CHECK(set_of(snapshot, "slow")[0].second == "0.125");
+    CHECK(set_of(snapshot, "slow")[1].second == "5");
+    CHECK(set_of(snapshot, "fast")[0].second == "1");
+    CHECK(set_of(snapshot, "fast")[1].second == "5");
+    CHECK(set_of(snapshot, "default")[0].second == "0.25");
 }
 
 TEST_CASE("a component says what its file says of it", "[openrtm][profiles]") {
@@ -113,11 +113,11 @@ TEST_CASE("a component says what its file says of it", "[openrtm][profiles]") {
         "behavior \"c\" { script = \"all\" }\nrobot \"mouse\" { model = \"raspimouse\" }",
         {{"all",
           "--- Turns and turns.\nabout { version = \"2.1\", vendor = \"us\", category = \"toys\" }" + all_kinds}});
-    const RtcLook look = look_at(*rig.live->system().find("c"));
-    CHECK(look.description == "Turns and turns.");
-    CHECK(look.version == "2.1");
-    CHECK(look.vendor == "us");
-    CHECK(look.category == "toys");
+    const RtcSnapshot snapshot = look_at(*rig.live->system().find("c"));
+    CHECK(snapshot.description == "Turns and turns.");
+    CHECK(snapshot.version == "2.1");
+    CHECK(snapshot.vendor == "us");
+    CHECK(snapshot.category == "toys");
     CHECK(look_at(*rig.live->system().find("mouse")).description.empty());
 }
 

@@ -194,7 +194,7 @@ TEST_CASE("life cycle and sets act through the one door, and are checked", "[ope
     using What = RtcRequest::What;
     ServerRig rig;
     CHECK(rig.ask({.what = What::deactivate, .component = "controller"}) == RtcAnswer::done);
-    CHECK(rig.server->look("controller").state == RtcState::inactive);
+    CHECK(rig.server->snapshot("controller").state == RtcState::inactive);
     CHECK(rig.ask({.what = What::activate, .component = "controller"}) == RtcAnswer::done);
     CHECK(rig.ask({.what = What::activate, .component = "nobody"}) == RtcAnswer::unknown);
     CHECK(rig.ask({.what = What::reset, .component = "controller"}) == RtcAnswer::refused);
@@ -203,10 +203,10 @@ TEST_CASE("life cycle and sets act through the one door, and are checked", "[ope
     rig.turn();
     CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.5);
     CHECK(rig.ask({.what = What::use, .component = "controller", .set = "fast"}) == RtcAnswer::done);
-    CHECK(rig.server->look("controller").set == "fast");
+    CHECK(rig.server->snapshot("controller").set == "fast");
     CHECK(rig.ask({.what = What::use, .component = "controller", .set = "slow"}) == RtcAnswer::refused);
     CHECK(rig.ask({.what = What::use, .component = "controller", .set = "default"}) == RtcAnswer::done);
-    CHECK(rig.server->look("controller").set == "default");
+    CHECK(rig.server->snapshot("controller").set == "default");
     rig.turn();
     CHECK(std::get<double>(rig.component("controller").parameters().find("speed_x")->value) == 0.25);
     for (const std::string& line : rig.acts.lines) CHECK(line.find(" by network rtm") != std::string::npos);

@@ -65,6 +65,8 @@ class ConsoleTest(Case):
                 self.assertTrue(nezumi.lua(value))
         self.assertEqual(nezumi.lua((1, 2)), "{1,2}")
         self.assertEqual(nezumi.lua(b"\xff"), '"\\255"')
+        self.assertEqual(nezumi.lua("\udcff"), '"\\255"')
+        self.assertEqual(nezumi.lua("\ud800"), '"?"')
         self.assertEqual(nezumi.lua(float("-inf")), "-math.huge")
         self.assertEqual(self.refused(TypeError, nezumi.lua, object()), "a object has no form in Lua")
         with start() as console:

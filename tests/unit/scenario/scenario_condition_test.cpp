@@ -30,8 +30,8 @@ struct Tried {
         REQUIRE(taken);
         condition = std::move(*taken);
     }
-    bool look() {
-        const auto held = condition->look(state->lua());
+    bool sample() {
+        const auto held = condition->sample(state->lua());
         REQUIRE(held);
         return *held;
     }
@@ -93,17 +93,17 @@ TEST_CASE("a condition that notes what it compares has the outcome and the effec
         "local calls, limit = 0, 3\n"
         "local function count() calls = calls + 1; return calls, 'more' end\n"
         "return function() return count() < limit and limit <= (count()) + 5 end");
-    CHECK(tried.look());  // 1 < 3 and 3 <= 7
+    CHECK(tried.sample());  // 1 < 3 and 3 <= 7
     REQUIRE(tried.condition->comparisons().size() == 2);
     CHECK(tried.condition->comparisons()[0].left_value == 1);
     CHECK(tried.condition->comparisons()[1].right_value == 7);
-    CHECK_FALSE(tried.look());  // 3 < 3
-    CHECK_FALSE(tried.condition->comparisons()[1].looked);
+    CHECK_FALSE(tried.sample());  // 3 < 3
+    CHECK_FALSE(tried.condition->comparisons()[1].sampled);
 }
 
 TEST_CASE("the margin is that of the comparison nearest to its limit", "[lua][scenario][condition]") {
     Tried tried("local a, b = 0.25, 10\nreturn function() return a < 0.5 and b > 9.875 end");
-    CHECK(tried.look());
+    CHECK(tried.sample());
     const auto margin = margin_of(tried.condition->comparisons(), true);
     REQUIRE(margin);
     CHECK(margin->distance == 0.125);
@@ -112,26 +112,26 @@ TEST_CASE("the margin is that of the comparison nearest to its limit", "[lua][sc
 
 TEST_CASE("the reason names what does not hold, and by how much", "[lua][scenario][condition]") {
     Tried tried("local pose, limit = { x = 0.75 }, 0.5\nreturn function() return pose.x < limit and pose.x > 0 end");
-    CHECK_FALSE(tried.look());
+    CHECK_FALSE(tried.sample());
     CHECK(reason_of(tried.condition->comparisons(), false) ==
           "pose.x < limit: pose.x was 0.75 m, limit was 0.5 m, off the limit by 0.25 m");
 }
 
 TEST_CASE("constants of the compiler do not become globals", "[lua][scenario][condition]") {
     Tried tried("local limit <const> = 3\nreturn function() return math.abs(-2) < limit end");
-    CHECK(tried.look());
+    CHECK(tried.sample());
 }
 
 TEST_CASE("an error in a condition has the line of its text", "[lua][scenario][condition]") {
     Tried tried("local nothing\n\nreturn function() return nothing < 3 end");
-    const auto held = tried.condition->look(tried.state->lua());
+    const auto held = tried.condition->sample(tried.state->lua());
     REQUIRE_FALSE(held);
     CHECK(describe(held.error()) == "test.lua:3: attempt to compare nil with number");
 }
 
 TEST_CASE("a condition that returns nothing is an error", "[lua][scenario][condition]") {
     Tried tried("return function() end");
-    const auto held = tried.condition->look(tried.state->lua());
+    const auto held = tried.condition->sample(tried.state->lua());
     REQUIRE_FALSE(held);
     CHECK(held.error().message == "the condition returned nothing: expected true or false");
 }

@@ -1,4 +1,4 @@
-// What becomes of an expectation as looks come in, and how it is told.
+// What becomes of an expectation as samples come in, and how it is told.
 #include <catch2/catch.hpp>
 
 #include "bindings/scenario/expectation.hpp"
@@ -13,14 +13,14 @@ double decide(Expectation& expectation, double from, double to, double end = 20)
     for (int tick = 1; tick * 0.01 <= end; ++tick) {
         const double now = tick * 0.01;
         const bool is_true = now >= from - 1e-9 && now <= to + 1e-9;
-        if (expectation.look(is_true, now) != Verdict::open) return now;
+        if (expectation.add_sample(is_true, now) != Verdict::open) return now;
     }
     return -1;
 }
 
 }  // namespace
 
-TEST_CASE("always is broken by the first look that is false, and says since when", "[lua][scenario][expectation]") {
+TEST_CASE("always is broken by the first sample that is false, and says since when", "[lua][scenario][expectation]") {
     Expectation always({.kind = Kind::always, .name = "keeps off"}, 0);
     CHECK(decide(always, 0, 3.11) == Approx(3.12));
     CHECK(always.verdict() == Verdict::broken);
@@ -28,16 +28,16 @@ TEST_CASE("always is broken by the first look that is false, and says since when
 
     Expectation at_once({.kind = Kind::always, .name = "keeps off"}, 0);
     CHECK(decide(at_once, 1, 2) == Approx(0.01));
-    CHECK(at_once.explain() == "always 'keeps off' did not hold at its first look, at 0.01 s");
+    CHECK(at_once.explain() == "always 'keeps off' did not hold at its first sample, at 0.01 s");
 }
 
-TEST_CASE("never is broken by the first look that is true", "[lua][scenario][expectation]") {
+TEST_CASE("never is broken by the first sample that is true", "[lua][scenario][expectation]") {
     Expectation never({.kind = Kind::never, .name = "touches"}, 0);
     CHECK(decide(never, 1.5, 2) == Approx(1.5));
     CHECK(never.explain() == "never 'touches' happened at 1.50 s");
 }
 
-TEST_CASE("eventually is kept by one look, the last one included", "[lua][scenario][expectation]") {
+TEST_CASE("eventually is kept by one sample, the last one included", "[lua][scenario][expectation]") {
     Expectation in_time({.kind = Kind::eventually, .name = "stops", .within = 2}, 0);
     CHECK(decide(in_time, 2.0, 9) == Approx(2.0));
     CHECK(in_time.verdict() == Verdict::kept);
@@ -63,7 +63,7 @@ TEST_CASE("a hold that ends early gives way to a later one", "[lua][scenario][ex
     for (int tick = 1; tick < 1000 && kept_at < 0; ++tick) {
         const double now = tick * 0.01;
         const bool is_true = (now >= 1 && now <= 2) || now >= 4;
-        if (second.look(is_true, now) == Verdict::kept) kept_at = now;
+        if (second.add_sample(is_true, now) == Verdict::kept) kept_at = now;
     }
     CHECK(kept_at == Approx(6.0));
 }

@@ -25,7 +25,7 @@ TEST_CASE("conditions are looked at after every tick", "[lua][scenario][run]") {
 TEST_CASE("an always that no tick comes after is looked at once, at the end", "[lua][scenario][run]") {
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
                      "s:run(1) s:always('no', function() return false end)") ==
-          "failed: it_test.lua:3: always 'no' did not hold at its first look, at 1.00 s");
+          "failed: it_test.lua:3: always 'no' did not hold at its first sample, at 1.00 s");
     CHECK(outcome_of("s:load 'systems/stop_at_wall.lua'\n"
                      "s:never('yes', function() return true end)") ==
           "failed: it_test.lua:3: never 'yes' happened at 0.00 s");

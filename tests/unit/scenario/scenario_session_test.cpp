@@ -154,6 +154,10 @@ TEST_CASE("declarations are checked", "[lua][scenario][session]") {
           "1: scenario 'a': option 'sweep': 'x' expected a list of values or range(lo, hi), got number");
     CHECK(refused("scenario('a', { sweep = { x = range(2, 1) } }, function() end)") ==
           "1: range: expected lo <= hi, and a step above 0");
+    for (const std::string range : {"range(math.mininteger, math.maxinteger, 1)", "range(0, 1, 1e-20)"}) {
+        CHECK(refused("scenario('a', { samples = 3, sweep = { x = " + range + " } }, function() end)") ==
+              "1: range: the step is too small for numbers to tell its values apart: leave it out");
+    }
     CHECK(refused("scenario('a', { sweep = { x = { 1, 'b', 1 } } }, function() end)") ==
           "1: scenario 'a': option 'sweep': 'x' has the value 1 twice");
     CHECK(refused("scenario('a', { sweep = { x = { 1, '1' } } }, function() end)") ==

@@ -157,11 +157,11 @@ TEST_CASE("values of a range without a step are drawn each by itself", "[lua][sc
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == draw(sweep, 7, i));
 }
 
-TEST_CASE("a control character in a text is a number in the run's name", "[lua][scenario][sweep]") {
+TEST_CASE("a control character in a text is its code in the run's name", "[lua][scenario][sweep]") {
     const auto name = [](const std::string& text) { return value(text).text; };
-    CHECK(name("a\tb") == "\"a\\009b\"");
-    CHECK(name("\x1f") == "\"\\031\"");
-    CHECK(name("\x7f") == "\"\\127\"");
+    CHECK(name("a\tb") == "\"a\\x09b\"");
+    CHECK(name("\x1f") == "\"\\x1f\"");
+    CHECK(name("\x7f") == "\"\\x7f\"");
     CHECK(name(" ") == "\" \"");
     CHECK(name("!") == "!");
     CHECK(name("~") == "~");

@@ -77,6 +77,25 @@ TEST_CASE("what is left is seen on the left, and the nearer hides the farther wh
     CHECK(is_blue(pixel(image, 320, 170)));  // looks out behind the smaller one
 }
 
+TEST_CASE("a picture is the same wherever in the world it is taken", "[sim][camera]") {
+    const auto seen_at = [](double x, double y) {
+        ArenaSpec arena;
+        arena.boxes = {block(1 + x, 0.3 + y, "#ff0000"), block(0.8 + x, -0.3 + y, "#0000ff")};
+        arena.cylinders = {{.at = {0.7 + x, 0.02 + y, 0.05}, .radius = 0.05, .height = 0.1, .color = "#00ff00"}};
+        TryWorld w(arena);
+        return shoot(*w.world, {.at = {x, y, 0.25}}, {.width = 320, .height = 240});
+    };
+    const CameraImage here = seen_at(0, 0);
+    for (const auto& [x, y] : {std::pair{6.0, -9.0}, {-7.0, 5.0}, {-4.0, -8.0}}) {
+        const CameraImage there = seen_at(x, y);
+        REQUIRE(there.pixels.size() == here.pixels.size());
+        std::size_t others = 0;
+        for (std::size_t i = 0; i < here.pixels.size(); ++i) others += here.pixels[i] != there.pixels[i] ? 1 : 0;
+        CAPTURE(x, y);
+        CHECK(others < 200);  // of 230 400: where an edge is rounded otherwise
+    }
+}
+
 TEST_CASE("an edge falls where the pinhole says", "[sim][camera]") {
     ArenaSpec arena;
     arena.boxes = {{.at = {1.05, 0.05, 0.5}, .size = {0.1, 0.1, 1.0}, .color = "#ff0000"}};  // from y = 0 to 0.1
@@ -146,6 +165,12 @@ TEST_CASE("a floor's picture lies on the floor: its top where y is largest", "[s
     CHECK(pixel(image, 420, 140) == std::array{0, 255, 0});
     CHECK(pixel(image, 220, 340) == std::array{0, 0, 255});
     CHECK(pixel(image, 420, 340) == std::array{255, 255, 255});
+    // Its pixels meet in the middle of the image; it ends 1 m to the left, and beyond the image above.
+    CHECK(pixel(image, 319, 140) == std::array{255, 0, 0});
+    CHECK(pixel(image, 320, 140) == std::array{0, 255, 0});
+    CHECK(pixel(image, 220, 5) == std::array{255, 0, 0});
+    CHECK(pixel(image, 35, 140) == std::array{255, 0, 0});
+    CHECK_FALSE(pixel(image, 15, 140) == std::array{255, 0, 0});
 
     std::ofstream(file, std::ios::binary) << "no picture";
     arena.floor->place = {"a.lua", 3, 0};

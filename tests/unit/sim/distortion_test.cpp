@@ -36,7 +36,7 @@ Pixel middle_of(const std::vector<std::uint8_t>& pixels, int width, int channels
     return {column / sum, row / sum};
 }
 
-CameraIntrinsics lens(double k1, double k2 = 0, double p1 = 0, double p2 = 0, double k3 = 0) {
+CameraIntrinsics distorted(double k1, double k2 = 0, double p1 = 0, double p2 = 0, double k3 = 0) {
     return CameraSettings{
         .width = 320, .height = 200, .field_of_view = 1.0, .k1 = k1, .k2 = k2, .p1 = p1, .p2 = p2, .k3 = k3}
         .intrinsics();
@@ -45,8 +45,9 @@ CameraIntrinsics lens(double k1, double k2 = 0, double p1 = 0, double p2 = 0, do
 }  // namespace
 
 TEST_CASE("each coefficient moves a point as the formula says", "[sim][distortion]") {
-    for (const CameraIntrinsics& c : {lens(-0.3), lens(0.3), lens(-0.2, 0.3), lens(0, 0, 0.03), lens(0, 0, 0, -0.03),
-                                      lens(0, 0, 0, 0, 1.5), lens(-0.25, 0.1, 0.01, -0.02, 0.2)}) {
+    for (const CameraIntrinsics& c :
+         {distorted(-0.3), distorted(0.3), distorted(-0.2, 0.3), distorted(0, 0, 0.03), distorted(0, 0, 0, -0.03),
+          distorted(0, 0, 0, 0, 1.5), distorted(-0.25, 0.1, 0.01, -0.02, 0.2)}) {
         const auto distortion = Distortion::make(c);
         REQUIRE(distortion);
         const CameraIntrinsics& p = distortion->pinhole();
@@ -73,7 +74,7 @@ TEST_CASE("each coefficient moves a point as the formula says", "[sim][distortio
 }
 
 TEST_CASE("a barrel shows more than a pinhole, to its corners, a pincushion less", "[sim][distortion]") {
-    const auto barrel = Distortion::make(lens(-0.25)), pincushion = Distortion::make(lens(0.25));
+    const auto barrel = Distortion::make(distorted(-0.25)), pincushion = Distortion::make(distorted(0.25));
     REQUIRE(barrel);
     REQUIRE(pincushion);
     CHECK(barrel->pinhole().width > 340);
@@ -89,14 +90,14 @@ TEST_CASE("a barrel shows more than a pinhole, to its corners, a pincushion less
 }
 
 TEST_CASE("a distortion that folds the picture over is refused", "[sim][distortion]") {
-    for (const CameraIntrinsics& c : {lens(-2), lens(-1.2), lens(0, -2), lens(0, 0, 0, 0, -2)}) {
+    for (const CameraIntrinsics& c : {distorted(-2), distorted(-1.2), distorted(0, -2), distorted(0, 0, 0, 0, -2)}) {
         const auto refused = Distortion::make(c);
         REQUIRE_FALSE(refused);
         CHECK(refused.error().message.find("folds the picture over: take smaller ones, or a smaller field of view") !=
               std::string::npos);
     }
     CHECK(
-        Distortion::make(lens(-1.2, 0, 0.01)).error().message ==
+        Distortion::make(distorted(-1.2, 0, 0.01)).error().message ==
         "a distortion of k1 = -1.2, k2 = 0, p1 = 0.01, p2 = 0, k3 = 0 folds the picture over: take smaller ones, or a "
         "smaller field of view");
 }

@@ -206,7 +206,7 @@ TEST_CASE("a corrupt or missing picture of the floor is one plain error", "[sim]
     CHECK(refusal().substr(0, start.size()) == start);
 }
 
-TEST_CASE("a hand rolls an EV3 that coasts, and drags one that holds", "[sim][ev3][push]") {
+TEST_CASE("a hand rolls an EV3 that coasts, and drags one that holds", "[sim][ev3][disturb]") {
     const RobotSpec spec = ev3();
     for (const bool coasts : {true, false}) {
         TryWorld w;

@@ -33,6 +33,19 @@ struct Narrow {
 
 }  // namespace
 
+TEST_CASE("half the height of a shape is that of how it stands", "[sim][narrow]") {
+    const double c = std::cos(0.5), s = std::sin(0.5);
+    CHECK(box({0, 0, 0}, {0.1, 0.2, 0.3}, 0.7).half_height() == Approx(0.3));
+    CHECK(box({0, 0, 0}, {0.1, 0.2, 0.3}, 0, 0.5).half_height() == Approx(0.3 * c + 0.1 * s));
+    CHECK(box({0, 0, 0}, {0.1, 0.2, 0.3}, 0.7, 0.5).half_height() == Approx(0.3 * c + 0.1 * s));
+    Shape rolled = box({0, 0, 0}, {0.1, 0.2, 0.3});
+    rolled.rotation << 1, 0, 0, 0, c, -s, 0, s, c;
+    CHECK(rolled.half_height() == Approx(0.3 * c + 0.2 * s));
+    Shape tilted = disc({0, 0, 0}, 0.1, 0.3);
+    tilted.rotation = rolled.rotation;
+    CHECK(tilted.half_height() == Approx(0.3 * c + 0.1 * s));
+}
+
 TEST_CASE("shapes that only meet do not touch", "[sim][narrow]") {
     Narrow n;
     const Shape square = box({0, 0, 0}, {0.5, 0.5, 0.5}), round = disc({0, 0, 0}, 0.25);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/world/floor_color.hpp"
-#include "sim/floor_look.hpp"
+#include "sim/floor_spot.hpp"
 #include "tests/unit/sim/try_world.hpp"
 
 using namespace nezumi;

@@ -23,7 +23,9 @@ Canvas with_line(double x, double y, double angle, Color line = black, Color gro
     return canvas;
 }
 
-std::optional<Blob> line_in(const Canvas& canvas, const LineLook& look = {}) { return find_line(canvas.grays(), look); }
+std::optional<Blob> line_in(const Canvas& canvas, const LineSettings& settings = {}) {
+    return find_line(canvas.grays(), settings);
+}
 
 struct Watch : Watched<LineDetector> {
     using Watched::Watched;

@@ -100,7 +100,7 @@ TEST_CASE("tokens are long, random and hexadecimal, and compared whole", "[web][
     CHECK_FALSE(is_same_secret("abc", "ab"));
     CHECK_FALSE(is_same_secret("", ""));
     CHECK_FALSE(is_same_secret("", "a"));
-    const Access access;
+    const AccessControl access;
     CHECK(access.token() != access.view_token());
 }
 

@@ -1,7 +1,7 @@
 // What a browser is shown of a running system, and what it does to it.
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/script/script_words.hpp"
+#include "bindings/lua/script/script_globals.hpp"
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
@@ -216,7 +216,7 @@ TEST_CASE("a drive rests for a tick after half a second of silence, and is let g
 
 TEST_CASE("a stop is taken before everything that waits", "[web]") {
     const WebRig rig;
-    Hub hub(Access(), StaticFiles(""), rig.live->project(), "}");
+    Hub hub(AccessControl(), StaticFiles(""), rig.live->project(), "}");
     hub.opened(1, false);
     CHECK(hub.take().size() == 1);
     for (int i = 0; i < 20; ++i)

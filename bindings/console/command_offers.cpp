@@ -1,0 +1,109 @@
+// Each command says in its row of the table what its arguments are.
+#include "bindings/console/command_offers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "bindings/console/console_fields.hpp"
+#include "bindings/lua/live/hosts_object.hpp"
+#include "bindings/lua/live/robot_acts.hpp"
+#include "bindings/lua/stubs/record_annotations.hpp"
+
+namespace nezumi {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// The command of the console that is called; null for any other call.
+const ConsoleCommand* command_of(const TextAtCursor& call) {
+    return call.callee.separator == 0 ? find_console_command(call.word) : nullptr;
+}
+
+Names joined(Names all, const Names& more) {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+Names port_paths(const System& system, bool in, bool out, const Port* like = nullptr) {
+    Names paths;
+    const auto add = [&](const Component& component, const Port& port) {
+        if (like == nullptr || like->type() == port.type()) paths.push_back(component.name() + "." + port.name());
+    };
+    for (const auto& component : system.components()) {
+        for (const auto& port : component->in_ports()) {
+            if (in) add(*component, *port);
+        }
+        for (const auto& port : component->out_ports()) {
+            if (out) add(*component, *port);
+        }
+    }
+    return paths;
+}
+
+// The in-ports that fit the first argument.
+Names fitting_ports(const System& system, const TextAtCursor& text, bool offered) {
+    const auto source = system.port(text.first);
+    const Port* like = source ? *source : nullptr;
+    Names paths = port_paths(system, true, false, like);
+    return offered ? joined(std::move(paths), offered_ports(system, Direction::in, like)) : paths;
+}
+
+}  // namespace
+
+Names names_of(const System& system) {
+    Names names;
+    for (const auto& component : system.components()) {
+        if (!is_remote(component->name())) names.push_back(component->name());
+    }
+    return names;
+}
+
+Offer offer_at(const TextAtCursor& call) {
+    const ConsoleCommand* command = command_of(call);
+    if (command == nullptr || command->offers.empty() || call.argument > command->most) return Offer::nothing;
+    return command->offers[std::min(static_cast<std::size_t>(call.argument), command->offers.size()) - 1];
+}
+
+Names texts_at(const System& system, const TextAtCursor& text) {
+    if (!text.field.empty()) return {};
+    switch (offer_at(text)) {
+        case Offer::nothing:
+        case Offer::value: return {};
+        case Offer::component: return names_of(system);
+        case Offer::port: return port_paths(system, true, true);
+        case Offer::source:
+            return joined(port_paths(system, false, true), offered_ports(system, Direction::out, nullptr));
+        case Offer::target: return fitting_ports(system, text, true);
+        case Offer::in_port: return fitting_ports(system, text, false);
+        case Offer::carried: {
+            Names carried = joined(marker_names(system), thing_names(system));
+            for (const Robot* robot : system.robots()) carried.push_back(robot->name());
+            return carried;
+        }
+        case Offer::removable: return joined(marker_names(system), names_of(system));
+        case Offer::log_level: return log_level_names();
+        case Offer::anyway: return {"anyway"};
+        case Offer::max: return {"max"};
+        case Offer::topic: break;
+    }
+    Names names = names_of(system);
+    for (const ConsoleCommand& each : console_commands()) names.emplace_back(each.name);
+    return names;
+}
+
+Names fields_of_table(const TextAtCursor& call) {
+    const ConsoleCommand* command = command_of(call);
+    if (command == nullptr || command->table.record.empty() || call.argument < command->table.from) return {};
+    Names fields;
+    const auto add_of = [&](const std::vector<RecordShape>& records) {
+        for (const RecordShape& record : records) {
+            if (record.name != command->table.record) continue;
+            for (const FieldRow& row : record.rows) fields.push_back(row.name);
+        }
+    };
+    add_of(file_records());
+    add_of(console_records());
+    return fields;
+}
+
+}  // namespace nezumi

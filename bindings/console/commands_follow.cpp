@@ -1,0 +1,102 @@
+// Commands that follow a port in time, or move something: watches, the stick, a marker.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/lua/live/robot_acts.hpp"
+
+namespace nezumi {
+namespace {
+
+Expected<std::string> path(const Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.count() < 1) return failure("expected a port or \"name.port\", got nothing");
+    const auto port = parts.objects->to_port(arguments.lua, 1);
+    if (!port) return Unexpected(port.error());
+    return port->path();
+}
+
+}  // namespace
+
+Expected<CommandEnd> command_watch(Session::Parts& parts, const Arguments& arguments) {
+    const auto port = path(parts, arguments);
+    if (!port) return Unexpected(port.error());
+    const auto same = [&](const PortWatch& watch) { return watch.path == *port; };
+    if (std::none_of(parts.watches.begin(), parts.watches.end(), same)) parts.watches.push_back({*port, {}});
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_unwatch(Session::Parts& parts, const Arguments& arguments) {
+    if (!arguments.has(1)) {
+        parts.watches.clear();
+        parts.plots.clear();
+        return CommandEnd::done;
+    }
+    // A port that is gone can be named by its text.
+    auto port = path(parts, arguments);
+    if (!port) port = arguments.text(1, "a port");
+    if (!port) return Unexpected(port.error());
+    if (std::erase_if(parts.watches, [&](const PortWatch& watch) { return watch.path == *port; }) == 0)
+        return failure(fmt::format("{} is not watched", *port));
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_explain(Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.count() < 1) return failure("expected a behaviour, as in explain(controller), got nothing");
+    const auto at = parts.objects->to_component(arguments.lua, 1);
+    if (!at) return Unexpected(at.error());
+    const std::string name = at->component->name();
+    const auto trace = parts.live.explain_next(name);
+    if (!trace) return Unexpected(trace.error());
+    parts.explained.push_back({name, *trace, parts.live.starts()});
+    if (parts.clock.is_paused()) parts.show("time is paused: step() lets it execute");
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_drive(Session::Parts& parts, const Arguments& arguments) {
+    if (!parts.options.output.take_keys) return failure("this needs a terminal: there are no keys here");
+    Expected<std::string> what = path(parts, arguments);
+    if (!what) {
+        const auto component = arguments.count() < 1 ? Expected<ComponentAt>(failure("drive \"stick\""))
+                                                     : parts.objects->to_component(arguments.lua, 1);
+        if (component) {
+            what = component->component->name();
+        } else if (arguments.count() < 1) {
+            return failure("expected what to drive, as in drive \"stick\", got nothing");
+        } else {
+            return Unexpected(what.error().message.find("names no port") != std::string::npos ? component.error()
+                                                                                              : what.error());
+        }
+    }
+    if (auto ok = parts.drive.begin(parts.live, *what, parts.options.who); !ok) return Unexpected(ok.error());
+    parts.options.output.take_keys(true);
+    parts.show(fmt::format("at the edge: {}\ndriving {}: arrow keys, + and - scale, space stops, Esc ends",
+                           parts.drive.full_speed(), parts.drive.path()));
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_inject(Session::Parts& parts, const Arguments& arguments) {
+    return done(parts.objects->act_on_port(arguments.lua, arguments.index(1), "inject"));
+}
+
+Expected<CommandEnd> command_hold(Session::Parts& parts, const Arguments& arguments) {
+    return done(parts.objects->act_on_port(arguments.lua, arguments.index(1), "hold"));
+}
+
+Expected<CommandEnd> command_release(Session::Parts& parts, const Arguments& arguments) {
+    return done(parts.objects->act_on_port(arguments.lua, arguments.index(1), "release"));
+}
+
+Expected<CommandEnd> command_teleport(Session::Parts& parts, const Arguments& arguments) {
+    if (parts.clock.is_hardware()) return failure("real robots stay where they are: this works in simulation");
+    if (arguments.count() < 1) return failure("expected a marker or robot, as in teleport(\"target\", { x = 1 })");
+    const auto teleport = read_teleport(*parts.objects, parts.live, arguments.lua, 1, 2);
+    if (!teleport) return Unexpected(teleport.error());
+    return done(parts.act(teleport->act));
+}
+
+Expected<CommandEnd> command_stop(Session::Parts& parts, const Arguments&) { return done(parts.act(Stop{})); }
+
+Expected<CommandEnd> command_rearm(Session::Parts& parts, const Arguments&) { return done(parts.act(Rearm{})); }
+
+}  // namespace nezumi

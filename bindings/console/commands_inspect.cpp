@@ -1,0 +1,198 @@
+// Commands that show what there is.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/lua/live/help_text.hpp"
+#include "bindings/lua/live/live_text.hpp"
+#include "bindings/lua/live/object_core.hpp"
+#include "bindings/lua/sandbox/inspect.hpp"
+#include "bindings/lua/script/script_component.hpp"
+#include "engine/base/visible.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::size_t most_listed = 40;  // components in a list
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+// Lines that mention a text, of all that has a name.
+class Finder {
+public:
+    explicit Finder(std::string_view text) : text_(lower(text)) {}
+
+    void offer(const std::string& name, const std::string& doc, const std::string& line) {
+        if (lower(name).find(text_) == std::string::npos && lower(doc).find(text_) == std::string::npos) return;
+        result_ += (result_.empty() ? "" : "\n") + line;
+        if (!doc.empty()) result_ += "  " + doc.substr(0, doc.find('\n'));
+    }
+    const std::string& result() const { return result_; }
+
+private:
+    std::string text_;
+    std::string result_;
+};
+
+void find_in(Finder& finder, const Component& component) {
+    const std::string& name = component.name();
+    finder.offer(name + " " + component.type(), "", fmt::format("{}  {}", name, component_title(component)));
+    const auto offer_port = [&](const Port& port) {
+        finder.offer(name + "." + port.name() + " " + std::string(port.type_name()), port.doc(),
+                     fmt::format("{}.{}  {} {}", name, port.name(), port.direction() == Direction::in ? "in" : "out",
+                                 port.type_name()));
+    };
+    for (const auto& port : component.in_ports()) offer_port(*port);
+    for (const auto& port : component.out_ports()) offer_port(*port);
+    for (const auto& parameter : component.parameters().all()) {
+        finder.offer(parameter.spec.name, parameter.spec.doc,
+                     fmt::format("{}.config.{} = {}", name, parameter.spec.name, to_text(parameter.value)));
+    }
+    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
+        for (const CommandDeclaration& command : script->commands())
+            finder.offer(command.name, command.doc, fmt::format("{}:{}(...)", name, command.name));
+    }
+}
+
+std::string help_line(const ConsoleCommand& command) { return fmt::format("  {:40} {}", command.usage, command.help); }
+
+// The command that is asked for, by itself or by its name; null when it is none.
+const ConsoleCommand* command_asked(const Arguments& arguments) {
+    if (const ConsoleCommand* command = command_at(arguments.lua, 1)) return command;
+    if (lua_type(arguments.lua, 1) != LUA_TSTRING) return nullptr;
+    for (const ConsoleCommand& command : console_commands()) {
+        if (command.name == text_at(arguments.lua, 1)) return &command;
+    }
+    return nullptr;
+}
+
+// "controller.out": where what is asked for is in the system. The error says what can be asked for.
+Expected<std::string> path_asked(Session::Parts& parts, const Arguments& arguments) {
+    if (const ObjectRef* ref = to_object(arguments.lua, 1)) {
+        switch (ref->kind) {
+            case ObjectKind::system: return failure("help() explains the words, ls() shows the system");
+            case ObjectKind::component: return std::string(ref->component());
+            case ObjectKind::port: return fmt::format("{}.ports.{}", ref->component(), ref->port());
+            case ObjectKind::ports: return fmt::format("{}.ports", ref->component());
+            case ObjectKind::config: return fmt::format("{}.config", ref->component());
+            case ObjectKind::truth: return fmt::format("{}.truth", ref->component());
+            case ObjectKind::hosts:
+            case ObjectKind::host:
+            case ObjectKind::remote:
+            case ObjectKind::remote_config:
+                return failure("what is of another host is explained there; its name alone shows it here");
+        }
+    }
+    auto name = arguments.text(1, "a word, a component, a port or a name, as in help \"mouse.status\"");
+    if (!name || name->find_first_of(".:") != std::string::npos) return name;
+    std::vector<std::string> components = component_names(parts);
+    if (std::find(components.begin(), components.end(), *name) != components.end()) return name;
+    std::vector<std::string_view> names(components.begin(), components.end());
+    for (const ConsoleCommand& command : console_commands()) names.emplace_back(command.name);
+    return failure(fmt::format("there is no word '{}'{}", shown(*name), did_you_mean(*name, names)));
+}
+
+}  // namespace
+
+Expected<CommandEnd> command_ls(Session::Parts& parts, const Arguments& arguments) {
+    if (auto peer = peer_named(arguments, 1)) return ask_peers(parts, {.name = std::move(*peer)});
+    if (arguments.has(1)) {
+        const auto text = parts.at_system([&]() -> Expected<std::string> {
+            const auto at = parts.objects->to_component(arguments.lua, 1);
+            if (!at) return Unexpected(at.error());
+            return component_text(parts.live, *at->component);
+        });
+        if (!text) return Unexpected(text.error());
+        parts.show(*text);
+        return CommandEnd::done;
+    }
+    std::string text;
+    std::size_t listed = 0;
+    const std::vector<std::string> names = component_names(parts);
+    for (const std::string& name : names) {
+        if (listed++ == most_listed) {
+            text += fmt::format("\nand {} more: ls \"name\" shows one", names.size() - most_listed);
+            break;
+        }
+        text += (text.empty() ? "" : "\n") + parts.at_system([&]() -> std::string {
+            const Component* component = parts.live.system().find(name);
+            return component != nullptr ? component_text(parts.live, *component) : "";
+        });
+    }
+    parts.show(text.empty() ? "the system is empty" : text);
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_find(Session::Parts& parts, const Arguments& arguments) {
+    const auto text = arguments.text(1, "a part of a name, as in find \"vel\"");
+    if (!text) return Unexpected(text.error());
+    Finder finder(*text);
+    for (const std::string& name : component_names(parts)) {
+        parts.at_system([&] {
+            const Component* component = parts.live.system().find(name);
+            if (component != nullptr) find_in(finder, *component);
+            return component != nullptr;
+        });
+    }
+    for (const ConsoleCommand& command : console_commands()) finder.offer(command.name, "", help_line(command));
+    parts.show(finder.result().empty() ? fmt::format("nothing has '{}' in its name", shown(*text)) : finder.result());
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_errors(Session::Parts& parts, const Arguments&) {
+    std::string text;
+    const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+    for (const LogLine& line : parts.clock.problems()) {
+        const std::string start = line.start == parts.live.starts() ? "" : fmt::format("start {}, ", line.start);
+        add(fmt::format("[{}{:.3f}] {}{}{}: {}", start, line.seconds, to_text(line.level),
+                        line.component.empty() ? "" : " ", line.component, visible_message(line.text)));
+    }
+    for (const auto& component : parts.live.system().components()) {
+        if (component->state() == LifeState::error)
+            add(fmt::format("{} is in ERROR: {}", component->name(),
+                            visible_message(describe(component->last_error()))));
+    }
+    parts.show(text.empty() ? "no errors" : text);
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_help(Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.has(1)) {
+        if (const ConsoleCommand* command = command_asked(arguments)) {
+            parts.show(fmt::format("{}: {}", command->usage, command->help));
+            return CommandEnd::done;
+        }
+        const auto path = path_asked(parts, arguments);
+        if (!path) return Unexpected(path.error());
+        const auto text =
+            parts.at_system([&]() -> Expected<std::string> { return help_text(parts.live.system(), *path); });
+        if (!text) return Unexpected(text.error());
+        parts.show(*text);
+        return CommandEnd::done;
+    }
+    std::string text =
+        "Lua, with the system's components by name: mouse, mouse.ir_sensor_out, controller.config.NAME = "
+        "value,\ncontroller:activate(). A port is shown with its value, type, age and peers.";
+    for (const ConsoleCommand& command : console_commands()) text += "\n" + help_line(command);
+    parts.show(text);
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_print(Session::Parts& parts, const Arguments& arguments) {
+    std::string line;
+    InspectWork work;
+    for (int i = 1; i <= arguments.count(); ++i) {
+        if (i > 1) line += '\t';
+        line += inspect(arguments.lua, i, {.quote = false, .work = &work});
+    }
+    parts.show(line);
+    return CommandEnd::done;
+}
+
+}  // namespace nezumi

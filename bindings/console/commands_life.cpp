@@ -1,0 +1,97 @@
+// Commands for the life of all components at once, and for what is heard of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/console/console_commands.hpp"
+
+namespace nezumi {
+namespace {
+
+// What is to be done to whom: one component, or all that are in a state, in this order.
+Expected<std::vector<std::string>> wanted(Session::Parts& parts, const Arguments& arguments, LifeState state) {
+    using Names = std::vector<std::string>;
+    return parts.at_system([&]() -> Expected<Names> {
+        if (arguments.has(1)) {
+            const auto at = parts.objects->to_component(arguments.lua, 1);
+            return at ? Expected<Names>(Names{at->component->name()}) : Unexpected(at.error());
+        }
+        Names names;
+        for (const auto& component : parts.live.system().components()) {
+            if (component->state() == state) names.push_back(component->name());
+        }
+        return names;
+    });
+}
+
+// One act for each, between two ticks each; tells who did it, and who did not and why.
+template <class EachAct>
+Expected<CommandEnd> act_on(Session::Parts& parts, const std::vector<std::string>& names, std::string_view done,
+                            std::string_view none) {
+    std::vector<std::string> acted, failed;
+    for (const std::string& name : names) {
+        const auto result = parts.at_system([&] { return std::make_optional(parts.act(EachAct{name})); });
+        if (!result) return failure("interrupted");
+        if (*result) {
+            acted.push_back(name);
+        } else {
+            failed.push_back(describe(result->error()));
+        }
+    }
+    if (!acted.empty()) parts.show(fmt::format("{}: {}", done, fmt::join(acted, ", ")));
+    if (!failed.empty()) return failure(fmt::format("{}", fmt::join(failed, "\n")));
+    if (acted.empty()) parts.show(none);
+    return CommandEnd::done;
+}
+
+constexpr std::array levels{LogLevel::debug, LogLevel::info, LogLevel::warn, LogLevel::error};
+
+}  // namespace
+
+std::vector<std::string> log_level_names() {
+    std::vector<std::string> names;
+    names.reserve(levels.size());
+    for (const LogLevel level : levels) names.emplace_back(to_text(level));
+    return names;
+}
+
+Expected<CommandEnd> command_activate(Session::Parts& parts, const Arguments& arguments) {
+    if (auto peer = peer_named(arguments, 1))
+        return ask_peers(parts, {.what = PeerWish::What::activate, .name = std::move(*peer)});
+    const auto names = wanted(parts, arguments, LifeState::inactive);
+    if (!names) return Unexpected(names.error());
+    return act_on<Activate>(parts, *names, "ACTIVE now", "nothing is INACTIVE");
+}
+
+Expected<CommandEnd> command_deactivate(Session::Parts& parts, const Arguments& arguments) {
+    if (auto peer = peer_named(arguments, 1))
+        return ask_peers(parts, {.what = PeerWish::What::deactivate, .name = std::move(*peer)});
+    auto names = wanted(parts, arguments, LifeState::active);
+    if (!names) return Unexpected(names.error());
+    // The last first, as at the end of a run: who commands goes before who obeys.
+    std::reverse(names->begin(), names->end());
+    return act_on<Deactivate>(parts, *names, "INACTIVE now", "nothing is ACTIVE");
+}
+
+Expected<CommandEnd> command_log_level(Session::Parts& parts, const Arguments& arguments) {
+    const auto name = arguments.text(1, "a level, as in log_level \"debug\"");
+    if (!name) return Unexpected(name.error());
+    std::vector<std::string_view> names;
+    for (const LogLevel level : levels) {
+        names.push_back(to_text(level));
+        if (names.back() != *name) continue;
+        if (!parts.options.output.log_level || !parts.options.output.log_level(level))
+            return failure("no log is shown here: it is where `nezumi run` or `nezumi attach` has a terminal");
+        return CommandEnd::done;
+    }
+    const std::string near = did_you_mean(*name, names);
+    return failure(fmt::format("there is no level '{}'{}", shown(*name),
+                               near.empty() ? fmt::format(" (there are {})", fmt::join(names, ", ")) : near));
+}
+
+}  // namespace nezumi

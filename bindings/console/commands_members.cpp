@@ -1,0 +1,136 @@
+// Commands that add to the running system, as a system file does, and take away.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/system_words.hpp"
+#include "bindings/lua/live/robot_acts.hpp"
+
+namespace nezumi {
+namespace {
+
+// The running system as data, for the words of a system file to add to: a copy, so that what they read from files they
+// read beside the ticks.
+struct Present {
+    Project project;
+    SystemSpec spec;
+    AddPreparer preparer;
+};
+
+Present present_of(const LiveSystem& live) { return {live.project(), live.spec(), live.add_preparer()}; }
+
+// What is added belongs to the system's file, at no line of it.
+WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }
+
+// An error of what was typed has no file; one of a script or robot file has. The word is told by the console.
+Error as_typed(Error error, const Present& present) {
+    if (error.place.file == present.spec.file) error.place = {};
+    constexpr std::string_view marker = "marker: ";
+    if (error.message.starts_with(marker)) error.message.erase(0, marker.size());
+    return error;
+}
+
+bool is_taken(const System& system, const std::string& name) {
+    const std::vector<std::string> markers = marker_names(system);
+    return system.find(name) != nullptr || std::find(markers.begin(), markers.end(), name) != markers.end();
+}
+
+Expected<CommandEnd> add_entry(Session::Parts& parts, const Arguments& arguments, const std::string& word) {
+    const auto name = read_file_value(arguments.lua, arguments.index(1));
+    if (!name) return Unexpected(name.error());
+    if (arguments.count() < 1 || name->text() == nullptr)
+        return failure(fmt::format("expected a name, as in {} \"NAME\" {{ ... }}", word));
+    if (arguments.count() < 2) return CommandEnd::table;
+    const auto fields = read_file_value(arguments.lua, arguments.index(2));
+    if (!fields) return Unexpected(fields.error());
+    auto present = parts.at_system([&] {
+        return std::make_optional(std::pair{present_of(parts.live), is_taken(parts.live.system(), *name->text())});
+    });
+    if (!present) return failure("interrupted");
+    auto& [at, has_owner] = *present;
+    if (has_owner) {
+        return failure(
+            fmt::format("the name '{0}' is taken: remove \"{0}\" frees it, or choose another", shown(*name->text())));
+    }
+    // All files are read and all scripts run here, beside the ticks; the act takes what has come of it.
+    NotedFiles files(at.project.files());
+    const Project project = at.project.through(files);
+    SystemWords words(project, at.spec);
+    auto read = words.entry(call_of(word, at), *name->text(), *fields);
+    if (read) read = words.finish();
+    if (!read) return Unexpected(as_typed(read.error(), at));
+    const Entry entry = words.spec().entries.back();
+    auto prepared = at.preparer.beside(entry, std::move(words.spec()), files);
+    if (!prepared) return Unexpected(as_typed(prepared.error(), at));
+    const auto added =
+        parts.at_system([&] { return std::make_optional(parts.live.add(std::move(*prepared), parts.options.who)); });
+    if (!added) return failure("interrupted");
+    if (!*added) return Unexpected(as_typed(added->error(), at));
+    if (!std::visit([](const auto& each) { return each.active; }, entry)) return CommandEnd::done;
+    const auto active = parts.at_system([&] { return std::make_optional(parts.act(Activate{name_of(entry)})); });
+    return active ? done(*active) : failure("interrupted");
+}
+
+}  // namespace
+
+Expected<CommandEnd> command_behavior(Session::Parts& parts, const Arguments& arguments) {
+    return add_entry(parts, arguments, "behavior");
+}
+
+Expected<CommandEnd> command_component(Session::Parts& parts, const Arguments& arguments) {
+    return add_entry(parts, arguments, "component");
+}
+
+Expected<CommandEnd> command_robot(Session::Parts& parts, const Arguments& arguments) {
+    return add_entry(parts, arguments, "robot");
+}
+
+Expected<CommandEnd> command_marker(Session::Parts& parts, const Arguments& arguments) {
+    const auto fields = read_file_value(arguments.lua, arguments.index(1));
+    if (!fields) return Unexpected(fields.error());
+    if (fields->table() == nullptr)
+        return failure("expected a table, as in marker { name = \"target\", id = 7, size = 0.1, at = { 1, 0, 0.1 } }");
+    auto present = parts.at_system([&] { return std::make_optional(present_of(parts.live)); });
+    if (!present) return failure("interrupted");
+    SystemWords words(present->project, SystemSpec{});
+    const WordCall call = call_of("marker", *present);
+    const auto thing = words.thing(call, *fields);
+    if (!thing) return Unexpected(as_typed(thing.error(), *present));
+    FileTable only;
+    only.elements.push_back({*thing});
+    if (auto placed = words.arena(call, {std::move(only)}); !placed)
+        return Unexpected(as_typed(placed.error(), *present));
+    const MarkerSpec marker = words.spec().arena.markers.back();
+    const auto added = parts.at_system([&] { return std::make_optional(parts.act(AddMarker{marker})); });
+    if (!added) return failure("interrupted");
+    return *added ? Expected<CommandEnd>(CommandEnd::done) : Unexpected(as_typed(added->error(), *present));
+}
+
+Expected<CommandEnd> command_remove(Session::Parts& parts, const Arguments& arguments) {
+    std::string name;
+    if (const auto at = parts.objects->to_component(arguments.lua, 1); at && arguments.has(1)) {
+        name = at->component->name();
+    } else {
+        const auto text = arguments.text(1, "a name, as in remove \"explorer\"");
+        if (!text) return Unexpected(text.error());
+        name = *text;
+    }
+    const auto markers =
+        parts.live.system().world() != nullptr ? parts.live.system().world()->markers() : std::vector<MarkerPose>();
+    const auto is_it = [&](const MarkerPose& marker) { return marker.name == name; };
+    const bool is_marker = std::any_of(markers.begin(), markers.end(), is_it);
+    if (is_marker && parts.live.system().find(name) == nullptr) return done(parts.act(RemoveMarker{name}));
+    const auto removed = parts.act(Remove{name});
+    if (!removed) return Unexpected(removed.error());
+    if (!removed->notes.empty()) parts.show(fmt::format("{}", fmt::join(removed->notes, "\n")));
+    return CommandEnd::done;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,77 @@
+// The command that writes a new behaviour into the project, as `nezumi new behavior` does.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/console/file_to_write.hpp"
+#include "bindings/lua/files/file_value.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::array<std::string_view, 5> fields{"inputs", "outputs", "params", "callbacks", "doc"};
+
+Expected<std::vector<std::string>> read_texts(const FileTable& table, std::string_view field) {
+    std::vector<std::string> texts;
+    const FileValue* const value = table.find(field);
+    if (value == nullptr) return texts;
+    const auto refused =
+        failure(fmt::format("{}: expected a list of texts, as in {{ \"distance:TimedShortSeq\" }}", field));
+    if (value->table() == nullptr || !value->table()->fields.empty()) return refused;
+    for (const FileValue& element : value->table()->elements) {
+        if (element.text() == nullptr) return refused;
+        texts.push_back(*element.text());
+    }
+    return texts;
+}
+
+Expected<BehaviorWish> read_wish(const std::string& name, const FileTable& table) {
+    BehaviorWish wish{.name = name};
+    for (const FileField& field : table.fields) {
+        if (std::find(fields.begin(), fields.end(), field.name) != fields.end()) continue;
+        return failure(fmt::format("there is no field '{}'{}; known are {}", shown(field.name),
+                                   did_you_mean(field.name, {fields.begin(), fields.end()}), fmt::join(fields, ", ")));
+    }
+    if (const FileValue* doc = table.find("doc"); doc != nullptr) {
+        if (doc->text() == nullptr) return failure("doc: expected a text");
+        wish.doc = *doc->text();
+    }
+    for (const auto& [field, texts] :
+         {std::pair{"inputs", &wish.inputs}, std::pair{"outputs", &wish.outputs}, std::pair{"params", &wish.parameters},
+          std::pair{"callbacks", &wish.callbacks}}) {
+        auto read = read_texts(table, field);
+        if (!read) return Unexpected(read.error());
+        *texts = std::move(*read);
+    }
+    return wish;
+}
+
+}  // namespace
+
+Expected<CommandEnd> command_new(Session::Parts& parts, const Arguments& arguments) {
+    if (!parts.options.author) return failure("nothing is written here: `nezumi run` does");
+    const auto name = read_file_value(arguments.lua, arguments.index(1));
+    if (!name) return Unexpected(name.error());
+    if (arguments.count() < 1 || name->text() == nullptr)
+        return failure("expected a name, as in new \"line_follower\" { inputs = { \"light:TimedShortSeq\" } }");
+    if (arguments.count() < 2) return CommandEnd::table;
+    const auto table = read_file_value(arguments.lua, arguments.index(2));
+    if (!table) return Unexpected(table.error());
+    if (table->table() == nullptr) return failure("expected a table of " + fmt::format("{}", fmt::join(fields, ", ")));
+    const auto wish = read_wish(*name->text(), *table->table());
+    if (!wish) return Unexpected(wish.error());
+    const auto home = parts.at_system([&] { return writable_folder(parts.live.project(), parts.live.spec().file); });
+    if (home.empty()) return failure("interrupted");
+    const auto written = parts.options.author(home, *wish);
+    if (!written) return Unexpected(written.error());
+    parts.show(fmt::format("wrote {}", fmt::join(*written, ", ")));
+    return CommandEnd::done;
+}
+
+}  // namespace nezumi

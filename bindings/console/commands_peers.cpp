@@ -1,0 +1,98 @@
+// Commands for components of other programs. Whoever they ask may take its time: ticks go on meanwhile.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/live/object_core.hpp"
+#include "engine/system/rtm_spec.hpp"
+
+namespace nezumi {
+namespace {
+
+constexpr std::string_view prefix = "rtm:";
+
+struct Verb {
+    std::string_view name;
+    PeerWish::What what;
+};
+constexpr std::array<Verb, 4> verbs{{{"activate", PeerWish::What::activate},
+                                     {"deactivate", PeerWish::What::deactivate},
+                                     {"reset", PeerWish::What::reset},
+                                     {"use", PeerWish::What::use}}};
+
+Expected<void> read_verb(PeerWish& wish, const std::string& text, const Arguments& arguments) {
+    const auto* verb = std::find_if(verbs.begin(), verbs.end(), [&](const Verb& each) { return each.name == text; });
+    if (verb == verbs.end()) {
+        std::vector<std::string_view> names;
+        names.reserve(verbs.size());
+        for (const Verb& each : verbs) names.push_back(each.name);
+        const std::string near = did_you_mean(text, names);
+        return failure(fmt::format("there is no '{}'{}", shown(text),
+                                   near.empty() ? fmt::format(" (there are {})", fmt::join(names, ", ")) : near));
+    }
+    wish.what = verb->what;
+    if (wish.what != PeerWish::What::use) return {};
+    auto set = arguments.text(3, "the name of a set, as in rtm(\"ConsoleOut0\", \"use\", \"default\")");
+    if (!set) return Unexpected(set.error());
+    wish.set = std::move(*set);
+    return {};
+}
+
+Expected<void> read_values(PeerWish& wish, const FileTable& table) {
+    wish.what = PeerWish::What::configure;
+    if (!table.elements.empty() || table.fields.empty())
+        return failure("expected values by name, as in rtm(\"ConsoleOut0\", { speed = 0.5 })");
+    for (const FileField& field : table.fields) {
+        auto value = to_parameter(field.value);
+        if (!value) return failure(fmt::format("{}: {}", field.name, value.error().message));
+        wish.values.emplace(field.name, std::move(*value));
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<std::string> peer_named(const Arguments& arguments, int position) {
+    if (lua_type(arguments.lua, arguments.index(position)) != LUA_TSTRING) return std::nullopt;
+    std::string text(text_at(arguments.lua, arguments.index(position)));
+    if (!is_rtm_path(text)) return std::nullopt;
+    return text.substr(prefix.size());
+}
+
+Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerWish& wish) {
+    if (!parts.options.peers) return failure("there are no RTCs here: `nezumi run` reaches them");
+    std::future<Expected<std::string>> answer;
+    const bool answered = parts.worker.perform([&] {
+        if (!answer.valid()) answer = parts.options.peers(wish);
+        return answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
+    if (!answered) return failure("interrupted");
+    const auto text = answer.get();
+    if (!text) return Unexpected(text.error());
+    if (!text->empty()) parts.show(*text);
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_rtm(Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.count() < 1) return ask_peers(parts, {});
+    auto name = arguments.text(1, "an RTC's name, as in rtm \"ConsoleOut0\"");
+    if (!name) return Unexpected(name.error());
+    PeerWish wish{.name = is_rtm_path(*name) ? name->substr(prefix.size()) : *name};
+    if (!arguments.has(2)) return ask_peers(parts, wish);
+    if (wish.name.empty()) return failure("which RTC? rtm() lists them");
+    const auto what = read_file_value(arguments.lua, arguments.index(2));
+    if (!what) return Unexpected(what.error());
+    Expected<void> read =
+        failure("expected what to do, as in rtm(\"ConsoleOut0\", \"activate\"), or a table of values");
+    if (what->text() != nullptr) read = read_verb(wish, *what->text(), arguments);
+    if (what->table() != nullptr) read = read_values(wish, *what->table());
+    if (!read) return Unexpected(read.error());
+    return ask_peers(parts, wish);
+}
+
+}  // namespace nezumi

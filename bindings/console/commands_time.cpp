@@ -1,0 +1,130 @@
+// Commands that drive the clock.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/console/file_to_write.hpp"
+
+namespace nezumi {
+namespace {
+
+Expected<void> refuse_hardware(const Session::Parts& parts) {
+    if (parts.clock.is_hardware()) return failure("real robots know only real time: this works in simulation");
+    return {};
+}
+
+constexpr double most_ticks = 1e12;
+
+CommandEnd advance(Session::Parts& parts, double ticks) {
+    parts.ticks = static_cast<std::int64_t>(ticks);
+    return CommandEnd::wait;
+}
+
+}  // namespace
+
+Expected<CommandEnd> command_pause(Session::Parts& parts, const Arguments&) {
+    parts.clock.pause();
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_step(Session::Parts& parts, const Arguments& arguments) {
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    double ticks = 1;
+    if (arguments.has(1)) {
+        const auto given = arguments.number(1, "a number of ticks");
+        if (!given) return Unexpected(given.error());
+        ticks = *given;
+    }
+    if (!(ticks >= 1 && ticks <= most_ticks) || ticks != std::floor(ticks))
+        return failure(fmt::format("expected a number of ticks, 1 or more, got {}", ticks));
+    return advance(parts, ticks);
+}
+
+Expected<CommandEnd> command_run(Session::Parts& parts, const Arguments& arguments) {
+    if (!arguments.has(1)) {
+        if (parts.options.batch) return failure("how long? Time moves only by step(n) and run(seconds) here");
+        parts.clock.resume();
+        return CommandEnd::done;
+    }
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    const auto seconds = arguments.number(1, "seconds");
+    if (!seconds) return Unexpected(seconds.error());
+    const double ticks = std::ceil(*seconds * parts.live.system().settings().rate - 1e-6);
+    if (!(*seconds > 0 && ticks <= most_ticks))
+        return failure(fmt::format("expected seconds, more than 0{}, got {}",
+                                   *seconds > 0 ? " and fewer than that" : "", *seconds));
+    return advance(parts, std::max(1.0, ticks));
+}
+
+Expected<CommandEnd> command_speed(Session::Parts& parts, const Arguments& arguments) {
+    if (!arguments.has(1)) {
+        parts.number = parts.clock.speed();
+        return CommandEnd::number;
+    }
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    double factor = std::numeric_limits<double>::infinity();
+    if (const auto text = arguments.text(1, ""); !text || *text != "max") {
+        const auto given = arguments.number(1, "a number or \"max\"");
+        if (!given) return Unexpected(given.error());
+        factor = *given;
+    }
+    if (!(factor > 0)) return failure(fmt::format("expected a number above 0, got {}; pause() stops time", factor));
+    parts.clock.set_speed(factor);
+    return CommandEnd::done;
+}
+
+// What acts have added is in no file.
+Expected<void> check_lost(Session::Parts& parts, const Arguments& arguments) {
+    if (arguments.has(1)) {
+        const auto how = arguments.text(1, "nothing, or \"anyway\"");
+        if (!how) return Unexpected(how.error());
+        if (*how != "anyway") return failure(fmt::format("expected nothing, or \"anyway\", got '{}'", shown(*how)));
+        return {};
+    }
+    auto look = parts.at_system([&] { return parts.live.lost_by_restart(); });
+    if (!look) return failure("interrupted");
+    const std::vector<std::string> names = look();
+    if (names.empty()) return {};
+    const auto at = parts.at_system([&] {
+        return std::make_optional(std::pair{parts.live.project(), parts.live.spec().file});
+    });
+    if (!at) return failure("interrupted");
+    const auto& [project, file] = *at;
+    // Only what is in the system's own file is there again.
+    const bool can_write = file_to_write(writable_folder(project, file), file, {.endings = {".lua"}}).has_value();
+    const std::string how = can_write ? fmt::format("save \"{}\" keeps them in the system's file", file)
+                                      : "save \"FILE.lua\" and run that file to keep them";
+    return failure(fmt::format("{} would be gone: {}, restart \"anyway\" lets them go", fmt::join(names, ", "), how));
+}
+
+Expected<CommandEnd> command_restart(Session::Parts& parts, const Arguments& arguments) {
+    if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
+    if (auto ok = check_lost(parts, arguments); !ok) return Unexpected(ok.error());
+    const auto attempt = parts.at_system([&] { return parts.live.try_restart(); });
+    if (!attempt) return failure("interrupted");
+    if (auto ok = attempt(); !ok) return Unexpected(ok.error());
+    const auto restarted = parts.at_system([&] { return std::make_optional(parts.act(Restart{})); });
+    if (!restarted) return failure("interrupted");
+    if (!*restarted) return Unexpected(restarted->error());
+    parts.show("started anew, time is 0");
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_quit(Session::Parts& parts, const Arguments&) {
+    parts.jobs.clear();
+    parts.quits = Worker::Clock::now();  // once its line is answered
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_now(Session::Parts& parts, const Arguments&) {
+    parts.number = parts.live.system().now().seconds;
+    return CommandEnd::number;
+}
+
+}  // namespace nezumi

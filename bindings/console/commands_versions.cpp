@@ -1,0 +1,76 @@
+// Commands for versions of scripts.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "bindings/console/console_commands.hpp"
+#include "bindings/lua/script/script_component.hpp"
+
+namespace nezumi {
+namespace {
+
+std::string report_text(const System& system, const ActResult& report) {
+    std::string text;
+    for (const std::string& name : report.components) {
+        const Component* component = system.find(name);
+        if (component == nullptr) continue;
+        text += fmt::format("{}{}: version {} runs", text.empty() ? "" : "\n", name, component->version());
+    }
+    for (const std::string& note : report.notes) text += "\n" + note;
+    return text;
+}
+
+// The component whose version came last.
+const ScriptComponent* changed_last(const System& system) {
+    const ScriptComponent* last = nullptr;
+    for (const auto& component : system.components()) {
+        const auto* script = dynamic_cast<const ScriptComponent*>(component);
+        if (script == nullptr || script->version_before() == nullptr) continue;
+        if (last == nullptr || script->version_before()->replaced_by > last->version_before()->replaced_by)
+            last = script;
+    }
+    return last;
+}
+
+}  // namespace
+
+Expected<CommandEnd> command_reload(Session::Parts& parts, const Arguments&) {
+    const auto look = parts.at_system([&] { return parts.live.look_for_changes(); });
+    if (!look) return failure("interrupted");
+    std::vector<std::string> files = look();
+    if (files.empty()) {
+        parts.show("no script has changed");
+        return CommandEnd::done;
+    }
+    // What does not load, or not within its time, costs the ticks nothing.
+    const auto attempt = parts.at_system([&] { return parts.live.try_reload(files); });
+    if (!attempt) return failure("interrupted");
+    if (auto loads = attempt(); !loads) return Unexpected(loads.error());
+    const auto text = parts.at_system([&]() -> std::optional<Expected<std::string>> {
+        const auto report = parts.act(Reload{.files = std::move(files)});
+        if (!report) return Unexpected(report.error());
+        return report_text(parts.live.system(), *report);
+    });
+    if (!text) return failure("interrupted");
+    if (!*text) return Unexpected(text->error());
+    parts.show(**text);
+    return CommandEnd::done;
+}
+
+Expected<CommandEnd> command_rollback(Session::Parts& parts, const Arguments& arguments) {
+    const Component* component = nullptr;
+    if (arguments.has(1)) {
+        const auto at = parts.objects->to_component(arguments.lua, 1);
+        if (!at) return Unexpected(at.error());
+        component = at->component;
+    } else {
+        component = changed_last(parts.live.system());
+        if (component == nullptr) return failure("there is no version to go back to");
+    }
+    const auto report = parts.act(Rollback{component->name()});
+    if (!report) return Unexpected(report.error());
+    parts.show(report_text(parts.live.system(), *report));
+    return CommandEnd::done;
+}
+
+}  // namespace nezumi

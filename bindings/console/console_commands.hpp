@@ -1,0 +1,102 @@
+// The commands of the console: what each is called, how it is used, what it does.
+#pragma once
+
+#include <lua.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/console/session_parts.hpp"
+#include "bindings/lua/values/bridge.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+/// What a command wants done after it.
+enum class CommandEnd : unsigned char {
+    done,
+    number,  ///< it returns `Parts::number`
+    table,   ///< it returns a function that takes the table to the name that it was given: `robot "mouse" { ... }`
+    wait,    ///< `Parts::ticks` are to pass before the input goes on
+};
+
+/// What an argument of a command is completed to.
+enum class Offer : unsigned char {
+    nothing,
+    component,
+    port,
+    source,     ///< an out-port, also one of another host
+    target,     ///< an in-port of the type of the first argument, also one of another host
+    in_port,    ///< the same of this system
+    value,      ///< the fields of what the port before it carries
+    carried,    ///< a marker, a robot, or a thing as in "box 1"
+    removable,  ///< a component or marker
+    log_level,
+    anyway,  ///< the text "anyway"
+    max,     ///< the text "max"
+    topic,   ///< what `help` explains by its name alone
+};
+
+struct ConsoleCommand {
+    const char* name;
+    const char* usage;  ///< "step(n)": it begins with the name
+    const char* help;   ///< one sentence
+    int most;           ///< arguments at most
+    Expected<CommandEnd> (*run)(Session::Parts& parts, const Arguments& arguments);
+    /// It runs in the session's own thread, beside the ticks, and asks for what it wants of the system; the others run
+    /// between two ticks, and read nothing large from Lua.
+    bool beside = false;
+    std::vector<Offer> offers{};  ///< its arguments, in order; the last also stands for those that follow
+    /// Whose fields its table has, of `file_records` and `console_records`, and which argument is the first that may be
+    /// that table.
+    struct Table {
+        std::string_view record{};
+        int from = 1;
+    } table{};
+};
+
+/// The command of this name, or null.
+const ConsoleCommand* find_console_command(std::string_view name);
+
+/// All of them, in the order in which `help()` lists them.
+const std::vector<ConsoleCommand>& console_commands();
+
+/// Adds the commands' functions to the table on top of the stack. May raise a Lua error.
+void add_console_commands(lua_State* L, Session::Parts& parts);
+/// The command whose function is at `index`; null for any other value.
+const ConsoleCommand* command_at(lua_State* L, int index);
+
+/// What `log_level` takes, from the most to the least.
+std::vector<std::string> log_level_names();
+
+/// What `robot "mouse"` has returned, which waits for its table: `robot "mouse"`; "" for any other value.
+std::string waiting_command_at(lua_State* L, int index);
+
+/// The end of a command that was one act and shows nothing.
+template <class Result>
+Expected<CommandEnd> done(const Expected<Result>& acted) {
+    if (!acted) return Unexpected(acted.error());
+    return CommandEnd::done;
+}
+
+/// The name behind "rtm:", where the argument is such a text.
+std::optional<std::string> peer_named(const Arguments& arguments, int position);
+/// Asks components of other programs, waits for the answer and shows it. For commands that run beside the ticks.
+Expected<CommandEnd> ask_peers(Session::Parts& parts, const PeerWish& wish);
+
+// Each group in its own file.
+using CommandFunction = Expected<CommandEnd>(Session::Parts&, const Arguments&);
+CommandFunction command_connect, command_disconnect;                                                 // wiring
+CommandFunction command_behavior, command_component, command_robot, command_marker, command_remove;  // members
+CommandFunction command_activate, command_deactivate, command_log_level;                             // life
+CommandFunction command_ls, command_find, command_help, command_errors, command_now, command_print;  // looking
+CommandFunction command_watch, command_unwatch, command_plot, command_drive, command_explain;        // following
+CommandFunction command_inject, command_hold, command_release;                                       // acting
+CommandFunction command_teleport, command_stop, command_rearm;
+CommandFunction command_pause, command_step, command_run, command_speed, command_restart, command_quit;  // time
+CommandFunction command_reload, command_rollback;                                                        // versions
+CommandFunction command_rtm;                                                // other programs
+CommandFunction command_save, command_new, command_picture, command_graph;  // files
+
+}  // namespace nezumi

@@ -1,0 +1,31 @@
+// What a new version of a script takes over of the parameters and the state of the one before, and what is said of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bindings/lua/values/plain_data.hpp"
+#include "engine/components/component.hpp"
+#include "engine/components/parameter.hpp"
+
+namespace nezumi {
+
+/// Says which values went with their parameters, and which no longer fit. `before` may be without the set that
+/// `running` has in use.
+void describe_lost(const Parameters& running, const Parameters& before, const Parameters& after,
+                   std::vector<std::string>& warnings);
+
+/// "speed_x = 0.3 (its default is 0.2)": values that a reload kept, where that may surprise: somebody set them since
+/// the start, or the file has another default now, which they do not follow.
+std::string kept_text(const Parameters& before, const Parameters& after, const ParameterValues& configured);
+
+/// Whether the set in use is one that these parameters take whole.
+Expected<void> check_set(const Component& component, Parameters parameters);
+
+/// Makes `settings` what they would be without the set in use, but for what was set since.
+void leave_set(const Component& component, Parameters& settings);
+
+/// Says which values of `state` were dropped.
+void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings);
+
+}  // namespace nezumi

@@ -1,0 +1,22 @@
+// The members of components and ports, for editors and as tables of the documentation's pages.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "bindings/lua/values/member_names.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi {
+
+/// `---@field status ...`, a line.
+std::string annotation(const MemberName& member);
+
+/// A Markdown table with a line for each member, of `owner`: "X", "port".
+std::string member_table(std::span<const MemberName> members, std::string_view owner);
+
+/// A page with the tables that it asks for: `<!-- members: component -->`, `<!-- members: port -->`.
+Expected<std::string> with_member_tables(std::string_view page);
+
+}  // namespace nezumi

@@ -1,0 +1,112 @@
+// Table by table in the order in which they were taken: each one is known before what it holds is.
+#include "bindings/lua/values/set_plain.hpp"
+
+#include <variant>
+
+#include "bindings/lua/sandbox/hidden_metatable.hpp"
+#include "bindings/lua/values/plain_scalar.hpp"
+
+namespace nezumi {
+namespace {
+
+using Value = PlainData::Value;
+
+bool is_scalar(int type) { return type == LUA_TBOOLEAN || type == LUA_TNUMBER || type == LUA_TSTRING; }
+
+// Stack indices of Lua tables.
+struct Places {
+    int tables;  // data.tables[i] is at i + 1
+    int used;    // those of them that the script had already, as keys
+};
+
+// Of the table at `from`: takes away the plain data, and puts its tables into the one at `into`, under the same keys.
+void move_plain(lua_State* L, int from, int into) {
+    lua_pushnil(L);
+    while (lua_next(L, from) != 0) {
+        const bool is_table = lua_type(L, -1) == LUA_TTABLE && !has_hidden_metatable(L, -1);
+        if (is_scalar(lua_type(L, -2)) && (is_table || is_scalar(lua_type(L, -1)))) {
+            if (is_table) {
+                lua_pushvalue(L, -2);
+                lua_pushvalue(L, -2);
+                lua_rawset(L, into);
+            }
+            lua_pushvalue(L, -2);
+            lua_pushnil(L);
+            lua_rawset(L, from);
+        }
+        lua_pop(L, 1);
+    }
+}
+
+// The script's own table under the key on top of the stack, which is popped, where it stands for no other yet; or a new
+// one.
+void push_table(lua_State* L, int before, const Places& places) {
+    lua_rawget(L, before);
+    const bool is_there = lua_istable(L, -1);
+    if (is_there) {
+        lua_pushvalue(L, -1);
+        lua_rawget(L, places.used);
+    }
+    if (!is_there || lua_toboolean(L, -1) != 0) {
+        lua_settop(L, before);
+        lua_newtable(L);
+        return;
+    }
+    lua_pop(L, 1);
+    lua_pushvalue(L, -1);
+    lua_pushboolean(L, 1);
+    lua_rawset(L, places.used);
+}
+
+void set_field(lua_State* L, int table, int before, const Value& key, const Value& value, const Places& places) {
+    push_scalar(L, key);
+    lua_rawget(L, table);
+    const bool is_other = !lua_isnil(L, -1);  // what is no plain data
+    lua_pop(L, 1);
+    if (is_other) return;
+    if (const auto* ref = std::get_if<PlainData::TableRef>(&value)) {
+        const auto place = static_cast<lua_Integer>(ref->index + 1);
+        if (lua_rawgeti(L, places.tables, place) == LUA_TNIL) {
+            lua_pop(L, 1);
+            push_scalar(L, key);
+            push_table(L, before, places);
+            lua_pushvalue(L, -1);
+            lua_rawseti(L, places.tables, place);
+        }
+    } else {
+        push_scalar(L, value);
+    }
+    push_scalar(L, key);
+    lua_insert(L, -2);
+    lua_rawset(L, table);
+}
+
+}  // namespace
+
+void set_plain(lua_State* L, const PlainData& data) {
+    const auto* first = data.values.empty() ? nullptr : std::get_if<PlainData::TableRef>(&data.values.front());
+    if (first == nullptr) return;
+    luaL_checkstack(L, 12, nullptr);
+    const int root = lua_gettop(L);
+    lua_newtable(L);
+    lua_newtable(L);
+    const Places places{root + 1, root + 2};
+    lua_pushvalue(L, root);
+    lua_rawseti(L, places.tables, static_cast<lua_Integer>(first->index + 1));
+    lua_pushvalue(L, root);
+    lua_pushboolean(L, 1);
+    lua_rawset(L, places.used);
+    for (std::size_t i = 0; i < data.tables.size(); ++i) {
+        lua_rawgeti(L, places.tables, static_cast<lua_Integer>(i + 1));
+        if (lua_istable(L, -1)) {
+            const int table = lua_gettop(L);
+            lua_newtable(L);
+            move_plain(L, table, table + 1);
+            for (const auto& [key, value] : data.tables[i]) set_field(L, table, table + 1, key, value, places);
+        }
+        lua_settop(L, places.used);
+    }
+    lua_settop(L, root);
+}
+
+}  // namespace nezumi

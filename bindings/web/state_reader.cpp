@@ -1,0 +1,141 @@
+// Poses are few and always told; a port is looked at only when something has come.
+#include "bindings/web/state_reader.hpp"
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "engine/ports/cdr.hpp"
+#include "engine/trace/channel.hpp"
+
+namespace nezumi::web {
+namespace {
+
+void add_robots(WebFrame& frame, const System& system, const Watch& wanted) {
+    const World* const world = system.world();
+    std::uint32_t index = 0;
+    for (const Robot* robot : system.robots()) {
+        const bool simulated = world != nullptr && robot->has_body() && !robot->is_real();
+        if (wanted.truth) {
+            WebRobot seen{.index = index};
+            if (simulated) {
+                const auto [position, orientation] = world->pose(robot->id());
+                seen = {.index = index,
+                        .x = position.x,
+                        .y = position.y,
+                        .z = position.z,
+                        .yaw = orientation.y,
+                        .pitch = orientation.p,
+                        .roll = orientation.r,
+                        .is_truth = true,
+                        .collided = world->collided(robot->id()),
+                        .touches = world->collided_with(robot->id()),
+                        .contacts = world->contact_points(robot->id())};
+            } else {
+                const Pose2D& pose = robot->odometry().pose();
+                seen.x = pose.position.x;
+                seen.y = pose.position.y;
+                seen.yaw = pose.heading;
+            }
+            frame.robots.push_back(seen);
+        }
+        if (wanted.rays && simulated) {
+            for (const Ray& ray : world->rays(robot->id())) {
+                frame.rays.push_back({.robot = index,
+                                      .from = ray.from,
+                                      .to = ray.to,
+                                      .hit = ray.hit,
+                                      .distance = static_cast<std::uint32_t>(ray.distance)});
+            }
+        }
+        ++index;
+    }
+}
+
+void add_things(WebFrame& frame, const World& world) {
+    std::uint32_t index = 0;
+    for (const ThingPose& thing : world.things()) frame.things.push_back({.index = index++, .pose = thing.pose});
+    index = 0;
+    for (const MarkerPose& marker : world.markers()) frame.markers.push_back({.index = index++, .pose = marker.pose});
+}
+
+// Numbers of a member that are shown.
+constexpr std::size_t most_leaves = 128;
+
+bool is_member(std::string_view name) { return name == "truth" || name == "probes" || name == "state"; }
+
+std::optional<double> number_of(const Leaf& leaf) {
+    if (const auto* number = std::get_if<double>(&leaf)) return *number;
+    if (const auto* single = std::get_if<float>(&leaf)) return *single;
+    if (const auto* whole = std::get_if<std::int64_t>(&leaf)) return static_cast<double>(*whole);
+    if (const auto* is_on = std::get_if<bool>(&leaf)) return *is_on ? 1 : 0;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::unique_ptr<State> StateReader::at(std::unique_ptr<State> state, const Watch& wanted, double late) {
+    const System& system = live_.system();
+    if (starts_ != live_.starts() || layout_ != system.layout() || number_ == 0) {
+        starts_ = live_.starts();
+        layout_ = system.layout();
+        ++number_;
+        counts_.clear();
+        state.reset();
+    }
+    // Who watches more has to be told what others know.
+    if (!(watched_ == wanted)) {
+        watched_ = wanted;
+        counts_.clear();
+    }
+    if (state == nullptr) state = std::make_unique<State>();
+    state->layout = number_;
+    WebFrame frame{.time = system.now().seconds,
+                   .tick = system.now().tick,
+                   .running = !clock_.is_paused(),
+                   .speed = clock_.speed(),
+                   .late = late * 1000};
+    add_robots(frame, system, wanted);
+    if (system.world() != nullptr) add_things(frame, *system.world());
+    state->now = std::move(frame);
+    add_ports(*state, wanted);
+    add_members(*state, wanted);
+    return state;
+}
+
+void StateReader::add_members(State& state, const Watch& wanted) const {
+    state.members.clear();
+    for (const std::string& name : wanted.members) {
+        const auto dot = name.find('.');
+        if (dot == std::string::npos) continue;
+        const std::string_view what = std::string_view(name).substr(dot + 1);
+        const Component* const owner = live_.system().find(name.substr(0, dot));
+        if (!is_member(what) || owner == nullptr || owner->find_port(what) != nullptr) continue;
+        auto channel = Channel::find(live_.system(), name);
+        if (!channel) continue;
+        channel->latch(live_.system(), live_.system().now().tick);
+        WebMember member{.name = name};
+        channel->visit(0, [&](const LeafPath& path, const Leaf& leaf) {
+            if (member.leaves.size() >= most_leaves) return;
+            if (const auto value = number_of(leaf)) member.leaves.push_back({path.text(), *value});
+        });
+        state.members.push_back(std::move(member));
+    }
+}
+
+void StateReader::add_ports(State& state, const Watch& wanted) {
+    for (const std::string& name : wanted.ports) {
+        const auto port = live_.system().port(name);
+        if (!port || (*port)->type() == type_index<CameraImage>()) continue;
+        const auto [seen, is_new] = counts_.try_emplace(name, 0);
+        const std::uint64_t count = (*port)->count();
+        if (!is_new && seen->second == count) continue;
+        seen->second = count;
+        State::Port& told = state.ports[name];
+        told.count = count;
+        write_cdr_message(told.payload, (*port)->value(), (*port)->tm());
+    }
+}
+
+}  // namespace nezumi::web

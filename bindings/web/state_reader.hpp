@@ -1,0 +1,37 @@
+// Reads the state of a running system for browsers, between two ticks.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bindings/console/clock_control.hpp"
+#include "bindings/lua/live/live_system.hpp"
+#include "bindings/web/changes.hpp"
+
+namespace nezumi::web {
+
+class StateReader {
+public:
+    /// Both must outlive it.
+    StateReader(const LiveSystem& live, const ClockControl& clock) : live_(live), clock_(clock) {}
+
+    /// Adds what has changed to a state that nobody has taken yet, or begins one.
+    std::unique_ptr<State> at(std::unique_ptr<State> state, const Watch& wanted, double late);
+
+private:
+    void add_ports(State& state, const Watch& wanted);
+    void add_members(State& state, const Watch& wanted) const;
+
+    const LiveSystem& live_;
+    const ClockControl& clock_;
+    int starts_ = 0;
+    std::uint64_t layout_ = 0;  // of the system
+    std::uint64_t number_ = 0;  // of the layout, over starts
+    Watch watched_;
+    std::map<std::string, std::uint64_t, std::less<>> counts_;  // of ports, when they were looked at
+};
+
+}  // namespace nezumi::web

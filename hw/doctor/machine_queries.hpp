@@ -1,0 +1,60 @@
+// What can be asked of a machine: files of the kernel, nodes, and the programs that have them open.
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "hw/device/node.hpp"
+
+namespace nezumi::hw {
+
+/// The first line of a file of the kernel, without what ends it; "" when it can't be read.
+std::string first_line(const std::string& path);
+
+/// The names in a folder, sorted; none when it can't be read.
+std::vector<std::string> names_in(const std::string& folder);
+
+/// What `query` gives, if it does so in time. One that hangs in the kernel is left behind: it must own all that it
+/// uses.
+template <class Query>
+std::optional<std::invoke_result_t<Query>> in_time(Query query) {
+    using Result = std::invoke_result_t<Query>;
+    auto promise = std::make_shared<std::promise<Result>>();
+    std::future<Result> answer = promise->get_future();
+    std::thread([promise, query = std::move(query)] { promise->set_value(query()); }).detach();
+    if (answer.wait_for(std::chrono::seconds(1)) != std::future_status::ready) return std::nullopt;
+    return answer.get();
+}
+
+/// Whether a node can be opened: 0, an errno, or ETIMEDOUT when it does not answer.
+int opening_fails_with(const std::string& path, Node::Access access);
+
+/// What a node says, read once; an errno, or ETIMEDOUT.
+tl::expected<std::string, int> ask(const std::string& path);
+
+/// A program that has files open.
+struct Holder {
+    int process = 0;
+    std::string name;                ///< "python3"; "" when it can't be told
+    std::vector<std::string> files;  ///< which of those asked for, in their order
+};
+
+/// The other programs that have any of these files open, as far as this user may see that. A child of such a program,
+/// as the guard of a nezumi is, ends with it and is left out.
+std::vector<Holder> holders_of(const std::vector<std::string>& files, const std::string& proc);
+
+/// What gives this user access to a node that it may not use, where a group does: "sudo adduser $USER dialout, then
+/// log in again"; "" where no group of /etc/group does.
+std::string group_that_may(const std::string& path);
+
+/// "a, b and c".
+std::string listed(const std::vector<std::string>& names);
+
+}  // namespace nezumi::hw

@@ -1,0 +1,4 @@
+// A program that includes a component's door, and does nothing.
+#include DOOR
+
+int main() {}

@@ -1,0 +1,51 @@
+// A session's thread, and what it has done by the thread that ticks.
+#include "bindings/console/worker.hpp"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+using namespace nezumi;
+using namespace std::chrono_literals;
+
+namespace {
+
+void wait_for_the_job(const Worker& worker) {
+    const auto end = Worker::Clock::now() + 30s;
+    while (!worker.is_idle() && Worker::Clock::now() < end) std::this_thread::sleep_for(1ms);
+    REQUIRE(worker.is_idle());
+}
+
+void end(Worker& worker) {
+    worker.close({});
+    REQUIRE(worker.join(Worker::Clock::now() + 30s));
+}
+
+}  // namespace
+
+TEST_CASE("what a job has posted is done in its order, to the last", "[console][worker]") {
+    const Bell bell;
+    Worker worker(bell);
+    std::vector<int> done;
+    worker.start([&] {
+        for (int i = 1; i <= 3; ++i) worker.post(1, [&done, i] { done.push_back(i); });
+    });
+    wait_for_the_job(worker);
+    CHECK(done.empty());
+    worker.serve_posts();
+    CHECK(done == std::vector{1, 2, 3});
+    end(worker);
+}
+
+TEST_CASE("nothing of what a job has posted is done after it is revoked", "[console][worker]") {
+    const Bell bell;
+    Worker worker(bell);
+    bool done = false;
+    worker.start([&] { worker.post(1, [&done] { done = true; }); });
+    wait_for_the_job(worker);
+    worker.revoke();
+    worker.serve_posts();
+    CHECK_FALSE(done);
+    end(worker);
+}

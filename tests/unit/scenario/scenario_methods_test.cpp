@@ -1,0 +1,200 @@
+// Slips in a scenario's own words: the scenario could not be run, and what is in the text is found before it runs.
+#include <catch2/catch.hpp>
+#include <map>
+#include <string>
+
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/scenario/method_scan.hpp"
+#include "bindings/scenario/scenario_methods.hpp"
+#include "tests/unit/scenario/scenario_rig.hpp"
+
+using namespace nezumi;
+
+namespace {
+
+std::string slips(const std::string& text) {
+    const std::vector<std::string_view> words{"always", "check", "run"};
+    std::string all;
+    for (const Error& error : unknown_methods(text, "t.lua", words)) all += describe(error) + "\n";
+    return all;
+}
+
+std::string with_world(const std::string& line) { return outcome_of("s:load 'systems/stop_at_wall.lua'\n" + line); }
+
+}  // namespace
+
+TEST_CASE("every method of a scenario refuses an argument too many and one of a wrong kind", "[scenario][bridge]") {
+    struct Refusals {
+        std::string surplus, surplus_says, wrong, wrong_says;
+    };
+    const std::string f = "function() return true end";
+    const std::string watch = ": expected at most 3 arguments, got 4: ";
+    const std::string no_name = ": expected a name (what should hold), got boolean";
+    const std::string no_port = "expected a port or \"name.port\", got boolean";
+    const std::string no_component = "expected a component or its name, got boolean";
+    std::map<std::string, Refusals> table{
+        {"run",
+         {"s:run(1, 2)", "expected at most 1 argument, got 2: run(seconds)", "s:run 'x'",
+          "expected seconds from 0 on, got string"}},
+        {"check",
+         {"s:check(true, 'a', 3)", "expected at most 2 arguments, got 3: check(value, message)", "s:check()",
+          "expected a value"}},
+        {"near",
+         {"s:near(1, 1, 0, 'a', 5)", "expected at most 4 arguments, got 5: near(actual, expected, tolerance, message)",
+          "s:near(1, 'x', 0)", "expected the expected value (a number), got string"}},
+        {"measure",
+         {"s:measure('a', 1, 's', 2)", "expected at most 3 arguments, got 4: measure(name, value, unit)",
+          "s:measure('a', 'x')", "'a': expected a number, got string"}},
+        {"now", {"s:now(1)", "expected no arguments, got 1: now()", "", ""}},
+        {"load",
+         {"s:load('a', {}, 3)", "expected at most 2 arguments, got 3: load(file, { robots = { NAME = { ... } } })",
+          "s:load(5)", "expected the name of a system file, as in s:load \"systems/stop_at_wall.lua\""}},
+        {"golden",
+         {"s:golden('a.csv', { tolerence = 1 }, 'mouse.ir_sensor_out')",
+          "'a.csv': unknown option 'tolerence' (did you mean 'tolerance'?)", "s:golden('a.csv', true)",
+          "'a.csv': " + no_port}},
+        {"reload",
+         {"s:reload('controller', { text = '' }, 3)",
+          "expected at most 2 arguments, got 3: reload(component, { file = } or { text = })",
+          "s:reload('controller', {})", "expected { file = \"NAME\" } or { text = \"...\" }"}},
+        {"disturb",
+         {"s:disturb('mouse', { vx = 0.1 }, 3)",
+          "expected at most 2 arguments, got 3: disturb(robot, { vx =, vy =, va =, seconds = })", "s:disturb(true, {})",
+          no_component}},
+        {"press",
+         {"s:press('mouse', 'switch0', 1, 4)", "expected at most 3 arguments, got 4: press(robot, sensor, seconds)",
+          "s:press('mouse', 5)", "expected the name of a button or touch sensor"}},
+        {"teleport",
+         {"s:teleport('mouse', { x = 1 }, 3)", "expected at most 2 arguments, got 3: teleport(robot, pose)", "", ""}},
+        {"restore",
+         {"s:restore('mouse', 2)", "expected at most 1 argument, got 2: restore(thing)", "s:restore(true)", no_port}},
+    };
+    for (const std::string word : {"always", "never", "wait_until", "eventually", "maintain"}) {
+        const bool watches = word == "always" || word == "never";
+        table[word] = {"s:" + word + "('a', {}, " + f + ", 4)",
+                       "expected at most 3 arguments, got 4: " + word +
+                           (watches ? "(name, function)" : "(name, options, function)"),
+                       "s:" + word + "(true, " + f + ")", "expected a name (what should hold), got boolean"};
+    }
+    for (const std::string word : {"drop", "freeze"}) {
+        table[word] = {"s:" + word + "('mouse.ir_sensor_out', 1, 3)",
+                       "expected at most 2 arguments, got 3: " + word + "(port, seconds)", "s:" + word + "(true)",
+                       no_port};
+    }
+    table["inject"] = {"s:inject('mouse.ir_sensor_out', {}, 3)",
+                       "expected at most 2 arguments, got 3: inject(port, value)", "s:inject(true)", no_port};
+    table["hold"] = {"s:hold('mouse.ir_sensor_out', {}, {}, 4)",
+                     "expected at most 3 arguments, got 4: hold(port, value, { take = true })", "s:hold(true)",
+                     no_port};
+    table["release"] = {"s:release('mouse.ir_sensor_out', 2)", "expected at most 1 argument, got 2: release(port)",
+                        "s:release(true)", no_port};
+    for (const auto* methods : {&ScenarioRun::Methods::of_time(), &ScenarioRun::Methods::of_acts()}) {
+        for (const auto& method : *methods) {
+            CAPTURE(method.name);
+            CHECK((table.contains(method.name) || std::string(method.usage) == "()"));
+        }
+    }
+    for (const auto& [word, refusals] : table) {
+        const std::string begin = "could not run: it_test.lua:3: " + word + ": ";
+        CHECK(with_world(refusals.surplus) == begin + refusals.surplus_says);
+        if (!refusals.wrong.empty()) CHECK(with_world(refusals.wrong) == begin + refusals.wrong_says);
+    }
+}
+
+TEST_CASE("what is wrong in the words of faults and reloads is told with what can be there",
+          "[scenario][diagnostics]") {
+    const std::string begin = "could not run: it_test.lua:3: ";
+    CHECK(with_world("s:disturb('mouse', { vxx = 0.1 })") ==
+          begin + "disturb: unknown field 'vxx' (did you mean 'vx'?)");
+    CHECK(with_world("s:disturb('mouse', { turn = 0.1 })") ==
+          begin + "disturb: unknown field 'turn': expected vx, vy, va, seconds");
+    CHECK(with_world("s:disturb('mouse', { va = 1, seconds = 0.1 }) s:run(0.2)") == "passed");
+    CHECK(with_world("s:behavior('idle', { script = 'none' }) s:restore('idle')") ==
+          begin + "restore: idle is no robot: expected a robot, or a port as in \"idle.NAME\"");
+    CHECK(with_world("s:restore('mose')") == begin + "restore: there is no component 'mose' (did you mean 'mouse'?)");
+    const std::map<std::string, std::string> reloads{
+        {"{ text = '', 5 }", "unknown option '[1]': expected file, text"},
+        {"{ [true] = 'x' }", "unknown option '[true]': expected file, text"},
+        {"{ txt = 'x' }", "unknown option 'txt' (did you mean 'text'?)"},
+        {"{ text = 5 }", "option 'text' expected a text, got number"},
+        {"'x'", "options expected a table, got string"},
+        {"{}", "expected { file = \"NAME\" } or { text = \"...\" }"},
+        {"{ file = 'a', text = 'b' }", "expected { file = \"NAME\" } or { text = \"...\" }"}};
+    for (const auto& [wrong, says] : reloads)
+        CHECK(with_world("s:reload('controller', " + wrong + ")") == begin + "reload: " + says);
+}
+
+TEST_CASE("a method that is called without its colon is an error of the scenario", "[scenario][diagnostics]") {
+    CHECK(with_world("s.measure('a', 1)") == "could not run: it_test.lua:3: write s:measure(...) with a colon");
+    CHECK(with_world("s.check(true)") == "could not run: it_test.lua:3: write s:check(...) with a colon");
+}
+
+TEST_CASE("an error that the scenario catches, or that is none, decides nothing", "[scenario][diagnostics]") {
+    CHECK(with_world("s:check(not pcall(s.run, s, 'x'))") == "passed");
+    CHECK(with_world("pcall(s.run, s, 'x') error('mine')") == "failed: it_test.lua:3: mine");
+    CHECK(with_world("s:always('a', function() s:run('x', 2) return true end) s:run(1)") ==
+          "could not run: it_test.lua:3: always 'a': run: a condition only looks: time and expectations are the "
+          "scenario's");
+    CHECK(with_world("s:always('a', function(world) return world end)") ==
+          "could not run: it_test.lua:3: always: 'a': the function is called with nothing; its parameter 'world' is "
+          "never "
+          "given: leave it out");
+}
+
+TEST_CASE("words that a scenario does not have are found in its text", "[scenario][diagnostics]") {
+    CHECK(slips("scenario('a', function(s)\n  s:rum(1) s:run(1)\n  if x then s:chek(1) end\nend)") ==
+          "t.lua:2:5: s has no 'rum' (did you mean 'run'?)\nt.lua:3:15: s has no 'chek' (did you mean 'check'?)\n");
+    CHECK(slips("scenario('a', { sweep = { f = { function() end } } }, function(it, p) it:rum() end)") ==
+          "t.lua:1:74: it has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) local function g() s:rum() end for i = 1, 2 do g() end end) s:rum()") ==
+          "t.lua:1:48: s has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) s:run() end) scenario('b', function(t) t:rum() end)") ==
+          "t.lua:1:68: t has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) repeat local x = 1 until x s:rum() end)") ==
+          "t.lua:1:56: s has no 'rum' (did you mean 'run'?)\n");
+}
+
+TEST_CASE("a seed in a scenario would have no effect, and is refused with what has", "[scenario][diagnostics]") {
+    const std::string says =
+        "s has no 'seed': the seed of a run is that of the session, which nezumi test --seed N sets";
+    CHECK(slips("scenario('a', function(s) s:seed(3) end)") == "t.lua:1:29: " + says + "\n");
+    CHECK(outcome_of("local word = 'seed' s[word](s, 3)") == "could not run: it_test.lua:2: " + says);
+    CHECK(with_world("local word = 'seed' s[word](s, 3)") == "could not run: it_test.lua:3: " + says);
+}
+
+TEST_CASE("what only looks like a scenario's word is left alone", "[scenario][diagnostics]") {
+    CHECK(slips("-- s:rum()\nscenario('a', function(s) print('s:rum()') x.s:rum() y:s() s.rum() s.mouse:rum() end)")
+              .empty());
+    CHECK(slips("scenario('a', function(s) local s = other s:rum() end)").empty());
+    CHECK(slips("scenario('a', function(s) local a, s = 1, 2 s:rum() end)").empty());
+    CHECK(slips("scenario('a', function(s) f(function(s) s:rum() end) end)").empty());
+    CHECK(slips("scenario('a', function(s) for _, s in pairs(t) do s:rum() end end)").empty());
+    CHECK(slips("scenario('a', function(s)").empty());
+    CHECK(slips("scenario(").empty());
+    CHECK(slips("scenario 'a'").empty());
+}
+
+TEST_CASE("a file with such an error could not be run", "[scenario][diagnostics]") {
+    ScenarioRig rig("scenario('it', function(s)\n  s:rum(1)\nend)");
+    const SessionEnd end = rig.session();
+    CHECK(end.status() == 2);
+    CHECK(rig.said.find("it_test.lua:2:5: s has no 'rum' (did you mean 'run'?)") != std::string::npos);
+}
+
+TEST_CASE("a scenario's function declares what it is given", "[scenario][diagnostics]") {
+    ScenarioRig rig("scenario('it', function(s, p, extra) end)");
+    static_cast<void>(rig.session());
+    CHECK(rig.said.find("scenario 'it': the function gets the scenario and its values; its parameter 'extra' is never "
+                        "given: leave it out") != std::string::npos);
+}
+
+TEST_CASE("a condition only looks: it sets no parameter", "[lua][scenario][words]") {
+    const std::string begin = "local w = s:load 'systems/stop_at_wall.lua'\n";
+    const std::string set = "function() w.controller.config.speed_x = 0.3 return true end)\n";
+    CHECK(outcome_of(begin + "s:always('it', " + set + "s:run(0.1)") ==
+          "could not run: it_test.lua:3: always 'it': a condition only looks: parameters are set by the scenario");
+    CHECK(outcome_of(begin + "s:run(0.1) s:wait_until('it', { within = 1 }, " + set) ==
+          "could not run: it_test.lua:3: wait_until 'it': a condition only looks: parameters are set by the scenario");
+    CHECK(outcome_of(begin + "s:always('it', function() return w.controller.config.speed_x > 0 end)\n"
+                             "s:run(0.1) w.controller.config.speed_x = 0.3 s:run(0.1)") == "passed");
+}
