@@ -1,18 +1,24 @@
 """A console as the spreadsheet's link needs it: one request at a time, and its answer may come later."""
 
+import importlib.util
 import os
 import socket
-import sys
 import time
 
-# The client in Python, in the source tree and as it is installed. Not one from elsewhere: it belongs to this program.
-_here = os.path.dirname(os.path.abspath(__file__))
-_clients = [os.path.join(_here, folder) for folder in ("../python", "../../../../lib/python3/dist-packages")]
-sys.path[:0] = [folder for folder in _clients if os.path.exists(os.path.join(folder, "nezumi.py"))][:1]
 
-from nezumi import Ended, Lines, lua  # noqa: E402
+def _load_client():
+    """The client in Python, in the source tree or as it is installed. Not one from elsewhere: it belongs to this
+    program; and nothing else of its folder, where other people's modules may be."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    files = [os.path.join(here, folder, "nezumi.py") for folder in ("../python", "../../../../lib/python3/dist-packages")]
+    spec = importlib.util.spec_from_file_location("nezumi", next(filter(os.path.exists, files), files[-1]))
+    client = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(client)
+    return client
 
-__all__ = ["Console", "Ended", "lua"]
+
+client = _load_client()
+Ended, Lines, lua = client.Ended, client.Lines, client.lua
 
 
 class Console:

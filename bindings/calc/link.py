@@ -210,8 +210,11 @@ def main():
     except (office.Refused, RuntimeError) as problem:
         print("nezumi: %s" % problem, file=sys.stderr)
         return 2
-    except (office.Closed, Ended) as end:
-        print("nezumi: %s" % (str(end) or "%s has ended" % options.system), file=sys.stderr)
+    except office.Closed as end:
+        print("nezumi: %s" % end, file=sys.stderr)
+        return 2
+    except Ended:
+        print("nezumi: %s has ended" % options.system, file=sys.stderr)
         return 2
 
 

@@ -18,6 +18,7 @@
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/script/behavior_maker.hpp"
 #include "bindings/lua/script/check_script.hpp"
 #include "bindings/lua/script/script_component.hpp"
 #include "bindings/openrtm/rtc_profiles.hpp"
@@ -137,18 +138,14 @@ std::vector<Error> check_system(const std::string& text, const std::string& show
     const auto add = [&errors](Error error) {
         if (std::find(errors.begin(), errors.end(), error) == errors.end()) errors.push_back(std::move(error));
     };
-    std::set<std::string> checked;  // scripts, by their paths
     makers.behavior = [&](const BehaviorEntry& entry,
                           const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {
         auto source = read_shown(entry.path, project);
         if (!source) return Unexpected(source.error());
-        if (checked.insert(entry.path).second) {
-            for (Error& error : check_behavior(*source, context_of(type_of_file(source->shown), project)))
-                add(std::move(error));
-        }
         ScriptContext context = context_of(entry.name, project);
-        context.configured = entry.config;
+        context.configured = values_at_start(entry);
         context.tick_rate = maker.tick_rate;
+        for (Error& error : check_behavior(*source, context)) add(std::move(error));
         auto made = ScriptComponent::load(entry.name, *source, std::move(context));
         if (!made) return Unexpected(made.error());
         return std::unique_ptr<Component>(std::move(*made));

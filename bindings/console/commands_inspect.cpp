@@ -66,10 +66,7 @@ std::string help_line(const ConsoleCommand& command) { return fmt::format("  {:4
 const ConsoleCommand* command_asked(const Arguments& arguments) {
     if (const ConsoleCommand* command = command_at(arguments.lua, 1)) return command;
     if (lua_type(arguments.lua, 1) != LUA_TSTRING) return nullptr;
-    for (const ConsoleCommand& command : console_commands()) {
-        if (command.name == text_at(arguments.lua, 1)) return &command;
-    }
-    return nullptr;
+    return find_console_command(text_at(arguments.lua, 1));
 }
 
 // "controller.out": where what is asked for is in the system. The error says what can be asked for.

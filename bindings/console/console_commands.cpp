@@ -94,7 +94,8 @@ int call_command(lua_State* L) {
     return 0;
 }
 
-// What `robot "mouse"` returns: the word again, with its name, for the table. Upvalues: as the word's, and the name.
+// What `robot "mouse"` returns: the command again, with its name, for the table. Upvalues: as the command's, and the
+// name.
 int call_with_table(lua_State* L) {
     lua_pushvalue(L, lua_upvalueindex(3));
     lua_insert(L, 1);
@@ -287,8 +288,6 @@ const std::vector<ConsoleCommand>& console_commands() {
          "writes a new behaviour and a scenario for it into the project, as nezumi new does", 2, command_new, true},
         {"picture", "picture \"x.png\"", "draws the arena and the robots from above, as .png or .svg", 1,
          command_picture, true},
-        {"graph", "graph \"wiring.svg\"", "draws components, ports and connections, as .svg or .png", 1, command_graph,
-         true},
         {"graph", "graph \"wiring.svg\"", "draws components, ports and connections, as .svg or .png", 1, command_graph,
          true},
         {"now", "now()", "shows the simulated time", 0, command_now},

@@ -174,23 +174,28 @@ NetworkMaker make_networks(Domains& domains, std::string version) {
     };
 }
 
-NetworkMaker make_silent_networks() {
-    return [](const SystemSpec& spec, System& system) {
+namespace {
+
+// `reads_secret`: whether the file of a secret must be one.
+NetworkMaker make_silent(bool reads_secret) {
+    return [reads_secret](const SystemSpec& spec, System& system) {
         auto silent = make_silent_transport();
-        const auto join = [its = silent.get()](const auto& /*part*/) -> Expected<DdsTransport*> { return its; };
+        const auto join = [its = silent.get(), reads_secret]<class Spec>(const Spec& part) -> Expected<DdsTransport*> {
+            if constexpr (std::is_same_v<Spec, NetworkSpec>) {
+                if (reads_secret && !part.secret.empty()) {
+                    if (auto secret = read_secret(part.secret, part.secret_path); !secret)
+                        return Unexpected(secret.error());
+                }
+            }
+            return its;
+        };
         return make_both(spec, system, join, "", silent, true);
     };
 }
 
-NetworkMaker make_checked_networks() {
-    return [silent = make_silent_networks()](const SystemSpec& spec,
-                                             System& system) -> Expected<std::unique_ptr<Network>> {
-        if (spec.network && !spec.network->secret.empty()) {
-            const auto secret = read_secret(spec.network->secret, spec.network->secret_path);
-            if (!secret) return failure(fmt::format("network: {}", secret.error().message), spec.network->place);
-        }
-        return silent(spec, system);
-    };
-}
+}  // namespace
+
+NetworkMaker make_silent_networks() { return make_silent(false); }
+NetworkMaker make_checked_networks() { return make_silent(true); }
 
 }  // namespace nezumi::dds

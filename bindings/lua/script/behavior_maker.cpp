@@ -11,6 +11,14 @@ ModuleFinder modules_of(const Project& project) {
     };
 }
 
+ParameterValues values_at_start(const BehaviorEntry& entry) {
+    ParameterValues values = entry.config;
+    if (const auto set = entry.sets.find(entry.set); set != entry.sets.end()) {
+        for (const auto& [name, value] : set->second) values.insert_or_assign(name, value);
+    }
+    return values;
+}
+
 Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
                                                    const BehaviorSettings& settings) {
     auto source = settings.project.read_source(entry.path);
@@ -21,11 +29,8 @@ Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, c
                          .memory_limit = settings.memory_limit,
                          .find_module = modules_of(settings.project),
                          .chunks = settings.chunks,
-                         .configured = entry.config,
+                         .configured = values_at_start(entry),
                          .tick_rate = context.tick_rate};
-    if (const auto set = entry.sets.find(entry.set); set != entry.sets.end()) {
-        for (const auto& [name, value] : set->second) script.configured.insert_or_assign(name, value);
-    }
     auto component = ScriptComponent::load(entry.name, *source, std::move(script));
     if (!component) return Unexpected(component.error());
     return std::unique_ptr<Component>(std::move(*component));

@@ -20,6 +20,9 @@ struct BehaviorSettings {
 /// Finds the modules of a project.
 ModuleFinder modules_of(const Project& project);
 
+/// What an entry gives its parameters: those of the set in use before its `config`.
+ParameterValues values_at_start(const BehaviorEntry& entry);
+
 /// For `Makers::behavior`.
 Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
                                                    const BehaviorSettings& settings);

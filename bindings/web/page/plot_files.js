@@ -1,6 +1,6 @@
 // A plot as a file: CSV for spreadsheets, SVG for documents.
 
-const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+const quoted = (text) => (/[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
 /// As `--record` writes it: a column of time, and one for each name; empty where there was no value.

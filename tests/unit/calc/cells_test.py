@@ -81,9 +81,12 @@ class CellsTest(unittest.TestCase):
             calc, client = prefix + "/share/nezumi/bindings/calc", prefix + "/lib/python3/dist-packages"
             os.makedirs(calc)
             os.makedirs(client)
-            shutil.copy(BINDINGS + "/calc/console.py", calc)
+            for name in ("console.py", "tables.py", "values.py"):
+                shutil.copy(BINDINGS + "/calc/" + name, calc)
             shutil.copy(BINDINGS + "/python/nezumi.py", client)
-            text = "import sys; sys.path.insert(0, %r); import console, nezumi; print(nezumi.__file__)" % calc
+            with open(client + "/tables.py", "w") as others:  # PyTables, for one, is installed there under this name
+                others.write("raise ImportError('this is not the link')")
+            text = "import sys; sys.path.insert(0, %r); import console, tables; print(console.client.__file__)" % calc
             found = subprocess.run(
                 [sys.executable, "-B", "-E", "-s", "-c", text], capture_output=True, text=True, cwd="/"
             )

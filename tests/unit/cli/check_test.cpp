@@ -177,6 +177,17 @@ TEST_CASE("a system is told what is wrong with the scripts that it names, each o
                 "behaviors/systems/s.lua:4: a has no out-port 'ou' (did you mean 'out'?)"});
 }
 
+TEST_CASE("the scripts of a system are checked with the values that it gives them", "[cli][check]") {
+    Checked project("s.lua",
+                    "behavior 'b' { script = 'picky', config = { side = 'left' } }\n"
+                    "behavior 'c' { script = 'picky', sets = { near = { side = 'left' } }, set = 'near' }");
+    project.with("behaviors/picky.lua",
+                 "param('side', '')\nif config.side ~= 'left' then error('say side') end\nfunction on_execute() end");
+    CHECK(project.check("s.lua").empty());
+    project.with("s.lua", "behavior 'b' { script = 'picky', config = { side = 'right' } }");
+    CHECK(project.check("s.lua") == Lines{"behaviors/picky.lua:2: say side"});
+}
+
 TEST_CASE("a global of another kind of file is told in a system as a run tells it", "[cli][check]") {
     const std::string of_behavior = "': it is a behaviour's; a system file says `behavior NAME { script = ... }`";
     Checked project("behaviors/systems/s.lua", "log.info('x')\nrate(50)\nseed(1)");

@@ -21,7 +21,7 @@ public:
     std::filesystem::path working_folder() const override { return disk().working_folder(); }
     std::string what_is(const std::filesystem::path& path) const override { return wait(path), disk().what_is(path); }
     std::vector<std::string> names_in(const std::filesystem::path& folder) const override {
-        return disk().names_in(folder);
+        return wait(folder), disk().names_in(folder);
     }
     Expected<std::string> read(const std::filesystem::path& path, const std::string& shown) const override {
         wait(path);

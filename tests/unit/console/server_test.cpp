@@ -244,6 +244,21 @@ TEST_CASE("each console has a level of its own for the log", "[console][server]"
     CHECK(it.eval(usual, "1") == Said{"debug [    2.000] debug it: d", "1", "well"});
 }
 
+TEST_CASE("a console that has acted stays who it was, whatever it says afterwards", "[console][server]") {
+    ServerRig it;
+    std::optional<ConsoleClient> client(it.open());
+    CHECK(it.eval(*client, "hold('mouse.target_velocity_in', { vx = 0.1 })") == Said{"well"});
+    client->send({.kind = Request::Kind::hello, .text = {}, .who = "spreadsheet"});
+    CHECK(it.eval(*client, "1") == Said{"1", "well"});
+    const auto holder = [&] { return it.live->system().holder("mouse.target_velocity_in"); };
+    REQUIRE(holder() != nullptr);
+    CHECK(holder()->kind == Actor::Kind::console);
+    client.reset();  // the hold of a spreadsheet would go with it
+    ConsoleClient other = it.open();
+    CHECK(it.eval(other, "1") == Said{"1", "well"});
+    CHECK(holder() != nullptr);
+}
+
 TEST_CASE("what the last console holds on a real robot ends with it, a spreadsheet's everywhere, a velocity by zero",
           "[console][server][safety]") {
     ServerRig it;

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "bindings/console/console_commands.hpp"
 #include "tests/unit/console/session_rig.hpp"
@@ -40,6 +42,14 @@ TEST_CASE("every word refuses an argument too many, and says how it is used", "[
               fmt::format("! {}: expected {}, got {}: {}", command.name, most, command.most + 1, command.usage));
     }
     CHECK_FALSE(it.quitting);
+}
+
+TEST_CASE("every word is in the console's help once", "[console][session]") {
+    std::set<std::string_view> names;
+    for (const ConsoleCommand& command : console_commands()) {
+        CAPTURE(command.name);
+        CHECK(names.insert(command.name).second);
+    }
 }
 
 TEST_CASE("time passes wherever Lua can call", "[console][session]") {
