@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 #include "bindings/lua/sandbox/watchdog.hpp"
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
+#if defined(NEZUMI_ADDRESS_SANITIZER)
 #include <sanitizer/lsan_interface.h>
-#define NEZUMI_FINDS_LEAKS
-#endif
 #endif
 
 namespace nezumi {
@@ -32,7 +30,7 @@ int panic(lua_State* lua) {
 
 // A lost state can't be closed: it was left in the middle of Lua's own code.
 void leave_to_leak([[maybe_unused]] const lua_State* lost) {
-#if defined(NEZUMI_FINDS_LEAKS)
+#if defined(NEZUMI_ADDRESS_SANITIZER)
     __lsan_ignore_object(lost);
 #endif
 }
@@ -61,6 +59,7 @@ bool LuaState::open() {
 LuaState* LuaState::replace_lost() {
     lua_gc(lua_, LUA_GCSTOP);  // for what may still look at the old one
     leave_to_leak(lua_);
+    small_.abandon();
     memory_ = 0;
     if (!open()) std::abort();
     return std::exchange(next_lost_, nullptr);
@@ -79,7 +78,7 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
     LuaState& state = *static_cast<LuaState*>(self);
     const std::size_t held = block != nullptr ? old_size : 0;  // without a block, old_size is a kind of object
     if (new_size == 0) {
-        std::free(block);
+        if (block != nullptr) state.free(block, held);
         state.memory_ -= held;
         return nullptr;
     }
@@ -87,9 +86,30 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
         note_memory_limit(state);
         return nullptr;
     }
-    void* grown = std::realloc(block, new_size);
+    void* grown = state.resize(block, held, new_size);
     if (grown != nullptr) state.memory_ += new_size - held;
     return grown;
+}
+
+// `block` may be null. The result is null where there is no memory; never for a block that shrinks.
+void* LuaState::resize(void* block, std::size_t old_size, std::size_t new_size) {
+    const bool is_small = block != nullptr && small_.owns(block);
+    if (block != nullptr && !is_small) return std::realloc(block, new_size);
+    if (is_small && new_size <= old_size) return block;
+    void* moved = small_.take(new_size);
+    if (moved == nullptr) moved = std::malloc(new_size);
+    if (moved == nullptr || !is_small) return moved;
+    std::memcpy(moved, block, old_size);
+    small_.give_back(block, old_size);
+    return moved;
+}
+
+void LuaState::free(void* block, std::size_t size) {
+    if (small_.owns(block)) {
+        small_.give_back(block, size);
+    } else {
+        std::free(block);
+    }
 }
 
 }  // namespace nezumi

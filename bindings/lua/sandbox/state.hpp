@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "bindings/lua/sandbox/random.hpp"
+#include "bindings/lua/sandbox/small_blocks.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -84,7 +85,10 @@ private:
     explicit LuaState(StateOptions options);
     bool open();
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+    void* resize(void* block, std::size_t old_size, std::size_t new_size);
+    void free(void* block, std::size_t size);
 
+    SmallBlocks small_;  // first: what is in it dies before
     std::size_t memory_ = 0;
     std::size_t memory_limit_;
     lua_State* lua_ = nullptr;

@@ -1,0 +1,78 @@
+// The first small blocks of a Lua state, side by side in one region.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+#include "bindings/lua/sandbox/address_sanitizer.hpp"
+
+namespace nezumi {
+
+/// Lua asks for most of its objects in blocks of a few words. Here they come without the header that `malloc` puts
+/// before each, one beside the other, and come back at the cost of a pointer. Once the region is full, which is about
+/// when a script of usual size is loaded, others follow from elsewhere: what a script holds on to here and does not use
+/// is never more than the region.
+class SmallBlocks {
+public:
+    static constexpr std::size_t most = 128;  ///< [bytes] of a block
+    static constexpr std::size_t region =
+        8192;  ///< [bytes] measured: a smaller one gains less, a larger one is not full
+
+    SmallBlocks() = default;
+    ~SmallBlocks() { std::free(begin_); }
+    SmallBlocks(const SmallBlocks&) = delete;
+    SmallBlocks& operator=(const SmallBlocks&) = delete;
+
+    /// A block of so many bytes, 1 or more, aligned as a pointer; null when there is no room for it here.
+    void* take(std::size_t bytes) {
+        if (bytes > most) return nullptr;
+        Free*& first = free_[kind_of(bytes)];
+        if (first != nullptr) {
+            Free* const block = first;
+            first = block->next;
+            return block;
+        }
+        const std::size_t whole = (kind_of(bytes) + 1) * step;
+        if (whole > region - used_ || !open()) return nullptr;
+        void* const block = begin_ + used_;
+        used_ += whole;
+        return block;
+    }
+    bool owns(const void* block) const {
+        return reinterpret_cast<std::uintptr_t>(block) - reinterpret_cast<std::uintptr_t>(begin_) < used_;
+    }
+    /// A block of its own, of so many bytes or that has been given more.
+    void give_back(void* block, std::size_t bytes) {
+        Free*& first = free_[kind_of(bytes)];
+        first = new (block) Free{first};
+    }
+    /// Begins anew. The region stays taken, with all that is in it.
+    void abandon() {
+        begin_ = nullptr;
+        used_ = 0;
+        free_ = {};
+    }
+
+private:
+    struct Free {
+        Free* next;
+    };
+    static constexpr std::size_t step = sizeof(Free);
+    static std::size_t kind_of(std::size_t bytes) { return (bytes - 1) / step; }
+
+    bool open() {
+#if !defined(NEZUMI_ADDRESS_SANITIZER)
+        if (begin_ == nullptr) begin_ = static_cast<char*>(std::malloc(region));
+#endif
+        return begin_ != nullptr;
+    }
+
+    char* begin_ = nullptr;
+    std::size_t used_ = 0;
+    std::array<Free*, most / step> free_{};
+};
+
+}  // namespace nezumi
