@@ -12,7 +12,7 @@ namespace nezumi::sim {
 namespace {
 
 // Fewer steps of robots than this are quicker on one thread: a thread that sleeps takes as long to come.
-constexpr std::size_t worth_threads = 2000;
+constexpr std::size_t worth_threads = 500;
 
 }  // namespace
 

@@ -1,13 +1,24 @@
 // A round of work: wake everybody, do the own share, wait for the rest.
 #include "engine/base/worker_pool.hpp"
 
+#include <algorithm>
+#include <chrono>
+
 namespace nezumi {
 namespace {
 
 // Rounds follow each other within microseconds while a tick is computed, and to sleep and be woken takes tens of them.
-// So who waits looks so many times before it sleeps: for about 20 us. It keeps its processor meanwhile: on a busy
-// machine one that was given away does not come back soon.
-constexpr int patience = 1000;
+// So who waits looks so many times before it sleeps: for about 200 us, as long as what one thread does alone in a tick
+// of a hundred robots. It keeps its processor meanwhile: on a busy machine one that was given away does not come back
+// soon.
+constexpr int patience = 10'000;
+
+// How long a thread may take to come that has slept.
+constexpr std::chrono::microseconds waking{100};
+
+// After a round in which the others were late, so many are done alone: twice as many each time, at most these;
+// one fewer for each round in which they were not.
+constexpr int most_alone = 256;
 
 void relax() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -43,7 +54,29 @@ WorkerPool::~WorkerPool() {
     for (std::thread& thread : threads_) thread.join();
 }
 
-void WorkerPool::run(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work) {
+void WorkerPool::run(std::size_t count, const Work& work) {
+    using Clock = std::chrono::steady_clock;
+    if (alone_ > 0) {
+        --alone_;
+        for (std::size_t worker = 0; worker < size(); ++worker) do_share(work, count, worker);
+        return;
+    }
+    const auto began = Clock::now();
+    start_round(count, work);
+    do_share(work, count, 0);
+    const auto done = Clock::now();
+    wait_for_others();
+    // Where others compute as well, the system may not let the threads run: then one alone had been done before.
+    const bool late = Clock::now() - done > (done - began) * static_cast<int>(threads_.size()) + waking;
+    late_rounds_ = late ? std::min(2 * late_rounds_ + 1, most_alone) : std::max(late_rounds_ - 1, 0);
+    if (late) alone_ = late_rounds_;
+}
+
+void WorkerPool::do_share(const Work& work, std::size_t count, std::size_t worker) const {
+    work(count * worker / size(), count * (worker + 1) / size(), worker);
+}
+
+void WorkerPool::start_round(std::size_t count, const Work& work) {
     {
         const std::lock_guard lock(mutex_);
         work_ = &work;
@@ -52,7 +85,9 @@ void WorkerPool::run(std::size_t count, const std::function<void(std::size_t, st
         ++round_;
     }
     wake_.notify_all();
-    work(0, count / size(), 0);
+}
+
+void WorkerPool::wait_for_others() {
     const auto all_done = [this] { return running_ == 0; };
     if (soon(all_done)) return;
     Lock lock(mutex_);
@@ -69,7 +104,7 @@ void WorkerPool::serve(std::size_t worker) {
             wake_.wait(lock, news);
         }
         if (quit_) return;
-        (*work_)(count_ * worker / size(), count_ * (worker + 1) / size(), worker);
+        do_share(*work_, count_, worker);
         if (--running_ > 0) continue;
         { const std::lock_guard lock(mutex_); }  // who waits has seen that this one was running, or sees that it is not
         done_.notify_one();

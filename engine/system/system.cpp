@@ -16,7 +16,7 @@ namespace nezumi {
 namespace {
 
 // Fewer components than this are quicker on one thread: waking the others costs as much as some hundred executions.
-constexpr std::size_t worth_threads = 256;
+constexpr std::size_t worth_threads = 64;
 
 // "name", or of another host "host/name".
 bool is_component_name(std::string_view name) {
