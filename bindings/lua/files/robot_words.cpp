@@ -51,14 +51,13 @@ Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::st
 }
 
 Expected<void> SystemWords::load_model(const WordCall& call, const std::string& model) {
-    auto path = project_.find(FileKind::model, model, call.place.file);
-    if (!path) return Unexpected(path.error());
-    const std::string shown = project_.shown(*path);
+    const auto file = find_file(call, FileKind::model, model);
+    if (!file) return Unexpected(file.error());
     const auto known = spec_.models.find(model);
     if (known != spec_.models.end()) {
-        if (known->second.place.file == shown) return {};
-        return failure(fmt::format("model '{}' would be {} here, and was {} before: use different names", model, shown,
-                                   known->second.place.file));
+        if (known->second.place.file == file->shown) return {};
+        return failure(fmt::format("model '{}' would be {} here, and was {} before: use different names", model,
+                                   file->shown, known->second.place.file));
     }
     const auto robot = robot_file(call, model);
     if (!robot) return Unexpected(robot.error());
@@ -67,14 +66,14 @@ Expected<void> SystemWords::load_model(const WordCall& call, const std::string& 
 }
 
 Expected<RobotFile*> SystemWords::robot_file(const WordCall& call, const std::string& model) {
-    const auto path = project_.find(FileKind::model, model, call.place.file);
-    if (!path) return Unexpected(path.error());
-    std::unique_ptr<RobotFile>& kept = robot_files_[project_.shown(*path)];
+    const auto file = find_file(call, FileKind::model, model);
+    if (!file) return Unexpected(file.error());
+    std::unique_ptr<RobotFile>& kept = robot_files_[file->shown];
     if (kept == nullptr) {
-        auto robot = RobotFile::read(*path, project_);
+        auto robot = RobotFile::read(file->path, project_);
         if (!robot) return Unexpected(robot.error());
         kept = std::move(*robot);
-        for (const std::string& file : kept->files()) note_file(file);
+        for (const std::string& read : kept->files()) note_file(read);
     }
     return kept.get();
 }

@@ -128,6 +128,15 @@ std::string SystemWords::begun_title(std::size_t begun) const {
     return begun < begun_.size() ? fmt::format("{} '{}'", begun_[begun].call.word, begun_[begun].name) : "NAME";
 }
 
+Expected<SystemWords::FoundFile> SystemWords::find_file(const WordCall& call, FileKind kind, const std::string& name) {
+    const std::tuple key(kind, name, call.place.file);
+    if (const auto known = found_.find(key); known != found_.end()) return known->second;
+    const auto path = kind == FileKind::script ? find_script(project_, name, call.place.file)
+                                               : project_.find(kind, name, call.place.file);
+    if (!path) return Unexpected(path.error());
+    return found_.emplace(key, FoundFile{*path, project_.shown(*path)}).first->second;
+}
+
 Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name,
                                                    const FileValue& value) {
     FieldCheck check(fmt::format("behavior '{}'", name), call.word, call.place, call.source);
@@ -146,10 +155,10 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
                                                          did_you_mean(entry.set, names_of(entry.sets))));
     }
     if (check.ok()) {
-        if (const auto path = find_script(project_, entry.script, call.place.file)) {
-            entry.path = project_.shown(*path);
+        if (const auto script = find_file(call, FileKind::script, entry.script)) {
+            entry.path = script->shown;
         } else {
-            check.wrong_at({"script"}, path.error().message);
+            check.wrong_at({"script"}, script.error().message);
         }
     }
     if (auto ok = check.result(); !ok) return Unexpected(ok.error());

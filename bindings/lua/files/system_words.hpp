@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -91,6 +92,12 @@ private:
     Expected<void> describe_changed(FieldCheck& check, const WordCall& call, RobotEntry& entry,
                                     const FileValue& changes);
     Expected<RobotFile*> robot_file(const WordCall& call, const std::string& model);
+    // Where a script or a model is, and how messages call it: looked up once for all entries that name it alike.
+    struct FoundFile {
+        std::filesystem::path path;
+        std::string shown;
+    };
+    Expected<FoundFile> find_file(const WordCall& call, FileKind kind, const std::string& name);
     // A file that a word named: where it was found, how messages call it, what is in it.
     struct ReadFile {
         std::filesystem::path path;
@@ -115,6 +122,8 @@ private:
     std::optional<Place> size_place_, border_place_, seed_place_, physics_place_;
     std::map<std::string, std::size_t, std::less<>> names_;  // of the entries: their places in `spec_`
     std::set<std::pair<std::string, std::string>> wired_;
+    std::map<std::tuple<FileKind, std::string, std::string>, FoundFile>
+        found_;                                                      // by kind, name, and file that names it
     std::map<std::string, std::unique_ptr<RobotFile>> robot_files_;  // as far as they were read, as they are shown
     std::map<std::string, Place> rate_places_;                       // of behaviours and components, by name
 };
