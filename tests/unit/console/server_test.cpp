@@ -153,7 +153,16 @@ TEST_CASE("log lines go to those who asked for them", "[console][server]") {
 TEST_CASE("keys reach who drives, and driving without keys is refused", "[console][server]") {
     ServerRig it;
     ConsoleClient without = it.open();
-    CHECK(it.eval(without, "drive 'stick'").back() == "failed");
+    CHECK(it.eval(without, "drive 'mouse'") == Said{"!drive: this needs a terminal: there are no keys here", "failed"});
+    ConsoleClient with = it.open();
+    with.send({.kind = Request::Kind::hello, .text = {}, .keys = true});
+    const Said driven = it.eval(with, "drive 'mouse'");
+    CHECK(driven.front() == "keys");
+    CHECK(driven.back() == "well");
+    with.send({.kind = Request::Kind::key, .text = "up"});
+    CHECK(it.eval(with, "step(2) return mouse.target_velocity_in.value.vx > 0").front() == "true");
+    with.send({.kind = Request::Kind::key, .text = "escape"});
+    CHECK(it.eval(with, "1") == Said{"no keys", "1", "well"});
 }
 
 TEST_CASE("step waits for its ticks, and what follows comes after them", "[console][server]") {

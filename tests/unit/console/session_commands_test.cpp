@@ -52,6 +52,15 @@ TEST_CASE("every word is in the console's help once", "[console][session]") {
     }
 }
 
+TEST_CASE("ls lists the first forty components and says how many more there are", "[console][session]") {
+    std::string system = counter_system;
+    for (int i = 0; i < 50; ++i) system += fmt::format("\nbehavior 'b{}' {{ script = 'counter' }}", i);
+    SessionRig it(system);
+    const std::string listed = it.type("ls()");
+    const std::size_t others = it.live->system().components().size() - 40;
+    CHECK_THAT(listed, Catch::EndsWith(fmt::format("\nand {} more: ls \"name\" shows one", others)));
+}
+
 TEST_CASE("time passes wherever Lua can call", "[console][session]") {
     SessionRig it;
     CHECK(it.type("table.sort({ 1, 2 }, function(a, b) run(1) return a < b end) return now()") == "1.0");

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -107,6 +108,23 @@ TEST_CASE("a client that leaves in the middle of a line is gone, and nothing els
     REQUIRE(all.size() == 2);
     CHECK(all.back().client == id);
     transport.send(id, {.text = "to nobody"});
+}
+
+TEST_CASE("nothing is kept of a client that has left", "[console][transport]") {
+    const auto open_files = [] {
+        const std::filesystem::directory_iterator files("/proc/self/fd");
+        return std::distance(begin(files), end(files));
+    };
+    Transport transport;
+    const auto before = open_files();
+    for (int i = 0; i < 5; ++i) {
+        Pair pair = make_pair();
+        transport.add(std::move(pair.system), Transport::Flow::lossy);
+        write_text(pair.client, "{\"do\":\"eval\",\"id\":1,\"text\":\"1\"}\n");
+        pair.client.reset();
+        take_until(transport, Incoming::What::closed);
+    }
+    CHECK(open_files() == before);
 }
 
 TEST_CASE("a client that only says what it wants still gets its answer", "[console][transport]") {

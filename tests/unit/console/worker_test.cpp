@@ -24,6 +24,22 @@ void end(Worker& worker) {
 
 }  // namespace
 
+TEST_CASE("who waits for a bell waits as long as it said, whole seconds or not, unless it rings",
+          "[console][wallclock]") {
+    const Bell bell;
+    for (const auto patience : {20ms, 1000ms, 1300ms}) {
+        CAPTURE(patience.count());
+        const auto until = Worker::Clock::now() + patience;
+        CHECK_FALSE(bell.wait(until));
+        CHECK(Worker::Clock::now() >= until - 1ms);
+        CHECK(Worker::Clock::now() < until + 5s);
+    }
+    bell.ring();
+    CHECK(bell.wait(Worker::Clock::now() + 60s));
+    bell.clear();
+    CHECK_FALSE(bell.wait(Worker::Clock::now()));
+}
+
 TEST_CASE("what a job has posted is done in its order, to the last", "[console][worker]") {
     const Bell bell;
     Worker worker(bell);
