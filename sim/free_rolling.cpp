@@ -108,17 +108,17 @@ struct Equations {
     }
 };
 
-// Holds the velocity of the contact at `arm` along an axis at `target` [m/s], softened by `cfm`.
+// Holds the velocity of the contact at `arm` along an axis at `target` [m/s], softened.
 template <int axis, class Real>
 struct Equation {
     static constexpr int i = next(axis), j = next(i);
     Vector<Real> arm;
     Real target;
-    double cfm;
+    SoftEquation soft;
 
-    void add_to(Equations<Real>& equations, double step) const {
+    void add_to(Equations<Real>& equations) const {
         // `arm` cross the axis
-        const Real weight = step / cfm, about_i = arm[j], about_j = -arm[i];
+        const Real weight = soft.weight, about_i = arm[j], about_j = -arm[i];
         equations.linear[axis] += weight;
         equations.coupled(axis, i) += weight * about_i;
         equations.coupled(axis, j) += weight * about_j;
@@ -130,7 +130,7 @@ struct Equation {
         equations.spin_right[j] += weight * target * about_j;
     }
     Real force(const MotionOf<Real>& motion) const {  // [N]
-        return (target - motion.velocity[axis] - arm[j] * motion.spin[i] + arm[i] * motion.spin[j]) / Real(cfm);
+        return (target - motion.velocity[axis] - arm[j] * motion.spin[i] + arm[i] * motion.spin[j]) * Real(soft.force);
     }
 };
 
@@ -202,27 +202,27 @@ Holds<Real> roll(const RobotModel& model, const BodyStateOf<Real>& body, const s
     for (std::size_t i = 0; i < Supports::count; ++i) {
         const Real depth = -supports.at[i].z();
         rolls = both(rolls, depth > Real(0));
-        const dSurfaceParameters& surface = (i < Supports::wheels ? model.wheel_contact : model.skid_contact).surface;
-        normals[i] = {to_heading(supports.at[i] - centre),
-                      lesser(surface.soft_erp * depth / step, Real(correcting_speed)), surface.soft_cfm};
-        normals[i].add_to(equations, step);
+        const bool is_wheel = i < Supports::wheels;
+        const double erp = (is_wheel ? model.wheel_contact : model.skid_contact).surface.soft_erp;
+        normals[i] = {to_heading(supports.at[i] - centre), lesser(erp * depth / step, Real(correcting_speed)),
+                      is_wheel ? model.wheel_normal : model.skid_normal};
+        normals[i].add_to(equations);
     }
     // ODE takes the limits of friction from how the robot would stand without it.
     const MotionOf<Real> standing = equations.template solve<2>();
-    const dSurfaceParameters& grip = model.wheel_contact.surface;
     const std::array<Equation<0, Real>, Supports::wheels> along{
-        {{normals[0].arm, speeds[0], grip.slip1}, {normals[1].arm, speeds[1], grip.slip1}}};
+        {{normals[0].arm, speeds[0], model.wheel_along}, {normals[1].arm, speeds[1], model.wheel_along}}};
     const std::array<Equation<1, Real>, Supports::wheels> across{
-        {{normals[0].arm, Real(0), grip.slip2}, {normals[1].arm, Real(0), grip.slip2}}};
-    for (const auto& each : along) each.add_to(equations, step);
-    for (const auto& each : across) each.add_to(equations, step);
+        {{normals[0].arm, Real(0), model.wheel_across}, {normals[1].arm, Real(0), model.wheel_across}}};
+    for (const auto& each : along) each.add_to(equations);
+    for (const auto& each : across) each.add_to(equations);
     const MotionOf<Real> rolling = equations.template solve<0, 1, 2>();
 
     for (const auto& normal : normals) rolls = both(rolls, normal.force(rolling) >= Real(0));
     for (std::size_t i = 0; i < Supports::wheels; ++i) {
         const Real pressed = lesser(normals[i].force(rolling), normals[i].force(standing));
         const Real lent = greater(magnitude(along[i].force(rolling)), magnitude(across[i].force(rolling)));
-        rolls = both(rolls, lent <= grips * grip.mu * pressed);
+        rolls = both(rolls, lent <= grips * model.wheel_contact.surface.mu * pressed);
     }
     to = {to_world(rolling.velocity), to_world(rolling.spin)};
     return both(rolls, square(to.velocity) < Real(1e6));
@@ -243,24 +243,51 @@ void take_steps(const RobotModel& model, BodyStateOf<Real>& body, const std::arr
 }
 
 // Inlined to the end, so that all of it is compiled for the processor that it runs on.
-[[gnu::flatten]] void take_steps_in_lanes(const RobotModel& model, BodyStateOf<Lanes>& body,
-                                          const std::array<Lanes, 2>& speeds, double step, std::span<double> fastest,
-                                          LaneMask& rolling) {
-    take_steps(model, body, speeds, step, fastest, rolling);
-}
+struct AnyProcessor {
+    [[gnu::flatten]] static void take_steps_side_by_side(const RobotModel& model, BodyStateOf<Lanes>& body,
+                                                         const std::array<Lanes, 2>& speeds, double step,
+                                                         std::span<double> fastest, LaneMask& rolling) {
+        take_steps(model, body, speeds, step, fastest, rolling);
+    }
+    [[gnu::flatten]] static void take_steps_alone(const RobotModel& model, BodyState& body,
+                                                  const std::array<double, 2>& speeds, double step,
+                                                  std::span<double> fastest, bool& rolling) {
+        take_steps(model, body, speeds, step, fastest, rolling);
+    }
+    [[gnu::flatten]] static bool roll_alone(const RobotModel& model, const BodyState& body,
+                                            const std::array<double, 2>& speeds, double step, Motion& to) {
+        return stands(model, body) && roll(model, body, speeds, step, to);
+    }
+};
 
 #if defined(__x86_64__)
-// The same operations on four numbers at a time, and therefore the same bits.
-[[gnu::flatten, gnu::target("avx2")]] void take_steps_by_avx2(const RobotModel& model, BodyStateOf<Lanes>& body,
-                                                              const std::array<Lanes, 2>& speeds, double step,
-                                                              std::span<double> fastest, LaneMask& rolling) {
-    take_steps(model, body, speeds, step, fastest, rolling);
-}
-
-const auto take_steps_side_by_side = __builtin_cpu_supports("avx2") ? take_steps_by_avx2 : take_steps_in_lanes;
+// The same operations, on four numbers at a time or with three operands, and therefore the same bits.
+struct Avx2 {
+    [[gnu::flatten, gnu::target("avx2")]] static void take_steps_side_by_side(const RobotModel& model,
+                                                                              BodyStateOf<Lanes>& body,
+                                                                              const std::array<Lanes, 2>& speeds,
+                                                                              double step, std::span<double> fastest,
+                                                                              LaneMask& rolling) {
+        take_steps(model, body, speeds, step, fastest, rolling);
+    }
+    [[gnu::flatten, gnu::target("avx2")]] static void take_steps_alone(const RobotModel& model, BodyState& body,
+                                                                       const std::array<double, 2>& speeds, double step,
+                                                                       std::span<double> fastest, bool& rolling) {
+        take_steps(model, body, speeds, step, fastest, rolling);
+    }
+    [[gnu::flatten, gnu::target("avx2")]] static bool roll_alone(const RobotModel& model, const BodyState& body,
+                                                                 const std::array<double, 2>& speeds, double step,
+                                                                 Motion& to) {
+        return stands(model, body) && roll(model, body, speeds, step, to);
+    }
+};
+#define NEZUMI_HERE(function) (__builtin_cpu_supports("avx2") ? Avx2::function : AnyProcessor::function)
 #else
-constexpr auto take_steps_side_by_side = take_steps_in_lanes;
+#define NEZUMI_HERE(function) AnyProcessor::function
 #endif
+const auto take_steps_side_by_side = NEZUMI_HERE(take_steps_side_by_side);
+const auto take_steps_alone = NEZUMI_HERE(take_steps_alone);
+const auto roll_alone = NEZUMI_HERE(roll_alone);
 
 // Calls `act(number, its lanes)` for all numbers that a step changes.
 template <class Do>
@@ -283,7 +310,7 @@ Supports supports_of(const RobotModel& model, const Vec3& centre, const Rotation
 
 std::optional<Motion> roll_freely(const RobotModel& model, const BodyState& body, const Wheels& speeds, double step) {
     Motion motion;
-    if (!stands(model, body) || !roll<double>(model, body, {speeds.left, speeds.right}, step, motion)) return {};
+    if (!roll_alone(model, body, {speeds.left, speeds.right}, step, motion)) return {};
     return motion;
 }
 
@@ -291,7 +318,7 @@ void roll_freely(const RobotModel& model, std::span<Rolling> robots, double step
     assert(!robots.empty() && robots.size() <= Lanes::count);
     if (robots.size() == 1) {
         auto& [body, its_speeds, rolls] = robots.front();
-        take_steps<double>(model, body, {its_speeds.left, its_speeds.right}, step, fastest, rolls);
+        take_steps_alone(model, body, {its_speeds.left, its_speeds.right}, step, fastest, rolls);
         return;
     }
     BodyStateOf<Lanes> bodies;

@@ -84,6 +84,10 @@ RobotModel::RobotModel(const RobotSpec& robot, double step)
     skid_contact.surface.mode = sprung;
     skid_contact.surface.soft_erp = soft.erp;
     skid_contact.surface.soft_cfm = soft.cfm;
+    wheel_normal = SoftEquation::from(firm.cfm, step);
+    wheel_along = SoftEquation::from(wheel_contact.surface.slip1, step);
+    wheel_across = SoftEquation::from(wheel_contact.surface.slip2, step);
+    skid_normal = SoftEquation::from(soft.cfm, step);
 
     reach = hull.reach();
     for (const Vec3& wheel : wheels) reach = std::max(reach, wheel.norm() + wheel_radius);

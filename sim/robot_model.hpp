@@ -25,6 +25,14 @@ struct Spring {
     }
 };
 
+/// An equation that a `cfm` softens, as a step weighs it: divided once, not in every step.
+struct SoftEquation {
+    double weight = 0;  ///< [kg] step / cfm
+    double force = 0;   ///< [N s/m] 1 / cfm, for each m/s that the velocity misses
+
+    static SoftEquation from(double cfm, double step) { return {step / cfm, 1 / cfm}; }
+};
+
 /// Stiffness and damping for each kilogram of a body, so that a light robot and a heavy one sink in, nod and bounce
 /// alike. Measured with a robot of 1.6 kg at steps of 10 ms (erp 0.3 and cfm 1e-3; skids 0.183 and 0.0122; slip 5e-4).
 namespace per_kilogram {
@@ -68,6 +76,8 @@ struct RobotModel {
     dContact wheel_contact{};     ///< of a driven wheel: lacks its place, direction and speed
     dContact coasting_contact{};  ///< of a wheel that rolls freely: lacks its place and direction
     dContact skid_contact{};      ///< lacks its place
+    // The same of a robot that rolls freely.
+    SoftEquation wheel_normal, wheel_along, wheel_across, skid_normal;
 
     RayFan fan;                              ///< of range sensors and scans, servos at 0; distances in the spec's order
     std::vector<std::size_t> range_sensors;  ///< which sensors of the spec they are
