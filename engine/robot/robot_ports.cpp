@@ -152,6 +152,16 @@ std::string_view lacks(const SensorSpec& sensor, PortSpec::Quantity quantity) {
 template <class T>
 constexpr bool is_text = std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>;
 
+// The place of a sensor among those of the robot, or an error that names the nearest.
+Expected<std::size_t> find_sensor(const RobotSpec& spec, std::string_view name) {
+    const auto found = std::find_if(spec.sensors.begin(), spec.sensors.end(),
+                                    [name](const SensorSpec& sensor) { return sensor.name == name; });
+    if (found != spec.sensors.end()) return static_cast<std::size_t>(found - spec.sensors.begin());
+    std::vector<std::string_view> names{"velocity", "odometry"};
+    for (const SensorSpec& sensor : spec.sensors) names.push_back(sensor.name);
+    return failure(fmt::format("there is no sensor '{}'{}", shown(name), did_you_mean(name, names)));
+}
+
 }  // namespace
 
 Expected<void> Robot::add_port(const PortSpec& port) {
@@ -181,15 +191,9 @@ Expected<void> Robot::add_output(const PortSpec& port) {
     }
     std::vector<std::size_t> sensors;
     for (const std::string& name : port.items) {
-        std::vector<std::string_view> names{"velocity", "odometry"};
-        std::size_t found = spec_.sensors.size();
-        for (std::size_t i = 0; i < spec_.sensors.size(); ++i) {
-            if (spec_.sensors[i].name == name) found = i;
-            names.push_back(spec_.sensors[i].name);
-        }
-        if (found == spec_.sensors.size())
-            return failure(fmt::format("there is no sensor '{}'{}", shown(name), did_you_mean(name, names)));
-        sensors.push_back(found);
+        const auto sensor = find_sensor(spec_, name);
+        if (!sensor) return Unexpected(sensor.error());
+        sensors.push_back(*sensor);
     }
     return with_payload_type(*type, [&]<class T>() -> Expected<void> {
         if constexpr (!carries_values<T>()) {
