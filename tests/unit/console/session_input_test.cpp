@@ -44,6 +44,7 @@ TEST_CASE("the system's components are in scope, also through a keyword's name",
 
 TEST_CASE("a keyword after a dot becomes a name, in code alone", "[console][input]") {
     CHECK(with_keyword_names("controller.in") == "controller[\"in\"]");
+    CHECK(with_keyword_names(".in") == ".in");
     CHECK(with_keyword_names("a.ports.end.value[1]") == "a.ports[\"end\"].value[1]");
     CHECK(with_keyword_names("'controller.in' .. \"b.in\" -- c.in\n--[[ d.in ]] [[e.in]]") ==
           "'controller.in' .. \"b.in\" -- c.in\n--[[ d.in ]] [[e.in]]");

@@ -7,14 +7,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "bindings/console/client.hpp"
+#include "bindings/console/put_text.hpp"
 
 using namespace nezumi;
 using Incoming = Transport::Incoming;
@@ -268,4 +271,39 @@ TEST_CASE("clients are told when the system ends, and do not keep it from ending
     REQUIRE(event);
     CHECK(event->kind == Event::Kind::bye);
     CHECK(event->text == "the system has ended");
+}
+
+TEST_CASE("the end waits for no client that has all it was told", "[console][transport][wallclock]") {
+    auto quickest = std::chrono::steady_clock::duration::max();
+    for (int attempt = 0; attempt < 5; ++attempt) {  // the farewell of one that does not read takes 300 ms
+        auto transport = std::make_unique<Transport>();
+        Pair one = make_pair();
+        transport->add(std::move(one.system), Transport::Flow::lossy);
+        const auto begin = Clock::now();
+        transport.reset();
+        quickest = std::min(quickest, Clock::now() - begin);
+    }
+    CHECK(quickest < std::chrono::milliseconds(200));
+}
+
+TEST_CASE("a system has answered when the answer is to the question, not when something comes", "[console][client]") {
+    Pair pair = make_pair();
+    ConsoleClient client(std::move(pair.client));
+    write_text(pair.system, "{\"is\":\"output\",\"id\":99,\"text\":\"of another\"}\n");
+    CHECK_FALSE(client.is_answered(50));
+    write_text(pair.system, "{\"is\":\"answer\",\"id\":2,\"ok\":true}\n");
+    CHECK(client.is_answered(10'000));
+    pair.system.reset();
+    CHECK_FALSE(client.is_answered(10'000));
+}
+
+TEST_CASE("who writes text is told whether all of it got through", "[console]") {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+    REQUIRE(file != nullptr);
+    CHECK(put_text(file.get(), "some text"));
+    CHECK(put_text(file.get(), ""));
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> full(std::fopen("/dev/full", "w"), std::fclose);
+    REQUIRE(full != nullptr);
+    std::setbuf(full.get(), nullptr);
+    CHECK_FALSE(put_text(full.get(), "some text"));
 }
