@@ -44,6 +44,18 @@ TEST_CASE("movers are found within reach of a place, but for the one that looks"
     }
 }
 
+TEST_CASE("a mover is found whatever its size, that of a cell of the grid included", "[sim][scene]") {
+    for (const int count : {4, 40}) {
+        for (const double reach : {0.3, 0.5, 0.51, 2.0}) {
+            CAPTURE(count, reach);
+            Scene scene = row(count);
+            const Scene::Index large = scene.add_mover(disc(1, -3), reach);
+            scene.refresh();
+            CHECK(movers_near(scene, 1, -3, 0.1) == Found{large});
+        }
+    }
+}
+
 TEST_CASE("a mover is found where it was at the last refresh", "[sim][scene]") {
     for (const int count : {4, 40}) {
         INFO(count << " movers");
