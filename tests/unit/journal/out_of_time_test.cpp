@@ -59,20 +59,28 @@ TEST_CASE("a call that the clock ended leaves the state that it left in the run,
           "[journal][watchdog]") {
     SmallRun it(R"(
 local out = output("out", "TimedLongSeq")
+local from = input("from", "TimedLongSeq")
 param("go", false)
+param("gains", { 7, 8 })
 state.k = 0
 state.list = { 1, 2, deep = { n = 0 } }
 local list, deep = state.list, state.list.deep
 state.again = list
 command("hang", function() while true do list[1] = list[1] + 1 end end)
 function on_execute()
+  state.last = state.last or from:read()
+  state.gains = config.gains
   while config.go do
+    state.last = from:read()
+    state.last[1] = state.k
+    state.gains = { state.k }
     state.k = state.k + 1
     deep.n = deep.n + 1
     list[2] = nil
     list[#list + 1] = state.k < 5 and 7 or nil
   end
-  out:write { state.k, state.list.deep.n, deep.n, #list, list[1], state.again == list and 1 or 0 }
+  out:write { state.k, state.list.deep.n, deep.n, #list, list[1], state.again == list and 1 or 0,
+              #state.last > 0 and state.last[1] or 0, config.gains[1] }
 end
 )",
                 Budget{0.02});
