@@ -285,6 +285,22 @@ TEST_CASE("rollback by hand brings back a set that the reload left", "[lua][relo
     CHECK(world.k() == "50 big");
 }
 
+TEST_CASE("a value that the script itself set since the reload outlives a rollback by hand, and none in probation",
+          "[lua][reload]") {
+    SetRig world;
+    const Text sets_k = "param('k', 1, { max = 40 }) local n = 0 function on_execute() config.k = 30 n = n + 1 ";
+    REQUIRE(world.change("it.lua", sets_k + "end") == "");
+    world.tick(20);
+    CHECK(world.k() == "30 ");
+    REQUIRE(world.reloader.rollback(world.it));
+    CHECK(world.k() == "30 big");
+    REQUIRE(world.it.use("big"));
+    REQUIRE(world.change("it.lua", sets_k + "if n == 2 then error('no') end end") == "");
+    world.tick(2);
+    CHECK(world.it.version() == 1);
+    CHECK(world.k() == "50 big");
+}
+
 TEST_CASE("components of one file that fail alike are told in one line", "[lua][reload]") {
     ReloadRig world;
     world.write("all.lua", counter("1"));
