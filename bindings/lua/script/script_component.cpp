@@ -208,6 +208,8 @@ void ScriptComponent::go_back(bool keep_settings) {
             const bool was_set = now != nullptr && (now->from_outside || (keep_settings && now->from_within));
             if (!was_set) back.parameters.adopt(its, name);
         }
+    } else if (back.uses != uses()) {
+        follow_use(*this, parameters_, keep_settings, back.parameters);
     }
     make_ports(back);
     fill_slots(back);

@@ -301,6 +301,36 @@ TEST_CASE("a value that the script itself set since the reload outlives a rollba
     CHECK(world.k() == "50 big");
 }
 
+TEST_CASE("a version that goes back keeps no value of a set that somebody has left meanwhile", "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it =
+        world.add_text("it", "param('speed', 0.1) param('turn', 1.0) param('hand', 1)\nfunction on_execute() end");
+    it.sets = {{"fast", {{"speed", 0.4}}}, {"wide", {{"turn", 2.0}, {"hand", std::int64_t{3}}}}};
+    REQUIRE(it.use("fast"));
+    REQUIRE(it.parameters().set("hand", std::int64_t{7}));
+    const auto values = [&] {
+        Text text;
+        for (const auto& parameter : it.parameters().all()) text += to_text(parameter.value) + " ";
+        return text + it.set_in_use();
+    };
+    const Text set = GENERATE(as<Text>(), "default", "wide");
+    // Also where the version that fails has no such parameter, or has set it itself.
+    const Text speed = GENERATE(as<Text>(), "param('speed', 0.1) local function own() end",
+                                "param('speed', 0.1) local function own() if n > 1 then config.speed = 0.9 end end",
+                                "local function own() end");
+    CAPTURE(set, speed);
+    REQUIRE(world.change("it.lua", "local n = 0 " + speed +
+                                       " param('turn', 1.0) param('hand', 1)\nfunction on_execute() n = n + 1 own() "
+                                       "if n == 5 then error('no') end end") == "");
+    world.tick();
+    REQUIRE(it.use(set));
+    const bool by_hand = GENERATE(false, true);
+    world.tick(by_hand ? 1 : 4);
+    if (by_hand) REQUIRE(world.reloader.rollback(it));
+    CHECK(it.version() == 1);
+    CHECK(values() == (set == "wide" ? "0.1 2.0 3 wide" : "0.1 1.0 1 "));
+}
+
 TEST_CASE("components of one file that fail alike are told in one line", "[lua][reload]") {
     ReloadRig world;
     world.write("all.lua", counter("1"));
