@@ -355,8 +355,11 @@ void Parameters::adopt(const Parameters& earlier, std::string_view name) {
     if (!allowed) return;
     parameter.value = std::move(*allowed);
     parameter.set = true;
-    parameter.from_outside = before->from_outside;
-    parameter.from_within = before->from_within;
+    // What was set before that version began keeps what is known here of who did it.
+    if (before->from_outside || before->from_within) {
+        parameter.from_outside = before->from_outside;
+        parameter.from_within = before->from_within;
+    }
     ++version_;
 }
 

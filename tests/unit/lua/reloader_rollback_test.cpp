@@ -331,6 +331,25 @@ TEST_CASE("a version that goes back keeps no value of a set that somebody has le
     CHECK(values() == (set == "wide" ? "0.1 2.0 3 wide" : "0.1 1.0 1 "));
 }
 
+TEST_CASE("what was set from outside during a probation outlives its roll-back after a rollback by hand within it",
+          "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it = world.add_text("it", "param('k', 1)\n" + counter("1"));
+    world.tick(2);
+    const Text failing =
+        "param('k', 1) local n = 0\nfunction on_execute() n = n + 1 if n == 4 then error('late') end end";
+    REQUIRE(world.change("it.lua", failing) == "");
+    REQUIRE(it.parameters().set("k", std::int64_t{5}));
+    world.tick(2);
+    REQUIRE(world.change("it.lua", "param('k', 1)\n" + counter("1")) == "");
+    world.tick();
+    REQUIRE(world.reloader.rollback(it));
+    CHECK(it.version() == 2);
+    world.tick(2);
+    CHECK(it.version() == 1);
+    CHECK(it.parameters().find("k")->value == ParameterValue(std::int64_t{5}));
+}
+
 TEST_CASE("components of one file that fail alike are told in one line", "[lua][reload]") {
     ReloadRig world;
     world.write("all.lua", counter("1"));
