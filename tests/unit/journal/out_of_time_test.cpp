@@ -108,6 +108,7 @@ TEST_CASE("a replay that becomes another run says what the clock had ended, and 
     const auto [left, lost] = GENERATE(table<std::string, std::string>(
         {{"", ""},
          {"state.f = print", ", nor is all of its state: state.f is a function"},
+         {"state.m = require('native.matrix') { { 1 } }", ", nor is all of its state: state.m is a matrix"},
          {"for i = 1, 5000 do state[i] = i end",
           ", nor is all of its state: state has more than 4000 values or 64 kB of text"}}));
     SmallRun it("local out = output('out', 'TimedDouble')\nlocal n = 0\n" + left +
