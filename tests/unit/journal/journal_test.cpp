@@ -119,6 +119,26 @@ function on_execute() out:write(whys) end
     CHECK(hash_text(again.hash) == hash_text(hash));
 }
 
+TEST_CASE("a replay sees a folder empty that had files before", "[journal]") {
+    const std::string script =
+        "local out = output('out', 'TimedString')\nlocal _, why = pcall(require, 'nothere')\n"
+        "function on_execute() out:write(why) end\n";
+    SmallRun run(script, headless_budget,
+                 [](const Scratch& folder) { folder.write("behaviors/lib/nothera.lua", "return 1"); });
+    const auto why = [&] { return std::get<std::string>(run.live->system().port("it.out").value()->value()); };
+    run.tick(3);
+    CHECK_THAT(why(), Contains("did you mean 'nothera'?"));
+    fs::remove(run.folder.path("behaviors/lib/nothera.lua"));
+    run.folder.write("behaviors/it.lua", script + "-- again\n");
+    REQUIRE(run.live->act(Reload{.files = {run.folder.path("behaviors/it.lua").string()}}, {}));
+    run.tick(3);
+    CHECK_THAT(why(), !Contains("did you mean"));
+    const std::uint64_t hash = run.end();
+    const Replayed again = replay(run.file);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
 TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
     const Scratch project, other;
     project.write("map.csv", "x,y,z,lx,ly,lz,yaw\n0.2,0,0.1,0.02,1,0.2,0\n");
