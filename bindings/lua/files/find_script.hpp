@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string_view>
 
 #include "bindings/lua/project/project.hpp"
@@ -13,5 +14,10 @@ namespace nezumi {
 /// own name, and no system is a script. The error has no place of its own.
 Expected<std::filesystem::path> find_script(const Project& project, std::string_view name,
                                             const std::filesystem::path& named_in);
+
+/// Which files were found to be systems: for whoever finds many scripts at a time, each is read once.
+using SystemsSeen = std::map<std::filesystem::path, bool>;
+Expected<std::filesystem::path> find_script(const Project& project, std::string_view name,
+                                            const std::filesystem::path& named_in, SystemsSeen& seen);
 
 }  // namespace nezumi

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/names.hpp"
@@ -146,7 +145,7 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
                                                          did_you_mean(entry.set, names_of(entry.sets))));
     }
     if (check.ok()) {
-        if (const auto path = find_script(project_, entry.script, call.place.file)) {
+        if (const auto path = find_script(project_, entry.script, call.place.file, systems_seen_)) {
             entry.path = project_.shown(*path);
         } else {
             check.wrong_at({"script"}, path.error().message);

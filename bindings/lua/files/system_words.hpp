@@ -14,6 +14,7 @@
 
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/files/file_value.hpp"
+#include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/robot_file.hpp"
 #include "bindings/lua/project/project.hpp"
 #include "engine/system/system_spec.hpp"
@@ -108,6 +109,7 @@ private:
     Expected<void> check_rtm() const;
 
     const Project& project_;
+    SystemsSeen systems_seen_;
     SystemSpec spec_;
     std::vector<Thing> things_;
     std::vector<Begun> begun_;
