@@ -17,7 +17,9 @@ Json to_json(const PathSeen& found) {
     if (found.text) return text_to_json(*found.text);
     Json json{{"is", found.what}};
     if (!found.unreadable.empty()) json["error"] = text_to_json(found.unreadable);
-    for (const std::string& name : found.names) json["names"].push_back(text_to_json(name));
+    if (found.names) json["names"] = Json::array();
+    for (const std::string& name : found.names.value_or(std::vector<std::string>()))
+        json["names"].push_back(text_to_json(name));
     return json;
 }
 
@@ -39,8 +41,9 @@ std::optional<PathSeen> path_from_json(const Json& json) {
     if (json.contains("error") && !read(json["error"], found.unreadable)) return std::nullopt;
     if (!json.contains("names")) return found;
     if (!json["names"].is_array()) return std::nullopt;
+    found.names.emplace();
     for (const Json& name : json["names"]) {
-        if (!read(name, found.names.emplace_back())) return std::nullopt;
+        if (!read(name, found.names->emplace_back())) return std::nullopt;
     }
     return found;
 }

@@ -77,7 +77,7 @@ std::string RecordedFiles::what_is(const fs::path& path) const {
 
 std::vector<std::string> RecordedFiles::names_in(const fs::path& folder) const {
     const PathSeen* found = find(folder);
-    return found == nullptr ? std::vector<std::string>() : found->names;
+    return found == nullptr ? std::vector<std::string>() : found->names.value_or(std::vector<std::string>());
 }
 
 Expected<std::string> RecordedFiles::read(const fs::path& path, const std::string& shown) const {

@@ -91,12 +91,13 @@ bool read_run(ArchiveReader& reader, const TestPlan& plan, PlannedRun& run) {
 }
 
 std::vector<fs::path> plans_in(const fs::path& folder) {
-    std::error_code none;
+    std::error_code problem;
     std::vector<fs::path> plans;
-    for (const auto& entry : fs::directory_iterator(ResultStore::folder_in(folder), none)) {
-        const std::string name = entry.path().filename().string();
+    for (fs::directory_iterator entry(ResultStore::folder_in(folder), problem), end; !problem && entry != end;
+         entry.increment(problem)) {
+        const std::string name = entry->path().filename().string();
         // "plan-1-of-2.new" is being written, or was when its writer died.
-        if (name.starts_with(prefix) && !name.ends_with(".new")) plans.push_back(entry.path());
+        if (name.starts_with(prefix) && !name.ends_with(".new")) plans.push_back(entry->path());
     }
     std::sort(plans.begin(), plans.end());
     return plans;

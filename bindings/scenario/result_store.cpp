@@ -72,8 +72,10 @@ std::set<fs::path> files_in(const ReadFolders& folders) {
         const FoundFiles found = find_files(folders.own, "");
         std::copy_if(found.files.begin(), found.files.end(), std::inserter(files, files.end()), is_read_by_runs);
     } else {
-        for (const auto& entry : fs::directory_iterator(folders.own, none)) {
-            if (entry.is_regular_file(none) && is_read_by_runs(entry.path())) files.insert(entry.path());
+        std::error_code problem;
+        for (fs::directory_iterator entry(folders.own, problem), end; !problem && entry != end;
+             entry.increment(problem)) {
+            if (entry->is_regular_file(none) && is_read_by_runs(entry->path())) files.insert(entry->path());
         }
     }
     return files;

@@ -156,9 +156,9 @@ void Component::execute(const Time& now) {
 void Component::latch_inputs(const Time& now) {
     parameters_.take_staged();
     for (const auto& port : in_ports_) {
-        const bool overflowed = port->dropped() > 0;
+        const std::uint64_t dropped_before = port->dropped();
         port->latch(now);
-        if (!overflowed && port->dropped() > 0) {
+        if (port->dropped() > dropped_before && port->tells_overflow()) {
             log(LogLevel::warn,
                 fmt::format("input '{}': its queue of {} is full, the oldest message was dropped (said once)",
                             port->name(), port->queue()));

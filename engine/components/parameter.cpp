@@ -324,6 +324,7 @@ bool Parameters::take_staged() {
         all_[index].value = std::move(value);
         all_[index].set = true;
         all_[index].from_outside = from_outside;
+        all_[index].from_within = !from_outside;
     }
     staged_.clear();
     ++version_;
@@ -341,7 +342,7 @@ void Parameters::adopt_from_outside(const Parameters& earlier) {
 }
 
 void Parameters::begin_version() {
-    for (Parameter& parameter : all_) parameter.from_outside = false;
+    for (Parameter& parameter : all_) parameter.from_outside = parameter.from_within = false;
 }
 
 void Parameters::adopt(const Parameters& earlier, std::string_view name) {
@@ -354,7 +355,11 @@ void Parameters::adopt(const Parameters& earlier, std::string_view name) {
     if (!allowed) return;
     parameter.value = std::move(*allowed);
     parameter.set = true;
-    parameter.from_outside = before->from_outside;
+    // What was set before that version began keeps what is known here of who did it.
+    if (before->from_outside || before->from_within) {
+        parameter.from_outside = before->from_outside;
+        parameter.from_within = before->from_within;
+    }
     ++version_;
 }
 

@@ -58,6 +58,7 @@ public:
         ParameterValue value;
         bool set = false;           ///< somebody gave it a value; else it follows the default, also of a later version
         bool from_outside = false;  ///< and that was not its component, since this version began
+        bool from_within = false;   ///< and that was its component, since this version began
     };
 
     /// Adds a parameter at its default. An error when the declaration is wrong or the name is taken.

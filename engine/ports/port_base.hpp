@@ -186,6 +186,8 @@ public:
     bool is_new() const { return unread_ > 0; }
     /// Messages a full queue has dropped.
     std::uint64_t dropped() const { return overflow_; }
+    /// Whether nobody has told of its overflow yet. From now on somebody has.
+    bool tells_overflow() { return !std::exchange(overflow_told_, true); }
     /// Length of the queue; 0: only the latest value is kept.
     std::size_t queue() const { return capacity_; }
     /// The tick in which something arrived last; -1 before.
@@ -257,6 +259,7 @@ private:
     }
 
     InPortBase* companion_ = nullptr;
+    bool overflow_told_ = false;
 };
 
 /// Makes a port of the message type at this index of `message_types`.

@@ -72,7 +72,8 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
 std::string describe(const CsvMap& map, const std::string& file) {
     std::string text = fmt::format("{}: {} box{}", file, map.boxes.size(), map.boxes.size() == 1 ? "" : "es");
     if (map.skipped > 0)
-        text += fmt::format(", {} row{} of fewer than 7 columns skipped", map.skipped, map.skipped == 1 ? "" : "s");
+        text += fmt::format(", {} skipped", map.skipped == 1 ? "1 line that is no box"
+                                                             : fmt::format("{} lines that are no box", map.skipped));
     if (map.header_is_numbers) text += "; its first line, which is skipped as a header, reads like a box";
     return text;
 }

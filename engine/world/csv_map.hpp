@@ -11,16 +11,17 @@ namespace nezumi {
 
 struct CsvMap {
     std::vector<BoxSpec> boxes;      ///< one for each row that was taken
-    int skipped = 0;                 ///< rows of fewer than 7 columns
+    int skipped = 0;                 ///< lines that are no box: comments, blank ones, rows of fewer than 7 columns
     bool header_is_numbers = false;  ///< the first line, which is skipped, reads like a row
 };
 
 /// Reads a map. The first line is a header, in any language and encoding, and skipped; rows `x,y,z,lx,ly,lz,yaw`
-/// (centre [m], size [m], yaw [rad]) are fixed boxes, whatever follows in them; rows with fewer than 7 columns,
-/// comments and empty lines are skipped. `file` is named in errors, which say line, column and what was found.
+/// (centre [m], size [m], yaw [rad]) are fixed boxes, whatever follows in them; comments, which begin with #, blank
+/// lines and rows of fewer than 7 columns are skipped. `file` is named in errors, which say line, column and what was
+/// found.
 Expected<CsvMap> read_map(std::string_view text, const std::string& file);
 
-/// "map.csv: 12 boxes, 2 rows of fewer than 7 columns skipped".
+/// "map.csv: 12 boxes, 2 lines that are no box skipped".
 std::string describe(const CsvMap& map, const std::string& file);
 
 }  // namespace nezumi

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <vector>
 
 #include "bindings/lua/files/system_lua.hpp"
 #include "bindings/lua/sandbox/globals_scan.hpp"
@@ -18,10 +20,14 @@ bool has(const Names& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// The words that a system can't do without: others, as `map` or `rate`, may be slips of a behaviour.
+constexpr std::array<std::string_view, 5> naming_words{"arena", "robot", "behavior", "component", "connect"};
+
 // Whether a text makes a system, or has one made by what it requires.
 bool is_system(std::string_view text) {
     int of_systems = 0;
     int of_others = 0;
+    bool names_things = false;
     bool requires_something = false;
     for (const GlobalUse& use : scan_globals(text)) {
         if (use.assigned && use.name.starts_with("on_")) return false;
@@ -29,28 +35,28 @@ bool is_system(std::string_view text) {
             requires_something = true;
         } else if (!has(sandbox_names(), use.name)) {
             ++(has(system_word_names(), use.name) ? of_systems : of_others);
+            names_things = names_things || has(naming_words, use.name);
         }
     }
-    return of_systems > of_others || (requires_something && of_others == 0);
+    return (names_things && of_systems > of_others) || (requires_something && of_others == 0);
 }
 
 }  // namespace
 
 Expected<std::filesystem::path> find_script(const Project& project, std::string_view name,
                                             const std::filesystem::path& named_in) {
-    std::string systems;
+    std::vector<std::string> systems;
     auto found = project.find(FileKind::script, name, named_in, [&](const std::filesystem::path& file) {
-        const std::string shown = project.shown(file);
         const auto text = project.read(file);
         if (!text || !is_system(*text)) return false;
-        systems += (systems.empty() ? "" : ", ") + shown;
+        systems.push_back(project.shown(file));
         return true;
     });
     if (found || systems.empty()) return found;
-    return failure(
-        fmt::format("there is no script '{}': {} is a system file, and no behaviour: `nezumi new behavior` makes one, "
-                    "in behaviors/",
-                    shown(name), systems));
+    return failure(fmt::format("{}; {}: `nezumi new behavior` makes one, in behaviors/", found.error().message,
+                               systems.size() == 1
+                                   ? systems.front() + " is a system file, and no behaviour"
+                                   : fmt::format("{} are system files, and no behaviours", fmt::join(systems, ", "))));
 }
 
 }  // namespace nezumi

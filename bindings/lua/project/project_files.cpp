@@ -51,7 +51,7 @@ void PathSeen::update(PathSeen later) {
         text = std::move(later.text);
         unreadable = std::move(later.unreadable);
     }
-    if (!later.names.empty()) names = std::move(later.names);
+    if (later.names) names = std::move(later.names);
 }
 
 std::string NotedFiles::what_is(const fs::path& path) const {
@@ -62,7 +62,10 @@ std::string NotedFiles::what_is(const fs::path& path) const {
 
 std::vector<std::string> NotedFiles::names_in(const fs::path& folder) const {
     auto names = files_.names_in(folder);
-    if (!names.empty()) seen_[folder].update({.what = "a folder", .names = names});
+    // One that is empty or gone now may have had names before.
+    PathSeen found{.what = names.empty() ? files_.what_is(folder) : "a folder"};
+    if (found.what == "a folder") found.names = names;
+    seen_[folder].update(std::move(found));
     return names;
 }
 

@@ -14,10 +14,10 @@ namespace nezumi {
 
 /// What somebody has found at a path, as far as it was asked for.
 struct PathSeen {
-    std::string what;                 ///< as `ProjectFiles::what_is`
-    std::optional<std::string> text;  ///< of a file that was read
-    std::string unreadable;           ///< why it could not be read
-    std::vector<std::string> names;   ///< in a folder that was listed
+    std::string what;                               ///< as `ProjectFiles::what_is`
+    std::optional<std::string> text;                ///< of a file that was read
+    std::string unreadable;                         ///< why it could not be read
+    std::optional<std::vector<std::string>> names;  ///< in a folder that was listed
 
     /// Adds what was found later; of another kind it takes the place of what was there.
     void update(PathSeen later);

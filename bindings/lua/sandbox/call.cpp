@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t longest_message = 2000;  // [bytes]
 constexpr int searched_levels = 100;
 
-// The length of "file:line: " at the start of `message`, where file is how Lua shortens the file of `activation`.
-std::size_t prefix_length(const char* message, const lua_Debug& activation, int& line) {
-    const std::size_t name = std::strlen(activation.short_src);
-    if (std::strncmp(message, activation.short_src, name) != 0 || message[name] != ':') return 0;
+// The length of "file:line: " at the start of `message`, where `file` is shortened as Lua does it.
+std::size_t prefix_length(const char* message, const char* file, int& line) {
+    const std::size_t name = std::strlen(file);
+    if (std::strncmp(message, file, name) != 0 || message[name] != ':') return 0;
     std::size_t end = name + 1;
     int number = 0;
     for (; message[end] >= '0' && message[end] <= '9' && number < 100'000'000; ++end) {
@@ -39,21 +39,21 @@ void find_error_place(lua_State* lua, CallRecord& call) {
     find_place(lua, call.error_place);
     if (lua_type(lua, -1) != LUA_TSTRING) return;
     const char* message = lua_tostring(lua, -1);
-    const auto is_named = [&](lua_Debug& activation) {
-        int line = 0;
-        const std::size_t length = prefix_length(message, activation, line);
-        if (length == 0) return false;
-        activation.currentline = line;
-        call.error_prefix = length;
-        call.error_place.set(activation);
-        return true;
-    };
+    int line = 0;
     lua_Debug activation;
     for (int level = 0; level < searched_levels && lua_getstack(lua, level, &activation) != 0; ++level) {
         if (lua_getinfo(lua, "Sl", &activation) == 0 || activation.currentline <= 0) continue;
-        if (is_named(activation)) return;
+        call.error_prefix = prefix_length(message, activation.short_src, line);
+        if (call.error_prefix == 0) continue;
+        activation.currentline = line;
+        call.error_place.set(activation);
+        return;
     }
-    if (call.closes) is_named(call.closed);
+    if (!call.closes) return;
+    call.error_prefix = prefix_length(message, call.closed_file, line);
+    if (call.error_prefix == 0) return;
+    call.error_place = call.closed;
+    call.error_place.line = line;
 }
 
 // The deepest level of the stack that there is.
@@ -199,9 +199,13 @@ void note_slice_error(lua_State* coroutine, int status) {
 
 void note_closed(lua_State* coroutine) {
     CallRecord& call = *current_call;
-    lua_Debug& activation = call.closed;
+    lua_Debug activation;
     const int level = last_level(coroutine);
     call.closes = lua_getstack(coroutine, level, &activation) != 0 && lua_getinfo(coroutine, "Sl", &activation) != 0;
+    if (!call.closes) return;
+    // The function may be gone, and its source with it, when the error is handled.
+    call.closed.set(activation);
+    std::memcpy(call.closed_file, activation.short_src, sizeof call.closed_file);
 }
 
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {

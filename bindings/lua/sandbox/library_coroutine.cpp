@@ -1,5 +1,6 @@
 // `coroutine`: coroutines that the watchdog follows, and that run in slices.
 #include <cstdint>
+#include <utility>
 
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/library.hpp"
@@ -114,15 +115,23 @@ int resume(lua_State* lua) {
     return finish_resume(lua, run(lua, coroutine, arguments, go_on_resume));
 }
 
-// Ends what is open in a coroutine that is not running. Returns whether that went well; else an error is on its stack.
-bool reset(lua_State* lua, lua_State* coroutine) {
+// Ends what is open in a coroutine that is not running; `closes` is true meanwhile. Returns whether that went well;
+// else an error is on its stack.
+bool reset(lua_State* lua, lua_State* coroutine, bool& closes) {
     check_c_stack(lua);
     current_call->running = coroutine;
     keep_watching(coroutine);
-    const int status = lua_resetthread(coroutine);
+    const bool closed_before = std::exchange(closes, true);  // a closer may have others closed
+    const int status = lua_resetthread(coroutine);           // catches what closers raise
+    closes = closed_before;
     current_call->running = lua;
     poll_budget(lua);
     return status == LUA_OK;
+}
+
+bool reset(lua_State* lua, lua_State* coroutine) {
+    bool closes = false;
+    return reset(lua, coroutine, closes);
 }
 
 int finish_wrapped(lua_State* lua, lua_State* coroutine, int results) {
@@ -262,13 +271,13 @@ int pause(lua_State* lua, lua_KContext context, lua_KFunction go_on) {
     return lua_yieldk(lua, 0, context, go_on);
 }
 
-bool close_slices(lua_State* lua, lua_State* coroutine) {
+bool close_slices(lua_State* lua, lua_State* coroutine, bool& closes) {
     if (library::is_poisoned(coroutine)) return true;
     const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with an error that is known
     luaL_checkstack(lua, 1, nullptr);
     library::unset_all_paused(coroutine);
     note_closed(coroutine);
-    if (library::reset(lua, coroutine) || has_failed) return true;
+    if (library::reset(lua, coroutine, closes) || has_failed) return true;
     lua_xmove(coroutine, lua, 1);
     return false;
 }

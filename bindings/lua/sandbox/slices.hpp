@@ -20,7 +20,7 @@ bool can_pause(lua_State* lua);
 int pause(lua_State* lua, lua_KContext context, lua_KFunction go_on);
 
 /// Closes what a coroutine that paused or failed has open. Returns false, with an error on the stack of `lua`, where a
-/// closer fails.
-bool close_slices(lua_State* lua, lua_State* coroutine);
+/// closer fails. `closes` is true while closers run, and no longer when an error is raised before or after them.
+bool close_slices(lua_State* lua, lua_State* coroutine, bool& closes);
 
 }  // namespace nezumi

@@ -76,7 +76,8 @@ public:
     ScriptPlace error_caller;          ///< the behaviour's line that called the module in which that was, if one did
     std::size_t error_prefix = 0;      ///< bytes of the message that say that place
     bool closes = false;               ///< a coroutine was closed that is gone when an error of that is handled
-    lua_Debug closed;                  ///< the function in which it began; set when `closes` is
+    ScriptPlace closed;                ///< the file of the function in which it began; set when `closes` is
+    char closed_file[LUA_IDSIZE];      ///< the same as Lua shortens it in messages
     int slice_status = LUA_OK;         ///< how a slice failed, whose error is raised again and has its place already
 };
 

@@ -4,6 +4,15 @@
 #include <fmt/format.h>
 
 namespace nezumi {
+namespace {
+
+// Gives a parameter the value that it has without a set: that of the system file or, where that is unfit, its default.
+void follow_config(const Component& component, const std::string& name, Parameters& settings) {
+    const auto given = component.configured.find(name);
+    if (given == component.configured.end() || !settings.set(name, given->second)) settings.follow_default(name);
+}
+
+}  // namespace
 
 void describe_lost(const Parameters& running, const Parameters& before, const Parameters& after,
                    std::vector<std::string>& warnings) {
@@ -47,8 +56,19 @@ void leave_set(const Component& component, Parameters& settings) {
     for (const auto& [name, value] : component.sets.at(component.set_in_use())) {
         const auto* parameter = settings.find(name);
         if (parameter == nullptr || check_value(parameter->spec, value) != parameter->value) continue;
-        const auto given = component.configured.find(name);
-        if (given == component.configured.end() || !settings.set(name, given->second)) settings.follow_default(name);
+        follow_config(component, name, settings);
+    }
+}
+
+void follow_use(const Component& component, const Parameters& running, bool with_own, Parameters& settings) {
+    const auto in_use = component.sets.find(component.set_in_use());
+    for (const auto& [set, values] : component.sets) {
+        for (const auto& [name, value] : values) {
+            const auto* now = running.find(name);
+            if (now != nullptr && now->set && (with_own || now->from_outside)) continue;
+            const bool is_used = in_use != component.sets.end() && in_use->second.contains(name);
+            if (!is_used || !settings.set(name, in_use->second.at(name))) follow_config(component, name, settings);
+        }
     }
 }
 

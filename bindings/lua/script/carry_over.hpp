@@ -25,6 +25,10 @@ Expected<void> check_set(const Component& component, Parameters parameters);
 /// Makes `settings` what they would be without the set in use, but for what was set since.
 void leave_set(const Component& component, Parameters& settings);
 
+/// Makes of `settings`, which an earlier version had, what somebody's choice of a set since then has made of those that
+/// run: the parameters of all sets but those that were set since. `with_own`: also by the component itself.
+void follow_use(const Component& component, const Parameters& running, bool with_own, Parameters& settings);
+
 /// Says which values of `state` were dropped.
 void describe_dropped(const std::vector<Dropped>& dropped, std::vector<std::string>& warnings);
 

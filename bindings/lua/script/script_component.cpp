@@ -205,8 +205,11 @@ void ScriptComponent::go_back(bool keep_settings) {
         note_set_in_use(back.set);
         for (const auto& [name, value] : sets.at(back.set)) {
             const auto* now = parameters_.find(name);
-            if (now == nullptr || !now->from_outside) back.parameters.adopt(its, name);
+            const bool was_set = now != nullptr && (now->from_outside || (keep_settings && now->from_within));
+            if (!was_set) back.parameters.adopt(its, name);
         }
+    } else if (back.uses != uses()) {
+        follow_use(*this, parameters_, keep_settings, back.parameters);
     }
     make_ports(back);
     fill_slots(back);

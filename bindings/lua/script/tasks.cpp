@@ -88,7 +88,6 @@ Expected<Task*> Tasks::find_active(std::string_view name) {
 }
 
 void Tasks::run(lua_State* L, double now) {
-    closes_ = false;  // the clock may have ended the closing
     for (Task& task : tasks_) {
         if (task.status == Task::Status::ready) {
             begin(L, task);
@@ -142,21 +141,13 @@ void Tasks::cancel(lua_State* L, Task& task, double now) {
     if (thread == nullptr) return;                   // it had not begun
     lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);  // stays until its closers have run
     forget(L, task);
-    if (!close(L, thread)) lua_error(L);
+    if (!close_slices(L, thread, closes_)) lua_error(L);
     lua_pop(L, 1);
-}
-
-bool Tasks::close(lua_State* L, lua_State* thread) {
-    const bool closed_before = std::exchange(closes_, true);  // a closer may cancel another task
-    const bool well = close_slices(L, thread);
-    closes_ = closed_before;
-    return well;
 }
 
 void Tasks::end(lua_State* L, double now) {
     lua_settop(L, 1);
     current_ = nullptr;
-    closes_ = false;
     ends_ = true;
     bool well = true;
     for (Task& task : tasks_) {
@@ -167,7 +158,7 @@ void Tasks::end(lua_State* L, double now) {
         if (thread == nullptr) continue;
         lua_rawgeti(L, LUA_REGISTRYINDEX, task.anchor);
         forget(L, task);
-        const bool closed = close(L, thread);
+        const bool closed = close_slices(L, thread, closes_);
         if (!closed && well) lua_replace(L, 1);  // the first error; index 1 is kept free for it
         well = well && closed;
         lua_settop(L, 1);

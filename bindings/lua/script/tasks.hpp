@@ -86,13 +86,12 @@ private:
     void begin(lua_State* L, Task& task);
     void run_slice_of(lua_State* L, Task& task, double now);
     static void forget(lua_State* L, Task& task);
-    bool close(lua_State* L, lua_State* thread);
     Task* find(std::string_view name);
     Expected<Task*> known(std::string_view name);
 
     std::deque<Task> tasks_;  // stay where they are
     Task* current_ = nullptr;
-    bool closes_ = false;
+    bool closes_ = false;  // while closers run
     bool ends_ = false;
 };
 

@@ -49,7 +49,10 @@ std::string type_name(lua_State* L, int index) {
     switch (lua_type(L, index)) {
         case LUA_TFUNCTION: return "a function";
         case LUA_TTHREAD: return "a coroutine";
-        case LUA_TUSERDATA: return "a port or another object of the engine";
+        case LUA_TUSERDATA:
+            if (luaL_getmetafield(L, index, "__plain") == LUA_TNIL) return "a port or another object of the engine";
+            lua_pop(L, 1);
+            return "a matrix";
         default: return luaL_typename(L, index);
     }
 }
@@ -74,6 +77,8 @@ struct Taker {
     std::vector<Value> keys;                               // of the table at hand
     Origin origin;                                         // of the value at hand
 
+    bool takes_objects = true;  // that stand for plain data
+
     // What may still be taken.
     PlainLimit left{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
     bool too_much = false;  // more than that
@@ -96,7 +101,8 @@ struct Taker {
     // The value on top of the stack, which is popped. An object of ours may have plain data to be taken in its place.
     Value take(lua_State* L) {
         Value value;
-        if (lua_type(L, -1) == LUA_TUSERDATA && luaL_callmeta(L, -1, "__plain") != 0) lua_remove(L, -2);
+        if (takes_objects && lua_type(L, -1) == LUA_TUSERDATA && luaL_callmeta(L, -1, "__plain") != 0)
+            lua_remove(L, -2);
         switch (lua_type(L, -1)) {
             case LUA_TNIL: break;
             case LUA_TTABLE: value = take_table(L); break;
@@ -291,6 +297,7 @@ Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainL
                 .indices = {},
                 .keys = {},
                 .origin = {},
+                .takes_objects = dropped == nullptr,
                 .left = limit};
     if (auto ok = run(taker, L, 1, budget); !ok) return Unexpected(ok.error());
     // Half a table would be another half in every run.

@@ -38,7 +38,8 @@ struct PlainSnapshot {
     std::size_t whole = 0;
 };
 
-/// The same as `take_plain` for the topmost value, which stays; `dropped` may be null.
+/// The same as `take_plain` for the topmost value, which stays. `dropped` may be null; where it is given, a matrix is
+/// no plain data either: what is taken is to be put in the place of what was there.
 Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainLimit& limit,
                                        const std::string& name = "", std::vector<Dropped>* dropped = nullptr);
 

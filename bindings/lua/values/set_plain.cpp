@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "bindings/lua/sandbox/hidden_metatable.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/values/plain_scalar.hpp"
 
 namespace nezumi {
@@ -19,13 +19,22 @@ struct Places {
     int used;    // those of them that the script had already, as keys
 };
 
-// Of the table at `from`: takes away the plain data, and puts its tables into the one at `into`, under the same keys.
+// Whether the value on top of the stack is a table that may be used again. A locked one is somebody else's.
+bool is_own_table(lua_State* L) {
+    if (lua_type(L, -1) != LUA_TTABLE) return false;
+    const bool is_locked = push_behind_lock(L, -1);
+    if (is_locked) lua_pop(L, 1);
+    return !is_locked;
+}
+
+// Of the table at `from`: takes away the plain data, and puts its own tables into the one at `into`, under the same
+// keys.
 void move_plain(lua_State* L, int from, int into) {
     lua_pushnil(L);
     while (lua_next(L, from) != 0) {
-        const bool is_table = lua_type(L, -1) == LUA_TTABLE && !has_hidden_metatable(L, -1);
-        if (is_scalar(lua_type(L, -2)) && (is_table || is_scalar(lua_type(L, -1)))) {
-            if (is_table) {
+        const int type = lua_type(L, -1);
+        if (is_scalar(lua_type(L, -2)) && (type == LUA_TTABLE || is_scalar(type))) {
+            if (is_own_table(L)) {
                 lua_pushvalue(L, -2);
                 lua_pushvalue(L, -2);
                 lua_rawset(L, into);

@@ -39,7 +39,7 @@ std::string values_of(const ParameterSpec& spec) {
 
 std::string parameter_table(const Component& component) {
     std::string text = "| parameter | value | default | meaning |\n|---|---|---|---|\n";
-    for (const auto& [spec, value, set, from_outside] : component.parameters().all())
+    for (const auto& [spec, value, set, from_outside, from_within] : component.parameters().all())
         text += fmt::format("| `{}` | {} | `{}` | {} |\n", spec.name, values_of(spec), to_text(spec.initial), spec.doc);
     return text;
 }

@@ -217,6 +217,22 @@ TEST_CASE("a queue that overflows is told once", "[engine][component][port]") {
           Names{"warn: input 'queue': its queue of 2 is full, the oldest message was dropped (said once)"});
 }
 
+TEST_CASE("a queue that overflows is told although one that became shorter has dropped messages before",
+          "[engine][component][port]") {
+    TryComponent it;
+    for (std::int32_t i = 0; i < 2; ++i) it.queue.inject(i);
+    it.latch_inputs(at(0));
+    CHECK(it.queue.set_queue(1).size() == 1);
+    CHECK(it.log_lines.empty());
+    for (int tick = 1; tick < 4; ++tick) {
+        it.queue.inject(std::int32_t{7});
+        it.latch_inputs(at(tick));
+    }
+    CHECK(it.queue.dropped() == 4);
+    CHECK(it.log_lines ==
+          Names{"warn: input 'queue': its queue of 1 is full, the oldest message was dropped (said once)"});
+}
+
 TEST_CASE("dt is the time since the execution before, and a period at the first", "[engine][component]") {
     TryComponent it;
     it.set_tick_rate(200);

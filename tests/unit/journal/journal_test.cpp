@@ -7,7 +7,6 @@
 
 #include <catch2/catch.hpp>
 #include <csignal>
-#include <fstream>
 #include <sstream>
 #include <thread>
 
@@ -19,13 +18,10 @@
 
 using namespace nezumi;
 using Catch::Matchers::Contains;
-using Catch::Matchers::EndsWith;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 void check_replays(RandomRun& run, int ticks) {
     const std::uint64_t hash = run.run(ticks);
@@ -118,6 +114,26 @@ function on_execute() out:write(whys) end
         fs::remove(run.folder.path("behaviors/pipe.lua"));
     }
     SECTION("that is gone") { fs::remove_all(run.folder.path("behaviors")); }
+    const Replayed again = replay(run.file);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
+}
+
+TEST_CASE("a replay sees a folder empty that had files before", "[journal]") {
+    const std::string script =
+        "local out = output('out', 'TimedString')\nlocal _, why = pcall(require, 'nothere')\n"
+        "function on_execute() out:write(why) end\n";
+    SmallRun run(script, headless_budget,
+                 [](const Scratch& folder) { folder.write("behaviors/lib/nothera.lua", "return 1"); });
+    const auto why = [&] { return std::get<std::string>(run.live->system().port("it.out").value()->value()); };
+    run.tick(3);
+    CHECK_THAT(why(), Contains("did you mean 'nothera'?"));
+    fs::remove(run.folder.path("behaviors/lib/nothera.lua"));
+    run.folder.write("behaviors/it.lua", script + "-- again\n");
+    REQUIRE(run.live->act(Reload{.files = {run.folder.path("behaviors/it.lua").string()}}, {}));
+    run.tick(3);
+    CHECK_THAT(why(), !Contains("did you mean"));
+    const std::uint64_t hash = run.end();
     const Replayed again = replay(run.file);
     CHECK(again.error.empty());
     CHECK(hash_text(again.hash) == hash_text(hash));
@@ -226,7 +242,7 @@ TEST_CASE("a process that is killed leaves a journal that replays to its last wh
     // The line that is torn, as a machine that went down would leave it.
     std::string text = text_of_file(run.journal_file());
     text.resize(text.rfind('\n') + 1);
-    write(run.journal_file(), text + R"({"at":[1,)");
+    run.folder.write("run.journal", text + R"({"at":[1,)");
     auto read = Replay::read(run.journal_file(), journal_version);
     REQUIRE(read);
     CHECK((*read)->torn_line() == std::count(text.begin(), text.end(), '\n') + 1);
@@ -258,138 +274,4 @@ TEST_CASE("an act with a million numbers is written beside the ticks", "[journal
     it.end();
     CHECK(spent < 0.01);  // a copy; as text they are 6 MB
     CHECK(text_of_file(it.file).size() > 16'000'000);
-}
-
-TEST_CASE("a call that the clock ended ends so in the replay", "[journal][watchdog]") {
-    SmallRun it(R"(
-local out = output("out", "TimedLong")
-param("endless", false)
-local n = 0
-command("hang", function() while true do end end)
-function on_execute()
-  n = n + 1
-  out:write(n)
-  while config.endless do end
-end
-)",
-                Budget{0.02});
-    it.tick(5);
-    CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
-    it.tick(5);
-    REQUIRE(it.live->act(SetParameter{"it", "endless", true}, {}));
-    it.tick(5);
-    CHECK(it.live->system().find("it")->state() == LifeState::error);
-    REQUIRE(it.live->act(SetParameter{"it", "endless", false}, {}));
-    REQUIRE(it.live->act(Reset{"it"}, {}));
-    REQUIRE(it.live->act(Activate{"it"}, {}));
-    it.tick(5);
-    const std::uint64_t hash = it.end();
-    CHECK_THAT(text_of_file(it.file), Contains("out_of_time"));
-
-    SECTION("although it is endless") {
-        const Replayed again = replay(it.file);
-        CHECK(again.error.empty());
-        CHECK(hash_text(again.hash) == hash_text(hash));
-    }
-    SECTION("although it would end by itself there") {
-        std::string text = text_of_file(it.file);
-        for (std::string_view endless : {"while config.endless do", "while true do"}) {
-            const auto at = text.find(endless);
-            REQUIRE(at != std::string::npos);
-            text.replace(at, endless.size(), "while false do");
-        }
-        write(it.file, text);
-        const Replayed again = replay(it.file);
-        CHECK(again.error.empty());
-        CHECK(hash_text(again.hash) == hash_text(hash));
-    }
-}
-
-TEST_CASE("a call that the clock ended leaves the state that it left in the run, in the replay too",
-          "[journal][watchdog]") {
-    SmallRun it(R"(
-local out = output("out", "TimedLongSeq")
-param("go", false)
-state.k = 0
-state.list = { 1, 2, deep = { n = 0 } }
-local list, deep = state.list, state.list.deep
-state.again = list
-command("hang", function() while true do list[1] = list[1] + 1 end end)
-function on_execute()
-  while config.go do
-    state.k = state.k + 1
-    deep.n = deep.n + 1
-    list[2] = nil
-    list[#list + 1] = state.k < 5 and 7 or nil
-  end
-  out:write { state.k, state.list.deep.n, deep.n, #list, list[1], state.again == list and 1 or 0 }
-end
-)",
-                Budget{0.02});
-    it.tick(5);
-    REQUIRE(it.live->act(SetParameter{"it", "go", true}, {}));
-    it.tick(5);
-    CHECK(it.live->system().find("it")->state() == LifeState::error);
-    REQUIRE(it.live->act(SetParameter{"it", "go", false}, {}));
-    REQUIRE(it.live->act(Reset{"it"}, {}));
-    REQUIRE(it.live->act(Activate{"it"}, {}));
-    it.tick(5);
-    CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
-    it.tick(5);
-    const auto written = std::get<std::vector<std::int32_t>>(it.live->system().port("it.out").value()->value());
-    CHECK(written[0] > 100);
-    CHECK(written[4] > 100);
-    const std::uint64_t hash = it.end();
-    const Replayed again = replay(it.file);
-    CHECK(again.error.empty());
-    CHECK(hash_text(again.hash) == hash_text(hash));
-}
-
-TEST_CASE("a replay that becomes another run says what the clock had ended, and what of it was not kept",
-          "[journal][watchdog]") {
-    const auto [left, lost] = GENERATE(table<std::string, std::string>(
-        {{"", ""},
-         {"state.f = print", ", nor is all of its state: state.f is a function"},
-         {"for i = 1, 5000 do state[i] = i end",
-          ", nor is all of its state: state has more than 4000 values or 64 kB of text"}}));
-    SmallRun it("local out = output('out', 'TimedDouble')\nlocal n = 0\n" + left +
-                    "\ncommand('hang', function() while true do n = n + 1 end end)\n"
-                    "function on_execute() out:write(n) end",
-                Budget{0.02});
-    it.tick(5);
-    CHECK_FALSE(it.live->act(Command{"it", "hang", {}}, {}));
-    it.tick(5);
-    it.journal->mark();
-    it.end();
-    CHECK_THAT(replay(it.file).error, EndsWith("; the clock had ended a call of it at tick 5 of start 1, and what that "
-                                               "left in locals is in no journal" +
-                                               lost));
-}
-
-TEST_CASE("a version on probation that the clock ended is taken back in the replay too", "[journal][watchdog]") {
-    SmallRun it(counter, Budget{0.02});
-    it.tick(5);
-    const std::string endless = "while n % 2 == 1 do end";
-    const std::string slow = "local out = output('out', 'TimedLong')\nlocal n = 0\nfunction on_execute() n = n + 1 " +
-                             endless + " out:write(-1) error('late') end\n";
-    it.folder.write("behaviors/it.lua", slow);
-    REQUIRE(it.live->act(Reload{.files = {it.folder.path("behaviors/it.lua").string()}}, {}));
-    it.tick(2);
-    const auto* component = it.live->system().find("it");
-    CHECK(component->state() == LifeState::active);
-    CHECK(component->version() == 1);
-    it.tick(5);
-    const std::uint64_t hash = it.end();
-    CHECK_THAT(text_of_file(it.file), Contains("out_of_time"));
-
-    SECTION("although it is endless") {}
-    SECTION("although it would fail by itself there") {
-        std::string text = text_of_file(it.file);
-        const auto at = text.find(endless);
-        REQUIRE(at != std::string::npos);
-        write(it.file, text.replace(at, endless.size(), ""));
-    }
-    const Replayed again = replay(it.file);
-    CHECK(again.error.empty());
-    CHECK(hash_text(again.hash) == hash_text(hash));
 }

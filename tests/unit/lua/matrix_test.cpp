@@ -56,6 +56,19 @@ TEST_CASE("a matrix in state is the table of its rows after a reload", "[lua][ma
     CHECK(world.out<Text>("keeper.out") == "{ { 64.0, 16.0 }, { 32.0, 48.0 } }");
 }
 
+TEST_CASE("a matrix is not in what is kept to be put back into state, and named there", "[lua][matrix]") {
+    ScriptRig rig(head + "param('k', 1) state.n = 1 state.p = matrix { { 1.5 } } state.row = state.p[1]");
+    std::vector<Dropped> dropped;
+    const auto kept = rig.component->script().state_snapshot({}, &dropped);
+    REQUIRE(kept);
+    CHECK(kept->data.tables == std::vector<PlainData::Table>{{{"n", std::int64_t{1}}}});
+    CHECK(dropped == std::vector<Dropped>{{"state.p", "a matrix"}, {"state.row", "a matrix"}});
+    // Whoever just looks sees the numbers.
+    const auto look = rig.component->state_snapshot({});
+    REQUIRE(look);
+    CHECK(look->data.tables.size() == 4);
+}
+
 TEST_CASE("a command returns a matrix as the table of its rows", "[lua][matrix]") {
     ScriptRig rig(head + "command('p', function() return matrix { { 1.5 } } end)");
     rig.activate();

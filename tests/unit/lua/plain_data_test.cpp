@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/hidden_metatable.hpp"
+#include "bindings/lua/sandbox/locked_table.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "bindings/lua/values/set_plain.hpp"
 
@@ -40,6 +42,14 @@ std::string check(const PlainData& data, const std::string& text) {
     return ok ? "" : ok.error().message;
 }
 
+void push_numbers(lua_State* L) {
+    lua_createtable(L, 3, 0);
+    for (int i = 1; i <= 2; ++i) {
+        lua_pushinteger(L, i);
+        lua_rawseti(L, -2, i);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("values and tables cross from one Lua state to another", "[lua][plain]") {
@@ -56,16 +66,22 @@ TEST_CASE("shared and cyclic tables keep their shape, also across values", "[lua
 
 TEST_CASE("plain data put into a table leaves the tables and the other values that it has", "[lua][plain]") {
     const PlainData data = take(
-        "local s = { n = 2 } local t = { n = 1, list = { 7, s, [4] = false }, s = s, other = { 1 }, f = 5, "
-        "was_number = {} } t.list.t = t return t");
+        "local s = { n = 2 } local t = { n = 1, list = { 7, s, [4] = false, seq = { 6 } }, s = s, other = { 1 }, f = "
+        "5, "
+        "was_number = {}, seq = { 4, 5 }, locked = { 9 } } t.list.t = t return t");
     auto state = create_sandbox().value();
     lua_State* L = state->lua();
     REQUIRE(load_chunk(L, compile(R"(
+local seq, other, locked = ...
 local t = { n = 5, gone = 1, gone_too = { 1 }, list = { 1, { n = 0 }, 3 }, f = print, g = print, was_number = 3,
-            [print] = 1 }
+            [print] = 1, seq = seq, locked = locked, gone_locked = locked }
 local list, s = t.list, t.list[2]
 t.s, t.same = s, s
+list.seq = other
 return function()
+  assert(t.seq == seq and seq[1] == 4 and seq[2] == 5 and rawlen(seq) == 2 and seq.says == 'hidden')
+  assert(list.seq == other and other[1] == 6 and rawlen(other) == 1 and other.says == 'hidden')
+  assert(t.locked ~= locked and t.locked[1] == 9 and locked[1] == 1 and #locked == 2 and t.gone_locked == nil)
   assert(t.n == 1 and t.gone == nil and t.gone_too == nil and t.same == nil and t.f == print and t.g == print)
   assert(t.list == list and list[1] == 7 and list[2] == s and list[3] == nil and list[4] == false and list.t == t)
   assert(t.s == s and s.n == 2 and t.other[1] == 1 and next(t.was_number) == nil and t[print] == 1)
@@ -73,7 +89,22 @@ end, t
 )",
                                   "test")
                               .value()));
-    REQUIRE(protected_call(L, 0, 2, {}));
+    REQUIRE(protect(L, {}, [](lua_State* inside) {
+        for (int i = 0; i < 2; ++i) {
+            push_numbers(inside);
+            lua_createtable(inside, 0, 2);  // as that of what a port reads
+            lua_createtable(inside, 0, 1);
+            lua_pushliteral(inside, "hidden");
+            lua_setfield(inside, -2, "says");
+            lua_setfield(inside, -2, "__index");
+            hide_metatable(inside);
+            lua_setmetatable(inside, -2);
+        }
+        push_numbers(inside);
+        lock_table(inside, "gains");
+        return 3;
+    }));
+    REQUIRE(protected_call(L, 3, 2, {}));
     lua_rawsetp(L, LUA_REGISTRYINDEX, &data);
     REQUIRE(protect(L, {}, [&](lua_State* inside) {
         lua_rawgetp(inside, LUA_REGISTRYINDEX, &data);

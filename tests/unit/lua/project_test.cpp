@@ -171,3 +171,27 @@ TEST_CASE("what is named is not offered as the nearest name", "[lua][project]") 
     CHECK_THAT(found(project, scratch, FileKind::data, "map.csv", "behaviors/b.lua"),
                Catch::StartsWith("there is no file 'map.csv'; looked for"));
 }
+
+TEST_CASE("a folder that is empty later has no names any more in what was noted, nor has one that is gone",
+          "[lua][project]") {
+    const Scratch scratch;
+    const fs::path folder = scratch.path("lib");
+    scratch.write("lib/a.lua", "");
+    NotedFiles files(disk());
+    CHECK(files.names_in(folder) == std::vector<std::string>{"a.lua"});
+    FilesSeen seen = files.take();
+    CHECK(seen.at(folder).names == std::vector<std::string>{"a.lua"});
+    fs::remove(folder / "a.lua");
+    CHECK(files.names_in(folder).empty());
+    CHECK(files.is_folder(folder));
+    seen[folder].update(files.take().at(folder));
+    CHECK(seen[folder].what == "a folder");
+    CHECK(seen[folder].names == std::vector<std::string>());
+    scratch.write("lib/a.lua", "");
+    CHECK(files.names_in(folder).size() == 1);
+    fs::remove_all(folder);
+    CHECK(files.names_in(folder).empty());
+    seen = files.take();
+    CHECK(seen[folder].what.empty());
+    CHECK_FALSE(seen[folder].names);
+}

@@ -285,6 +285,71 @@ TEST_CASE("rollback by hand brings back a set that the reload left", "[lua][relo
     CHECK(world.k() == "50 big");
 }
 
+TEST_CASE("a value that the script itself set since the reload outlives a rollback by hand, and none in probation",
+          "[lua][reload]") {
+    SetRig world;
+    const Text sets_k = "param('k', 1, { max = 40 }) local n = 0 function on_execute() config.k = 30 n = n + 1 ";
+    REQUIRE(world.change("it.lua", sets_k + "end") == "");
+    world.tick(20);
+    CHECK(world.k() == "30 ");
+    REQUIRE(world.reloader.rollback(world.it));
+    CHECK(world.k() == "30 big");
+    REQUIRE(world.it.use("big"));
+    REQUIRE(world.change("it.lua", sets_k + "if n == 2 then error('no') end end") == "");
+    world.tick(2);
+    CHECK(world.it.version() == 1);
+    CHECK(world.k() == "50 big");
+}
+
+TEST_CASE("a version that goes back keeps no value of a set that somebody has left meanwhile", "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it =
+        world.add_text("it", "param('speed', 0.1) param('turn', 1.0) param('hand', 1)\nfunction on_execute() end");
+    it.sets = {{"fast", {{"speed", 0.4}}}, {"wide", {{"turn", 2.0}, {"hand", std::int64_t{3}}}}};
+    REQUIRE(it.use("fast"));
+    REQUIRE(it.parameters().set("hand", std::int64_t{7}));
+    const auto values = [&] {
+        Text text;
+        for (const auto& parameter : it.parameters().all()) text += to_text(parameter.value) + " ";
+        return text + it.set_in_use();
+    };
+    const Text set = GENERATE(as<Text>(), "default", "wide");
+    // Also where the version that fails has no such parameter, or has set it itself.
+    const Text speed = GENERATE(as<Text>(), "param('speed', 0.1) local function own() end",
+                                "param('speed', 0.1) local function own() if n > 1 then config.speed = 0.9 end end",
+                                "local function own() end");
+    CAPTURE(set, speed);
+    REQUIRE(world.change("it.lua", "local n = 0 " + speed +
+                                       " param('turn', 1.0) param('hand', 1)\nfunction on_execute() n = n + 1 own() "
+                                       "if n == 5 then error('no') end end") == "");
+    world.tick();
+    REQUIRE(it.use(set));
+    const bool by_hand = GENERATE(false, true);
+    world.tick(by_hand ? 1 : 4);
+    if (by_hand) REQUIRE(world.reloader.rollback(it));
+    CHECK(it.version() == 1);
+    CHECK(values() == (set == "wide" ? "0.1 2.0 3 wide" : "0.1 1.0 1 "));
+}
+
+TEST_CASE("what was set from outside during a probation outlives its roll-back after a rollback by hand within it",
+          "[lua][reload]") {
+    ReloadRig world;
+    ScriptComponent& it = world.add_text("it", "param('k', 1)\n" + counter("1"));
+    world.tick(2);
+    const Text failing =
+        "param('k', 1) local n = 0\nfunction on_execute() n = n + 1 if n == 4 then error('late') end end";
+    REQUIRE(world.change("it.lua", failing) == "");
+    REQUIRE(it.parameters().set("k", std::int64_t{5}));
+    world.tick(2);
+    REQUIRE(world.change("it.lua", "param('k', 1)\n" + counter("1")) == "");
+    world.tick();
+    REQUIRE(world.reloader.rollback(it));
+    CHECK(it.version() == 2);
+    world.tick(2);
+    CHECK(it.version() == 1);
+    CHECK(it.parameters().find("k")->value == ParameterValue(std::int64_t{5}));
+}
+
 TEST_CASE("components of one file that fail alike are told in one line", "[lua][reload]") {
     ReloadRig world;
     world.write("all.lua", counter("1"));

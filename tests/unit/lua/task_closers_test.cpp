@@ -68,3 +68,28 @@ TEST_CASE("a task waits as ever after another was ended beside it", "[lua][tasks
     CHECK_THAT(rig.noted(), Catch::Contains("closed@") && Catch::Contains("went on@"));
     CHECK(rig.status() == "ACTIVE");
 }
+
+TEST_CASE("a task waits as ever after it failed to end another, where the C stack was used up", "[lua][tasks]") {
+    // Each closes the next one: Lua does not count these calls.
+    TaskRig rig(R"(task('other', function() wait(10) end)
+local all, why, _ = {}
+local function close(i)
+  if not pcall(coroutine.close, all[i]) and not why then _, why = pcall(cancel, 'other') end
+end
+task('t', function()
+  for i = 1, 5000 do
+    all[i] = coroutine.create(function()
+      local x <close> = setmetatable({}, { __close = function() close(i + 1) end })
+      coroutine.yield()
+    end)
+    coroutine.resume(all[i])
+  end
+  close(1)
+  wait(0.01)
+  note(why)
+end)
+)");
+    rig.tick(3);
+    CHECK(rig.error() == "");
+    CHECK_THAT(rig.noted(), Catch::StartsWith("C stack overflow@"));
+}
