@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/read_record.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/names.hpp"
