@@ -15,7 +15,7 @@
 namespace nezumi {
 namespace {
 
-// Fewer components than this are quicker on one thread: waking the others costs as much as some hundred executions.
+// Fewer components than this are quicker on one thread: to share them out costs as much as some dozens of executions.
 constexpr std::size_t worth_threads = 64;
 
 // "name", or of another host "host/name".
