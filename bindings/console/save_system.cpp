@@ -95,10 +95,7 @@ std::string name_of(const Project& project, const std::filesystem::path& file, c
     const auto naming = std::filesystem::absolute(named_in).lexically_normal().parent_path();
     std::vector<std::filesystem::path> folders{naming};
     if (!project.root().empty()) folders.push_back(project.root() / "behaviors");
-    for (const auto& installed : project.installed()) {
-        folders.push_back(installed / "engine/robots");
-        folders.push_back(installed / "behaviors");
-    }
+    for (const auto& installed : project.installed()) folders.push_back(installed / "behaviors");
     for (const auto& folder : folders) {
         std::string name = whole.lexically_relative(folder).generic_string();
         if (name.empty() || name.starts_with("..")) continue;

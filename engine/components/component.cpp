@@ -124,7 +124,6 @@ Expected<void> Component::reset(const Time& now) {
         return failure(fmt::format("{} stays in ERROR: {}", name_, describe(ok.error())));
     }
     for (const auto& port : in_ports_) port->clear();
-    error_hook_failed_ = false;
     state_ = LifeState::inactive;
     return {};
 }
