@@ -65,7 +65,7 @@ void Recorder::add_rows(const System& system) {
     const std::lock_guard lock(*mutex_);
     if (sealed_ || error_) return;
     if (followed_layout_ && *followed_layout_ != system.layout()) follow_ports(system);
-    const std::string time = fmt::format("{}", static_cast<double>(system.now().tick - 1) / system.settings().rate);
+    const std::string time = fmt::format("{}", system.last_tick().seconds);
     table_.read([&](const std::vector<std::string>& cells) {
         if (layouts_.empty() || table_.width() > width_) begin_layout();
         buffer_ += TraceTable::row(time, layouts_.back().ids, cells) + "\n";

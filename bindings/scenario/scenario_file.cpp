@@ -139,9 +139,14 @@ void ScenarioFile::push_function(lua_State* lua, std::size_t scenario) const {
     lua_remove(lua, -2);
 }
 
+Expected<void> ScenarioFile::noted(Expected<void> done) {
+    if (!done) refused_ = done.error().message;
+    return done;
+}
+
 int ScenarioFile::range_word(lua_State* lua) {
     SweepRange range;
-    bridge(lua, [&]() -> Expected<void> {
+    const auto read_range = [&]() -> Expected<void> {
         const Arguments arguments{lua};
         if (auto ok = arguments.at_most("range", 3, "(lo, hi, step)"); !ok) return ok;
         const bool stepped = arguments.has(3);
@@ -156,7 +161,9 @@ int ScenarioFile::range_word(lua_State* lua) {
             return failure("range: the step is too small for numbers to tell its values apart: leave it out");
         range.whole = stepped && lua_isinteger(lua, 1) != 0 && lua_isinteger(lua, 3) != 0;
         return {};
-    });
+    };
+    auto& file = *static_cast<ScenarioFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    bridge(lua, [&] { return file.noted(read_range()); });
     *static_cast<SweepRange*>(lua_newuserdatauv(lua, sizeof(SweepRange), 0)) = range;
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &range_key);
     lua_setmetatable(lua, -2);
@@ -166,7 +173,7 @@ int ScenarioFile::range_word(lua_State* lua) {
 int ScenarioFile::scenario_word(lua_State* lua) {
     auto& file = *static_cast<ScenarioFile*>(lua_touserdata(lua, lua_upvalueindex(1)));
     luaL_checkstack(lua, 20, nullptr);
-    bridge(lua, [&] { return file.add(lua); });
+    bridge(lua, [&] { return file.noted(file.add(lua)); });
     lua_rawgetp(lua, LUA_REGISTRYINDEX, &functions_key);
     lua_pushvalue(lua, lua_isfunction(lua, 2) ? 2 : 3);
     lua_rawseti(lua, -2, static_cast<lua_Integer>(file.scenarios_.size()));

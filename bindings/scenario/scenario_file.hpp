@@ -52,6 +52,9 @@ public:
     const std::string* text(const std::string& shown) const;
     const FileSource* source(const std::string& shown) const { return file_->source(shown); }
 
+    /// What `scenario` or `range` refused last; empty at first. Scenarios that run can call them, and are told so.
+    const std::string& refused() const { return refused_; }
+
     /// Pushes the function of a scenario. May raise a Lua error.
     void push_function(lua_State* lua, std::size_t scenario) const;
 
@@ -60,6 +63,7 @@ private:
 
     static int scenario_word(lua_State* lua);
     static int range_word(lua_State* lua);
+    Expected<void> noted(Expected<void> done);
     Expected<void> add(lua_State* lua);
     Expected<Scenario> read_call(lua_State* lua, const Place& place);
     Expected<void> read_options(lua_State* lua, int index, Scenario& scenario);
@@ -68,6 +72,7 @@ private:
     Project project_;
     std::string shown_;
     std::string text_;
+    std::string refused_;
     std::vector<Scenario> scenarios_;
     bool is_read_ = false;  // from then on it only runs
     std::unique_ptr<DataFile> file_;

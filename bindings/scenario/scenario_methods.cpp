@@ -64,7 +64,8 @@ void ScenarioRun::Methods::push_object(lua_State* lua, ScenarioRun& run) {
     }
     lua_pushcclosure(lua, index, 2);
     lua_setfield(lua, -2, "__index");
-    lua_pushcfunction(lua, newindex);
+    lua_pushlightuserdata(lua, &run);
+    lua_pushcclosure(lua, newindex, 1);
     lua_setfield(lua, -2, "__newindex");
     lua_pushboolean(lua, 0);
     lua_setfield(lua, -2, "__metatable");
@@ -86,8 +87,12 @@ std::vector<std::string_view> ScenarioRun::Methods::names() {
     return all;
 }
 
+// Upvalue: the run.
 int ScenarioRun::Methods::newindex(lua_State* lua) {
-    return luaL_error(lua, "s: nothing of it can be set: keep what you need in a local");
+    auto& run = *static_cast<ScenarioRun*>(lua_touserdata(lua, lua_upvalueindex(1)));
+    raise(run, "s: nothing of it can be set: keep what you need in a local");
+    note_diagnostic(run, lua);
+    return raise_kept(lua);
 }
 
 // Upvalues: the run, the table of methods.
@@ -269,9 +274,11 @@ int ScenarioRun::Methods::near(ScenarioRun& run, lua_State* lua) {
     if (!(tolerance >= 0)) return raise(run, "expected a tolerance from 0 on");
     if (auto refused = wrong_message(run, lua, 5)) return *refused;
     const double off = std::abs(actual - expected);
-    if (off <= tolerance) return 0;
+    if (off <= tolerance || actual == expected) return 0;  // infinities are as near as can be
     std::string text = fmt::format("near failed: {} is off {} by {:.6g}, more than the tolerance of {}", actual,
                                    expected, off, tolerance);
+    if (std::isnan(actual) || std::isnan(expected))
+        text = fmt::format("near failed: {} is not a number", names[std::isnan(actual) ? 0 : 1]);
     if (!lua_isnoneornil(lua, 5)) text += fmt::format(": {}", string_at(lua, 5));
     fails(run, lua, std::move(text));
     return end_run;

@@ -104,6 +104,7 @@ RunResult ScenarioRun::run() {
 // Whether Lua has raised what a word or a method refused.
 bool ScenarioRun::is_setup_error(const CallError& error) const {
     if (error.message.find(not_seen) != std::string::npos) return true;
+    if (!file_.refused().empty() && error.message.find(file_.refused()) != std::string::npos) return true;
     return setup_error_ && one_line(error.message).find(setup_error_->message) != std::string::npos;
 }
 

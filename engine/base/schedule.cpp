@@ -47,12 +47,14 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
                                physics_step, steps > most_steps ? fmt::format(" up to {}", most_steps) : "", nearest));
 }
 
-bool is_due(std::int64_t k, double rate, double tick_rate) {
-    if (rate <= 0 || rate >= tick_rate || k == 0) return true;
+bool is_due(std::int64_t k, double rate, double tick_rate, std::int64_t left_out) {
+    if (rate <= 0 || rate >= tick_rate || k <= left_out) return true;
     const std::uint64_t component = micro(rate);
     const std::uint64_t tick = micro(tick_rate);
-    // The quotient has grown since k - 1 where what is left of it is less than one more of these.
-    return product_modulo(static_cast<std::uint64_t>(k) % tick, component, tick) < component;
+    // The quotient has grown in a tick where what is left of it is less than one more of these.
+    const std::uint64_t ticks = static_cast<std::uint64_t>(left_out) + 1;
+    if (ticks > tick / component) return true;
+    return product_modulo(static_cast<std::uint64_t>(k) % tick, component, tick) < ticks * component;
 }
 
 }  // namespace nezumi

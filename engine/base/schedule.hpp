@@ -12,7 +12,7 @@ namespace nezumi {
 Expected<int> steps_per_tick(double rate, double physics_step);
 
 /// Whether what runs at `rate` [Hz] is due in tick `k`, from 0, where `tick_rate` [Hz] ticks are a second: when
-/// floor(k * rate / tick_rate) grows.
-bool is_due(std::int64_t k, double rate, double tick_rate);
+/// floor(k * rate / tick_rate) grows. What was due in one of the `left_out` ticks before `k` is due in `k`, once.
+bool is_due(std::int64_t k, double rate, double tick_rate, std::int64_t left_out = 0);
 
 }  // namespace nezumi

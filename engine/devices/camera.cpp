@@ -171,7 +171,8 @@ void Camera::sense(const Time& now) {
         return;
     }
     take_picture(now);
-    if (state() != LifeState::active || !is_due(now.tick, frame_rate_, tick_rate()) || picture_.busy()) return;
+    if (state() != LifeState::active || picture_.busy()) return;
+    if (!is_due(now.tick, frame_rate_, tick_rate(), now.left_out)) return;
     exposed_at_ = source_->expose(now).value_or(now.seconds);
     picture_.start(now, latency_, [source = source_.get()] {
         CameraImage image;

@@ -73,7 +73,7 @@ void Joystick::sense(const Time& now) {
     set_now(now);
     parameters_.take_staged();
     const auto gamepad = look();
-    if (rate > 0 && !is_due(now.tick, rate, tick_rate())) return;
+    if (rate > 0 && !is_due(now.tick, rate, tick_rate(), now.left_out)) return;
     if (gamepad) {
         axes_.write(gamepad->axes);
         buttons_.write(gamepad->buttons);

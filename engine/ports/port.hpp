@@ -247,31 +247,40 @@ private:
     void attach(OutPortBase& source) override {
         assert(source.type() == type());
         auto& port = static_cast<OutPort<T>&>(source);
+        const auto known = find_source(source);
+        if (known != sources_.end()) {
+            ++known->connections;
+            return;
+        }
         sources_.push_back({&port, port.sequence()});
         port.add_reader(*this);
         connections_ = sources_.size();
     }
-    void move_last_behind(std::span<const OutPortBase* const> before) override {
-        const auto is_before = [&](const Source& source) {
-            return std::find(before.begin(), before.end(), source.port) != before.end();
+    void move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) override {
+        const auto is_before = [&](const Source& each) {
+            return std::find(before.begin(), before.end(), each.port) != before.end();
         };
-        Source* const last = sources_.end() - 1;
-        std::rotate(std::find_if_not(sources_.begin(), last, is_before), last, sources_.end());
+        const auto own = find_source(source);
+        std::rotate(std::find_if_not(sources_.begin(), own, is_before), own, own + 1);
     }
     void detach(const OutPortBase& source) override {
-        const auto found =
-            std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.port == &source; });
-        if (found == sources_.end()) return;
+        const auto found = find_source(source);
+        if (found == sources_.end() || --found->connections > 0) return;
         if (looks_at_ == &source) keep_latest();
         found->port->remove_reader(*this);
         sources_.erase(found);
         ++disconnections_;
         connections_ = sources_.size();
+        count_when_left_ = count_;
     }
     struct Source {
         OutPort<T>* port = nullptr;
         std::uint64_t seen = 0;  // the sequence number of the publication taken last
+        int connections = 1;
     };
+    auto find_source(const OutPortBase& source) {
+        return std::find_if(sources_.begin(), sources_.end(), [&](const Source& s) { return s.port == &source; });
+    }
 
     void take_published(const Time& now) {
         // A source that published in an earlier tick (a behaviour) comes before one of this tick (a sensor).

@@ -22,6 +22,7 @@ namespace nezumi {
 struct Time {
     std::int64_t tick = 0;
     double seconds = 0;
+    std::int64_t left_out = 0;  ///< ticks before this one that a stall of real robots' loop took
 };
 
 /// [s] without a velocity command after which a robot stops, and without a message after which a port is stale whose
@@ -195,27 +196,29 @@ public:
     /// The time of that tick [s]; 0 before.
     double arrived_at() const { return arrived_at_; }
     bool connected() const { return connections_ > 0; }
-    /// Whether nothing came for longer than `stale_after` before `now` [s], or never, or it is not connected.
+    /// Whether nothing came for longer than `stale_after` before `now` [s], or never, or since its last connection went.
     bool is_stale(double now) const {
-        return !connected() || arrival_tick_ < 0 || now - arrived_at_ > stale_after() + rounding;
+        const bool is_left = !connected() && count_ == count_when_left_;
+        return is_left || arrival_tick_ < 0 || now - arrived_at_ > stale_after() + rounding;
     }
     /// How often it was disconnected from a source.
     std::uint64_t disconnections() const { return disconnections_; }
 
     /// Connects it, and its companion to the source's, when both have one of the same type. It comes after all other
-    /// sources; or, where `before` are those that it follows, right after them.
+    /// sources; or, where `before` are those that it follows, right after them. A source that is connected twice, as a
+    /// companion and by itself, is one source until both connections have gone.
     void connect(OutPortBase& source) {
         attach(source);
         if (InPortBase* other = companion_for(source)) other->attach(*source.companion());
     }
     void connect(OutPortBase& source, std::span<const OutPortBase* const> before) {
         connect(source);
-        move_last_behind(before);
+        move_behind(source, before);
         InPortBase* other = companion_for(source);
         if (other == nullptr) return;
         std::vector<const OutPortBase*> companions;
         for (const OutPortBase* each : before) companions.push_back(each->companion());
-        other->move_last_behind(companions);
+        other->move_behind(*source.companion(), companions);
     }
     void disconnect(const OutPortBase& source) {
         detach(source);
@@ -224,6 +227,11 @@ public:
     /// Where the companions of its sources go.
     void set_companion(InPortBase& companion) { companion_ = &companion; }
     virtual std::vector<const OutPortBase*> sources() const = 0;
+    /// Its companion, when that is connected to the source's where this is connected to `source`; else nullptr.
+    InPortBase* companion_for(const OutPortBase& source) const {
+        const bool both = companion_ != nullptr && source.companion() != nullptr;
+        return both && companion_->type() == source.companion()->type() ? companion_ : nullptr;
+    }
 
     /// From now on it keeps all messages of its latest arrival, for those who record it.
     void follow() const { followed_ = true; }
@@ -236,8 +244,8 @@ public:
 
 protected:
     virtual void attach(OutPortBase& source) = 0;
-    /// The source that was attached last is moved up to where only these come before it.
-    virtual void move_last_behind(std::span<const OutPortBase* const> before) = 0;
+    /// Moves a source up to where only these come before it.
+    virtual void move_behind(const OutPortBase& source, std::span<const OutPortBase* const> before) = 0;
     virtual void detach(const OutPortBase& source) = 0;
 
     InPortBase(std::string name, std::size_t type, std::string doc, std::size_t queue)
@@ -249,15 +257,11 @@ protected:
     std::size_t connections_ = 0;
     std::uint64_t overflow_ = 0;
     std::uint64_t disconnections_ = 0;
+    std::uint64_t count_when_left_ = 0;  // the number of messages when its last connection went
     std::int64_t arrival_tick_ = -1;
     double arrived_at_ = 0;
 
 private:
-    InPortBase* companion_for(const OutPortBase& source) const {
-        const bool both = companion_ != nullptr && source.companion() != nullptr;
-        return both && companion_->type() == source.companion()->type() ? companion_ : nullptr;
-    }
-
     InPortBase* companion_ = nullptr;
     bool overflow_told_ = false;
 };

@@ -98,7 +98,7 @@ bool Robot::hears_what_it_needs(const Time& now) {
 }
 
 bool Robot::is_due_at(double port_rate, const Time& now) const {
-    return port_rate <= 0 || port_rate >= tick_rate() || nezumi::is_due(now.tick, port_rate, tick_rate());
+    return port_rate <= 0 || port_rate >= tick_rate() || nezumi::is_due(now.tick, port_rate, tick_rate(), now.left_out);
 }
 
 // Simulated robots know simulated time only: their world takes the same steps in every tick, however long that lasts.

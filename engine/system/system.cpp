@@ -11,6 +11,7 @@
 #include "engine/base/schedule.hpp"
 #include "engine/base/worker_pool.hpp"
 #include "engine/system/network.hpp"
+#include "engine/system/pacer.hpp"
 
 namespace nezumi {
 namespace {
@@ -266,7 +267,7 @@ Expected<void> System::rearm() {
 }
 
 bool System::is_due(const Component& component) const {
-    return nezumi::is_due(now_.tick, component.rate, settings_.rate);
+    return nezumi::is_due(now_.tick, component.rate, settings_.rate, now_.left_out);
 }
 
 template <class Action>
@@ -354,8 +355,16 @@ void System::step(World* world) {
     if (const Error* why = world->breakdown(); why != nullptr && !fatal_error_) fatal_error_ = *why;
 }
 
+// What the pacer leaves out after a stall passes all the same.
+void System::pass_left_out_ticks() {
+    const std::int64_t due = std::llround(now_.seconds * settings_.rate);
+    now_.left_out = due - now_.tick > Pacer::longest_burst ? due - now_.tick : 0;
+    now_.tick += now_.left_out;
+}
+
 void System::tick() {
     now_.seconds = seconds_at(now_.tick);
+    if (settings_.real_time) pass_left_out_ticks();
     if (!grouped_) {
         groups_ = group_components(components_, wiring_.connections(), worth_threads);
         grouped_ = true;
@@ -366,6 +375,7 @@ void System::tick() {
     for (PortObserver* observer : observers_) observer->latched(*this);
     step(world_.get());
     if (rig_) step(rig_->world.get());
+    last_tick_ = now_;
     ++now_.tick;
     now_.seconds = seconds_at(now_.tick);
 }

@@ -134,6 +134,8 @@ public:
     void set_at_rest(bool at_rest);
     /// The tick that comes next: what conditions and the console call now.
     const Time& now() const { return now_; }
+    /// The tick that came last; as `now` before the first.
+    const Time& last_tick() const { return last_tick_; }
     const Settings& settings() const { return settings_; }
     /// Deactivates everything, last first, and lets the robots brake: `brake_ticks` ticks in which only devices act.
     void stop(int brake_ticks);
@@ -158,6 +160,7 @@ public:
 
 private:
     double seconds_at(std::int64_t tick) const;
+    void pass_left_out_ticks();
     bool is_due(const Component& component) const;
     Expected<void> reach(std::string_view from, std::string_view to);
     template <class ForEach>
@@ -180,6 +183,7 @@ private:
     double started_at_;  // [s] by the clock
     bool at_rest_ = false;
     Time now_;
+    Time last_tick_;
     std::unique_ptr<World> world_;  // before the components: robots' bodies must not outlive it
     std::optional<Rig> rig_;
     std::unique_ptr<Network> network_;  // before the components: those of other hosts are its

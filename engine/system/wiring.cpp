@@ -67,8 +67,8 @@ Expected<Connection> Wiring::connect(Component& from, std::string_view out_name,
         return failure(fmt::format("types differ: {} is {}, {} is {}{}", path(from, *out), out->type_name(),
                                    path(to, *in), in->type_name(), fitting_port(from, *out, to, *in)));
     }
-    const std::vector<const OutPortBase*> sources = in->sources();
-    if (std::find(sources.begin(), sources.end(), out) != sources.end())
+    const auto is_same = [&](const Connection& c) { return c.from == out && c.to == in; };
+    if (std::any_of(connections_.begin(), connections_.end(), is_same))
         return failure(fmt::format("{} is connected to {} already", path(from, *out), path(to, *in)));
     if (!number) {
         in->connect(*out);
@@ -117,9 +117,17 @@ void Wiring::disconnect_all(const Component& component, const Time& now) {
 
 std::vector<std::string> Wiring::peers(const Port& port) const {
     std::vector<std::string> all;
-    for (const Connection& connection : connections_) {
-        if (connection.from == &port) all.push_back(path(*connection.to_component, *connection.to));
-        if (connection.to == &port) all.push_back(path(*connection.from_component, *connection.from));
+    const auto add = [&](const Component& component, const Port& peer) {
+        std::string name = path(component, peer);
+        if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(std::move(name));
+    };
+    for (const Connection& c : connections_) {
+        if (c.from == &port) add(*c.to_component, *c.to);
+        if (c.to == &port) add(*c.from_component, *c.from);
+        const InPortBase* companion = c.to->companion_for(*c.from);
+        if (companion == nullptr) continue;
+        if (c.from->companion() == &port) add(*c.to_component, *companion);
+        if (companion == &port) add(*c.from_component, *c.from->companion());
     }
     return all;
 }

@@ -41,7 +41,7 @@ public:
     void disconnect_all(const Port& port, const Time& now);
     /// Drops every connection of a component. What it has published still arrives.
     void disconnect_all(const Component& component, const Time& now);
-    /// "name.port" of the ports at the other ends.
+    /// "name.port" of the ports at the other ends, those that a companion brings among them.
     std::vector<std::string> peers(const Port& port) const;
 
 private:

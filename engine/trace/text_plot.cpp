@@ -162,7 +162,10 @@ std::string braille_plot(const std::vector<Curve>& curves, double from, double t
         }
         Range values;
         for (const auto& [seconds, value] : curve.points) values.add(value);
-        if (values.low == values.high || from >= to) {
+        if (curve.points.size() == 1) {
+            add(fmt::format("{} = {} at {:.6g} s, the only value that is remembered", curve.name,
+                            number_text(values.low), curve.points.front().first));
+        } else if (values.low == values.high || from >= to) {
             add(fmt::format("{} = {} all the time", curve.name, number_text(values.low)));
         } else {
             add(curve.name);

@@ -17,7 +17,7 @@ namespace nezumi {
 class Trace final : public PortObserver {
 public:
     /// A system with more ports is remembered only where somebody asks.
-    static constexpr std::size_t most_ports = 200;
+    static constexpr std::size_t most_ports = 400;
 
     /// From now on its channels are those of this system, which is at its start and which this must outlive. What is
     /// followed stays so, what is remembered is forgotten: it belongs to another time.

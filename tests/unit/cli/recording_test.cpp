@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "bindings/cli/recorder.hpp"
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/engine/try_component.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -53,6 +55,30 @@ TEST_CASE("a disk that gets full costs no row that was whole, and not the older 
     CHECK(text_of_file(said) == problem + ", and what was there before is now " + csv + "~\n");
     CHECK(rows() == first);
     CHECK(text_of_file(csv + "~") == older);
+}
+
+TEST_CASE("the time of a recording of real robots is the clock's, also after a stall", "[cli][run][hardware]") {
+    const Scratch scratch;
+    const std::string csv = scratch.path("trace.csv").string();
+    double clock = 1000;
+    System system({.rate = 100, .real_time = true, .clock = [&clock] { return clock; }}, nullptr);
+    auto made = std::make_unique<TryComponent>("it");
+    made->executed = [](TryComponent& self) -> Expected<void> {
+        self.out.write(static_cast<std::int32_t>(self.executions()));
+        return {};
+    };
+    REQUIRE((*system.add(std::move(made)))->activate(system.now()));
+    Trace trace;
+    trace.start(system);
+    auto recorder = cli::Recorder::open(csv, trace, system, {"it.out"});
+    REQUIRE(recorder);
+    for (const double passed : {0.0, 0.25, 1.0, 0.125}) {
+        clock += passed;
+        system.tick();
+        recorder->add_rows(system);
+    }
+    REQUIRE(recorder->finish());
+    CHECK(text_of_file(csv) == "time,it.out\n0,1\n0.25,2\n1.25,3\n1.375,4\n");
 }
 
 TEST_CASE("a recording takes the place of the older one when it is whole", "[cli][run][watchdog]") {

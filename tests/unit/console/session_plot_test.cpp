@@ -58,7 +58,8 @@ TEST_CASE("truth, parameters and state are remembered from the first plot on", "
     PlotRig it;
     it.turn(50);
     CHECK_THAT(it.type("plot 'mouse.truth.pose.position.x'"),
-               StartsWith("mouse.truth.pose.position.x\npose.position.x = ") && EndsWith(" all the time"));
+               StartsWith("mouse.truth.pose.position.x\npose.position.x = ") &&
+                   EndsWith(" at 0.5 s, the only value that is remembered"));
     it.type("plot('controller.config.speed_x', 'talker.state.n') step(20)");
     CHECK_THAT(it.type("plot('mouse.truth.pose.position.x', 1)"), Contains("pose.position.x"));
     CHECK_THAT(it.type("plot 'talker.state.n'"), StartsWith("talker.state.n\nn\n"));
@@ -68,10 +69,11 @@ TEST_CASE("truth, parameters and state are remembered from the first plot on", "
 TEST_CASE("probes are plotted by their names", "[console][plot]") {
     PlotRig it;
     it.turn(1);
-    CHECK(it.type("plot(talker.probes.count)") == "talker.probes.count\ncount = 1 all the time");
+    CHECK(it.type("plot(talker.probes.count)") ==
+          "talker.probes.count\ncount = 1 at 0.01 s, the only value that is remembered");
     CHECK(it.type("plot 'talker.probes.cuont'") == "! plot: talker.probes has no 'cuont' (did you mean 'count'?)");
     CHECK_THAT(it.type("plot(mouse.probes)"), StartsWith("! plot: mouse has no port 'probes'"));
-    CHECK(it.type("plot(talker.probes)") == "talker.probes\ncount = 1 all the time");
+    CHECK(it.type("plot(talker.probes)") == "talker.probes\ncount = 1 at 0.01 s, the only value that is remembered");
     it.turn(20);
     CHECK_THAT(it.type("plot(talker.probes.count, 5)"), StartsWith("talker.probes.count\ncount\n21 │"));
     CHECK_THAT(it.type("plot(talker.probes.count, controller.out.vx, 5)"),
@@ -175,14 +177,15 @@ TEST_CASE("a probe is plotted with its .value or without, and a misspelt one nam
     it.type("t = talker plot(talker.probes)");
     for (const std::string name :
          {"talker.probes.count", "talker.probes.count.value", "'talker.probes.count.value'", "t.probes['count'].value"})
-        CHECK(it.type("plot(" + name + ")") == "talker.probes.count\ncount = 1 all the time");
+        CHECK(it.type("plot(" + name + ")") ==
+              "talker.probes.count\ncount = 1 at 0.01 s, the only value that is remembered");
     CHECK(it.type("plot(t.probes.cuont.value)") == "! plot: talker.probes has no 'cuont' (did you mean 'count'?)");
 }
 
 TEST_CASE("whether a robot touches anything is plotted", "[console][plot]") {
     PlotRig it;
     it.turn(1);
-    CHECK(it.type("plot(mouse.collided)") == "mouse.collided\nvalue = 0 all the time");
+    CHECK(it.type("plot(mouse.collided)") == "mouse.collided\nvalue = 0 at 0.01 s, the only value that is remembered");
     CHECK(it.type("plot('mouse.collided.by')") == "! plot: mouse.collided is a single value: it has no 'by'");
     CHECK(it.type("plot(talker.collided)") == "! plot: talker has no collided: it is no robot");
 }
@@ -190,5 +193,6 @@ TEST_CASE("whether a robot touches anything is plotted", "[console][plot]") {
 TEST_CASE("the truth is plotted without what rounding leaves of a zero", "[console][plot]") {
     PlotRig it;
     it.turn(5);
-    CHECK(it.type("plot(mouse.truth.velocity.va)") == "mouse.truth.velocity.va\nvelocity.va = 0 all the time");
+    CHECK(it.type("plot(mouse.truth.velocity.va)") ==
+          "mouse.truth.velocity.va\nvelocity.va = 0 at 0.05 s, the only value that is remembered");
 }

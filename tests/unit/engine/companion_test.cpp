@@ -50,6 +50,25 @@ TEST_CASE("a connection takes its companion along when it goes", "[engine][port]
     CHECK(p.told.latest().data.fx == 500);
 }
 
+TEST_CASE("what is connected twice, as a companion and by itself, is one source until both have gone",
+          "[engine][port][companion]") {
+    const bool companion_first = GENERATE(true, false);
+    Pair p;
+    if (companion_first) p.image.connect(p.picture);
+    p.told.connect(p.intrinsics);
+    if (!companion_first) p.image.connect(p.picture);
+    p.publish(500);
+    CHECK(p.told.count() == 1);
+    p.image.disconnect(p.picture);
+    CHECK(p.told.connected());
+    p.image.connect(p.picture);
+    p.told.disconnect(p.intrinsics);
+    p.publish(600);
+    CHECK(p.told.read().fx == 600);
+    p.image.disconnect(p.picture);
+    CHECK_FALSE(p.told.connected());
+}
+
 TEST_CASE("where one side has no companion, or one of another type, only the port itself is connected",
           "[engine][port][companion]") {
     Pair p;

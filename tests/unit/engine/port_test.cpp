@@ -126,6 +126,16 @@ TEST_CASE("a port is stale after three periods of its sender, at least 0.1 s, an
         p.in.disconnect(p.out);
         CHECK(p.in.is_stale(1));
     }
+    // What is held or injected keeps a port fresh that nobody is connected to.
+    InPort<std::int32_t> alone{"alone"};
+    alone.hold(std::int32_t{3});
+    alone.latch({.tick = 100, .seconds = 1});
+    CHECK_FALSE(alone.is_stale(1.5));
+    CHECK(alone.is_stale(1.501));
+    alone.release();
+    alone.inject(std::int32_t{4});
+    alone.latch({.tick = 200, .seconds = 2});
+    CHECK_FALSE(alone.is_stale(2.5));
     // Of several senders the slowest counts.
     OutPort<std::int32_t> fast{"fast"}, slow{"slow"};
     fast.set_rate(100);

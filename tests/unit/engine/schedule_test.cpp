@@ -61,6 +61,18 @@ TEST_CASE("a component is due when floor(k * rate / tick rate) grows: exact on a
     CHECK(executed == 70);
 }
 
+TEST_CASE("what was due in ticks that were left out is due once in the next that comes", "[engine][schedule]") {
+    CHECK_FALSE(is_due(149, 2, 100));
+    CHECK(is_due(150, 2, 100));
+    CHECK_FALSE(is_due(151, 2, 100));
+    CHECK(is_due(151, 2, 100, 1));
+    CHECK_FALSE(is_due(199, 2, 100, 48));
+    CHECK(is_due(199, 2, 100, 49));
+    CHECK(is_due(7, 0.001, 100, 7));  // the first tick is among them
+    CHECK_FALSE(is_due(8, 0.001, 100, 7));
+    CHECK(is_due(std::int64_t{1} << 50, 1e5, 1e6, std::int64_t{1} << 49));
+}
+
 TEST_CASE("without a rate, or at the tick's, a component is due in every tick", "[engine][schedule]") {
     for (std::int64_t k = 0; k < 100; ++k) {
         CHECK(is_due(k, 0, 100));

@@ -203,6 +203,13 @@ TEST_CASE("odometry adds up arcs as robots.md says", "[engine][odometry]") {
     odometry.update(pulses(7 + left / 0.024 + 10, 9 + right / 0.024 + 10));
     CHECK(odometry.pose().position.x == Approx(0.5));
     CHECK(odometry.pose().position.y == Approx(0.74));
+    // And on, after an eighth of a turn on the spot.
+    const double eighth = 0.0925 / 2 * std::numbers::pi / 4 / 0.024;
+    const double ahead = std::sqrt(0.02) / 0.024;
+    odometry.update(pulses(7 + left / 0.024 + 10 - eighth, 9 + right / 0.024 + 10 + eighth));
+    odometry.update(pulses(7 + left / 0.024 + 10 - eighth + ahead, 9 + right / 0.024 + 10 + eighth + ahead));
+    CHECK(odometry.pose().position.x == Approx(0.4));
+    CHECK(odometry.pose().position.y == Approx(0.84));
     // A turn so small that the arc's formula would divide by next to nothing.
     Odometry straight(1, 1, 1, 2 * M_PI * 1e9);  // a pulse is a nanometre
     straight.update({0, 0});

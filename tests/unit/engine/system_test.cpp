@@ -130,8 +130,37 @@ TEST_CASE("in real time a tick is as old as the clock says", "[engine][system][h
         CHECK(executed[i].first == Approx(expected[i].first).margin(1e-9));
         CHECK(executed[i].second == Approx(expected[i].second));
     }
-    CHECK(system.now().tick == 5);  // which still orders what happens
+    CHECK(system.now().tick == 204);  // those that the stall took have passed
+    CHECK(system.last_tick().tick == 203);
+    CHECK(system.last_tick().seconds == Approx(2.033));
     CHECK(system.find("it")->find_out_port("out")->tm() == 0);
+}
+
+TEST_CASE("what has a rate is not late by the ticks that a stall took, and does not catch up",
+          "[engine][system][hardware]") {
+    double clock = 1000;
+    std::vector<double> executed;
+    System system({.rate = 100, .real_time = true, .clock = [&clock] { return clock; }}, nullptr);
+    auto made = std::make_unique<TryComponent>("it");
+    made->rate = 2;
+    made->executed = [&](TryComponent& self) -> Expected<void> {
+        executed.push_back(self.now().seconds);
+        return {};
+    };
+    REQUIRE((*system.add(std::move(made)))->activate(system.now()));
+    const auto ticks = [&](int count) {
+        for (; count > 0; --count) {
+            system.tick();
+            clock += 0.01;
+        }
+    };
+    ticks(111);  // due at 0, 0.5 and 1
+    clock += 1;  // and at 1.5 and 2
+    ticks(60);   // and at 2.5
+    REQUIRE(executed.size() == 5);
+    CHECK(executed[2] == Approx(1));
+    CHECK(executed[3] == Approx(2.11));
+    CHECK(executed[4] == Approx(2.5));
 }
 
 TEST_CASE("at rest behaviours wait, devices go on and robots stand", "[engine][system][hardware]") {
@@ -273,6 +302,27 @@ TEST_CASE("a connection that is made again has its former place", "[engine][syst
     CHECK(sources[2] == *system.port("c.out"));
     REQUIRE(system.connect("a.out", "sink.queue"));
     CHECK(system.connections().back().to == "sink.queue");
+}
+
+TEST_CASE("a companion that came with a connection is among the peers, and can be connected by itself",
+          "[engine][system][connect]") {
+    struct Camera : TryComponent {
+        Camera() : TryComponent("from") { out.set_companion(other); }
+        OutPort<std::int32_t>& other = add_out_port<std::int32_t>("other");
+    };
+    System system({}, nullptr);
+    REQUIRE(system.add(std::make_unique<Camera>()));
+    TryComponent& to = add(system, "to");
+    to.in.set_companion(to.queue);
+    REQUIRE(system.connect("from.out", "to.in"));
+    CHECK(system.peers(**system.port("from.other")) == Names{"to.queue"});
+    CHECK(system.peers(**system.port("to.queue")) == Names{"from.other"});
+    REQUIRE(system.connect("from.other", "to.queue"));
+    CHECK(system.peers(**system.port("to.queue")) == Names{"from.other"});
+    CHECK(system.connect("from.other", "to.queue").error().message == "from.other is connected to to.queue already");
+    REQUIRE(system.disconnect("from.out", "to.in"));
+    CHECK(system.peers(**system.port("to.queue")) == Names{"from.other"});
+    CHECK(dynamic_cast<InPortBase&>(**system.port("to.queue")).connected());
 }
 
 TEST_CASE("a component can't have a name that is taken, no identifier or a word of the console", "[engine][system]") {

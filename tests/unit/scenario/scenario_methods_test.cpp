@@ -129,6 +129,18 @@ TEST_CASE("a method that is called without its colon is an error of the scenario
     CHECK(with_world("s.check(true)") == "could not run: it_test.lua:3: write s:check(...) with a colon");
 }
 
+TEST_CASE("a scenario that sets a field of s, or declares while it runs, could not be run", "[scenario][diagnostics]") {
+    CHECK(with_world("s.foo = 3") ==
+          "could not run: it_test.lua:3: s: nothing of it can be set: keep what you need in a local");
+    CHECK(with_world("range('a')") ==
+          "could not run: it_test.lua:3: range: expected range(lo, hi) or range(lo, hi, step) with numbers");
+    CHECK(with_world("range(1, 2, 3, 4)") ==
+          "could not run: it_test.lua:3: range: expected at most 3 arguments, got 4: range(lo, hi, step)");
+    CHECK(with_world("scenario('b', function() end)") ==
+          "could not run: it_test.lua:3: scenario: scenarios are declared by the file, not by one another");
+    CHECK(with_world("pcall(range, 'a') error('mine')") == "failed: it_test.lua:3: mine");
+}
+
 TEST_CASE("an error that the scenario catches, or that is none, decides nothing", "[scenario][diagnostics]") {
     CHECK(with_world("s:check(not pcall(s.run, s, 'x'))") == "passed");
     CHECK(with_world("pcall(s.run, s, 'x') error('mine')") == "failed: it_test.lua:3: mine");
@@ -152,6 +164,49 @@ TEST_CASE("words that a scenario does not have are found in its text", "[scenari
           "t.lua:1:68: t has no 'rum' (did you mean 'run'?)\n");
     CHECK(slips("scenario('a', function(s) repeat local x = 1 until x s:rum() end)") ==
           "t.lua:1:56: s has no 'rum' (did you mean 'run'?)\n");
+}
+
+TEST_CASE("a scenario is followed past locals without a value", "[scenario][diagnostics]") {
+    CHECK(slips("scenario('a', function(s) local a\ns:rum() end)") ==
+          "t.lua:2:3: s has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) local a <const>, b; s:rum() end)") ==
+          "t.lua:1:49: s has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) do local s = 1 s:rum() end s:chek() end)") ==
+          "t.lua:1:56: s has no 'chek' (did you mean 'check'?)\n");
+    CHECK(slips("scenario('a', function(s) if x then local s = 1 s:rum() else s:chek() end end)") ==
+          "t.lua:1:64: s has no 'chek' (did you mean 'check'?)\n");
+    CHECK(slips("scenario('a', function(s) f(function(s) s:rum() end) local function s() end s:rum() end)").empty());
+    CHECK(slips("scenario('a', function(s) for s in x do s:rum() end s:chek() end)") ==
+          "t.lua:1:55: s has no 'chek' (did you mean 'check'?)\n");
+}
+
+TEST_CASE("a scenario is followed into functions that have a name", "[scenario][diagnostics]") {
+    const std::string says = "t has no 'rum' (did you mean 'run'?)\n";
+    CHECK(slips("local function body(t) t:rum() end scenario('a', {}, body) scenario('b', body)") ==
+          "t.lua:1:26: " + says);
+    CHECK(slips("local body = function(t) t:rum() end scenario('a', body)") == "t.lua:1:28: " + says);
+    CHECK(slips("local function f(x, t) t:rum() end scenario('a', function(s) f({ 1, s }, s) f(s.mouse, 2) end)") ==
+          "t.lua:1:26: " + says);
+    CHECK(slips("local function g(t) t:rum() end local function f(it) g(it) end scenario('a', function(s) f(s) end)") ==
+          "t.lua:1:23: " + says);
+    CHECK(slips("function f(t) f(t) t:rum() end scenario('a', f)") == "t.lua:1:22: " + says);
+    // Not given the scenario, or nobody knows.
+    CHECK(slips("local function f(t) t:rum() end scenario('a', function(s) f(s.mouse) f(x, s) x.f(s) end)").empty());
+    CHECK(slips("local function f(t) t:rum() end function f(t) end scenario('a', function(s) f(s) end)").empty());
+    CHECK(slips("local function f(t) t:rum() end scenario('a', f())").empty());
+    CHECK(slips("local function f() s:rum() end scenario('a', f)").empty());
+}
+
+TEST_CASE("a scenario is followed under a further name", "[scenario][diagnostics]") {
+    CHECK(slips("scenario('a', function(s) local w = s w:rum() do local v <const> = w; v:chek() end v:rum() end)") ==
+          "t.lua:1:41: w has no 'rum' (did you mean 'run'?)\n"
+          "t.lua:1:73: v has no 'chek' (did you mean 'check'?)\n");
+    CHECK(slips("scenario('a', function(s) local s = s s:rum() end)") ==
+          "t.lua:1:41: s has no 'rum' (did you mean 'run'?)\n");
+    CHECK(slips("scenario('a', function(s) local w = s.mouse w:rum() local v = s or w v:rum() end)").empty());
+    CHECK(slips("scenario('a', function(s) s = other s:rum() end)").empty());
+    CHECK(slips("scenario('a', function(s) f { s = s } s:rum() end)") ==
+          "t.lua:1:41: s has no 'rum' (did you mean 'run'?)\n");
 }
 
 TEST_CASE("a seed in a scenario would have no effect, and is refused with what has", "[scenario][diagnostics]") {

@@ -35,7 +35,7 @@ TEST_CASE("an always that no tick comes after is looked at once, at the end", "[
 
 TEST_CASE("a scenario can't declare another one", "[lua][scenario][run]") {
     CHECK(outcome_of("scenario('inner', function() end)") ==
-          "failed: it_test.lua:2: scenario: scenarios are declared by the file, not by one another");
+          "could not run: it_test.lua:2: scenario: scenarios are declared by the file, not by one another");
 }
 
 TEST_CASE("a robot that drives against a wall is no news to be warned of", "[lua][scenario][run]") {
@@ -135,6 +135,12 @@ TEST_CASE("errors of a scenario name its line", "[lua][scenario][run]") {
     CHECK(outcome_of("s:near(1, 2, 0.5, 'n\\0o')").ends_with(": n?o"));
     CHECK(outcome_of("s:near(1, 2, 0.5)") ==
           "failed: it_test.lua:2: near failed: 1 is off 2 by 1, more than the tolerance of 0.5");
+    CHECK(outcome_of("s:near(0/0, 2, 0.5, 'speed')") ==
+          "failed: it_test.lua:2: near failed: the actual value is not a number: speed");
+    CHECK(outcome_of("s:near(1, 0/0, 0.5)") ==
+          "failed: it_test.lua:2: near failed: the expected value is not a number");
+    CHECK(outcome_of("s:near(1/0, 1/0, 0)") == "passed");
+    CHECK_THAT(outcome_of("s:near(1/0, -1/0, 0)"), Catch::Contains("near failed: inf is off -inf by inf"));
 }
 
 TEST_CASE("options of an expectation are checked", "[lua][scenario][run]") {
