@@ -29,6 +29,7 @@ FileValue take_changes(Fields& fields) {
 
 Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const FileValue& value) {
     FieldCheck check(fmt::format("robot '{}'", name), call.word, call.place, call.source);
+    check.set_given({name, &value});
     Fields fields(check, value);
     RobotEntry entry;
     entry.name = name;
