@@ -251,6 +251,7 @@ Expected<void> ScenarioFile::read_options(lua_State* lua, int index, Scenario& s
     };
     FieldCheck check(fmt::format("scenario '{}'", nezumi::shown(scenario.name)), "scenario", scenario.place,
                      file_->source(scenario.place.file), "option");
+    check.set_given({scenario.name});
     if (auto ok = nezumi::read_options(lua, index, std::move(check), scenario, {}, by_hand); !ok) return ok;
     if (samples > 0) scenario.sweep.samples = static_cast<std::size_t>(samples);
     return {};

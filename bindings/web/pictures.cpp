@@ -11,6 +11,15 @@
 #include "engine/ports/cdr.hpp"
 
 namespace nezumi::web {
+namespace {
+
+// What a port of pictures carries, where it lies.
+const CameraImage& picture_of(const Port& port) {
+    const auto* const out = dynamic_cast<const OutPort<CameraImage>*>(&port);
+    return out != nullptr ? out->read() : dynamic_cast<const InPort<CameraImage>&>(port).latest().data;
+}
+
+}  // namespace
 
 Pictures::~Pictures() {
     {
@@ -23,22 +32,29 @@ Pictures::~Pictures() {
 
 void Pictures::look(const System& system, const std::vector<std::string>& ports, Clock::time_point now) {
     // Who watches again is shown what there is.
-    std::erase_if(seen_,
-                  [&](const auto& each) { return std::find(ports.begin(), ports.end(), each.first) == ports.end(); });
+    const auto is_unwatched = [&](const auto& each) {
+        return std::find(ports.begin(), ports.end(), each.first) == ports.end();
+    };
+    if (std::erase_if(seen_, is_unwatched) > 0) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(taken_, is_unwatched);
+    }
     for (const std::string& path : ports) {
         const auto port = system.port(path);
         if (!port || (*port)->type() != type_index<CameraImage>() || (*port)->count() == 0) continue;
         Seen& seen = seen_[path];
         if (seen.count == (*port)->count() || now - seen.at < std::chrono::duration<double>(1 / most)) continue;
         seen = {(*port)->count(), now};
-        Taken taken{std::get<CameraImage>((*port)->value()), (*port)->tm()};
         const std::lock_guard lock(mutex_);
-        waiting_.insert_or_assign(path, std::move(taken));
+        Taken& taken = taken_[path];
+        taken.image = picture_of(**port);
+        taken.tm = (*port)->tm();
+        taken.is_new = true;
         if (!thread_.joinable()) {
             try {
                 thread_ = start_thread([this] { work(); });
             } catch (const std::system_error&) {
-                waiting_.clear();  // the next picture tries again
+                taken_.clear();  // the next picture tries again
             }
         }
         news_.notify_one();
@@ -47,16 +63,20 @@ void Pictures::look(const System& system, const std::vector<std::string>& ports,
 
 void Pictures::work() {
     bool has_failed = false;
+    Taken taken;
     for (;;) {
         std::string port;
-        Taken taken;
         {
             Lock lock(mutex_);
-            news_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+            auto next = taken_.end();
+            news_.wait(lock, [&] {
+                next = std::find_if(taken_.begin(), taken_.end(), [](const auto& each) { return each.second.is_new; });
+                return ends_ || next != taken_.end();
+            });
             if (ends_) return;
-            auto first = waiting_.extract(waiting_.begin());
-            port = std::move(first.key());
-            taken = std::move(first.mapped());
+            port = next->first;
+            std::swap(taken, next->second);
+            next->second.is_new = false;
         }
         auto jpeg = to_jpeg(taken.image);
         if (!jpeg) {

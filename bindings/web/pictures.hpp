@@ -39,6 +39,7 @@ private:
     struct Taken {
         CameraImage image{};
         double tm = 0;
+        bool is_new = false;
     };
     struct Seen {
         std::uint64_t count = 0;
@@ -52,7 +53,7 @@ private:
     std::map<std::string, Seen, std::less<>> seen_;  // of the thread that ticks
     Mutex mutex_;                                    // of what follows
     std::condition_variable news_;
-    std::map<std::string, Taken, std::less<>> waiting_;
+    std::map<std::string, Taken, std::less<>> taken_;  // by port; an old one is memory for the next
     bool ends_ = false;
     std::thread thread_;
 };

@@ -29,6 +29,17 @@ std::size_t end_of_field(std::string_view row, std::size_t at) {
     return std::min(row.find(',', at), row.size());
 }
 
+// Adds the fields of a row. False when a quote is not closed: then those before it.
+bool split(std::string_view row, std::vector<std::string_view>& fields) {
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = end_of_field(row, begin);
+        if (end == std::string_view::npos) return false;
+        fields.push_back(row.substr(begin, end - begin));
+        if (end == row.size()) return true;
+        begin = end + 1;
+    }
+}
+
 std::optional<double> to_number(std::string_view text) {
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0;
@@ -109,13 +120,14 @@ std::string csv_field(std::string_view text) {
 
 std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row) {
     std::vector<std::string_view> fields;
-    for (std::size_t begin = 0;;) {
-        const std::size_t end = end_of_field(row, begin);
-        if (end == std::string_view::npos) return std::nullopt;
-        fields.push_back(row.substr(begin, end - begin));
-        if (end == row.size()) return fields;
-        begin = end + 1;
-    }
+    if (!split(row, fields)) return std::nullopt;
+    return fields;
+}
+
+std::vector<std::string_view> closed_csv_fields(std::string_view row) {
+    std::vector<std::string_view> fields;
+    split(row, fields);
+    return fields;
 }
 
 std::string csv_text(std::string_view field) {

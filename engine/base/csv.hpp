@@ -26,6 +26,8 @@ std::string csv_row(const std::vector<Text>& fields) {
 /// The fields of a row as they stand there, with their quotes and blanks: commas within quotes separate nothing.
 /// Nothing when a quote is not closed.
 std::optional<std::vector<std::string_view>> split_csv_row(std::string_view row);
+/// The same of any row: without the field whose quote is not closed, which takes in all that comes behind it.
+std::vector<std::string_view> closed_csv_fields(std::string_view row);
 /// What such a field says: without its quotes and the blanks around it.
 std::string csv_text(std::string_view field);
 /// Reads the next row, which goes on over ends of line within quotes, without its last end of line. False at the end.

@@ -5,6 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 #include <string_view>
+#include <utility>
 
 namespace nezumi {
 namespace {
@@ -54,9 +55,12 @@ Expected<Format> checked_format(const CameraImage& image) {
 }
 
 // The pixels by one of OpenCV's conversions from three channels to so many.
-Octets converted(const CameraImage& image, int conversion, int channels) {
-    if (conversion == none) return image.pixels;
-    Octets pixels(std::size_t{image.width} * image.height * static_cast<std::size_t>(channels));
+Octets converted(const CameraImage& image, int conversion, int channels, Octets pixels) {
+    if (conversion == none) {
+        pixels = image.pixels;
+        return pixels;
+    }
+    pixels.resize(std::size_t{image.width} * image.height * static_cast<std::size_t>(channels));
     // OpenCV has no matrix that is not to be written; this one is only read.
     const cv::Mat from(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat to(image.height, image.width, CV_8UC(channels), pixels.data());
@@ -66,17 +70,17 @@ Octets converted(const CameraImage& image, int conversion, int channels) {
 
 }  // namespace
 
-Expected<GrayImage> to_gray(const CameraImage& image) {
+Expected<GrayImage> to_gray(const CameraImage& image, Octets memory) {
     const auto format = checked_format(image);
     if (!format) return Unexpected(format.error());
-    return GrayImage{image.width, image.height, converted(image, format->to_gray, 1)};
+    return GrayImage{image.width, image.height, converted(image, format->to_gray, 1, std::move(memory))};
 }
 
-Expected<ColorImage> to_rgb(const CameraImage& image) {
+Expected<ColorImage> to_rgb(const CameraImage& image, Octets memory) {
     const auto format = checked_format(image);
     if (!format) return Unexpected(format.error());
     if (format->bits != 24) return failure(fmt::format("{} has no colours: expected rgb8 or bgr8", format->name));
-    return ColorImage{image.width, image.height, converted(image, format->to_rgb, 3)};
+    return ColorImage{image.width, image.height, converted(image, format->to_rgb, 3, std::move(memory))};
 }
 
 }  // namespace nezumi

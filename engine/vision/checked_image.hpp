@@ -23,10 +23,11 @@ struct ColorImage {
 
 /// The grey values (ITU-R BT.601) of a picture in the format "gray8", "mono8", "rgb8" or "bgr8"; without a format 8
 /// bits a pixel are grey and 24 red, green, blue. An error says what does not fit: no pixels, an unknown format, bits
-/// that are not the format's, or a number of bytes that is not width * height * bpp / 8.
-Expected<GrayImage> to_gray(const CameraImage& image);
+/// that are not the format's, or a number of bytes that is not width * height * bpp / 8. `memory` is used for the
+/// pixels: give an earlier picture's.
+Expected<GrayImage> to_gray(const CameraImage& image, Octets memory = {});
 
 /// The colours of a picture; errors as of `to_gray`, and when it is grey.
-Expected<ColorImage> to_rgb(const CameraImage& image);
+Expected<ColorImage> to_rgb(const CameraImage& image, Octets memory = {});
 
 }  // namespace nezumi

@@ -91,15 +91,15 @@ Expected<ColorDetector::DetectionTask> ColorDetector::detection_task(const Camer
     if (range.saturation_from > range.saturation_to)
         return is_empty("saturation", range.saturation_from, range.saturation_to);
     if (range.value_from > range.value_to) return is_empty("value", range.value_from, range.value_to);
-    auto colored = to_rgb(image);
+    auto colored = to_rgb(image, std::move(picture_.pixels));
     if (!colored) return failure("image: " + colored.error().message);
-    return [colored = std::move(*colored), range,
-            least_area = value<double>("least_area")]() -> std::optional<ColorSight> {
-        const auto blob = find_color(colored, range);
+    picture_ = std::move(*colored);
+    return [this, range, least_area = value<double>("least_area")]() -> std::optional<ColorSight> {
+        const auto blob = find_color(picture_, range);
         if (!blob) return std::nullopt;
-        const double area = blob->area / colored.width / colored.height;
+        const double area = blob->area / picture_.width / picture_.height;
         if (area < least_area) return std::nullopt;
-        return ColorSight{from_middle(blob->x, colored.width), from_middle(blob->y, colored.height), area};
+        return ColorSight{from_middle(blob->x, picture_.width), from_middle(blob->y, picture_.height), area};
     };
 }
 

@@ -35,6 +35,9 @@ class ColorDetector final : public ImageComponent<std::optional<ColorSight>> {
 public:
     /// `wait` as of `ImageComponent`.
     ColorDetector(std::string name, bool wait);
+    ~ColorDetector() override { finish(); }  // who looks uses picture_
+    ColorDetector(const ColorDetector&) = delete;
+    ColorDetector& operator=(const ColorDetector&) = delete;
 
 private:
     Expected<DetectionTask> detection_task(const CameraImage& image) override;
@@ -43,6 +46,7 @@ private:
     OutPort<bool>& visible_;
     OutPort<std::vector<double>>& centre_;
     OutPort<double>& area_;
+    ColorImage picture_;  // the one that is looked at
 };
 
 }  // namespace nezumi

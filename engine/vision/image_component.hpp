@@ -35,6 +35,9 @@ protected:
           image_(add_in_port<CameraImage>("image", "a camera's picture")) {}
 
     /// What there is to do with this picture. An error says why nothing can be seen in it: it is told once in the log.
+    /// The picture is the port's, and may change or go while the task runs. The task reads a copy in memory that the
+    /// component keeps for it, 0.03 ms of a tick at 640 x 480 in colour, and does the rest (smoothing alone takes
+    /// twenty times as long) beside the tick.
     virtual Expected<DetectionTask> detection_task(const CameraImage& image) = 0;
     /// Writes what was seen, which gets the stamp of its picture.
     virtual void publish(const Seen& seen) = 0;

@@ -71,14 +71,15 @@ LineDetector::LineDetector(std::string name, bool wait)
 }
 
 Expected<LineDetector::DetectionTask> LineDetector::detection_task(const CameraImage& image) {
-    auto gray = to_gray(image);
+    auto gray = to_gray(image, std::move(picture_.pixels));
     if (!gray) return failure("image: " + gray.error().message);
+    picture_ = std::move(*gray);
     const LineSettings settings{
         .dark = value<bool>("dark"), .contrast = value<double>("contrast"), .top = value<double>("top")};
-    return [gray = std::move(*gray), settings, least_area = value<double>("least_area")]() -> std::optional<LineSight> {
-        const auto line = find_line(gray, settings);
-        if (!line || line->area < least_area * gray.width * gray.height) return std::nullopt;
-        return LineSight{from_middle(line->x, gray.width), line->angle};
+    return [this, settings, least_area = value<double>("least_area")]() -> std::optional<LineSight> {
+        const auto line = find_line(picture_, settings);
+        if (!line || line->area < least_area * picture_.width * picture_.height) return std::nullopt;
+        return LineSight{from_middle(line->x, picture_.width), line->angle};
     };
 }
 

@@ -30,6 +30,9 @@ class LineDetector final : public ImageComponent<std::optional<LineSight>> {
 public:
     /// `wait` as of `ImageComponent`.
     LineDetector(std::string name, bool wait);
+    ~LineDetector() override { finish(); }  // who looks uses picture_
+    LineDetector(const LineDetector&) = delete;
+    LineDetector& operator=(const LineDetector&) = delete;
 
 private:
     Expected<DetectionTask> detection_task(const CameraImage& image) override;
@@ -38,6 +41,7 @@ private:
     OutPort<bool>& visible_;
     OutPort<double>& offset_;
     OutPort<double>& angle_;
+    GrayImage picture_;  // the one that is looked at
 };
 
 }  // namespace nezumi

@@ -105,11 +105,11 @@ Expected<CameraIntrinsics> MarkerDetector::intrinsics_for(const GrayImage& image
     return told;
 }
 
-// Grey is a third of what would have to be copied else.
 Expected<MarkerDetector::DetectionTask> MarkerDetector::detection_task(const CameraImage& image) {
-    auto gray = to_gray(image);
+    auto gray = to_gray(image, std::move(picture_.pixels));
     if (!gray) return failure("image: " + gray.error().message);
-    const auto intrinsics = intrinsics_for(*gray);
+    picture_ = std::move(*gray);
+    const auto intrinsics = intrinsics_for(picture_);
     if (!intrinsics) return failure("image: " + intrinsics.error().message);
     const auto& family = value<std::string>("family");
     if (!finder_ || family != family_) {
@@ -117,9 +117,7 @@ Expected<MarkerDetector::DetectionTask> MarkerDetector::detection_task(const Cam
         family_ = family;
     }
     const Search search{value<std::int64_t>("id"), value<double>("tag_size"), value<double>("yaw_from")};
-    return [finder = &*finder_, gray = std::move(*gray), intrinsics = *intrinsics, search]() mutable {
-        return markers_in(gray, *finder, intrinsics, search);
-    };
+    return [this, intrinsics = *intrinsics, search] { return markers_in(picture_, *finder_, intrinsics, search); };
 }
 
 void MarkerDetector::publish(const std::vector<SeenMarker>& seen) {

@@ -14,7 +14,7 @@ class MarkerDetector final : public ImageComponent<std::vector<SeenMarker>> {
 public:
     /// `wait` as of `ImageComponent`.
     MarkerDetector(std::string name, bool wait);
-    ~MarkerDetector() override { finish(); }  // who looks uses finder_
+    ~MarkerDetector() override { finish(); }  // who looks uses finder_ and picture_
 
 private:
     Expected<DetectionTask> detection_task(const CameraImage& image) override;
@@ -26,6 +26,7 @@ private:
     OutPort<bool>& visible_;
     OutPort<std::int32_t>& id_;
     OutPort<std::vector<SeenMarker>>& markers_;
+    GrayImage picture_;  // the one that is looked at
     std::optional<TagFinder> finder_;
     std::string family_;
 };

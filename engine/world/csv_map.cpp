@@ -19,12 +19,10 @@ constexpr std::array<CsvColumn, 7> columns{{{"x"},
                                             {"lz", CsvColumn::Range::positive},
                                             {"yaw"}}};
 
-// The texts of a row; nothing when a quote is not closed.
-std::optional<std::vector<std::string>> fields_of(std::string_view row) {
-    const auto written = split_csv_row(row);
-    if (!written) return std::nullopt;
+// The texts of a row, up to a quote that is not closed.
+std::vector<std::string> fields_of(std::string_view row) {
     std::vector<std::string> fields;
-    for (const std::string_view field : *written) fields.push_back(csv_text(field));
+    for (const std::string_view field : closed_csv_fields(row)) fields.push_back(csv_text(field));
     return fields;
 }
 
@@ -36,6 +34,15 @@ Expected<BoxSpec> read_row(const std::vector<std::string>& fields, const Place& 
         v[i] = *number;
     }
     return BoxSpec{.at = {v[0], v[1], v[2]}, .size = {v[3], v[4], v[5]}, .yaw = v[6], .place = place};
+}
+
+// Whether a row would be a box if it had no quotes, and is none as one of them is not closed.
+bool hides_box(std::string_view row, const Place& place) {
+    if (split_csv_row(row)) return false;
+    std::string bare(row);
+    std::erase(bare, '"');
+    const auto fields = fields_of(bare);
+    return fields.size() >= columns.size() && read_row(fields, place).has_value();
 }
 
 }  // namespace
@@ -51,18 +58,19 @@ Expected<CsvMap> read_map(std::string_view text, const std::string& file) {
         const Place place{file, number};
         const auto fields = fields_of(line);
         if (number == 1) {
-            map.header_is_numbers = fields && fields->size() >= columns.size() && read_row(*fields, place).has_value();
+            map.header_is_numbers = fields.size() >= columns.size() && read_row(fields, place).has_value();
             continue;
         }
         const auto is_empty = [](const std::string& field) { return field.empty(); };
-        const bool is_blank = fields && std::all_of(fields->begin(), fields->end(), is_empty);
+        const bool is_blank = std::all_of(fields.begin(), fields.end(), is_empty);
         const bool is_comment = line.substr(std::min(line.find_first_not_of(" \t"), line.size())).starts_with('#');
-        if (is_blank || is_comment || (fields && fields->size() < columns.size())) {
+        const bool is_short = fields.size() < columns.size();
+        if (is_short && !is_comment && hides_box(line, place)) return failure("a quote is not closed", place);
+        if (is_blank || is_comment || is_short) {
             ++map.skipped;
             continue;
         }
-        if (!fields) return failure("a quote is not closed", place);
-        auto box = read_row(*fields, place);
+        auto box = read_row(fields, place);
         if (!box) return Unexpected(box.error());
         map.boxes.push_back(std::move(*box));
     }

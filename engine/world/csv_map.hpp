@@ -17,8 +17,9 @@ struct CsvMap {
 
 /// Reads a map. The first line is a header, in any language and encoding, and skipped; rows `x,y,z,lx,ly,lz,yaw`
 /// (centre [m], size [m], yaw [rad]) are fixed boxes, whatever follows in them; comments, which begin with #, blank
-/// lines and rows of fewer than 7 columns are skipped. `file` is named in errors, which say line, column and what was
-/// found.
+/// lines and rows of fewer than 7 columns are skipped. Of a row with a quote that is not closed count the columns
+/// before it; it is an error when the row would be a box without quotes. `file` is named in errors, which say line,
+/// column and what was found.
 Expected<CsvMap> read_map(std::string_view text, const std::string& file);
 
 /// "map.csv: 12 boxes, 2 lines that are no box skipped".

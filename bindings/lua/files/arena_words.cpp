@@ -160,6 +160,7 @@ Expected<FileThing> SystemWords::thing(const WordCall& call, const FileValue& va
         return FileThing{things_.size() - 1};
     }
     FieldCheck check(call.word, call.word, call.place, call.source);
+    check.set_given({"", &value});
     Fields fields(check, value);
     Made made;
     const auto put = [&](auto spec) {
@@ -249,6 +250,7 @@ Expected<void> SystemWords::place_things(const WordCall& call, const std::vector
 
 Expected<void> SystemWords::arena(const WordCall& call, const FileValue& value) {
     FieldCheck check("arena", call.word, call.place, call.source);
+    check.set_given({"", &value});
     Fields fields(check, value);
     ArenaSpec given;
     read_record(fields, given);

@@ -31,6 +31,9 @@ public:
     /// Of the options of a call from Lua: whoever raises the error says where.
     static FieldCheck of_options(std::string what) { return {std::move(what), "", {}, nullptr, "option"}; }
 
+    /// What the call was given, by which it is told from others in its line. The table is not copied.
+    void set_given(GivenTable given) { given_ = std::move(given); }
+
     void unknown(const FieldPath& path, std::string_view hint);
     /// "robot 'mouse': field 'pose.x' TEXT".
     void wrong(const FieldPath& path, std::string_view text);
@@ -44,7 +47,7 @@ public:
 
     bool ok() const { return gravity_ == 0; }
     Place place_of(const FieldPath& path) const {
-        return source_ != nullptr ? source_->find(word_, call_, path) : call_;
+        return source_ != nullptr ? source_->find(word_, call_, path, given_) : call_;
     }
     const Place& call() const { return call_; }
     const std::string& noun() const { return noun_; }
@@ -58,6 +61,7 @@ private:
     Place call_;
     const FileSource* source_;
     std::string noun_;
+    GivenTable given_;
     int gravity_ = 0;
     Error error_;
 };

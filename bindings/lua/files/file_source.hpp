@@ -12,11 +12,19 @@
 
 namespace nezumi {
 
+struct FileValue;
+
 /// A field within nested tables: "pose", "x"; elements are "[1]", "[2]".
 using FieldPath = std::vector<std::string>;
 
 /// "pose.x", "sensors.front.at[2]".
 std::string to_text(const FieldPath& path);
+
+/// What a call was given: the name before its table, "" when it takes none or nobody knows, and the table, or null.
+struct GivenTable {
+    std::string name{};
+    const FileValue* table = nullptr;
+};
 
 class FileSource {
 public:
@@ -29,8 +37,9 @@ public:
     const std::string& shown() const { return shown_; }
 
     /// The place of a field of the table that `word` was called with at `call`; of the field around it when the text
-    /// doesn't show the field itself (a program made it); `call` when it shows nothing.
-    Place find(std::string_view word, const Place& call, const FieldPath& path) const;
+    /// doesn't show the field itself (a program made it); `call` when it shows nothing. Of several such calls in that
+    /// line it is the one whose text can give what was `given`; `call` when that is not one alone.
+    Place find(std::string_view word, const Place& call, const FieldPath& path, const GivenTable& given = {}) const;
 
 private:
     struct Node;

@@ -99,6 +99,7 @@ Expected<void> said_once(const WordCall& call, const Place* before) {
 
 Expected<void> SystemWords::network(const WordCall& call, const FileValue& value) {
     FieldCheck check("network", call.word, call.place, call.source);
+    check.set_given({"", &value});
     Fields fields(check, value);
     NetworkSpec given;
     given.place = call.place;
@@ -130,6 +131,7 @@ Expected<void> SystemWords::network(const WordCall& call, const FileValue& value
 
 Expected<void> SystemWords::ros(const WordCall& call, const FileValue& value) {
     FieldCheck check("ros", call.word, call.place, call.source);
+    check.set_given({"", &value});
     Fields fields(check, value);
     RosSpec given;
     given.place = call.place;

@@ -196,6 +196,10 @@ private:
                 return failure("is gone");
             }
         }
+        if (auto ok = check_parameters(lua, -1, 1); !ok) {
+            lua_settop(lua, top);
+            return Unexpected(ok.error());
+        }
         std::vector<double> values;
         for (const double distance : distances) {
             lua_pushvalue(lua, -1);

@@ -25,17 +25,24 @@ FileValue take_changes(Fields& fields) {
     return {std::move(changes)};
 }
 
+// A robot's parameters are fields of its description.
+std::string hint_for_robot(std::string_view name) {
+    if (name != "config") return "";
+    return ": write fields of its description, as in actuators = { medium_motor = { speed = 2 } }";
+}
+
 }  // namespace
 
 Expected<RobotEntry> SystemWords::read_robot(const WordCall& call, const std::string& name, const FileValue& value) {
     FieldCheck check(fmt::format("robot '{}'", name), call.word, call.place, call.source);
+    check.set_given({name, &value});
     Fields fields(check, value);
     RobotEntry entry;
     entry.name = name;
     entry.place = call.place;
     read_record(fields, entry);
     const FileValue changes = take_changes(fields);
-    fields.done();
+    fields.done(hint_for_robot);
     if (check.ok()) {
         auto loaded = load_model(call, entry.model);
         if (loaded && !changes.is_nil()) loaded = describe_changed(check, call, entry, changes);

@@ -31,6 +31,7 @@ std::string problem_of(const RtmSpec& rtm, const std::string& path, const Parame
 
 Expected<void> SystemWords::rtm(const WordCall& call, const FileValue& value) {
     FieldCheck check("rtm", call.word, call.place, call.source);
+    check.set_given({"", &value});
     Fields fields(check, value);
     RtmSpec given;
     given.place = call.place;

@@ -140,6 +140,7 @@ Expected<SystemWords::FoundFile> SystemWords::find_file(const WordCall& call, Fi
 Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const std::string& name,
                                                    const FileValue& value) {
     FieldCheck check(fmt::format("behavior '{}'", name), call.word, call.place, call.source);
+    check.set_given({name, &value});
     Fields fields(check, value);
     BehaviorEntry entry;
     entry.name = name;
@@ -171,6 +172,7 @@ Expected<BehaviorEntry> SystemWords::read_behavior(const WordCall& call, const s
 Expected<ComponentEntry> SystemWords::read_component(const WordCall& call, const std::string& name,
                                                      const FileValue& value) {
     FieldCheck check(fmt::format("component '{}'", name), call.word, call.place, call.source);
+    check.set_given({name, &value});
     Fields fields(check, value);
     ComponentEntry entry;
     entry.name = name;
@@ -250,6 +252,7 @@ Expected<void> SystemWords::rate(const WordCall& call, const FileValue& hertz) {
 
 Expected<void> SystemWords::physics(const WordCall& call, const FileValue& value) {
     FieldCheck check("physics", call.word, call.place, call.source);
+    check.set_given({"", &value});
     Fields fields(check, value);
     PhysicsFields given;
     read_record(fields, given);

@@ -112,8 +112,22 @@ TEST_CASE("a bad field of a map is named with its line, column and what was expe
     CHECK(error(header + "\"1\"\"\",0,0,1,1,1,0\n") == "map.csv:2: column 'x': expected a number, got '1\"'");
 }
 
-TEST_CASE("a row of a map whose quote is not closed is refused", "[engine][csv]") {
-    CHECK(error(header + "\"1,2,3,4,5,6,7\n") == "map.csv:2: a quote is not closed");
+TEST_CASE("a quote that is not closed is a matter of comments and further columns of a map", "[engine][csv]") {
+    const auto read = map_of(header +
+                             "\"comment\n1,2,3,4,5,6,7,\"unclosed\n\"wall, by, the, door, and, so, on\n"
+                             "1,2,3,4,5,6,7,red,\"two\nlines\"\n  \"\n");
+    REQUIRE(read.boxes.size() == 2);
+    for (const BoxSpec& box : read.boxes) CHECK(box.yaw == 7);
+    CHECK(read.boxes[1].place.line == 5);
+    CHECK(read.skipped == 4);
+    CHECK_FALSE(map_of("x,y,z,\"\n1,2,3,4,5,6,7\n").header_is_numbers);
+    CHECK(map_of("1,2,3,4,5,6,7,\"note\n").header_is_numbers);
+}
+
+TEST_CASE("a box of a map that a quote which is not closed would hide is refused", "[engine][csv]") {
+    for (const char* row : {"\"1,2,3,4,5,6,7", "1,2,3,4,5,6,\"7", "1,\"2,3,4,5,6,7,red", "\"1\",\"2\",3,4,5,\"6,7"})
+        CHECK(error(header + row + "\n") == "map.csv:2: a quote is not closed");
+    CHECK(boxes(header + "# \"1,2,3,4,5,6,7\n\"1,2,3,4,5,6,7\"\n").empty());
     CHECK(error(header + "1,2,3,4,5,6,\n") == "map.csv:2: column 'yaw': expected a number, got ''");
 }
 

@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "bindings/lua/files/file_value.hpp"
+#include "tests/unit/lua/system_reader.hpp"
+
 using namespace nezumi;
 
 namespace {
@@ -54,6 +57,57 @@ TEST_CASE("elements are counted, calls within a call are calls of their own", "[
     CHECK(where(source, "arena", 1, {"size", "[2]"}) == "4:2");
     CHECK(where(source, "box", 2, {"at", "[2]"}) == "2:19");
     CHECK(where(source, "wall", 3, {"at"}) == "3:10");
+}
+
+TEST_CASE("of several calls in a line the one is meant whose text can give what was given", "[lua][file_source]") {
+    const FileSource source(
+        "b 'a' { n = 1, at = { 1, -2 } } b('c', { n = x, at = { 1, 2 } }) b('d' .. i, { n = 3, [k] = 4 })\n"
+        "b { f() } b { 1, t = true } b { 1, 's', 0x10 }",
+        "f.lua");
+    const auto place = [&](int line, std::string name, FileTable table, const FieldPath& path) {
+        const FileValue value{std::move(table)};
+        const Place found = source.find("b", {"f.lua", line}, path, {std::move(name), &value});
+        CHECK(found.line == line);
+        return found.column;
+    };
+    const auto fields = [](double n, double y) {
+        return FileTable{{}, {{"at", {FileTable{{{1.0}, {y}}, {}}}}, {"n", {n}}}};
+    };
+    CHECK(place(1, "a", fields(1, -2), {"n"}) == 9);
+    CHECK(place(1, "a", fields(1, -2), {"at", "[2]"}) == 26);
+    CHECK(place(1, "", fields(1, -2), {"n"}) == 9);
+    CHECK(place(1, "c", fields(1, 2), {"n"}) == 42);
+    CHECK(place(1, "c", fields(5, 2), {"at"}) == 49);
+    CHECK(place(1, "", fields(1, 2), {"n"}) == 42);
+    CHECK(place(1, "d1", FileTable{{}, {{"m", {4.0}}, {"n", {3.0}}}}, {"n"}) == 80);
+    INFO("no text that could have given it, or more than one: the line alone");
+    CHECK(place(1, "a", fields(2, -2), {"n"}) == 0);
+    CHECK(place(1, "", FileTable{{}, {{"m", {5.0}}}}, {"n"}) == 0);
+    CHECK(source.find("b", {"f.lua", 1}, {"n"}).column == 0);
+    CHECK(place(2, "", FileTable{{{1.0}}, {{"t", {true}}}}, {"t"}) == 18);
+    CHECK(place(2, "", FileTable{{{1.0}}, {{"t", {false}}}}, {"t"}) == 0);
+    CHECK(place(2, "", FileTable{{{1.0}, {std::string("s")}}, {}}, {"[1]"}) == 0);
+    CHECK(place(2, "", FileTable{{{2.0}, {3.0}}, {}}, {"[1]"}) == 5);
+}
+
+TEST_CASE("a field is told at its place, also when several calls of its word begin in its line", "[lua][file_source]") {
+    using namespace system_files;
+    CHECK(error("arena { box { at = { 1, 0 }, size = { 0.1, 0.1, 0.1 } }, box { at = { 2, 0 }, size = { 0.1, 0.1, -0.1 "
+                "} } }") == "s.lua:1:98: box: field 'size[3]' expected a positive number, got -0.1");
+    const std::string m = "{ model = 'raspimouse', limits = { speed = ";
+    CHECK(error("robot 'a' " + m + "1 } } robot 'b' " + m + "-3 } }") ==
+          "s.lua:1:105: robot 'b': field 'limits.speed' expected a positive number, got -3");
+    CHECK(error("local n = -3 robot 'a' " + m + "1 } } robot 'b' " + m + "n } }") ==
+          "s.lua:1:118: robot 'b': field 'limits.speed' expected a positive number, got -3");
+    CHECK(error("local function v(i) return i end for i = 0, 1 do box { at = { i, 0 }, size = { v(i), 1, 1 } } "
+                "box { at = { i, 0 }, size = { v(i), 1, 1 } } end") ==
+          "s.lua:1: box: field 'size[1]' expected a positive number, got 0");
+    const SystemSpec spec = system_of(
+        "behavior 'a' { script = 'robot_controller', config = { stop_d = 1 } } behavior 'c' { script = "
+        "'robot_controller',\n config = {\n stop_d = 99 } }");
+    CHECK(entry<BehaviorEntry>(spec, 0).places.at("config.stop_d").column == 56);
+    CHECK(entry<BehaviorEntry>(spec, 1).places.at("config.stop_d").line == 3);
+    CHECK(entry<BehaviorEntry>(spec, 1).places.at("config.stop_d").column == 2);
 }
 
 TEST_CASE("functions, conditions and methods within a table don't confuse it", "[lua][file_source]") {

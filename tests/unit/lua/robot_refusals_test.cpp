@@ -179,6 +179,8 @@ TEST_CASE("a response that is no function of the distance is refused", "[lua][ro
     };
     CHECK(response("5") ==
           "r.lua:3:2: robot_model: field 'sensors.a.response' expected a function of the distance, got number");
+    CHECK(response("function(d, e) return 1 end") ==
+          "r.lua:3:2: robot_model: field 'sensors.a.response': its parameter 'e' is never given: leave it out");
     CHECK(response("function() end") ==
           "r.lua:3:2: robot_model: field 'sensors.a.response': returned nil for a distance of 0 m, expected a number");
     CHECK(response("function(d) return 0 / 0 end") ==

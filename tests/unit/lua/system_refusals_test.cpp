@@ -68,6 +68,9 @@ TEST_CASE("an unknown field is told with the nearest one, at its place", "[lua][
           "s.lua:4:2: robot 'm': unknown field 'pose.heding' (did you mean 'heading'?)");
     CHECK(error("robot('m', { model = 'raspimouse', limits = { sped = 2 } })") ==
           "s.lua:1:47: robot 'm': unknown field 'limits.sped' (did you mean 'speed'?)");
+    CHECK(error("robot 'e' { model = 'ev3', config = { medium_motor_speed = 2 } }") ==
+          "s.lua:1:28: robot 'e': unknown field 'config': write fields of its description, as in actuators = { "
+          "medium_motor = { speed = 2 } }");
     CHECK(error("behavior 'c' { script = 'robot_controller', speed_x = 1 }") ==
           "s.lua:1:45: behavior 'c': unknown field 'speed_x': expected script, config, sets, set, rate, active");
     CHECK(error("behavior 'c' { 'robot_controller' }") ==

@@ -1,0 +1,27 @@
+// Counts large pieces of memory that a thread takes with `new`, for tests that nothing large is copied. For one file of
+// a program: it replaces the program's operators.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace nezumi {
+
+inline constexpr std::size_t large_allocation = 50'000;  // [bytes]
+
+/// By the calling thread so far.
+inline std::size_t& large_allocations() {
+    thread_local std::size_t count = 0;
+    return count;
+}
+
+}  // namespace nezumi
+
+void* operator new(std::size_t size) {
+    if (size >= nezumi::large_allocation) ++nezumi::large_allocations();
+    if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
