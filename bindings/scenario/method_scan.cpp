@@ -31,7 +31,11 @@ public:
         for (std::size_t i = 0; i < size(); ++i) {
             if (is_call(i, "scenario")) follow_scenario(i + 1);
         }
-        for (std::size_t i = 0; i < objects_.size(); ++i) look_at(objects_[i]);  // which finds further ones
+        while (!objects_.empty()) {
+            const Object object = objects_.back();
+            objects_.pop_back();
+            look_at(object);  // which finds further ones
+        }
         const auto by_place = [](const Error& a, const Error& b) {
             return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
         };
@@ -224,7 +228,7 @@ private:
     const std::vector<std::string_view>& methods_;
     std::vector<Token> tokens_;  // the last one is the end
     std::map<std::string_view, Function> functions_;
-    std::vector<Object> objects_;
+    std::vector<Object> objects_;  // to be looked at
     std::set<std::pair<std::string_view, std::size_t>> seen_;
     std::vector<Error> errors_;
 };

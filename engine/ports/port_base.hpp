@@ -196,7 +196,7 @@ public:
     /// The time of that tick [s]; 0 before.
     double arrived_at() const { return arrived_at_; }
     bool connected() const { return connections_ > 0; }
-    /// Whether nothing came for longer than `stale_after` before `now` [s], or never, or since its last connection went.
+    /// Whether nothing came for longer than `stale_after` before `now` [s], ever, or since its last connection went.
     bool is_stale(double now) const {
         const bool is_left = !connected() && count_ == count_when_left_;
         return is_left || arrival_tick_ < 0 || now - arrived_at_ > stale_after() + rounding;
