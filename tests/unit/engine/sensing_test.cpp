@@ -219,7 +219,8 @@ TEST_CASE("odometry adds up arcs as robots.md says", "[engine][odometry]") {
 }
 
 TEST_CASE("odometry has a diameter for each wheel", "[engine][odometry]") {
-    Odometry odometry(0.02, 0.03, 0.1, per_turn);
+    const DriveSpec drive{.radius = 1, .left_radius = 0.02, .right_radius = 0.03, .track = 0.1};
+    Odometry odometry(drive.radius_of_left(), drive.radius_of_right(), drive.track, per_turn);
     odometry.update({0, 0});
     odometry.update(pulses(3, 2));
     CHECK(odometry.pose().position.x == Approx(0.06));

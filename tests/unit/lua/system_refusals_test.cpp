@@ -224,6 +224,8 @@ TEST_CASE("an unknown model or script is told with the nearest name and the plac
                Catch::StartsWith("s.lua:1: csv: there is no file 'no.csv'; looked for "));
     CHECK_THAT(error("arena { floor { image = 'no.png', size = { 1, 1 } } }"),
                Catch::StartsWith("s.lua:1:17: floor: there is no file 'no.png'; looked for "));
+    CHECK_THAT(error("arena { floor { size = { 1, 1 } } }"),
+               Catch::StartsWith("s.lua:1: floor: field 'image' is missing: expected a text: a picture"));
 }
 
 TEST_CASE("names are free identifiers", "[lua][system_file]") {
