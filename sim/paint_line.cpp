@@ -11,16 +11,16 @@
 namespace nezumi::sim {
 namespace {
 
-constexpr double finest = 0.001;     // [m] edge of a pixel
-constexpr double most_pixels = 4e6;  // of a floor without a picture of its own
-constexpr int corners = 32;          // of a disc
+constexpr double finest = 0.001;           // [m] edge of a pixel
+constexpr double most_floor_pixels = 4e6;  // of a floor without a picture of its own
+constexpr int corners = 32;                // of a disc
 
 int pixels_along(double length, double pixel) { return std::max(1, static_cast<int>(std::lround(length / pixel))); }
 
 }  // namespace
 
 Picture plain_floor(const Point2D& size) {
-    const double pixel = std::max(finest, std::sqrt(size.x * size.y / most_pixels));
+    const double pixel = std::max(finest, std::sqrt(size.x * size.y / most_floor_pixels));
     Picture floor{pixels_along(size.x, pixel), pixels_along(size.y, pixel), {}};
     floor.pixels.assign(static_cast<std::size_t>(floor.width) * static_cast<std::size_t>(floor.height),
                         plain_floor_color);

@@ -146,7 +146,7 @@ Blend blend(float place, float width, int count) {
     return {std::clamp(second - 1, 0, count - 1), std::clamp(second, 0, count - 1), part};
 }
 
-Rgb mix(Rgb a, Rgb b, float of_b) {
+Rgb blend(Rgb a, Rgb b, float of_b) {
     if (a == b || of_b <= 0) return a;
     if (of_b >= 1) return b;
     Rgb mixed = 0;
@@ -198,8 +198,8 @@ void paint_picture(const SeenFace& face, int row, int first, int end, float* inv
         const Blend along = blend(v, width(face.v, v), picture.height);
         const Rgb* upper = &picture.pixels[static_cast<std::size_t>(along.first) * picture.width];
         const Rgb* lower = &picture.pixels[static_cast<std::size_t>(along.second) * picture.width];
-        colors[column] = mix(mix(upper[across.first], upper[across.second], across.of_second),
-                             mix(lower[across.first], lower[across.second], across.of_second), along.of_second);
+        colors[column] = blend(blend(upper[across.first], upper[across.second], across.of_second),
+                               blend(lower[across.first], lower[across.second], across.of_second), along.of_second);
     }
 }
 

@@ -14,7 +14,7 @@
 namespace nezumi::cli {
 namespace {
 
-const Option* find(const SubCommand& command, const std::string& word) {
+const Option* find_option(const SubCommand& command, const std::string& word) {
     for (const Option& option : command.options) {
         const auto names = names_of(option);
         if (!is_positional(option) && std::find(names.begin(), names.end(), word) != names.end()) return &option;
@@ -27,7 +27,7 @@ bool is_option(const SubCommand& command, const std::string& word) {
     const bool is_long = word.size() > 2 && word.starts_with("--") &&
                          std::isalpha(static_cast<unsigned char>(word[2])) &&
                          word.find_first_of(" \t\n") == std::string::npos;
-    return is_long || word == "-h" || find(command, word) != nullptr;
+    return is_long || word == "-h" || find_option(command, word) != nullptr;
 }
 
 std::string file_of(const Option& option) {
@@ -58,7 +58,7 @@ bool is_same(const std::string& a, const std::string& b) {
 
 std::string missing_value(const SubCommand& command, const std::vector<std::string>& words) {
     for (std::size_t i = 0; i + 1 < words.size() && words[i] != "--"; ++i) {
-        const Option* const option = find(command, words[i]);
+        const Option* const option = find_option(command, words[i]);
         if (option == nullptr || !takes_value(*option)) continue;
         const std::string& value = words[++i];
         if (is_option(command, value))

@@ -63,7 +63,7 @@ void declare(CLI::App& app, const SubCommand& command) {
     app.footer(command.footer);
 }
 
-const SubCommand* find(const SubCommand& command, std::string_view word) {
+const SubCommand* find_command(const SubCommand& command, std::string_view word) {
     for (const SubCommand& below : command.commands) {
         if (word == below.name || (!below.alias.empty() && word == below.alias)) return &below;
     }
@@ -145,7 +145,7 @@ int run_command_line(const SubCommand& program, const std::vector<std::string>& 
     std::size_t depth = 0;
     for (const std::string& word : words) {
         if (command->commands.empty() || word.starts_with('-')) break;
-        const SubCommand* const below = find(*command, word);
+        const SubCommand* const below = find_command(*command, word);
         if (below == nullptr) return refuse(no_command(*command, path, &word));
         command = below;
         path += " " + command->name;

@@ -64,7 +64,7 @@ std::string escaped(std::string_view text, std::string_view special) {
 }
 
 // Within single quotes, as bash and zsh read them.
-std::string quoted(std::string_view text) {
+std::string shell_quoted(std::string_view text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
@@ -76,7 +76,7 @@ std::string fish_quoted(std::string_view text) { return "'" + escaped(text, "\\'
 std::string bash_script(const SubCommand& program) {
     std::string steps;
     for (const Step& step : all_steps(program)) {
-        steps += fmt::format("            {}) place={} ;;\n", quoted(step.from_and_word), quoted(step.to));
+        steps += fmt::format("            {}) place={} ;;\n", shell_quoted(step.from_and_word), shell_quoted(step.to));
     }
     std::string places;
     for (const At& at : all_places(program)) {
@@ -94,12 +94,13 @@ std::string bash_script(const SubCommand& program) {
             const std::vector<std::string> names = names_of(option);
             options.insert(options.end(), names.begin(), names.end());
             if (!takes_value(option)) continue;
-            values += fmt::format("                {}) words={} options='' files={} ;;\n", fmt::join(names, "|"),
-                                  quoted(fmt::format("{}", fmt::join(value.words, " "))), value.files ? "yes" : "''");
+            values +=
+                fmt::format("                {}) words={} options='' files={} ;;\n", fmt::join(names, "|"),
+                            shell_quoted(fmt::format("{}", fmt::join(value.words, " "))), value.files ? "yes" : "''");
         }
-        places += fmt::format("        {})\n            words={} options={} files={}\n", quoted(at.place),
-                              quoted(fmt::format("{}", fmt::join(words, " "))),
-                              quoted(fmt::format("{}", fmt::join(options, " "))), files ? "yes" : "''");
+        places += fmt::format("        {})\n            words={} options={} files={}\n", shell_quoted(at.place),
+                              shell_quoted(fmt::format("{}", fmt::join(words, " "))),
+                              shell_quoted(fmt::format("{}", fmt::join(options, " "))), files ? "yes" : "''");
         if (!values.empty()) places += fmt::format("            case $before in\n{}            esac\n", values);
         places += "            ;;\n";
     }
@@ -162,16 +163,17 @@ std::vector<std::string> zsh_arguments(const Option& option) {
 std::string zsh_script(const SubCommand& program) {
     std::string steps;
     for (const Step& step : all_steps(program)) {
-        steps +=
-            fmt::format("            ({}) place={}; (( ++depth )) ;;\n", quoted(step.from_and_word), quoted(step.to));
+        steps += fmt::format("            ({}) place={}; (( ++depth )) ;;\n", shell_quoted(step.from_and_word),
+                             shell_quoted(step.to));
     }
     std::string places;
     for (const At& at : all_places(program)) {
-        places += fmt::format("        ({})\n", quoted(at.place));
+        places += fmt::format("        ({})\n", shell_quoted(at.place));
         if (!at.command->commands.empty()) {
             places += "            commands=(\n";
             for (const SubCommand& below : at.command->commands) {
-                places += fmt::format("                {}\n", quoted(below.name + ":" + escaped(below.help, "\\:")));
+                places +=
+                    fmt::format("                {}\n", shell_quoted(below.name + ":" + escaped(below.help, "\\:")));
             }
             places +=
                 "            )\n"
@@ -183,7 +185,7 @@ std::string zsh_script(const SubCommand& program) {
         places += "            _arguments";
         for (const Option& option : options_at(*at.command)) {
             for (const std::string& argument : zsh_arguments(option))
-                places += fmt::format(" \\\n                {}", quoted(argument));
+                places += fmt::format(" \\\n                {}", shell_quoted(argument));
         }
         places += "\n            ;;\n";
     }

@@ -19,10 +19,10 @@
 namespace nezumi::cli {
 namespace {
 
-constexpr double patience = 30;  // [s] for a picture
+constexpr double picture_patience = 30;  // [s] for a picture
 
 template <class AnEntry>
-const AnEntry* find(const SystemSpec& spec, const std::string& name) {
+const AnEntry* find_entry(const SystemSpec& spec, const std::string& name) {
     for (const Entry& entry : spec.entries) {
         const auto* found = std::get_if<AnEntry>(&entry);
         if (found != nullptr && found->name == name) return found;
@@ -53,8 +53,8 @@ Expected<void> GuidedCamera::choose(const CameraSetup& setup) {
     }
     const auto name = the_one(names, setup.camera, "camera", spec_.file);
     if (!name) return Unexpected(name.error());
-    entry_ = *find<ComponentEntry>(spec_, *name);
-    const RobotEntry* robot = find<RobotEntry>(spec_, entry_.on);
+    entry_ = *find_entry<ComponentEntry>(spec_, *name);
+    const RobotEntry* robot = find_entry<RobotEntry>(spec_, entry_.on);
     if (robot == nullptr)
         return failure(fmt::format("camera '{}' is on no robot, whose calibration would have it: give it one by on = "
                                    "\"NAME\"",
@@ -98,8 +98,8 @@ Expected<TimedPicture> GuidedCamera::next() {
     const double since = system_->now().seconds;
     do {
         if (end_ != 0) return failure("ended before it was done: nothing was written");
-        if (system_->now().seconds - since > patience)
-            return failure(fmt::format("no picture came for {} s", patience));
+        if (system_->now().seconds - since > picture_patience)
+            return failure(fmt::format("no picture came for {} s", picture_patience));
         pacer_->wait();
         system_->tick();
     } while (out_->count() == count_);

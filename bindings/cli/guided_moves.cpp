@@ -9,7 +9,7 @@ namespace nezumi::cli {
 namespace {
 
 constexpr double least_move = 5e-4;  // [m], [rad]: less is no more than a pulse of a stepping motor
-constexpr double patience = 2;       // times as long as it should take, and two seconds
+constexpr double move_patience = 2;  // times as long as it should take, and two seconds
 
 // `moved` says how far it has come of `amount`.
 Expected<void> move(GuidedRobot& robot, double amount, double fastest, double limit, double deceleration,
@@ -20,7 +20,7 @@ Expected<void> move(GuidedRobot& robot, double amount, double fastest, double li
     // No faster than it can brake halfway.
     const double speed = std::min({fastest, limit, std::sqrt(size * deceleration)});
     const double braking = speed * speed / (2 * deceleration);
-    const double seconds = patience * (size / speed + speed / deceleration) + 2;
+    const double seconds = move_patience * (size / speed + speed / deceleration) + 2;
     bool is_there = false;
     auto driven = robot.drive(
         velocity(std::copysign(speed, amount)), seconds,

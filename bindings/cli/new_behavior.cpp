@@ -172,8 +172,8 @@ std::string behavior_text(const std::string& name, const std::string& doc, const
     return text + callbacks_text(inputs, outputs, callbacks);
 }
 
-std::string scenario_text(const std::string& name, const std::vector<NewPort>& inputs,
-                          const std::vector<NewPort>& outputs) {
+std::string behavior_scenario_text(const std::string& name, const std::vector<NewPort>& inputs,
+                                   const std::vector<NewPort>& outputs) {
     // The words of the console can't be a component's name, nor may its variable hide one of the scenario's.
     const std::string component = is_taken_name(name) ? name + "_1" : name;
     const bool hides = is_taken_word(name) || name == "s" || name == "scenario" || name == "range";
@@ -216,7 +216,7 @@ Expected<BehaviorTexts> write_behavior(const NewBehavior& wanted) {
     const auto callbacks = read_callbacks(wanted.callbacks);
     if (!callbacks) return Unexpected(callbacks.error());
     BehaviorTexts texts{*name, behavior_text(*name, wanted.doc, *inputs, *outputs, parameters, *callbacks),
-                        scenario_text(*name, *inputs, *outputs)};
+                        behavior_scenario_text(*name, *inputs, *outputs)};
     // What remains to be refused are words that mean something else; the script's own loading knows them.
     const auto errors = check_behavior({*name + ".lua", *name + ".lua", texts.behavior}, {.component = *name});
     if (!errors.empty()) return failure(errors.front().message);

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // `name` is what other files call the first one.
-int write(const std::vector<NewFile>& files, const std::string& next, const std::string& name = "") {
+int write_files(const std::vector<NewFile>& files, const std::string& next, const std::string& name = "") {
     const std::string shipped = name.empty() ? "" : shipped_file_called(name);
     if (auto ok = write_new_files(files); !ok) return refuse(ok.error());
     for (const NewFile& file : files) fmt::print("wrote {}\n", file.path.string());
@@ -64,8 +64,8 @@ int new_behavior(const NewBehavior& wanted) {
     if (!texts) return refuse("new behavior: " + texts.error().message);
     const Here here;
     const std::string scenario = here.scenario(texts->name);
-    return write({{here.behavior(texts->name), texts->behavior}, {scenario, texts->scenario}},
-                 "nezumi test " + scenario, texts->name);
+    return write_files({{here.behavior(texts->name), texts->behavior}, {scenario, texts->scenario}},
+                       "nezumi test " + scenario, texts->name);
 }
 
 // What would be wrong with it once it was written.
@@ -82,14 +82,15 @@ int new_system(NewSystem wanted) {
     if (!text) return refuse("new system: " + text.error().message);
     const std::string file = Here().system(*name);
     if (const auto problem = problem_of(*text, file)) return refuse(*problem);
-    return write({{file, *text}}, "nezumi run " + *name, *name);
+    return write_files({{file, *text}}, "nezumi run " + *name, *name);
 }
 
 int new_robot(const std::string& given) {
     const auto name = new_file_name("robot", given);
     if (!name) return refuse("new robot: " + name.error().message);
     const std::string file = Here().behavior(*name);
-    return write({{file, robot_text(*name)}}, fmt::format("nezumi new system try_{0} --robot {0}={0}", *name), *name);
+    return write_files({{file, robot_text(*name)}}, fmt::format("nezumi new system try_{0} --robot {0}={0}", *name),
+                       *name);
 }
 
 struct NewScenario {
@@ -115,7 +116,7 @@ int new_scenario(const NewScenario& wanted) {
     const std::size_t behaviors = shown_path.rfind("behaviors/");
     const std::string path =
         behaviors == std::string::npos ? fs::absolute(*file).string() : shown_path.substr(behaviors + 10);
-    return write({{written, scenario_text(*name, path, *system)}}, "nezumi test " + *name);
+    return write_files({{written, system_scenario_text(*name, path, *system)}}, "nezumi test " + *name);
 }
 
 int new_project(const std::string& given) {
@@ -138,7 +139,7 @@ int new_project(const std::string& given) {
     const fs::path last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
     std::vector<NewFile> files = project_files(last.empty() ? "Robots" : last.string());
     for (NewFile& file : files) file.path = (folder / file.path).lexically_normal();
-    return write(files, folder == "." ? "nezumi test" : fmt::format("cd {} && nezumi test", shell_text(given)));
+    return write_files(files, folder == "." ? "nezumi test" : fmt::format("cd {} && nezumi test", shell_text(given)));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ return robot_model {{
                        name);
 }
 
-std::string scenario_text(const std::string& name, const std::string& path, const SystemSpec& system) {
+std::string system_scenario_text(const std::string& name, const std::string& path, const SystemSpec& system) {
     std::string text = fmt::format(
         "scenario({}, {{ timeout = 30 }}, function(s)\n"
         "  local world = s:load {}\n\n",

@@ -24,6 +24,6 @@ Expected<std::string> system_text(const NewSystem& wanted);
 std::string robot_text(const std::string& name);
 
 /// A scenario for a system, which is loaded by `path`: that its behaviours stay well and its robots touch nothing.
-std::string scenario_text(const std::string& name, const std::string& path, const SystemSpec& system);
+std::string system_scenario_text(const std::string& name, const std::string& path, const SystemSpec& system);
 
 }  // namespace nezumi::cli

@@ -15,7 +15,7 @@
 namespace nezumi::cli {
 namespace {
 
-constexpr double head = 64, foot = 56, side = 28;              // [px] around the drawing
+constexpr double picture_head = 64, foot = 56, side = 28;      // [px] around the drawing
 constexpr double largest_width = 1100, largest_height = 820;   // [px] of the drawing
 constexpr double smallest_width = 560, smallest_height = 240;  // [px]
 constexpr double most_pixels_a_metre = 800;
@@ -35,14 +35,14 @@ std::string metres(double length) {
     return length < 1 ? fmt::format("{:g} cm", length * 100) : fmt::format("{:g} m", length);
 }
 
-class Painter {
+class PicturePainter {
 public:
-    Painter(PictureOf picture, const std::string& file)
+    PicturePainter(PictureOf picture, const std::string& file)
         : picture_(only_finite(std::move(picture))), canvas_(layout(file)) {}
 
     Expected<void> paint() {
         cairo_save(context());
-        cairo_rectangle(context(), side, head, floor_width_, floor_height_);
+        cairo_rectangle(context(), side, picture_head, floor_width_, floor_height_);
         cairo_clip(context());
         floor();
         for (std::size_t i = 0; i < picture_.robots.size(); ++i) path(picture_.robots[i], series_colour(i));
@@ -66,12 +66,12 @@ private:
         floor_width_ = std::max(smallest_width, width * scale_);
         floor_height_ = std::max(smallest_height, height * scale_);
         centre_ = {(bounds.left + bounds.right) / 2, (bounds.bottom + bounds.top) / 2};
-        return Canvas(file, floor_width_ + 2 * side, floor_height_ + head + foot);
+        return Canvas(file, floor_width_ + 2 * side, floor_height_ + picture_head + foot);
     }
 
     cairo_t* context() { return canvas_.context(); }
     double x(double metre) const { return side + floor_width_ / 2 + (metre - centre_.x) * scale_; }
-    double y(double metre) const { return head + floor_height_ / 2 - (metre - centre_.y) * scale_; }
+    double y(double metre) const { return picture_head + floor_height_ / 2 - (metre - centre_.y) * scale_; }
     void line_width(double pixels) { cairo_set_line_width(context(), pixels); }
 
     std::vector<const ThingPose*> from_low_to_high() const {
@@ -94,10 +94,10 @@ private:
             const double apart = step * every;
             for (double at = std::ceil((centre_.x - floor_width_ / 2 / scale_) / apart) * apart;
                  x(at) <= side + floor_width_; at += apart) {
-                cairo_move_to(context(), std::round(x(at)) + 0.5, head);
+                cairo_move_to(context(), std::round(x(at)) + 0.5, picture_head);
                 cairo_rel_line_to(context(), 0, floor_height_);
             }
-            for (double at = std::ceil((centre_.y - floor_height_ / 2 / scale_) / apart) * apart; y(at) >= head;
+            for (double at = std::ceil((centre_.y - floor_height_ / 2 / scale_) / apart) * apart; y(at) >= picture_head;
                  at += apart) {
                 cairo_move_to(context(), side, std::round(y(at)) + 0.5);
                 cairo_rel_line_to(context(), floor_width_, 0);
@@ -254,7 +254,7 @@ private:
         const double reach = std::hypot(robot.body.size.x, robot.body.size.y) / 2 * scale_;
         const double at_x = x(robot.pose.position.x);
         double at_y = y(robot.pose.position.y) + reach + 17;
-        if (at_y > head + floor_height_ - 6) at_y = y(robot.pose.position.y) - reach - 8;
+        if (at_y > picture_head + floor_height_ - 6) at_y = y(robot.pose.position.y) - reach - 8;
         // A rim of the floor's colour keeps the letters readable on whatever lies below.
         cairo_move_to(context(), at_x - canvas_.text_width(robot.name, 13, true) / 2, at_y);
         cairo_text_path(context(), robot.name.c_str());
@@ -267,13 +267,14 @@ private:
     void frame() {
         canvas_.set(colour_of("#cfcac1"));
         line_width(1);
-        cairo_rectangle(context(), side + 0.5, head + 0.5, floor_width_ - 1, floor_height_ - 1);
+        cairo_rectangle(context(), side + 0.5, picture_head + 0.5, floor_width_ - 1, floor_height_ - 1);
         cairo_stroke(context());
 
-        canvas_.text(side, head - 22, picture_.title, 20, ink::text, 0, true);
-        canvas_.text(side + floor_width_, head - 22, fmt::format("t = {:.2f} s", picture_.seconds), 16, ink::faint, 1);
+        canvas_.text(side, picture_head - 22, picture_.title, 20, ink::text, 0, true);
+        canvas_.text(side + floor_width_, picture_head - 22, fmt::format("t = {:.2f} s", picture_.seconds), 16,
+                     ink::faint, 1);
 
-        const double length = round_length(90 / scale_), bottom = head + floor_height_ + 26;
+        const double length = round_length(90 / scale_), bottom = picture_head + floor_height_ + 26;
         canvas_.set(ink::text);
         line_width(2);
         cairo_set_line_cap(context(), CAIRO_LINE_CAP_BUTT);
@@ -315,7 +316,7 @@ PictureOf look_at(const LiveSystem& live, const Trajectories& trajectories, std:
 }
 
 Expected<void> draw_picture(PictureOf picture, const std::string& file) {
-    return Painter(std::move(picture), file).paint();
+    return PicturePainter(std::move(picture), file).paint();
 }
 
 }  // namespace nezumi::cli

@@ -17,9 +17,9 @@ constexpr double width = 960, height = 440;                              // [px]
 constexpr double left = 76, right = 28, head = 56, axis = 44, row = 22;  // [px] around the drawing; of the legend
 constexpr std::size_t most_named = 24;                                   // series in the legend
 
-class Painter {
+class PlotPainter {
 public:
-    Painter(const Plot& plot, const std::string& file)
+    PlotPainter(const Plot& plot, const std::string& file)
         : plot_(plot), legend_(rows_of_legend() * row), canvas_(file, width, height + legend_) {
         for (const Plot::Series& series : plot.series) {
             for (const Plot::Point& point : series.points) {
@@ -149,6 +149,6 @@ private:
 
 }  // namespace
 
-Expected<void> draw_plot(const Plot& plot, const std::string& file) { return Painter(plot, file).paint(); }
+Expected<void> draw_plot(const Plot& plot, const std::string& file) { return PlotPainter(plot, file).paint(); }
 
 }  // namespace nezumi::cli

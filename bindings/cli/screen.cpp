@@ -30,7 +30,7 @@ void write_whole(std::string_view text) {
     }
 }
 
-std::string_view colour_of(LogLevel level) {
+std::string_view colour_of_level(LogLevel level) {
     switch (level) {
         case LogLevel::debug: return "\x1b[2m";
         case LogLevel::info: return "";
@@ -63,7 +63,7 @@ int Screen::width() {
 
 void Screen::log(const LogLine& line) {
     const std::string who = line.component.empty() ? "" : line.component + ": ";
-    const std::string_view colour = live_ ? colour_of(line.level) : "";
+    const std::string_view colour = live_ ? colour_of_level(line.level) : "";
     // A script's text is no way to reach the terminal itself.
     put(fmt::format("{}[{:9.3f}] {:5} {}{}{}\n", colour, line.seconds, to_text(line.level), who,
                     visible_message(line.text), colour.empty() ? "" : "\x1b[0m"));

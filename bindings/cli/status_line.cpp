@@ -21,7 +21,7 @@ struct Piece {
     std::string_view colour;
 };
 
-std::string_view colour_of(LifeState state) {
+std::string_view colour_of_state(LifeState state) {
     switch (state) {
         case LifeState::active: return "\x1b[32m";
         case LifeState::inactive: return "\x1b[2m";
@@ -37,12 +37,12 @@ void add_states(const System& system, std::vector<Piece>& pieces) {
         const LifeState state = component->state();
         ++counts[state];
         if (named || state == LifeState::error)
-            pieces.push_back({fmt::format("  {} {}", component->name(), to_text(state)), colour_of(state)});
+            pieces.push_back({fmt::format("  {} {}", component->name(), to_text(state)), colour_of_state(state)});
     }
     if (named) return;
     for (const LifeState state : {LifeState::active, LifeState::inactive}) {
         if (counts[state] > 0)
-            pieces.push_back({fmt::format("  {} {}", counts[state], to_text(state)), colour_of(state)});
+            pieces.push_back({fmt::format("  {} {}", counts[state], to_text(state)), colour_of_state(state)});
     }
 }
 

@@ -85,9 +85,9 @@ void group(SweepPlot& plot, const std::vector<Sample>& samples) {
     group_numbers(plot);
 }
 
-class Painter {
+class SweepPainter {
 public:
-    Painter(const SweepPlot& plot, const std::string& file) : plot_(plot), canvas_(file, width, height) {
+    SweepPainter(const SweepPlot& plot, const std::string& file) : plot_(plot), canvas_(file, width, height) {
         for (const SweepPlot::Point& point : plot.points) {
             across_.include(point.at);
             up_.include(point.value);
@@ -239,7 +239,7 @@ std::vector<SweepPlot> sweep_plots(const std::vector<MeasuredRun>& runs) {
 }
 
 Expected<void> draw_sweep_plot(const SweepPlot& plot, const std::filesystem::path& folder) {
-    return Painter(plot, (folder / plot.file).string()).paint();
+    return SweepPainter(plot, (folder / plot.file).string()).paint();
 }
 
 }  // namespace nezumi::cli

@@ -72,8 +72,6 @@ Outcome run_command(lua_State* L, Session::Parts& parts, const ConsoleCommand& c
     return *end == CommandEnd::number ? Outcome::number : Outcome::done;
 }
 
-Session::Parts& parts_of(lua_State* L) { return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1))); }
-
 int call_with_table(lua_State* L);
 
 // Upvalues: the parts, the command's number.

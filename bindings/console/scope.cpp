@@ -12,8 +12,6 @@
 namespace nezumi {
 namespace {
 
-Session::Parts& parts_of(lua_State* L) { return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1))); }
-
 std::string_view key_text(lua_State* L) {
     std::size_t length = 0;
     const char* text = lua_type(L, 2) == LUA_TSTRING ? lua_tolstring(L, 2, &length) : "";

@@ -24,7 +24,7 @@ constexpr std::size_t watch_width = 100;        // [characters]
 constexpr double highest_watched_speed = 1000;  // "max" has no number
 // How long a session waits for the end of what can't be ended at once: Lua's own code is left after a second.
 constexpr std::chrono::seconds stuck_after{2};
-constexpr std::chrono::seconds farewell{1};
+constexpr std::chrono::seconds session_farewell{1};
 
 // One line of an input needs no place; of several, the line says more than the input's name.
 std::string error_text(const Error& error, std::string_view input) {
@@ -158,7 +158,7 @@ Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Session::~Session() {
     close();
     // A thread that does not end keeps what it works on.
-    if (!parts_->worker.join(*closed_ + farewell)) static_cast<void>(parts_.release());
+    if (!parts_->worker.join(*closed_ + session_farewell)) static_cast<void>(parts_.release());
 }
 
 void Session::close() {

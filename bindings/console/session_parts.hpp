@@ -123,6 +123,11 @@ struct Session::Parts {
     Worker worker;
 };
 
+/// The session of a C function whose first upvalue it is.
+inline Session::Parts& parts_of(lua_State* L) {
+    return *static_cast<Session::Parts*>(lua_touserdata(L, lua_upvalueindex(1)));
+}
+
 /// Puts the library, the console's commands and the system's names into the scope of a state. The names are looked up
 /// in the system whenever they are used.
 Expected<void> open_scope(Session::Parts& parts);

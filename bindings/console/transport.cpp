@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // How long clients have to take what is left when the run ends.
-constexpr std::chrono::milliseconds farewell{300};
+constexpr std::chrono::milliseconds transport_farewell{300};
 // How long nobody is let in after the process had no descriptor for a client.
 constexpr int no_descriptor_pause = 200;  // ms
 // Who may wait with what it says does so from here on.
@@ -31,13 +31,13 @@ constexpr std::size_t portion = std::size_t{1} << 16;
 void signal(const FileHandle& event) {
     const std::uint64_t one = 1;
     // When the counter is full it is readable anyway; whatever else it is, who waits must not wait for ever.
-    for (int tries = 0; tries < 3 && write(event.get(), &one, sizeof one) < 0 && errno != EAGAIN; ++tries) {
+    for (int tries = 0; tries < 3 && ::write(event.get(), &one, sizeof one) < 0 && errno != EAGAIN; ++tries) {
     }
 }
 
 void clear(const FileHandle& event) {
     std::uint64_t count = 0;
-    [[maybe_unused]] const ssize_t got = read(event.get(), &count, sizeof count);
+    [[maybe_unused]] const ssize_t got = ::read(event.get(), &count, sizeof count);
 }
 
 std::size_t size_of(const Event& event) {
@@ -177,7 +177,7 @@ void Transport::work() {
         {
             const std::lock_guard lock(mutex_);
             if (listener_ && !ends_) listener = listener_->file();
-            if (ends_ && !end) end = Clock::now() + farewell;
+            if (ends_ && !end) end = Clock::now() + transport_farewell;
             for (auto& [id, client] : clients_) {
                 present.emplace_back(id, client.get());
                 const bool writes = client->written < client->writing.size() || !client->events.empty();

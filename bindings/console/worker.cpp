@@ -23,12 +23,12 @@ Bell::Bell() : file_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 void Bell::ring() const {
     const std::uint64_t one = 1;
     // It fails only when the counter is full: then it is readable anyway.
-    [[maybe_unused]] const ssize_t written = write(file_.get(), &one, sizeof one);
+    [[maybe_unused]] const ssize_t written = ::write(file_.get(), &one, sizeof one);
 }
 
 void Bell::clear() const {
     std::uint64_t count = 0;
-    [[maybe_unused]] const ssize_t got = read(file_.get(), &count, sizeof count);
+    [[maybe_unused]] const ssize_t got = ::read(file_.get(), &count, sizeof count);
 }
 
 bool Bell::wait(Clock::time_point until, int also) const {

@@ -21,7 +21,7 @@ std::string ros_type(std::string_view type) {
     return text;
 }
 
-struct Ends {
+struct TopicEnds {
     std::set<std::string> types;
     int writers = 0, readers = 0;
 };
@@ -38,10 +38,10 @@ std::string list_domain(const std::vector<const Announcement*>& hosts, const std
         text += fmt::format("host {}  nezumi {}, {}\n", host->head.host, visible(host->head.version),
                             counted(static_cast<int>(host->ports.size()), "port"));
     constexpr std::string_view ros = "rt/";
-    std::map<std::string, Ends> topics;
+    std::map<std::string, TopicEnds> topics;
     for (const SeenEndpoint& each : seen) {
         if (each.own || !each.topic.starts_with(ros)) continue;
-        Ends& ends = topics[each.topic.substr(ros.size() - 1)];
+        TopicEnds& ends = topics[each.topic.substr(ros.size() - 1)];
         ends.types.insert(ros_type(each.type));
         ++(each.writes ? ends.writers : ends.readers);
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bindings/dds/component_answer.hpp"
+#include "bindings/dds/wire.hpp"
 #include "engine/base/names.hpp"
 #include "engine/base/visible.hpp"
 #include "engine/ports/cdr.hpp"
@@ -16,10 +17,8 @@
 namespace nezumi::dds {
 namespace {
 
-constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
-
 // What is done between two ticks for others must make none late.
-constexpr std::size_t most_bytes = std::size_t{1} << 20;
+constexpr std::size_t most_request_bytes = std::size_t{1} << 20;
 constexpr std::size_t most_at_once = 16;
 // Of each run: who asks again does so before that many others were asked.
 constexpr std::size_t most_kept = 64;
@@ -66,7 +65,7 @@ Expected<std::uint64_t> HostRequests::ask(const Question& question, const HostTa
     asked.host = question.host;
     asked.began = now;
     write_cdr(asked.bytes, on_the_wire, request);
-    if (asked.bytes.size() > most_bytes) {
+    if (asked.bytes.size() > most_request_bytes) {
         asked_.erase(request.number);
         return failure(fmt::format("{}: what is sent is larger than 1 MiB", shown(question.name)));
     }
@@ -138,7 +137,7 @@ void HostRequests::take_requests(const HostTable& hosts, const System& system, b
     std::size_t done = 0;
     for (const TopicSample& sample : samples) {
         RemoteRequest request;
-        if (sample.bytes.size() > most_bytes || !read_cdr(sample.bytes, on_the_wire, request)) continue;
+        if (sample.bytes.size() > most_request_bytes || !read_cdr(sample.bytes, on_the_wire, request)) continue;
         // Who is not heard of has not heard of this run either: it asks again.
         const auto from = names.find(request.from);
         if (request.to != run_ || from == names.end()) continue;

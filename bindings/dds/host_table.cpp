@@ -13,12 +13,10 @@
 namespace nezumi::dds {
 namespace {
 
-constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
-
 // What hosts say of themselves is bounded: they may be anybody.
 constexpr std::size_t most_hosts = 256;
-constexpr std::size_t most_bytes = std::size_t{1} << 20, most_ports = 16'384, most_connections = 1024;
-constexpr std::size_t longest_name = 200, longest_reason = 1000;
+constexpr std::size_t most_announcement_bytes = std::size_t{1} << 20, most_ports = 16'384, most_connections = 1024;
+constexpr std::size_t longest_reason = 1000;
 constexpr std::size_t most_ended = 4096;
 
 constexpr auto by_name = [](const AnnouncedPort& a, const AnnouncedPort& b) { return a.name < b.name; };
@@ -87,7 +85,7 @@ bool HostTable::heard(std::uint64_t writer, std::span<const std::uint8_t> cdr, d
     reader.read(head);
     if (!is_bounded(head)) return false;
     Announcement whole;
-    const bool understood = cdr.size() <= most_bytes && head.protocol == protocol &&
+    const bool understood = cdr.size() <= most_announcement_bytes && head.protocol == protocol &&
                             read_cdr(cdr, on_the_wire, whole).has_value() && is_bounded(whole);
     if (understood && (whole.run == own_run_ || ended_.contains(whole.run)))
         return false;  // its own; or kept from earlier

@@ -6,15 +6,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "bindings/dds/wire.hpp"
 #include "engine/base/names.hpp"
 
 namespace nezumi::dds {
-namespace {
-
-constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
-constexpr std::size_t longest_name = 200;
-
-}  // namespace
+namespace {}  // namespace
 
 Topic step_topic(const std::string& from, const std::string& to) {
     // A partner is at most one step ahead; the rest is what was said again.

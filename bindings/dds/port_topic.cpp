@@ -9,8 +9,6 @@
 namespace nezumi::dds {
 namespace {
 
-constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
-
 constexpr bool is_velocity(std::size_t type) { return type == type_index<Velocity2D>(); }
 
 // Messages that wait for a host that is slow to take them: a second of a port that publishes at 100 Hz.

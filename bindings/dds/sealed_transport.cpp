@@ -8,13 +8,13 @@
 #include <system_error>
 #include <utility>
 
+#include "bindings/dds/wire.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/cdr.hpp"
 
 namespace nezumi::dds {
 namespace {
 
-constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
 constexpr std::size_t nonce_size = crypto_aead_xchacha20poly1305_ietf_NPUBBYTES;
 constexpr std::size_t tag_size = crypto_aead_xchacha20poly1305_ietf_ABYTES;
 constexpr std::string_view title = "nezumi secret 1";

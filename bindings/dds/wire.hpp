@@ -1,17 +1,26 @@
 // What travels between hosts beside the payloads of ports, each described once: CDR follows.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "engine/ports/cdr.hpp"
 #include "engine/ports/describe.hpp"
 
 namespace nezumi::dds {
 
 /// Changes with whatever makes two hosts unable to understand each other.
 inline constexpr std::uint32_t protocol = 2;
+
+/// How all of it is encoded.
+inline constexpr CdrFormat on_the_wire{.order = std::endian::little, .header = true};
+
+/// [bytes] of a name in a message; longer ones are refused.
+inline constexpr std::size_t longest_name = 200;
 
 /// What every announcement begins with, in every protocol: enough to say who can't be understood.
 struct AnnouncementHead {

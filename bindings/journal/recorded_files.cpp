@@ -22,7 +22,7 @@ public:
     static Expected<MemoryFile> of(const std::string& bytes) {
         MemoryFile file(memfd_create("picture", MFD_CLOEXEC));
         for (std::size_t at = 0; file.descriptor_ >= 0 && at < bytes.size();) {
-            const ssize_t written = write(file.descriptor_, bytes.data() + at, bytes.size() - at);
+            const ssize_t written = ::write(file.descriptor_, bytes.data() + at, bytes.size() - at);
             if (written <= 0) return failure(fmt::format("no memory for a picture: {}", std::strerror(errno)));
             at += static_cast<std::size_t>(written);
         }

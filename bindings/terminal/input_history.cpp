@@ -31,7 +31,7 @@ std::string encode(std::string_view input) {
     return line + "\n";
 }
 
-std::string decode(std::string_view line) {
+std::string decode_line(std::string_view line) {
     std::string input;
     for (std::size_t at = 0; at < line.size(); ++at) {
         const bool escaped = line[at] == '\\' && at + 1 < line.size();
@@ -111,7 +111,7 @@ std::vector<std::string> HistoryFile::read() const {
     const std::vector<std::string_view> lines = lines_of(text);
     if (lines.size() > 2 * kept) cut_down(path_, lines);
     inputs.reserve(lines.size());
-    for (const std::string_view line : lines) inputs.push_back(decode(line));
+    for (const std::string_view line : lines) inputs.push_back(decode_line(line));
     return inputs;
 }
 

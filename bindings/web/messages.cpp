@@ -49,7 +49,7 @@ std::string cut(std::string text) {
     return text + "...";
 }
 
-std::string dump(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
+std::string dump_ascii(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
 
 // The fields of a message; notes what is wrong with the first that is.
 class Fields {
@@ -118,7 +118,7 @@ ActMessage read_act(Fields& fields, const Project& project) {
         fields.refuse(act.error().message);
         return {};
     }
-    return {.act = std::move(*act), .shown = cut(name + " " + dump(*given))};
+    return {.act = std::move(*act), .shown = cut(name + " " + dump_ascii(*given))};
 }
 
 TimeMessage read_time(Fields& fields) {
@@ -161,7 +161,7 @@ ConsoleMessage read_console(Fields& fields) {
         fields.wrong("request", "an object");
         return {};
     }
-    const auto request = read_request(dump(*given));
+    const auto request = read_request(dump_ascii(*given));
     if (!request) {
         fields.refuse(request.error().message);
         return {};

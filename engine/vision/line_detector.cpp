@@ -10,7 +10,7 @@
 namespace nezumi {
 namespace {
 
-constexpr double smoothing = 1.5;  // [px] noise frays a line, and makes specks elsewhere
+constexpr double line_smoothing = 1.5;  // [px] noise frays a line, and makes specks elsewhere
 constexpr double white = 255;
 
 }  // namespace
@@ -22,7 +22,7 @@ std::optional<Blob> find_line(const GrayImage& image, const LineSettings& settin
     // OpenCV has no matrix that is not to be written; this one is only read.
     const cv::Mat whole(image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat part, marked(mask.height, mask.width, CV_8UC1, mask.pixels.data());
-    cv::GaussianBlur(whole.rowRange(first, image.height), part, {}, smoothing);
+    cv::GaussianBlur(whole.rowRange(first, image.height), part, {}, line_smoothing);
     const int side = settings.dark ? cv::THRESH_BINARY_INV : cv::THRESH_BINARY;
     cv::threshold(part, marked, 0, white, side | cv::THRESH_OTSU);
     // There is always a best division, of mere noise too: what it divides must differ.

@@ -37,7 +37,7 @@ constexpr float decimation = 2;
 constexpr double pixel_offset = 0.5;
 // A noisy picture has thousands of edges, and finding tags takes twenty times as long: it is smoothed by so many
 // pixels, and steps between grey values count from here on (AprilTag's own: 5).
-constexpr double smoothing = 0.8;
+constexpr double tag_smoothing = 0.8;
 constexpr int least_contrast = 25;
 // [px] Its tiles and its halved picture need some room.
 constexpr int least_side = 16;
@@ -137,7 +137,7 @@ std::vector<FoundTag> TagFinder::find(GrayImage& image, const CameraIntrinsics& 
     std::vector<FoundTag> tags;
     if (std::min(image.width, image.height) < least_side) return tags;
     cv::Mat pixels(image.height, image.width, CV_8UC1, image.pixels.data());
-    cv::GaussianBlur(pixels, pixels, {}, smoothing);
+    cv::GaussianBlur(pixels, pixels, {}, tag_smoothing);
     image_u8_t view{image.width, image.height, image.width, image.pixels.data()};
     const Detections found(apriltag_detector_detect(detector_->detector, &view), apriltag_detections_destroy);
     for (int i = 0; i < zarray_size(found.get()); ++i) {

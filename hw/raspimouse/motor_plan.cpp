@@ -3,17 +3,16 @@
 
 namespace nezumi::hw {
 
-using Node = MotorWrite::Node;
-
 MotorState after(const MotorState& state, const MotorWrite& write) {
+    using enum MotorWrite::Node;
     MotorState next = state;
     switch (write.node) {
-        case Node::power: next.power = write.value != 0; break;
-        case Node::left: next.left = write.value; break;
-        case Node::right: next.right = write.value; break;
-        case Node::buzzer: next.tone = write.value; break;
+        case power: next.power = write.value != 0; break;
+        case left: next.left = write.value; break;
+        case right: next.right = write.value; break;
+        case buzzer: next.tone = write.value; break;
     }
-    if (write.node == Node::left || write.node == Node::right) next.tone = 0;
+    if (write.node == left || write.node == right) next.tone = 0;
     return next;
 }
 
@@ -24,20 +23,21 @@ MotorState possible(MotorState wanted) {
 }
 
 std::vector<MotorWrite> plan(const MotorState& is, const MotorState& wanted) {
+    using enum MotorWrite::Node;
     const MotorState goal = possible(wanted);
     std::vector<MotorWrite> writes;
     MotorState state = is;
-    const auto write = [&](Node node, int value) {
+    const auto write = [&](MotorWrite::Node node, int value) {
         writes.push_back({node, value});
         state = after(state, writes.back());
     };
     const bool motors_change = goal.left != state.left || goal.right != state.right;
-    if (state.tone != 0 && (motors_change || goal.tone == 0)) write(Node::buzzer, 0);
-    if (goal.power && !state.power) write(Node::power, 1);
-    if (goal.left != state.left) write(Node::left, goal.left);
-    if (goal.right != state.right) write(Node::right, goal.right);
-    if (!goal.power && state.power) write(Node::power, 0);
-    if (goal.tone != state.tone) write(Node::buzzer, goal.tone);
+    if (state.tone != 0 && (motors_change || goal.tone == 0)) write(buzzer, 0);
+    if (goal.power && !state.power) write(power, 1);
+    if (goal.left != state.left) write(left, goal.left);
+    if (goal.right != state.right) write(right, goal.right);
+    if (!goal.power && state.power) write(power, 0);
+    if (goal.tone != state.tone) write(buzzer, goal.tone);
     return writes;
 }
 

@@ -52,12 +52,12 @@ void read_cameras(Fields cameras, Calibration& out) {
     }
 }
 
-class Reader {
+class CalibrationReader {
 public:
-    explicit Reader(DataFile& file) : file_(file) {}
+    explicit CalibrationReader(DataFile& file) : file_(file) {}
 
     static int word(lua_State* lua) {
-        auto& reader = *static_cast<Reader*>(lua_touserdata(lua, lua_upvalueindex(1)));
+        auto& reader = *static_cast<CalibrationReader*>(lua_touserdata(lua, lua_upvalueindex(1)));
         bridge(lua, [&] { return reader.read(lua); });
         return 0;
     }
@@ -130,8 +130,8 @@ fs::path calibration_path(const fs::path& system, std::string_view robot) {
 Expected<Calibration> read_calibration_text(std::string_view text, const std::string& shown, const Project& project) {
     auto file = DataFile::create(project, {});
     if (!file) return Unexpected(file.error());
-    Reader reader(**file);
-    if (auto ran = (*file)->run(text, shown, {{"calibration", Reader::word, &reader}}); !ran)
+    CalibrationReader reader(**file);
+    if (auto ran = (*file)->run(text, shown, {{"calibration", CalibrationReader::word, &reader}}); !ran)
         return Unexpected(ran.error());
     if (!reader.calibration)
         return failure("a calibration file says `calibration { ... }`: make it anew by nezumi calibrate", {shown});

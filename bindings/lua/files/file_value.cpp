@@ -18,9 +18,9 @@ namespace {
 constexpr int deepest = 32;
 constexpr std::size_t most_parts = 1'000'000;
 
-class Reader {
+class ValueReader {
 public:
-    explicit Reader(lua_State* lua) : lua_(lua) {}
+    explicit ValueReader(lua_State* lua) : lua_(lua) {}
 
     Expected<FileValue> read(int index, int depth) {
         if (depth > deepest) return failure("tables are nested too deeply, or a table is within itself");
@@ -149,7 +149,7 @@ const FileValue* FileTable::find(std::string_view name) const {
     return found == fields.end() ? nullptr : &found->value;
 }
 
-Expected<FileValue> read_file_value(lua_State* lua, int index) { return Reader(lua).read(index, 0); }
+Expected<FileValue> read_file_value(lua_State* lua, int index) { return ValueReader(lua).read(index, 0); }
 
 void push_file_thing(lua_State* lua, FileThing thing) {
     lua_pushlightuserdata(lua, reinterpret_cast<void*>(static_cast<std::uintptr_t>(thing.index + 1)));

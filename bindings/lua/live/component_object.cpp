@@ -79,7 +79,7 @@ Expected<void> check_call(lua_State* L, const ObjectRef& self, std::string_view 
     return Arguments{L, 2}.at_most(fmt::format("{}:{}", at->component->name(), name), own->most, own->usage);
 }
 
-int method(lua_State* L) {
+int call_component_method(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
@@ -197,7 +197,7 @@ Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string
     const Component& component = *at.component;
     const MemberName* own = find_member(component, name);
     const auto own_member = [&]() -> Expected<Answer> {
-        if (own->called) return Answer{MethodName{method, std::string(name)}};
+        if (own->called) return Answer{MethodName{call_component_method, std::string(name)}};
         return own->robot && name != "truth" ? robot_member_of(at, name) : member_of(ref, at, name);
     };
     if (own != nullptr && !own->yields) return own_member();

@@ -51,7 +51,7 @@ Expected<Host> find_host(const System& system, std::string_view name) {
 
 namespace {
 
-int refuse_set(lua_State* L) {
+int refuse_set_hosts(lua_State* L) {
     return answer(L, objects_of(L), []() -> Expected<Answer> { return failure("other hosts can't be set"); });
 }
 
@@ -111,12 +111,12 @@ int hosts_pairs(lua_State* L) {
 }  // namespace
 
 const ObjectFunctions& hosts_functions() {
-    static constexpr ObjectFunctions functions{hosts_index, refuse_set, hosts_pairs, hosts_tostring, "hosts"};
+    static constexpr ObjectFunctions functions{hosts_index, refuse_set_hosts, hosts_pairs, hosts_tostring, "hosts"};
     return functions;
 }
 
 const ObjectFunctions& host_functions() {
-    static constexpr ObjectFunctions functions{host_index, refuse_set, host_pairs, host_tostring, "host"};
+    static constexpr ObjectFunctions functions{host_index, refuse_set_hosts, host_pairs, host_tostring, "host"};
     return functions;
 }
 

@@ -41,7 +41,7 @@ int refuse_truth(lua_State* L) {
     });
 }
 
-int refuse_set(lua_State* L) {
+int refuse_set_part(lua_State* L) {
     return answer(L, objects_of(L), [&]() -> Expected<Answer> {
         const std::string key = lua_type(L, 2) == LUA_TSTRING ? shown(text_at(L, 2)) : "what you name";
         return failure(fmt::format("{} can't be set", key));
@@ -229,8 +229,8 @@ int system_pairs(lua_State* L) {
 }  // namespace
 
 const ObjectFunctions& ports_functions() {
-    static constexpr ObjectFunctions functions{ports_index, refuse_set, component_pairs<port_names>, ports_tostring,
-                                               "ports"};
+    static constexpr ObjectFunctions functions{ports_index, refuse_set_part, component_pairs<port_names>,
+                                               ports_tostring, "ports"};
     return functions;
 }
 
@@ -246,7 +246,7 @@ const ObjectFunctions& truth_functions() {
 }
 
 const ObjectFunctions& system_functions() {
-    static constexpr ObjectFunctions functions{system_index, refuse_set, system_pairs, system_tostring, "system"};
+    static constexpr ObjectFunctions functions{system_index, refuse_set_part, system_pairs, system_tostring, "system"};
     return functions;
 }
 

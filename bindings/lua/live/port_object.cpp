@@ -100,7 +100,7 @@ Expected<Answer> act(lua_State* L, const Objects& objects, std::string_view meth
     return ObjectAccess::visit(objects, [&] { return answer_of(port->live->act(*act, ObjectAccess::who(objects))); });
 }
 
-int method(lua_State* L) {
+int call_port_method(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
@@ -139,7 +139,7 @@ int port_index(lua_State* L) {
         if (lua_type(L, 2) == LUA_TSTRING) {
             const std::string_view key = text_at(L, 2);
             const MemberName* own = find_member(key);
-            if (own != nullptr && own->called) return Answer{MethodName{method, std::string(key)}};
+            if (own != nullptr && own->called) return Answer{MethodName{call_port_method, std::string(key)}};
             if (own != nullptr) {
                 ObjectAccess::note_read(objects, *at);
                 return property(*at, key);

@@ -119,7 +119,7 @@ const RemoteMethod* find_method(std::string_view name) {
     return found != remote_methods.end() ? &*found : nullptr;
 }
 
-Expected<const ObjectRef*> check_self(lua_State* L, std::string_view method) {
+Expected<const ObjectRef*> check_remote_self(lua_State* L, std::string_view method) {
     if (const ObjectRef* self = to_object(L, 1, ObjectKind::remote)) return self;
     return failure(fmt::format("{}: write `X:{}(...)` with a colon, not `X.{}(...)`", method, method, method));
 }
@@ -128,7 +128,7 @@ int call_method(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const std::string_view name = text_at(L, lua_upvalueindex(2));
-        const auto self = check_self(L, name);
+        const auto self = check_remote_self(L, name);
         if (!self) return Unexpected(self.error());
         const RemoteMethod* method = find_method(name);
         if (method == nullptr) {
@@ -235,7 +235,7 @@ int remote_tostring(lua_State* L) {
 
 // Its parameters
 
-int config_index(lua_State* L) {
+int remote_config_index(lua_State* L) {
     Objects& objects = objects_of(L);
     return look_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
@@ -254,7 +254,7 @@ int config_index(lua_State* L) {
     });
 }
 
-int config_newindex(lua_State* L) {
+int remote_config_newindex(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const ObjectRef& ref = *to_object(L, 1);
@@ -271,7 +271,7 @@ int config_newindex(lua_State* L) {
     });
 }
 
-int config_pairs(lua_State* L) {
+int remote_config_pairs(lua_State* L) {
     Objects& objects = objects_of(L);
     lua_settop(L, 1);
     lua_pushnil(L);  // it is all of the object
@@ -287,7 +287,7 @@ int config_pairs(lua_State* L) {
     return 3;
 }
 
-int config_tostring(lua_State* L) {
+int remote_config_tostring(lua_State* L) {
     Objects& objects = objects_of(L);
     return answer_beside(L, objects, [&]() -> Expected<Answer> {
         const auto snapshot = ask(objects, *to_object(L, 1), What::look);
@@ -304,7 +304,8 @@ const ObjectFunctions& remote_functions() {
 }
 
 const ObjectFunctions& remote_config_functions() {
-    static constexpr ObjectFunctions functions{config_index, config_newindex, config_pairs, config_tostring, "config"};
+    static constexpr ObjectFunctions functions{remote_config_index, remote_config_newindex, remote_config_pairs,
+                                               remote_config_tostring, "config"};
     return functions;
 }
 

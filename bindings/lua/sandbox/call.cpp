@@ -101,7 +101,7 @@ void note_error(lua_State* lua, CallRecord& call) {
     find_caller(lua, call.error_place, call.error_caller);
 }
 
-std::string shown(double number) {
+std::string shown_number(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", number);
     return text;
@@ -132,7 +132,7 @@ CallError error_of_memory(const LuaState& state, const CallRecord& call) {
     if (call.memory_refused) {
         message = call.memory_refused_deep ? "stack overflow: the recursion is too deep for the script's limit of "
                                            : "not enough memory: the script reached its limit of ";
-        message += shown(static_cast<double>(state.memory_limit()) / (1 << 20)) + " MB";
+        message += shown_number(static_cast<double>(state.memory_limit()) / (1 << 20)) + " MB";
     }
     return {{message, to_place(call.memory_place)}, false};
 }
@@ -166,7 +166,7 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
     const LuaState& state = LuaState::of(lua);
     CallError error;
     if (call.expired != 0) {
-        error = {{"ran for more than " + shown(call.budget_seconds) + " s: is there an endless loop?",
+        error = {{"ran for more than " + shown_number(call.budget_seconds) + " s: is there an endless loop?",
                   to_place(call.expiry_place.line != 0 ? call.expiry_place : call.memory_place)},
                  true};
     } else if (status == LUA_ERRMEM || call.slice_status == LUA_ERRMEM) {
@@ -184,7 +184,7 @@ CallError take_error(lua_State* lua, int status, const CallRecord& call) {
 
 // What is said of a call that had to be left in the middle of Lua's own code.
 CallError lost_error(double budget_seconds) {
-    return {{"ran for more than " + shown(budget_seconds) +
+    return {{"ran for more than " + shown_number(budget_seconds) +
              " s inside Lua itself, where it could not be stopped: the script is lost, load it again"},
             true,
             budget_seconds};

@@ -115,7 +115,7 @@ int pack_size(lua_State* lua) {
     return stock_pack_size(lua);
 }
 
-int unpack(lua_State* lua) {
+int unpack_string(lua_State* lua) {
     static const lua_CFunction stock_unpack = stock("string", "unpack");
     check_layout(lua);
     return stock_unpack(lua);
@@ -134,7 +134,7 @@ const Entries& string() {
                                  {"pack", pack},
                                  {"packsize", pack_size},
                                  {"rep", repeat},
-                                 {"unpack", unpack}});
+                                 {"unpack", unpack_string}});
         return list;
     }();
     return entries;

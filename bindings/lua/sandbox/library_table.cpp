@@ -109,7 +109,7 @@ int concatenate(lua_State* lua) {
     return 1;
 }
 
-int unpack(lua_State* lua) {
+int unpack_table(lua_State* lua) {
     const lua_Integer first = luaL_optinteger(lua, 2, 1);
     const lua_Integer last = lua_isnoneornil(lua, 3) ? luaL_len(lua, 1) : luaL_checkinteger(lua, 3);
     if (first > last) return 0;
@@ -149,7 +149,7 @@ const Entries& table() {
                                  {"move", move},
                                  {"remove", remove},
                                  {"sort", sort_table},
-                                 {"unpack", unpack}});
+                                 {"unpack", unpack_table}});
         return list;
     }();
     return entries;

@@ -52,7 +52,7 @@ std::size_t text_size(const PlainData& data) {
 }
 
 // A copy of the value at index 2, which is the topmost.
-Expected<PlainData> read_value(lua_State* L, Budget budget) {
+Expected<PlainData> read_probe(lua_State* L, Budget budget) {
     const int type = lua_type(L, 2);
     if (type == LUA_TTABLE) {
         if (auto ok = check_flat(L, 2); !ok) return Unexpected(ok.error());
@@ -80,7 +80,7 @@ int global_probe(lua_State* L) {
         if (script.phase() == Script::Phase::loading)
             return failure(fmt::format("probe '{}': nothing can be probed while the file loads", shown(name)));
         lua_settop(L, 2);
-        auto value = read_value(L, script.context().budget);
+        auto value = read_probe(L, script.context().budget);
         if (!value) return failure(fmt::format("probe '{}': {}", shown(name), value.error().message));
         return script.probes().set(name, std::move(*value), script.seconds());
     });

@@ -140,8 +140,6 @@ void follow(const std::string& name, const std::string& folder = "") {
     }
 }
 
-const fs::path root = source_root();
-
 std::vector<fs::path> pages() {
     std::vector<fs::path> all{root / "README.md", root / "CONTRIBUTING.md"};
     for (const auto& entry : fs::directory_iterator(root / "docs")) {

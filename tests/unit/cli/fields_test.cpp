@@ -26,8 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = source_root();
-
 // Every described structure.
 std::vector<RecordShape> all_records() {
     std::vector<RecordShape> records = file_records();

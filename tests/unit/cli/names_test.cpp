@@ -39,7 +39,7 @@ TEST_CASE("no component is called like a word that the library, the console or a
     append(words, lua_keywords());
     append(words, promised_words());
     for (const std::string& word : words) {
-        CHECK(system_files::error("behavior '" + word + "' { script = 'robot_controller' }") ==
+        CHECK(system_files::system_error("behavior '" + word + "' { script = 'robot_controller' }") ==
               "s.lua:1: behavior '" + word + "': '" + word +
                   "' is a word of Lua or of the console: choose another name");
     }

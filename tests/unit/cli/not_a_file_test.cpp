@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A project in which everything that a system can name is named.
-struct Project {
-    Project() {
+struct NotAFileProject {
+    NotAFileProject() {
         scratch.write("behaviors/it.lua", "require 'module' function on_execute() end\n");
         scratch.write("behaviors/module.lua", "return 1\n");
         std::string text = text_of_file("engine/robots/raspimouse.lua");
@@ -53,14 +53,14 @@ struct Project {
 }  // namespace
 
 TEST_CASE("a FIFO in place of a file that a run reads is refused at once, and told as what it is", "[cli][run]") {
-    Project project;
+    NotAFileProject project;
     const Outcome whole = project.run();
     INFO(whole.error);
     REQUIRE(whole.status == 0);
     for (const std::string name : {"system.lua", "behaviors/it.lua", "behaviors/module.lua", "robot.lua",
                                    "my_table.csv", "map.csv", "floor.png", "part.lua"}) {
         CAPTURE(name);
-        const Project other;
+        const NotAFileProject other;
         other.make_fifo(name);
         const Outcome refused = other.run();
         CHECK(refused.status == 2);
@@ -73,7 +73,7 @@ TEST_CASE("a FIFO in place of a file that a run reads is refused at once, and to
 }
 
 TEST_CASE("a FIFO to be checked or tested is refused at once", "[cli][check]") {
-    const Project project;
+    const NotAFileProject project;
     const std::string folder = project.scratch.path("").string();
     project.make_fifo("fifo.lua");
     CHECK_THAT(run_nezumi({"check", "fifo.lua"}, folder).error, Contains("fifo.lua: is a FIFO, expected a file\n"));
@@ -84,7 +84,7 @@ TEST_CASE("a FIFO to be checked or tested is refused at once", "[cli][check]") {
 }
 
 TEST_CASE("a run whose script becomes a FIFO goes on, refuses to restart, and ends", "[cli][run][wallclock]") {
-    Project project;
+    NotAFileProject project;
     fs::create_directory(project.scratch.path("runtime"));
     setenv("XDG_RUNTIME_DIR", project.scratch.path("runtime").c_str(), 1);
     Program program({"run", "system.lua"}, project.scratch.path("").string());

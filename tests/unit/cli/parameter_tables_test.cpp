@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = source_root();
-
 std::string values_of(const ParameterSpec& spec) {
     std::string text(type_text(spec.initial));
     if (!spec.choices.empty()) {

@@ -33,7 +33,7 @@ sockaddr_in loopback(int port) {
     return address;
 }
 
-int free_port() {
+int free_push_port() {
     const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address = loopback(0);
     socklen_t size = sizeof address;
@@ -66,7 +66,7 @@ public:
                                 .c_str()) == 0);
         fs::create_directory(folder.path("home"));
         const std::string bin = fs::path(nezumi_program()).parent_path().string();
-        const int port = free_port();
+        const int port = free_push_port();
         folder.write("sshd_config", "ListenAddress 127.0.0.1:" + std::to_string(port) + "\nHostKey " + base +
                                         "host_key\nAuthorizedKeysFile " + base +
                                         "authorized\nPidFile none\nUsePAM no\nStrictModes no\nPermitRootLogin yes\n"

@@ -20,8 +20,8 @@ namespace {
 const std::string stop_at_wall = "behaviors/systems/stop_at_wall.lua";
 
 // A system of one behaviour.
-struct Project {
-    explicit Project(const std::string& behavior) {
+struct RecordedProject {
+    explicit RecordedProject(const std::string& behavior) {
         scratch.write("behaviors/it.lua", behavior);
         file = scratch.write("system.lua", "behavior \"it\" { script = \"it\" }\n").string();
     }
@@ -91,7 +91,7 @@ TEST_CASE("a recording takes the place of the older one when it is whole", "[cli
     };
     CHECK(record(stop_at_wall, {"--ports", "no.port"}) == 2);
     CHECK(text_of_file(csv) == "of an earlier run\n");
-    const Project lost("function on_execute() if now() > 0.5 then while true do end end end\n");
+    const RecordedProject lost("function on_execute() if now() > 0.5 then while true do end end end\n");
     CHECK(record(lost.file, {}) == 2);  // no run: what there is of it says so, and the older one is kept
     CHECK(lines_of(text_of_file(csv)).back().starts_with("# the recording ends here: "));
     CHECK(text_of_file(csv + "~") == "of an earlier run\n");
@@ -103,7 +103,7 @@ TEST_CASE("a recording takes the place of the older one when it is whole", "[cli
 
 TEST_CASE("a second signal ends a run within a tick that does not end, and its recording is whole",
           "[cli][run][watchdog]") {
-    const Project project(R"(
+    const RecordedProject project(R"(
 local out = output("out", "TimedLong")
 local n = 0
 function on_execute()

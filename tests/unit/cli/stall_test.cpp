@@ -21,8 +21,8 @@ using Catch::Matchers::Contains;
 namespace {
 
 // A mouse in an arena, and a behaviour that says when it is.
-struct Project {
-    Project() {
+struct StalledProject {
+    StalledProject() {
         scratch.write("behaviors/it.lua", R"(
 local out = output("out", "TimedVelocity2D")
 param("speed", 0.1)
@@ -50,7 +50,7 @@ double last_told(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a run that was stopped for 2 s goes on without catching up", "[cli][run][wallclock]") {
-    const Project project;
+    const StalledProject project;
     Program program({"run", project.system, "--headless", "--duration", "1"});
     REQUIRE(program.wait_for_error(" at 0.2"));
     const auto begin = std::chrono::steady_clock::now();
@@ -69,7 +69,7 @@ TEST_CASE("a run that was stopped for 2 s goes on without catching up", "[cli][r
 
 TEST_CASE("a run that is killed leaves recording and journal whole up to 0.1 s before, and is replayed to there",
           "[cli][journal][wallclock]") {
-    const Project project;
+    const StalledProject project;
     for (const int signal : {SIGKILL, SIGSEGV}) {
         CAPTURE(signal);
         const std::string csv = project.scratch.path("run.csv").string(),

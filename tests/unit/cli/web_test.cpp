@@ -24,7 +24,7 @@ using namespace nezumi;
 
 namespace {
 
-struct System {
+struct WebSystem {
     Scratch scratch;
     std::string file = (scratch.write("behaviors/it.lua", "param('x', 1)\n"),
                         scratch.write("s.lua", "behavior 'it' { script = 'it' }\n"))
@@ -89,7 +89,7 @@ std::string get(int port, const std::string& path) {
 }  // namespace
 
 TEST_CASE("a run prints where its page is, and serves it while it runs", "[cli][web]") {
-    const System system;
+    const WebSystem system;
     Program run({"run", system.file});
     REQUIRE(run.wait_for_error("\n"));
     const int port = port_in(run.error);
@@ -105,7 +105,7 @@ TEST_CASE("a run prints where its page is, and serves it while it runs", "[cli][
 }
 
 TEST_CASE("where the port is taken it is the next free one, and without any the run goes on", "[cli][web]") {
-    const System system;
+    const WebSystem system;
     const TakenPort taken(0);
     REQUIRE(taken.is_taken());
     const int next = port_in(system.run({"--duration", "0.05", "--port", std::to_string(taken.number())}).error);
@@ -121,7 +121,7 @@ TEST_CASE("where the port is taken it is the next free one, and without any the 
 }
 
 TEST_CASE("runs for machines, and those that are told so, serve no page", "[cli][web]") {
-    const System system;
+    const WebSystem system;
     CHECK(system.run({"--duration", "0.05", "--no-web"}).error.find("http") == std::string::npos);
     CHECK(system.run({"--duration", "0.05", "--headless"}).error.find("http") == std::string::npos);
     const auto refused = [&](const std::vector<std::string>& options) {
@@ -143,7 +143,7 @@ TEST_CASE("runs for machines, and those that are told so, serve no page", "[cli]
 }
 
 TEST_CASE("other computers are let in by TLS alone, with a certificate whose fingerprint is told", "[cli][web]") {
-    const System system;
+    const WebSystem system;
     const std::string state = system.scratch.path("state").string();
     setenv("XDG_STATE_HOME", state.c_str(), 1);
     Program run({"run", system.file, "--listen", "127.0.0.1"});
@@ -189,7 +189,7 @@ TEST_CASE("other computers are let in by TLS alone, with a certificate whose fin
 
 TEST_CASE("a run with --open shows the desktop's browser the page by a file, so that no command line has its token",
           "[cli][web]") {
-    const System system;
+    const WebSystem system;
     const std::string told = system.scratch.path("told").string();
     REQUIRE(mkfifo(told.c_str(), 0600) == 0);
     const auto browser = system.scratch.write("bin/xdg-open", "#!/bin/sh\n(echo \"$1\"; cat \"$1\") > " + told + "\n");
@@ -221,7 +221,7 @@ TEST_CASE("a run with --open shows the desktop's browser the page by a file, so 
 }
 
 TEST_CASE("the prompt begins with the page's address", "[cli][web][prompt]") {
-    const System system;
+    const WebSystem system;
     system.scratch.write("home/.keep", "");
     PtyProgram it({"run", system.file}, system.scratch.path("home").string(), 120);
     REQUIRE(it.wait_for_prompt("nezumi>"));

@@ -10,6 +10,7 @@
 #include "engine/world/chessboard.hpp"
 #include "hw/camera/video_camera.hpp"
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/hw/command_output.hpp"
 #include "tests/unit/hw/fake_mouse_rig.hpp"
 
 using namespace nezumi;
@@ -61,16 +62,6 @@ struct DrivenCamera {
     System system;
     Component* camera = nullptr;
 };
-
-std::string output_of(const std::string& command) {
-    FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    std::string text;
-    char buffer[4096];
-    while (const std::size_t length = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, length);
-    pclose(pipe);
-    return text;
-}
 
 // Mean of the three colours around the middle.
 std::array<int, 3> middle(const CameraImage& image) {

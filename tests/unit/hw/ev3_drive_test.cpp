@@ -10,7 +10,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double drive_degree = std::numbers::pi / 180;
 
 template <class T>
 void send(DrivenEv3& ev3, const char* port, const T& value) {
@@ -84,12 +84,12 @@ TEST_CASE("an EV3's arm gets its target once, with its speed, and turns there", 
     FakeEv3 fake;
     DrivenEv3 ev3(fake);
     ev3.run(0.2);
-    send(ev3, "angle", 90 * degree);
+    send(ev3, "angle", 90 * drive_degree);
     ev3.run(0.5);
     const double underway = ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y;
     CHECK(underway == Approx(0.5 * 1.6).margin(0.35));  // at 1.6 rad/s
     ev3.run(1);
-    CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * degree).margin(0.03));
+    CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * drive_degree).margin(0.03));
     const auto writes = fake.writes();
     const auto count = [&](const std::string& write) { return std::count(writes.begin(), writes.end(), write); };
     CHECK(count("outA/position_sp '90'") == 1);
@@ -101,7 +101,7 @@ TEST_CASE("an EV3's arm gets its target once, with its speed, and turns there", 
     CHECK(ev3.said("motor 'medium_motor': "));
     fake.say("plug outA");
     CHECK(ev3.run(5, {}, [&] { return ev3.said("motor 'medium_motor': back again"); }));
-    CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * degree).margin(0.03));
+    CHECK(ev3.published<RangeData>("ultrasonic").geometry.pose.orientation.y == Approx(90 * drive_degree).margin(0.03));
 }
 
 TEST_CASE("an EV3 shows lights and pictures", "[hw][ev3][fakes][threads][wallclock]") {

@@ -6,6 +6,7 @@
 #include "engine/devices/joystick.hpp"
 #include "hw/gamepad/evdev_gamepad.hpp"
 #include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/hw/command_output.hpp"
 #include "tests/unit/hw/fake_robot_rig.hpp"
 
 using namespace nezumi;
@@ -57,17 +58,6 @@ struct DrivenStick {
     System system;
     Joystick* stick = nullptr;
 };
-
-// What a program that is not ours prints.
-std::string output_of(const std::string& command) {
-    FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    std::string text;
-    char buffer[4096];
-    while (const std::size_t length = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, length);
-    pclose(pipe);
-    return text;
-}
 
 }  // namespace
 

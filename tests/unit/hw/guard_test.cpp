@@ -20,7 +20,7 @@ using namespace nezumi::hw;
 
 namespace {
 
-void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+void guard_sleep(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 std::string content(const std::filesystem::path& file) {
     std::string text;
@@ -59,7 +59,7 @@ struct Engine {
     // How long until it stands [s]; at most a second.
     double time_to_stand() const {
         const double begin = clock_seconds();
-        while (!stands() && clock_seconds() - begin < 1) sleep_for(0.0005);
+        while (!stands() && clock_seconds() - begin < 1) guard_sleep(0.0005);
         return clock_seconds() - begin;
     }
 
@@ -72,7 +72,7 @@ void beat_for_ever(Guard& guard) {
     for (;;) {
         guard.beat(clock_seconds());
         guard.has_stopped();
-        sleep_for(0.01);
+        guard_sleep(0.01);
     }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("the motors stand within 50 ms of their engine's death", "[hw][guard][
     for (const int signal : {SIGTERM, SIGKILL, SIGSEGV, SIGABRT}) {
         INFO("signal " << signal);
         const Engine engine(beat_for_ever);
-        sleep_for(0.3);
+        guard_sleep(0.3);
         REQUIRE_FALSE(engine.stands());
         kill(engine.process, signal);
         CHECK(engine.time_to_stand() < 0.05);
@@ -94,12 +94,12 @@ TEST_CASE("they stand as soon when something of the dead engine still keeps its 
     // As a thread does that waits in the kernel for a device's answer.
     const Engine engine([](Guard& guard) {
         if (fork() == 0) {
-            sleep_for(1.5);
+            guard_sleep(1.5);
             _exit(0);
         }
         beat_for_ever(guard);
     });
-    sleep_for(0.3);
+    guard_sleep(0.3);
     REQUIRE_FALSE(engine.stands());
     kill(engine.process, SIGKILL);
     CHECK(engine.time_to_stand() < 0.05);
@@ -118,11 +118,11 @@ TEST_CASE("a node that does not answer keeps no other from being stopped", "[hw]
         if (guard) beat_for_ever(**guard);
         _exit(1);
     }
-    sleep_for(0.3);
+    guard_sleep(0.3);
     REQUIRE(content(motor) == "400");
     kill(engine, SIGKILL);
     const double begin = clock_seconds();
-    while (content(motor) != "0" && clock_seconds() - begin < 1) sleep_for(0.0005);
+    while (content(motor) != "0" && clock_seconds() - begin < 1) guard_sleep(0.0005);
     CHECK(clock_seconds() - begin < 0.05);
     waitpid(engine, nullptr, 0);
     std::ifstream(hung) >> std::ws;  // lets what waits for a reader end
@@ -131,16 +131,16 @@ TEST_CASE("a node that does not answer keeps no other from being stopped", "[hw]
 TEST_CASE("the motors stand within 250 ms of a stall, and turn again with the next beats",
           "[hw][guard][safety][wallclock]") {
     const Engine engine(beat_for_ever);
-    sleep_for(0.3);
+    guard_sleep(0.3);
     REQUIRE_FALSE(engine.stands());
     kill(engine.process, SIGSTOP);
     const double time = engine.time_to_stand();
     CHECK(time < 0.25);
     CHECK(time > 0.1);
     kill(engine.process, SIGCONT);
-    sleep_for(0.05);
+    guard_sleep(0.05);
     std::ofstream(engine.folder.path("motor")) << "400";
-    sleep_for(0.4);
+    guard_sleep(0.4);
     CHECK(content(engine.folder.path("motor")) == "400");
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("an engine whose motors rest need not beat", "[hw][guard][threads][wal
         guard.rest();
         for (;;) pause();
     });
-    sleep_for(0.4);
+    guard_sleep(0.4);
     CHECK_FALSE(engine.stands());
 }
 
@@ -162,25 +162,25 @@ TEST_CASE("the engine sees that its guard stopped the motors, does not answer, o
     Guard& guard = **started;
     guard.beat(clock_seconds());
     CHECK_FALSE(guard.has_stopped());
-    sleep_for(0.3);
+    guard_sleep(0.3);
     CHECK(guard.has_stopped());
     CHECK_FALSE(guard.has_stopped());
     CHECK(content(lease) == "0");
 
     kill(guard.process(), SIGSTOP);
-    sleep_for(0.02);
+    guard_sleep(0.02);
     guard.beat(clock_seconds());
-    sleep_for(0.25);
+    guard_sleep(0.25);
     guard.has_stopped();
     CHECK(guard.is_late(clock_seconds()));
     CHECK_FALSE(guard.has_ended());
     kill(guard.process(), SIGCONT);
-    sleep_for(0.05);
+    guard_sleep(0.05);
     guard.has_stopped();
     CHECK_FALSE(guard.is_late(clock_seconds()));
 
     kill(guard.process(), SIGKILL);
-    sleep_for(0.05);
+    guard_sleep(0.05);
     guard.has_stopped();
     CHECK(guard.has_ended());
 }
@@ -205,7 +205,7 @@ TEST_CASE("a dead engine's lease is free once its guard has stopped the motors",
     CHECK_FALSE(Lease::take(node));
     kill(engine.process, SIGKILL);
     engine.time_to_stand();
-    sleep_for(0.05);
+    guard_sleep(0.05);
     CHECK(Lease::take(node));
 }
 

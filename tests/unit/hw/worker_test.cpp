@@ -12,10 +12,10 @@ using namespace nezumi::hw;
 
 namespace {
 
-void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+void pause_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 bool soon(const std::function<bool()>& is_so) {
-    for (int i = 0; i < 5000 && !is_so(); ++i) sleep_for(0.001);
+    for (int i = 0; i < 5000 && !is_so(); ++i) pause_for(0.001);
     return is_so();
 }
 
@@ -23,7 +23,7 @@ bool soon(const std::function<bool()>& is_so) {
 struct CountingJob final : DeviceJob {
     double run() override {
         ++runs;
-        while (hang) sleep_for(0.001);
+        while (hang) pause_for(0.001);
         return 1000;
     }
     void end() override { ended = true; }
@@ -35,7 +35,7 @@ struct CountingJob final : DeviceJob {
 struct Thermometer final : Sampler<int> {
     Thermometer() : Sampler("thermometer", 0.001) {}
     tl::expected<std::optional<int>, std::string> sample(double) override {
-        while (hang) sleep_for(0.001);
+        while (hang) pause_for(0.001);
         if (broken) return tl::unexpected(std::string("its wire is cut: solder it"));
         return ++value;
     }
@@ -94,7 +94,7 @@ TEST_CASE("a device that fails or hangs is told once, and taken up again", "[hw]
         return !told.empty();
     };
     REQUIRE(soon(listen));
-    sleep_for(0.7);
+    pause_for(0.7);
     listen();
     CHECK(told == std::vector<std::string>{"thermometer: its wire is cut: solder it"});
     told.clear();

@@ -12,9 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Folder {
-    Folder() { fs::create_directories(path / "behaviors" / "shared"); }
-    ~Folder() { fs::remove_all(path); }
+struct MakerFolder {
+    MakerFolder() { fs::create_directories(path / "behaviors" / "shared"); }
+    ~MakerFolder() { fs::remove_all(path); }
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(path / "behaviors" / name) << text;
     }
@@ -52,7 +52,7 @@ TEST_CASE("the tutorial's controller drives until something is near", "[lua][beh
 }
 
 TEST_CASE("modules are found beside the script and in the project", "[lua][behavior][modules]") {
-    const Folder folder;
+    const MakerFolder folder;
     folder.write("main.lua",
                  "local m = require 'shared.numbers'\nlocal out = output('out', 'TimedLong')\n"
                  "function on_execute() out:write(m.answer) end");
@@ -75,7 +75,7 @@ TEST_CASE("modules are found beside the script and in the project", "[lua][behav
 }
 
 TEST_CASE("a set of parameters that a system file uses is read at the top level", "[lua][behavior]") {
-    const Folder folder;
+    const MakerFolder folder;
     folder.write(
         "main.lua",
         "param('a', 1) param('b', 1) local a, b = config.a, config.b\nlocal out = output('out', 'TimedLongSeq')\n"

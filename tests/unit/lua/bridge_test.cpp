@@ -128,11 +128,11 @@ TEST_CASE("every word of a system file refuses an argument too many and one of a
                        word + ": expected a table, got string"};
     check_covered(table, system_word_names(), {});
     for (const auto& [word, refusals] : table) {
-        CHECK(system_files::error(refusals.surplus) == "s.lua:1: " + refusals.surplus_says);
-        CHECK(system_files::error(refusals.wrong) == "s.lua:1: " + refusals.wrong_says);
+        CHECK(system_files::system_error(refusals.surplus) == "s.lua:1: " + refusals.surplus_says);
+        CHECK(system_files::system_error(refusals.wrong) == "s.lua:1: " + refusals.wrong_says);
     }
-    CHECK(system_files::error("robot 'm' ({ model = 'raspimouse' }, 2)") ==
+    CHECK(system_files::system_error("robot 'm' ({ model = 'raspimouse' }, 2)") ==
           "s.lua:1: robot 'm': expected at most 1 argument, got 2: robot 'm' { ... }");
-    CHECK(system_files::error("require('a', 2)") ==
+    CHECK(system_files::system_error("require('a', 2)") ==
           "s.lua:1: require: expected at most 1 argument, got 2: require(name)");
 }

@@ -8,7 +8,6 @@
 #include "tests/unit/lua/system_reader.hpp"
 
 using namespace nezumi;
-using system_files::root;
 using system_files::system_of;
 
 namespace {

@@ -12,8 +12,6 @@ using namespace nezumi;
 
 namespace {
 
-const std::filesystem::path root = source_root();
-
 // The Lua examples of a page.
 std::vector<std::string> examples(const std::string& page) {
     const auto text = read_whole(root / "docs" / page, page);

@@ -92,15 +92,16 @@ TEST_CASE("of several calls in a line the one is meant whose text can give what 
 
 TEST_CASE("a field is told at its place, also when several calls of its word begin in its line", "[lua][file_source]") {
     using namespace system_files;
-    CHECK(error("arena { box { at = { 1, 0 }, size = { 0.1, 0.1, 0.1 } }, box { at = { 2, 0 }, size = { 0.1, 0.1, -0.1 "
-                "} } }") == "s.lua:1:98: box: field 'size[3]' expected a positive number, got -0.1");
+    CHECK(system_error(
+              "arena { box { at = { 1, 0 }, size = { 0.1, 0.1, 0.1 } }, box { at = { 2, 0 }, size = { 0.1, 0.1, -0.1 "
+              "} } }") == "s.lua:1:98: box: field 'size[3]' expected a positive number, got -0.1");
     const std::string m = "{ model = 'raspimouse', limits = { speed = ";
-    CHECK(error("robot 'a' " + m + "1 } } robot 'b' " + m + "-3 } }") ==
+    CHECK(system_error("robot 'a' " + m + "1 } } robot 'b' " + m + "-3 } }") ==
           "s.lua:1:105: robot 'b': field 'limits.speed' expected a positive number, got -3");
-    CHECK(error("local n = -3 robot 'a' " + m + "1 } } robot 'b' " + m + "n } }") ==
+    CHECK(system_error("local n = -3 robot 'a' " + m + "1 } } robot 'b' " + m + "n } }") ==
           "s.lua:1:118: robot 'b': field 'limits.speed' expected a positive number, got -3");
-    CHECK(error("local function v(i) return i end for i = 0, 1 do box { at = { i, 0 }, size = { v(i), 1, 1 } } "
-                "box { at = { i, 0 }, size = { v(i), 1, 1 } } end") ==
+    CHECK(system_error("local function v(i) return i end for i = 0, 1 do box { at = { i, 0 }, size = { v(i), 1, 1 } } "
+                       "box { at = { i, 0 }, size = { v(i), 1, 1 } } end") ==
           "s.lua:1: box: field 'size[1]' expected a positive number, got 0");
     const SystemSpec spec = system_of(
         "behavior 'a' { script = 'robot_controller', config = { stop_d = 1 } } behavior 'c' { script = "

@@ -23,12 +23,12 @@ namespace fs = std::filesystem;
 using Text = std::string;
 using Clock = std::chrono::steady_clock;
 
-struct Folder {
-    Folder() {
+struct WatchedFolder {
+    WatchedFolder() {
         fs::remove_all(path);
         fs::create_directories(path / "project" / "behaviors");
     }
-    ~Folder() { fs::remove_all(path); }
+    ~WatchedFolder() { fs::remove_all(path); }
 
     fs::path path = fs::temp_directory_path() / ("nezumi_watch_" + std::to_string(::getpid()));
     fs::path file = path / "project" / "behaviors" / "it.lua";
@@ -51,7 +51,7 @@ bool soon(const std::function<bool()>& is_so, double seconds = longest_wait) {
 constexpr double never = 1e6;  // [s]
 
 // Nothing but notices tell of changes, unless the watcher is to look for itself.
-struct Watched : Folder {
+struct Watched : WatchedFolder {
     explicit Watched(double look_every = never) : watcher(look_every) {
         write(file, "one");
         write(other, "other");
@@ -244,7 +244,7 @@ TEST_CASE("another file of Lua in a watched folder is told apart", "[lua][watche
 }
 
 TEST_CASE("a file that can't be read any more is told once, and again when it could be in between", "[lua][watcher]") {
-    Folder it;
+    WatchedFolder it;
     write(it.file, "version 1");
     FileWatcher watcher(0.2);
     watcher.watch({{it.file.string(), ScriptFile({"", "", "version 1"}).hash}});

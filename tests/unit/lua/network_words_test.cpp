@@ -23,31 +23,32 @@ TEST_CASE("a system says which host it is", "[lua][system_file][network]") {
 }
 
 TEST_CASE("network refuses what no host can be", "[lua][system_file][network]") {
-    CHECK(error("network {}") ==
+    CHECK(system_error("network {}") ==
           "s.lua:1: network: field 'name' is missing: expected a text: what other hosts call this one");
-    CHECK(error("network { name = 'a b' }") ==
+    CHECK(system_error("network { name = 'a b' }") ==
           "s.lua:1:11: network: field 'name' expected letters, digits and _, not beginning with a digit, got 'a b'");
-    CHECK(error("network { name = 'ros' }") ==
+    CHECK(system_error("network { name = 'ros' }") ==
           "s.lua:1:11: network: field 'name' may not be 'ros', a word of Lua or of the console");
-    CHECK(error("network { name = 'a', domian = 7 }") ==
+    CHECK(system_error("network { name = 'a', domian = 7 }") ==
           "s.lua:1:23: network: unknown field 'domian' (did you mean 'domain'?)");
-    CHECK(error("network { name = 'a', domain = 233 }") ==
+    CHECK(system_error("network { name = 'a', domain = 233 }") ==
           "s.lua:1:23: network: field 'domain' expected a whole number from 0 to 232, got 233");
-    CHECK(error("network { name = 'a', open = true, secret = 'k' }") ==
+    CHECK(system_error("network { name = 'a', open = true, secret = 'k' }") ==
           "s.lua:1:23: network: field 'open': with a `secret` only those who have it may write: leave one of them out");
-    CHECK(error("network { name = 'a', hosts = 'b' }") ==
+    CHECK(system_error("network { name = 'a', hosts = 'b' }") ==
           "s.lua:1:23: network: field 'hosts': only lockstep waits for hosts: say `lockstep = true` as well");
-    CHECK(error("network { name = 'a', lockstep = true, hosts = { 'b c' } }") ==
+    CHECK(system_error("network { name = 'a', lockstep = true, hosts = { 'b c' } }") ==
           "s.lua:1:40: network: field 'hosts' expected names of hosts, got 'b c'");
-    CHECK(error("network { name = 'a', lockstep = true, hosts = 'a' }") ==
+    CHECK(system_error("network { name = 'a', lockstep = true, hosts = 'a' }") ==
           "s.lua:1:40: network: field 'hosts' may not name 'a': it is this host");
-    CHECK(error("network { name = 'a', peers = { '10.0.0.2:7410', 'pi.local', 'fe80::1%wlan0', 'not an address' } }") ==
+    CHECK(system_error(
+              "network { name = 'a', peers = { '10.0.0.2:7410', 'pi.local', 'fe80::1%wlan0', 'not an address' } }") ==
           "s.lua:1:23: network: field 'peers' expected addresses or names of hosts, got 'not an address'");
-    CHECK(error("network { name = 'a', peers = '192.168.1.300' }") ==
+    CHECK(system_error("network { name = 'a', peers = '192.168.1.300' }") ==
           "s.lua:1:23: network: field 'peers' expected addresses or names of hosts, got '192.168.1.300'");
-    CHECK(error("ros { node = 'a', peers = { 'pi', '' } }") ==
+    CHECK(system_error("ros { node = 'a', peers = { 'pi', '' } }") ==
           "s.lua:1:19: ros: field 'peers' expected addresses or names of hosts, got ''");
-    CHECK(error("network { name = 'a' }\nnetwork { name = 'a' }") ==
+    CHECK(system_error("network { name = 'a' }\nnetwork { name = 'a' }") ==
           "s.lua:2: network: is set already, at behaviors/systems/s.lua:1");
 }
 
@@ -56,15 +57,15 @@ TEST_CASE("a port of another host is host/name.port", "[lua][system_file][networ
         system_of("network { name = 'a' } connect('ev3/vehicle.current_vel', 'mouse.target_velocity_in')");
     REQUIRE(spec.connections.size() == 1);
     CHECK(spec.connections[0].from == "ev3/vehicle.current_vel");
-    CHECK(error("connect('ev3/vehicle.out', 'mouse.in')") ==
+    CHECK(system_error("connect('ev3/vehicle.out', 'mouse.in')") ==
           "s.lua:1: connect: ev3/vehicle.out: a port of another host needs the word network { name = ... }");
-    CHECK(error("network { name = 'a' }\nconnect('b/x.out', 'c/y.in')") ==
+    CHECK(system_error("network { name = 'a' }\nconnect('b/x.out', 'c/y.in')") ==
           "s.lua:2: connect: b/x.out: both ends are on other hosts: one of these connects them");
-    CHECK(error("network { name = 'a' }\nconnect('a/x.out', 'y.in')") ==
+    CHECK(system_error("network { name = 'a' }\nconnect('a/x.out', 'y.in')") ==
           "s.lua:2: connect: a/x.out: this host is 'a' itself: write \"x.out\"");
-    CHECK(error("network { name = 'a' }\nconnect('a/b/x.out', 'y.in')") ==
+    CHECK(system_error("network { name = 'a' }\nconnect('a/b/x.out', 'y.in')") ==
           "s.lua:2: connect: expected \"name.port\", got 'a/b/x.out'");
-    CHECK(error("network { name = 'a' }\nconnect('/x.out', 'y.in')") ==
+    CHECK(system_error("network { name = 'a' }\nconnect('/x.out', 'y.in')") ==
           "s.lua:2: connect: expected \"name.port\", got '/x.out'");
 }
 
@@ -88,21 +89,21 @@ TEST_CASE("a system says which topics of ROS it has", "[lua][system_file][networ
 }
 
 TEST_CASE("ros refuses what is no topic", "[lua][system_file][network]") {
-    CHECK(error("ros {}") == "s.lua:1: ros: field 'node' is missing: expected a text: the node's name");
+    CHECK(system_error("ros {}") == "s.lua:1: ros: field 'node' is missing: expected a text: the node's name");
     for (const char* topic : {"odom", "/", "/a/", "/a//b", "/1a", "/a b"}) {
         CAPTURE(topic);
-        CHECK(error("ros { node = 'n', publish = { ['a.b'] = '" + std::string(topic) + "' } }")
+        CHECK(system_error("ros { node = 'n', publish = { ['a.b'] = '" + std::string(topic) + "' } }")
                   .find("names no topic '" + std::string(topic) + "'") != std::string::npos);
     }
-    CHECK(error("ros { node = 'n', subscribe = { [''] = 'a.b' } }").find("names no topic ''") != std::string::npos);
-    CHECK(error("ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }").find("did you mean 'topic'?") !=
+    CHECK(system_error("ros { node = 'n', subscribe = { [''] = 'a.b' } }").find("names no topic ''") !=
           std::string::npos);
-    CHECK(error("ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }")
+    CHECK(system_error("ros { node = 'n', publish = { ['a.b'] = { topc = '/a' } } }").find("did you mean 'topic'?") !=
+          std::string::npos);
+    CHECK(system_error("ros { node = 'n', subscribe = { ['/a'] = { type = 'x' } } }")
               .find("field 'subscribe./a.port' is missing") != std::string::npos);
-    CHECK(
-        error("ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }").find("is said already") !=
-        std::string::npos);
-    CHECK(error("network { name = 'a', interface = 'lo' }\nros { node = 'n' }") ==
+    CHECK(system_error("ros { node = 'n', subscribe = { ['/a'] = { topic = '/b', port = 'c.d' } } }")
+              .find("is said already") != std::string::npos);
+    CHECK(system_error("network { name = 'a', interface = 'lo' }\nros { node = 'n' }") ==
           "s.lua:2: ros: is in domain 0 as network is: 'interface' and 'peers' must be the same in both");
 }
 

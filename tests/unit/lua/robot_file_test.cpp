@@ -232,8 +232,8 @@ TEST_CASE("a robot file says how noisy its sensors are and how its wheels hold o
     const RobotSpec spec = robot_of(with("noise = 0.05, friction = 0.8"));
     CHECK(spec.noise == 0.05);
     CHECK(spec.friction == 0.8);
-    CHECK(error(with("noise = 5")) == "r.lua:2:1: robot_model: field 'noise' expected a number up to 1, got 5");
-    CHECK(error(with("friction = -1")) ==
+    CHECK(robot_error(with("noise = 5")) == "r.lua:2:1: robot_model: field 'noise' expected a number up to 1, got 5");
+    CHECK(robot_error(with("friction = -1")) ==
           "r.lua:2:1: robot_model: field 'friction' expected a number from 0 on, got -1");
 }
 
@@ -252,15 +252,15 @@ TEST_CASE("a scan looks all around unless its file says otherwise", "[lua][robot
     CHECK(angles_of(ahead).first == Approx(-M_PI / 2));
     CHECK(angles_of(ahead).step == Approx(M_PI / 180));
     CHECK(ahead.noise == 0.01);
-    CHECK(error(with("sensors = { a = { kind = 'scan', cone = 7 } }")) ==
+    CHECK(robot_error(with("sensors = { a = { kind = 'scan', cone = 7 } }")) ==
           "r.lua:2:34: robot_model: field 'sensors.a.cone' expected an angle of up to 2 pi, the field of view, got 7");
-    CHECK(error(with("sensors = { a = { kind = 'scan', rays = 1 } }")) ==
+    CHECK(robot_error(with("sensors = { a = { kind = 'scan', rays = 1 } }")) ==
           "r.lua:2:34: robot_model: field 'sensors.a.rays' expected 2 or more of a scan, got 1: a single ray is a "
           "'range'");
-    CHECK(error(with("sensors = { a = { kind = 'scan', minimum = 2 } }")) ==
+    CHECK(robot_error(with("sensors = { a = { kind = 'scan', minimum = 2 } }")) ==
           "r.lua:2:34: robot_model: field 'sensors.a.minimum' expected less than the range of 0.6 m, got 2");
-    CHECK(error(with("sensors = { a = { kind = 'scan', table = 'x.csv' } }")).find("unknown field 'sensors.a.table'") !=
-          std::string::npos);
+    CHECK(robot_error(with("sensors = { a = { kind = 'scan', table = 'x.csv' } }"))
+              .find("unknown field 'sensors.a.table'") != std::string::npos);
 }
 
 TEST_CASE("an imu's ports carry its rates, its accelerations or both", "[lua][robot_file]") {
@@ -271,12 +271,13 @@ TEST_CASE("an imu's ports carry its rates, its accelerations or both", "[lua][ro
              "= 'imu' } }"));
     CHECK(sensor_of(spec, "imu").acceleration_noise == 0.1);
     CHECK(port_of(spec, "accelerations").quantity == PortSpec::Quantity::acceleration);
-    CHECK(error(with("sensors = { imu = { kind = 'imu' } }, ports = { p = { type = 'TimedDouble', from = 'imu' } }")) ==
+    CHECK(robot_error(
+              with("sensors = { imu = { kind = 'imu' } }, ports = { p = { type = 'TimedDouble', from = 'imu' } }")) ==
           "r.lua:2:49: robot_model: port 'p': 'imu' has several values, and a TimedDouble carries one");
-    CHECK(error(with("sensors = { imu = { kind = 'imu' }, g = { kind = 'gyro' } }, ports = { p = { type = "
-                     "'TimedDoubleSeq', from = { 'imu', 'g' } } }")) ==
+    CHECK(robot_error(with("sensors = { imu = { kind = 'imu' }, g = { kind = 'gyro' } }, ports = { p = { type = "
+                           "'TimedDoubleSeq', from = { 'imu', 'g' } } }")) ==
           "r.lua:2:72: robot_model: port 'p': 'imu' has several values: it has a port of its own");
-    CHECK(error(with(
+    CHECK(robot_error(with(
               "sensors = { g = { kind = 'gyro' } }, ports = { p = { type = 'TimedDouble', from = 'g', quantity = "
               "'acceleration' } }")) == "r.lua:2:48: robot_model: port 'p': 'g' is no imu: it has no acceleration");
 }

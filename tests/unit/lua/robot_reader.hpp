@@ -12,7 +12,6 @@
 
 namespace nezumi::robot_files {
 
-inline const std::filesystem::path root = source_root();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline Expected<RobotSpec> read(std::string_view text) {
@@ -28,7 +27,7 @@ inline RobotSpec robot_of(std::string_view text) {
 }
 
 // The error without the folders of the file.
-inline std::string error(std::string_view text) {
+inline std::string robot_error(std::string_view text) {
     const auto spec = read(text);
     if (!spec && spec.error().place.file == "engine/robots/r.lua") return describe(spec.error()).substr(14);
     return spec ? "no error" : describe(spec.error());

@@ -15,8 +15,6 @@ using namespace nezumi;
 
 namespace {
 
-const std::filesystem::path root = source_root();
-
 Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context) {
     auto source = read_source(entry.path);
     if (!source) return Unexpected(source.error());

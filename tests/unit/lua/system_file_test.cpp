@@ -285,7 +285,9 @@ TEST_CASE("a line is painted from point to point", "[lua][system_file]") {
 }
 
 TEST_CASE("a line needs points, and a floor to be painted on", "[lua][system_file]") {
-    const auto said = [](const std::string& line) { return error("arena { size = { 2, 2 }, line { " + line + " } }"); };
+    const auto said = [](const std::string& line) {
+        return system_error("arena { size = { 2, 2 }, line { " + line + " } }");
+    };
     CHECK(said("width = 0.1").find("line: field 'points' is missing: expected { { x, y }, ... } in m") !=
           std::string::npos);
     CHECK(said("points = { { 0, 0 } }").find("line: field 'points' expected two points or more, got 1") !=
@@ -296,7 +298,7 @@ TEST_CASE("a line needs points, and a floor to be painted on", "[lua][system_fil
           std::string::npos);
     CHECK(said("points = { { 0, 0 }, { 0, 1.1 } }") ==
           "s.lua:1: line: the point { 0, 1.1 } lies outside of the arena, 2 x 2 m");
-    CHECK(error("arena { line { points = { { 0, 0 }, { 0, 1 } } } }") ==
+    CHECK(system_error("arena { line { points = { { 0, 0 }, { 0, 1 } } } }") ==
           "s.lua:1: line: there is nothing that it could be painted on: give the arena a size or a floor");
 }
 

@@ -11,8 +11,6 @@
 
 namespace nezumi::system_files {
 
-inline const std::filesystem::path root = source_root();
-
 // Reads a text as the file behaviors/systems/s.lua of the project's own sources.
 inline Expected<SystemSpec> read(std::string_view text, const SystemFileOptions& options = {}) {
     const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
@@ -27,7 +25,7 @@ inline SystemSpec system_of(std::string_view text) {
 }
 
 // The error without the folders of the file.
-inline std::string error(std::string_view text) {
+inline std::string system_error(std::string_view text) {
     const auto spec = read(text);
     if (!spec && spec.error().place.file == "behaviors/systems/s.lua") return describe(spec.error()).substr(18);
     return spec ? "no error" : describe(spec.error());

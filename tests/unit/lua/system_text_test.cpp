@@ -10,7 +10,7 @@ using namespace nezumi;
 
 namespace {
 
-SystemSpec read(const std::string& text) {
+SystemSpec read_text(const std::string& text) {
     const std::filesystem::path root = source_root();
     const Project project = Project::of(root / "behaviors/systems/s.lua", {root});
     auto spec = read_system_text(text, "behaviors/systems/s.lua", project);
@@ -23,7 +23,7 @@ SystemSpec read(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a system is written as a person would write it", "[lua][system_text]") {
-    const SystemSpec spec = read(R"(
+    const SystemSpec spec = read_text(R"(
         arena { box { at = { 0.8, 0.0, 0.15 }, size = { 0.1, 1.0, 0.3 } } }
         robot "mouse" { model = "raspimouse", pose = { heading = 1.5 } }
         behavior "controller" { script = "robot_controller", config = { speed_x = 0.1, stop_d = 30 } }
@@ -42,7 +42,7 @@ connect("mouse.ir_sensor_out", "controller.in")
 }
 
 TEST_CASE("a system that was written and read back is the same", "[lua][system_text]") {
-    const SystemSpec spec = read(R"(
+    const SystemSpec spec = read_text(R"(
         seed(9007199254740993) rate(50) physics { step = 0.01 }
         arena {
           size = { 4, 3 }, border = { height = 0.3, thickness = 0.05 },
@@ -57,7 +57,7 @@ TEST_CASE("a system that was written and read back is the same", "[lua][system_t
           config = { a = 1, b = 1.0, c = true, d = 'a "quoted"\n\\text\1', e = { 1, 2 }, f = { 1, 2.5 }, g = { "x" }, h = { true, false }, i = {}, ["end"] = -1e300 },
           sets = { ["two words"] = { a = 2 }, fast = {} } }
         connect("m.ir_sensor_out", "c.in"))");
-    const SystemSpec again = read(write_system_text(spec, "again"));
+    const SystemSpec again = read_text(write_system_text(spec, "again"));
     CHECK(write_system_text(again, "again") == write_system_text(spec, "again"));
     CHECK(again.seed == spec.seed);
     CHECK(again.rate == spec.rate);
@@ -76,18 +76,18 @@ TEST_CASE("a system that was written and read back is the same", "[lua][system_t
 }
 
 TEST_CASE("painted lines are written and read back", "[lua][system_text]") {
-    const SystemSpec spec = read(
+    const SystemSpec spec = read_text(
         "arena { size = { 2, 2 }, line { points = { { 0, 0 }, { 0.5, -0.25 } }, width = 0.03, color = 'red' }, "
         "line { points = { { 1, 1 }, { 0, 1 } } } }");
     const std::string text = write_system_text(spec, "Lines");
     CHECK(text.find("line { points = { { 0.0, 0.0 }, { 0.5, -0.25 } }, width = 0.03, color = \"#d6453d\" }") !=
           std::string::npos);
     CHECK(text.find("line { points = { { 1.0, 1.0 }, { 0.0, 1.0 } } }") != std::string::npos);
-    CHECK(write_system_text(read(text), "Lines") == text);
+    CHECK(write_system_text(read_text(text), "Lines") == text);
 }
 
 TEST_CASE("what RTCs see is written and read back", "[lua][system_text][rtm]") {
-    const SystemSpec spec = read(
+    const SystemSpec spec = read_text(
         "behavior 'c' { script = 'robot_controller' }\n"
         "rtm { export = 'c', nameserver = 'pc', rename = { ['c.in'] = 'ir' } }\n"
         "connect('rtm:Out0.out', 'c.in')");
@@ -95,5 +95,5 @@ TEST_CASE("what RTCs see is written and read back", "[lua][system_text][rtm]") {
     CHECK(text.find("rtm { export = { \"c\" }, nameserver = \"pc:2809\", rename = { [\"c.in\"] = \"ir\" } }\n") !=
           std::string::npos);
     CHECK(text.find("connect(\"rtm:Out0.out\", \"c.in\")\n") != std::string::npos);
-    CHECK(write_system_text(read(text), "Exported") == text);
+    CHECK(write_system_text(read_text(text), "Exported") == text);
 }

@@ -17,20 +17,18 @@ using namespace nezumi;
 
 namespace {
 
-const std::filesystem::path root = source_root();
-
 // A system of this text (or of a shipped file), ACTIVE, without clock and window.
 struct Run {
     explicit Run(const std::string& text, const std::string& file = "behaviors/systems/any.lua") {
-        const Project project = Project::of(root / file, {root});
-        auto read = text.empty() ? read_system_file(root / file, project) : read_system_text(text, file, project);
+        const Project project = Project::of(::root / file, {::root});
+        auto read = text.empty() ? read_system_file(::root / file, project) : read_system_text(text, file, project);
         if (!read) FAIL(describe(read.error()));
         spec = std::move(*read);
         start(project);
     }
     Run(SystemSpec given, double step) : spec(std::move(given)) {
         spec.physics_step = step;
-        start(Project::of(root / spec.file, {root}));
+        start(Project::of(::root / spec.file, {::root}));
     }
 
     void start(const Project& project) {

@@ -21,7 +21,7 @@ ColorRange hues(double from, double to) {
 // Whether anything of a picture of this colour alone is in the range.
 bool has(Color color, const ColorRange& range) { return find_color(Canvas(8, 8, color).colors(), range).has_value(); }
 
-struct Watch : Watched<ColorDetector> {
+struct ColorWatch : Watched<ColorDetector> {
     using Watched::Watched;
     double left() { return value<std::vector<double>>("centre").at(0); }
     double up() { return value<std::vector<double>>("centre").at(1); }
@@ -131,7 +131,7 @@ TEST_CASE("where nothing has the colour nothing is found", "[vision][color]") {
 }
 
 TEST_CASE("a box straight ahead is in the middle of the picture and as large as its face", "[vision][color]") {
-    Watch watch(one_box());
+    ColorWatch watch(one_box());
     watch.run(20);
     REQUIRE(watch.visible());
     CHECK(watch.left() == Approx(0).margin(0.005));
@@ -142,7 +142,7 @@ TEST_CASE("a box straight ahead is in the middle of the picture and as large as 
 
 TEST_CASE("left and up are positive, as in the robot's axes", "[vision][color]") {
     const auto seen = [](double y, double z) {
-        Watch watch(one_box({0.5, y, 0.1 + z}));
+        ColorWatch watch(one_box({0.5, y, 0.1 + z}));
         watch.run(20);
         REQUIRE(watch.visible());
         return std::pair{watch.left(), watch.up()};
@@ -158,7 +158,7 @@ TEST_CASE("left and up are positive, as in the robot's axes", "[vision][color]")
 
 TEST_CASE("a noisy and blurred picture tells nearly the same as a clean one", "[vision][color]") {
     const auto seen = [](const ParameterValues& camera) {
-        Watch watch(one_box({0.6, 0.1, 0.1}), {}, camera);
+        ColorWatch watch(one_box({0.6, 0.1, 0.1}), {}, camera);
         watch.run(20);
         REQUIRE(watch.visible());
         return std::tuple{watch.left(), watch.up(), watch.area()};
@@ -171,14 +171,14 @@ TEST_CASE("a noisy and blurred picture tells nearly the same as a clean one", "[
 }
 
 TEST_CASE("noise alone is no thing", "[vision][color]") {
-    Watch watch({}, {}, {{"noise", 13.0}});
+    ColorWatch watch({}, {}, {{"noise", 13.0}});
     watch.run(100);
     CHECK(watch.port("visible").count() > 20);
     CHECK(watch.port("centre").count() == 0);
 }
 
 TEST_CASE("while nothing is in sight only visible speaks, once for each picture", "[vision][color]") {
-    Watch watch(one_box({0.5, 0, 0.1}, "#3568c4"));
+    ColorWatch watch(one_box({0.5, 0, 0.1}, "#3568c4"));
     watch.run(50);
     CHECK_FALSE(watch.visible());
     CHECK(watch.port("visible").count() > 10);
@@ -192,7 +192,7 @@ TEST_CASE("while nothing is in sight only visible speaks, once for each picture"
 }
 
 TEST_CASE("what is smaller than the least area is not seen", "[vision][color]") {
-    Watch watch({}, {{"least_area", 0.05}}, {}, false);
+    ColorWatch watch({}, {{"least_area", 0.05}}, {}, false);
     watch.show(Canvas(100, 100, ground).paint(20, 20, 20, 20, red).image());
     watch.run(5);
     CHECK_FALSE(watch.visible());
@@ -205,7 +205,7 @@ TEST_CASE("what is smaller than the least area is not seen", "[vision][color]") 
 }
 
 TEST_CASE("a range without any colour is told once, until it has some", "[vision][color]") {
-    Watch watch(one_box(), {{"saturation_from", 0.9}, {"saturation_to", 0.25}});
+    ColorWatch watch(one_box(), {{"saturation_from", 0.9}, {"saturation_to", 0.25}});
     watch.run(50);
     CHECK_FALSE(watch.visible());
     REQUIRE(watch.detector().parameters().set("saturation_to", 1.0));
@@ -224,7 +224,7 @@ TEST_CASE("a range without any colour is told once, until it has some", "[vision
 }
 
 TEST_CASE("a grey picture is told once, and nothing is seen in it", "[vision][color]") {
-    Watch watch(one_box(), {}, {{"format", std::string("gray8")}});
+    ColorWatch watch(one_box(), {}, {{"format", std::string("gray8")}});
     watch.run(50);
     CHECK_FALSE(watch.visible());
     CHECK(watch.port("visible").count() > 10);
@@ -233,7 +233,7 @@ TEST_CASE("a grey picture is told once, and nothing is seen in it", "[vision][co
 }
 
 TEST_CASE("a colour is published after the detector's latency, of the newest picture", "[vision][color]") {
-    Watch watch({}, {{"latency", 0.05}}, {}, false);
+    ColorWatch watch({}, {{"latency", 0.05}}, {}, false);
     const auto shown = [](int left) { return Canvas(100, 100, ground).paint(left, 40, 20, 20, red).image(); };
     watch.show(shown(0));
     watch.run(1);
@@ -269,7 +269,7 @@ TEST_CASE("on hardware a colour is published as soon as it is known, whatever th
 
 TEST_CASE("the same run of a detector of colours has the same trace, also with noise", "[vision][color]") {
     const auto trace = [](double noise) {
-        Watch watch(one_box({0.5, 0.1, 0.1}), {}, {{"noise", noise}});
+        ColorWatch watch(one_box({0.5, 0.1, 0.1}), {}, {{"noise", noise}});
         watch.run(60);
         return watch.hash.value();
     };
@@ -279,7 +279,7 @@ TEST_CASE("the same run of a detector of colours has the same trace, also with n
 
 TEST_CASE("the parameters of a detector of colours are taken within their bounds and refused beyond",
           "[vision][color]") {
-    Watch watch(ArenaSpec{});
+    ColorWatch watch(ArenaSpec{});
     for (const char* hue : {"hue_from", "hue_to"}) check_bounds(watch.detector(), hue, 0, 360);
     for (const char* share : {"saturation_from", "saturation_to", "value_from", "value_to", "least_area"})
         check_bounds(watch.detector(), share, 0, 1);

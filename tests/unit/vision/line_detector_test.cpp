@@ -27,7 +27,7 @@ std::optional<Blob> line_in(const Canvas& canvas, const LineSettings& settings =
     return find_line(canvas.grays(), settings);
 }
 
-struct Watch : Watched<LineDetector> {
+struct LineWatch : Watched<LineDetector> {
     using Watched::Watched;
     double offset() { return value<double>("offset"); }
     double angle() { return value<double>("angle"); }
@@ -148,14 +148,14 @@ TEST_CASE("a camera that looks down sees the line of a floor, left of it or righ
 }
 
 TEST_CASE("noise alone is no line", "[vision][line]") {
-    Watch watch(ArenaSpec{}, {}, {{"noise", 13.0}, {"pitch", 0.8}});
+    LineWatch watch(ArenaSpec{}, {}, {{"noise", 13.0}, {"pitch", 0.8}});
     watch.run(100);
     CHECK(watch.port("visible").count() > 20);
     CHECK(watch.port("offset").count() == 0);
 }
 
 TEST_CASE("a line is told once for each picture, and while there is none only visible speaks", "[vision][line]") {
-    Watch watch(ArenaSpec{}, {}, {}, false);
+    LineWatch watch(ArenaSpec{}, {}, {}, false);
     const auto look_at = [&](const Canvas& canvas) {
         watch.show(canvas.image());
         watch.run(5);
@@ -181,7 +181,7 @@ TEST_CASE("a line is told once for each picture, and while there is none only vi
 }
 
 TEST_CASE("a torn picture is told by a detector of lines as well", "[vision][line]") {
-    Watch watch(ArenaSpec{}, {}, {}, false);
+    LineWatch watch(ArenaSpec{}, {}, {}, false);
     CameraImage torn = with_line(50, 60, 0).image();
     torn.pixels.resize(1000);
     watch.show(torn);
@@ -192,7 +192,7 @@ TEST_CASE("a torn picture is told by a detector of lines as well", "[vision][lin
 }
 
 TEST_CASE("the parameters of a detector of lines are taken within their bounds and refused beyond", "[vision][line]") {
-    Watch watch(ArenaSpec{});
+    LineWatch watch(ArenaSpec{});
     check_bounds(watch.detector(), "contrast", 0, 1);
     check_bounds(watch.detector(), "top", 0, 0.95);
     check_bounds(watch.detector(), "least_area", 0, 1);

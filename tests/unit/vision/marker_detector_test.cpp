@@ -11,7 +11,7 @@ using namespace nezumi;
 
 namespace {
 
-struct Watch : Watched<MarkerDetector> {
+struct MarkerWatch : Watched<MarkerDetector> {
     using Watched::Watched;
     Pose3D pos() { return value<Pose3D>("pos"); }
     std::vector<SeenMarker> markers() { return value<std::vector<SeenMarker>>("markers"); }
@@ -20,7 +20,7 @@ struct Watch : Watched<MarkerDetector> {
 }  // namespace
 
 TEST_CASE("what a picture shows is published after the camera's and the detector's latency", "[vision][detector]") {
-    Watch watch(one_marker(), {{"latency", 0.03}}, {{"latency", 0.05}});
+    MarkerWatch watch(one_marker(), {{"latency", 0.03}}, {{"latency", 0.05}});
     watch.run(8);  // ticks 0 to 7: exposed in tick 0, published in tick 5, looked at from then on
     CHECK(watch.port("pos").count() == 0);
     CHECK(watch.port("visible").count() == 0);
@@ -33,7 +33,7 @@ TEST_CASE("what a picture shows is published after the camera's and the detector
 }
 
 TEST_CASE("a picture and its intrinsics are stamped with the time of its exposure", "[vision][camera]") {
-    Watch watch(one_marker(), {}, {{"latency", 0.05}, {"frame_rate", 10.0}});
+    MarkerWatch watch(one_marker(), {}, {{"latency", 0.05}, {"frame_rate", 10.0}});
     watch.run(10);  // a tick before the second exposure
     const Component& eye = *watch.system.find("eye");
     CHECK(eye.find_out_port("out")->count() == 1);
@@ -45,7 +45,7 @@ TEST_CASE("a picture and its intrinsics are stamped with the time of its exposur
 }
 
 TEST_CASE("a picture is not copied on its way to a detector", "[vision][camera][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     const auto& out = dynamic_cast<const OutPort<CameraImage>&>(*watch.system.find("eye")->find_out_port("out"));
     const auto& in = dynamic_cast<const InPort<CameraImage>&>(*watch.detector().find_in_port("image"));
     for (std::uint64_t pictures = 1; pictures < 4; ++pictures) {
@@ -56,26 +56,26 @@ TEST_CASE("a picture is not copied on its way to a detector", "[vision][camera][
 }
 
 TEST_CASE("without latency everything comes in the tick of the picture", "[vision][detector]") {
-    Watch watch(one_marker(), {{"latency", 0.0}}, {{"latency", 0.0}});
+    MarkerWatch watch(one_marker(), {{"latency", 0.0}}, {{"latency", 0.0}});
     watch.run(1);
     CHECK(watch.port("pos").count() == 1);
 }
 
 TEST_CASE("thirty pictures a second make thirty positions a second", "[vision][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     watch.run(205);
     CHECK(std::abs(static_cast<int>(watch.port("pos").count()) - 60) <= 1);
 }
 
 TEST_CASE("a detector that is slower than the camera passes pictures over", "[vision][detector]") {
-    Watch watch(one_marker(), {{"latency", 0.1}});
+    MarkerWatch watch(one_marker(), {{"latency", 0.1}});
     watch.run(205);
     CHECK(watch.port("visible").count() >= 18);
     CHECK(watch.port("visible").count() <= 20);
 }
 
 TEST_CASE("when the marker disappears, positions stop and visible says so", "[vision][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     watch.run(50);
     CHECK(watch.visible());
     REQUIRE(watch.system.world()->move_marker("target", {{0, 0, -10}, {}}));
@@ -89,19 +89,19 @@ TEST_CASE("when the marker disappears, positions stop and visible says so", "[vi
 }
 
 TEST_CASE("a picture brings its camera's intrinsics along; otherwise the detector's own count", "[vision][detector]") {
-    Watch wide(one_marker({0.6, 0, 0.1}), {}, {{"field_of_view", 1.6}, {"width", std::int64_t{800}}});
+    MarkerWatch wide(one_marker({0.6, 0, 0.1}), {}, {{"field_of_view", 1.6}, {"width", std::int64_t{800}}});
     wide.run(20);
     CHECK(wide.pos().position.x == Approx(0.6).margin(0.01));
     const auto told = std::get<CameraIntrinsics>(wide.detector().find_in_port("intrinsics")->value());
     CHECK(told.width == 800);
     CHECK(told == pinhole(800, 480, 1.6));
 
-    Watch given(one_marker({0.6, 0, 0.1}), {{"fx", 2 * pinhole(640, 480, field_of_view).fx}});
+    MarkerWatch given(one_marker({0.6, 0, 0.1}), {{"fx", 2 * pinhole(640, 480, field_of_view).fx}});
     given.run(20);
     CHECK(given.pos().position.x == Approx(1.2).margin(0.02));
 
     const auto world = world_with(one_marker({0.6, 0, 0.1}));
-    Watch apart(one_marker({0.6, 0, 0.1}), {{"field_of_view", 1.6}}, {}, false);
+    MarkerWatch apart(one_marker({0.6, 0, 0.1}), {{"field_of_view", 1.6}}, {}, false);
     apart.show(picture_of(*world, {.field_of_view = 1.6}));
     apart.run(5);
     CHECK(apart.pos().position.x == Approx(0.6).margin(0.01));
@@ -112,7 +112,7 @@ TEST_CASE("each of the detector's own intrinsics counts, and those that are 0 fo
     const CameraIntrinsics c = pinhole(640, 480, field_of_view);
     const auto seen = [&](ParameterValues values) {
         values.emplace("fx", c.fx);
-        Watch watch(one_marker({0.6, 0.1, 0.15}), values);
+        MarkerWatch watch(one_marker({0.6, 0.1, 0.15}), values);
         watch.run(20);
         REQUIRE(watch.visible());
         return watch.pos().position;
@@ -129,7 +129,7 @@ TEST_CASE("each of the detector's own intrinsics counts, and those that are 0 fo
 }
 
 TEST_CASE("a detector's parameters are taken within their bounds and refused beyond", "[vision][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     for (const auto& [name, low, high] : {std::tuple{"tag_size", 0.001, 100.0},
                                           {"latency", 0.0, 10.0},
                                           {"yaw_from", 0.0, 10000.0},
@@ -150,7 +150,7 @@ TEST_CASE("a detector's parameters are taken within their bounds and refused bey
 }
 
 TEST_CASE("intrinsics that change while it runs are those of the pictures from then on", "[vision][detector]") {
-    Watch watch(one_marker({0.6, 0, 0.1}));
+    MarkerWatch watch(one_marker({0.6, 0, 0.1}));
     watch.run(20);
     REQUIRE(watch.system.find("eye")->parameters().set("field_of_view", 1.6));
     watch.run(20);
@@ -161,14 +161,14 @@ TEST_CASE("intrinsics that change while it runs are those of the pictures from t
 TEST_CASE("what a lens distorts is found where it is", "[vision][detector]") {
     const Point3D at{0.7, 0.25, 0.22};
     const ParameterValues barrel{{"k1", -0.3}, {"k2", 0.1}, {"p1", 0.005}, {"p2", -0.005}};
-    Watch watch(one_marker(at), {}, barrel);
+    MarkerWatch watch(one_marker(at), {}, barrel);
     watch.run(20);
     REQUIRE(watch.visible());
     CHECK(watch.pos().position.x == Approx(at.x).margin(0.007));
     CHECK(watch.pos().position.y == Approx(at.y).margin(0.003));
     CHECK(watch.pos().position.z == Approx(at.z - 0.1).margin(0.003));
     // Taken for a pinhole's, the same picture tells another place.
-    Watch blind(one_marker(at), {{"fx", pinhole(640, 480, field_of_view).fx}}, barrel);
+    MarkerWatch blind(one_marker(at), {{"fx", pinhole(640, 480, field_of_view).fx}}, barrel);
     blind.run(20);
     REQUIRE(blind.visible());
     CHECK(std::abs(blind.pos().position.x - at.x) > 0.01);
@@ -177,8 +177,8 @@ TEST_CASE("what a lens distorts is found where it is", "[vision][detector]") {
 TEST_CASE("a lens' distortion is taken out where that is asked for, and measured focal lengths are the camera's",
           "[vision][camera]") {
     const Point3D at{0.7, 0.2, 0.2};
-    Watch watch(one_marker(at), {},
-                {{"k1", -0.3}, {"k2", 0.1}, {"undistort", true}, {"fx", 500.0}, {"fy", 505.0}, {"cx", 330.0}});
+    MarkerWatch watch(one_marker(at), {},
+                      {{"k1", -0.3}, {"k2", 0.1}, {"undistort", true}, {"fx", 500.0}, {"fy", 505.0}, {"cx", 330.0}});
     watch.run(20);
     const auto& seen = static_cast<const OutPort<CameraIntrinsics>&>(
         *std::as_const(*watch.system.find("eye")).find_out_port("intrinsics"));
@@ -189,7 +189,7 @@ TEST_CASE("a lens' distortion is taken out where that is asked for, and measured
 }
 
 TEST_CASE("a picture of another size than its intrinsics' is told, and nothing is seen in it", "[vision][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     watch.run(20);
     REQUIRE(watch.system.disconnect("eye.out", "detector.image"));
     watch.show(picture_of(*watch.system.world(), {.width = 320, .height = 240, .field_of_view = field_of_view}));
@@ -200,7 +200,7 @@ TEST_CASE("a picture of another size than its intrinsics' is told, and nothing i
 }
 
 TEST_CASE("a camera whose distortion folds its picture over says so", "[vision][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     REQUIRE(watch.system.find("eye")->parameters().set("k1", -1.5));
     watch.run(2);
     CHECK(watch.system.find("eye")->state() == LifeState::error);
@@ -210,17 +210,17 @@ TEST_CASE("a camera whose distortion folds its picture over says so", "[vision][
 }
 
 TEST_CASE("a small marker has no orientation", "[vision][detector]") {
-    Watch far_off(one_marker({2.5, 0, 0.1}, M_PI + 0.5));
+    MarkerWatch far_off(one_marker({2.5, 0, 0.1}, M_PI + 0.5));
     far_off.run(20);
     REQUIRE(far_off.visible());
     CHECK(far_off.pos().orientation == Orientation3D{});
-    Watch near_by(one_marker({0.6, 0, 0.1}, M_PI + 0.5));
+    MarkerWatch near_by(one_marker({0.6, 0, 0.1}, M_PI + 0.5));
     near_by.run(20);
     CHECK(near_by.pos().orientation.y == Approx(0.5).margin(0.03));
 }
 
 TEST_CASE("a marker that is not the one looked for is not seen", "[vision][detector]") {
-    Watch watch(one_marker(), {{"id", std::int64_t{8}}});
+    MarkerWatch watch(one_marker(), {{"id", std::int64_t{8}}});
     watch.run(20);
     CHECK_FALSE(watch.visible());
     CHECK(watch.port("visible").count() > 0);
@@ -233,7 +233,7 @@ TEST_CASE("all markers in sight come at once, the nearest first", "[vision][dete
     for (int i = 0; i < 3; ++i) {
         arena.markers.push_back({.name = "marker" + std::to_string(i), .id = i, .at = places[i], .facing = M_PI});
     }
-    Watch watch(arena);
+    MarkerWatch watch(arena);
     watch.run(20);
     const auto seen = watch.markers();
     REQUIRE(seen.size() == 3);
@@ -258,7 +258,7 @@ TEST_CASE("all markers in sight come at once, the nearest first", "[vision][dete
 TEST_CASE("two markers of one number are two", "[vision][detector]") {
     ArenaSpec arena = one_marker({1, 0.2, 0.1});
     arena.markers.push_back({.name = "its twin", .id = 7, .at = {0.9, -0.2, 0.1}, .facing = M_PI});
-    Watch watch(arena, {{"id", std::int64_t{7}}});
+    MarkerWatch watch(arena, {{"id", std::int64_t{7}}});
     watch.run(20);
     REQUIRE(watch.markers().size() == 2);
     CHECK(watch.markers()[0].pose.position.y == Approx(-0.2).margin(0.01));
@@ -266,7 +266,7 @@ TEST_CASE("two markers of one number are two", "[vision][detector]") {
 }
 
 TEST_CASE("while no marker is in sight there are none of them, once for each picture", "[vision][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     watch.run(50);
     CHECK(watch.markers().size() == 1);
     REQUIRE(watch.system.world()->move_marker("target", {{0, 0, -10}, {}}));
@@ -277,7 +277,7 @@ TEST_CASE("while no marker is in sight there are none of them, once for each pic
 }
 
 TEST_CASE("a broken picture is said once, and nothing is seen in it", "[vision][detector]") {
-    Watch watch(one_marker(), {}, {}, false);
+    MarkerWatch watch(one_marker(), {}, {}, false);
     const CameraImage good = picture_of(*watch.system.world());
     CameraImage torn = good;
     torn.pixels.resize(1000);
@@ -300,7 +300,7 @@ TEST_CASE("a broken picture is said once, and nothing is seen in it", "[vision][
 
 TEST_CASE("the same run has the same trace, also with noise", "[vision][detector]") {
     const auto trace = [](double noise) {
-        Watch watch(one_marker(), {}, {{"noise", noise}});
+        MarkerWatch watch(one_marker(), {}, {{"noise", noise}});
         watch.run(60);
         return watch.hash.value();
     };
@@ -309,7 +309,7 @@ TEST_CASE("the same run has the same trace, also with noise", "[vision][detector
 }
 
 TEST_CASE("a detector that is stopped forgets the picture it was looking at", "[vision][detector]") {
-    Watch watch(one_marker());
+    MarkerWatch watch(one_marker());
     watch.run(3);  // the first picture has just arrived
     REQUIRE(watch.detector().deactivate(watch.system.now()));
     watch.run(20);
