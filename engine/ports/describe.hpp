@@ -21,8 +21,8 @@ template <class S, class T>
 Field(const char*, T S::*, const char*, const char*) -> Field<S, T>;
 
 /// What a structure that crosses a port says of itself: `name`, and a tuple `fields` that lists every member in order.
-/// The structure has them as its own `type_name` and `fields`, or, where its header should not know how files spell it, this
-/// template is specialised for it.
+/// The structure has them as its own `type_name` and `fields`, or, where its header should not know how files spell it,
+/// this template is specialised for it.
 template <class T>
 struct Describe;
 
