@@ -13,20 +13,12 @@
 #include <cstring>
 #include <string>
 
+#include "engine/base/descriptor.hpp"
+
 namespace nezumi {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Descriptor {
-    explicit Descriptor(int opened) : file(opened) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (file >= 0) close(file);
-    }
-    const int file;
-};
 
 std::string_view other_than_file(mode_t mode) {
     switch (mode & S_IFMT) {
@@ -92,7 +84,7 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
     if (const auto what = other_than_file(file); !what.empty()) return expected_a_file(what);
     const Descriptor in(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
-    if (in.file < 0 || fstat(in.file, &status) != 0) return refuse_with(errno);
+    if (!in.is_open() || fstat(in.get(), &status) != 0) return refuse_with(errno);
     if (const auto what = other_than_file(status.st_mode); !what.empty()) return expected_a_file(what);
     const auto too_large = [&] { return refuse(fmt::format("is larger than {} MB", largest >> 20)); };
     if (static_cast<std::uint64_t>(status.st_size) > largest) return too_large();
@@ -100,7 +92,7 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
     text.reserve(static_cast<std::size_t>(status.st_size));
     char buffer[65536];
     for (;;) {
-        const ssize_t count = read(in.file, buffer, sizeof buffer);
+        const ssize_t count = read(in.get(), buffer, sizeof buffer);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return refuse_with(errno);
         if (count == 0) return text;
