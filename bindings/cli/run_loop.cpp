@@ -20,7 +20,7 @@ Pacer::Clock::duration duration_of(double seconds) {
 // The last part of a wait is the pacer's, which sleeps to the point [s].
 constexpr double precise = 0.001;
 // What attendants leave of the time before a tick, for all that comes between their turn and it [s].
-constexpr double margin = 0.0002;
+constexpr double wake_margin = 0.0002;
 
 }  // namespace
 
@@ -125,13 +125,13 @@ void RunLoop::serve_until_due() {
         const double spare = spare_seconds();
         // Ticks that are never in time, or never wait, still let the others have a turn now and then.
         const bool starving = now - served_ > duration_of(more_waits_ ? slice : longest_wait / 2);
-        if (spare < 2 * margin && !starving) return;
+        if (spare < 2 * wake_margin && !starving) return;
 
-        serve(now + duration_of(std::clamp(spare - margin, margin, longest_wait)));
+        serve(now + duration_of(std::clamp(spare - wake_margin, wake_margin, longest_wait)));
         if (stands_still()) live_.between_ticks();
         follow_restart();
         if (ended()) return;
-        const double left = spare_seconds() - margin;
+        const double left = spare_seconds() - wake_margin;
         if (more_waits_ && left > 0) continue;
         if (left < precise) return;
         wait_for_files(std::min(left - precise / 2, longest_wait));
