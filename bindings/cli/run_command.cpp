@@ -35,6 +35,7 @@
 #include "bindings/console/put_text.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
+#include "bindings/push/interrupted.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi::cli {
@@ -89,6 +90,7 @@ public:
                                        {"--picture", !options_.picture.empty()}});
             !ok)
             return Unexpected(ok.error());
+        if (auto whole = push::finish_interrupted_push(options_.file); !whole) return Unexpected(whole.error());
         // A replay reads no other file, and knows its system by name.
         auto file = find_system_file(options_.file);
         if (!file && options_.replay.empty()) return Unexpected(file.error());
