@@ -41,14 +41,13 @@ public:
         void (*push)(lua_State* lua);
     };
 
-    /// While it lives, what this thread runs in this state is noted; of the tables the fields count as variables. The
-    /// state must outlive it. Where calls are watched by polling (watchdog.hpp) there is nothing to be seen.
-    explicit LineTrace(lua_State* lua, std::vector<Table> tables = {});
+    /// While it lives, what this thread runs is noted; of the tables the fields count as variables.
+    explicit LineTrace(std::vector<Table> tables = {});
     ~LineTrace();
     LineTrace(const LineTrace&) = delete;
     LineTrace& operator=(const LineTrace&) = delete;
 
-    /// A coroutine that is about to run: if this thread notes lines, its as well.
+    /// A coroutine that is about to run: if this thread notes lines, those of that one.
     static void follow(lua_State* coroutine);
 
     Seen take() { return std::move(seen_); }
@@ -67,7 +66,6 @@ private:
     std::vector<Value> values_in_sight(lua_State* lua, lua_Debug* event) const;
     void end_line(lua_State* lua, lua_Debug* event, int depth, const void* function);
 
-    lua_State* lua_;
     LineTrace* outer_;
     std::vector<Table> tables_;
     Seen seen_;

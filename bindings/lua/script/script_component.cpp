@@ -243,7 +243,7 @@ void ScriptComponent::begin_probation() {
 }
 
 Expected<void> ScriptComponent::execute_traced() {
-    LineTrace trace(script_->lua(), {{"config", push_config_values}, {"state", push_state}});
+    LineTrace trace({{"config", push_config_values}, {"state", push_state}});
     auto ok = script_->call(Hook::on_execute);
     latest_trace_ = trace.take();
     traces_next_ = false;
