@@ -198,8 +198,8 @@ public:
     /// The registry reference of a callback; LUA_REFNIL when it is not defined, LUA_NOREF when there is no such
     /// callback.
     int hook_function(std::string_view name) const;
-    /// Finds and compiles a module; `module_chunk` is then its code, to be run before `end_module`.
-    Expected<void> begin_module(lua_State* L, std::string_view name);
+    /// Finds and compiles a module; `module_chunk` is then its code, to be run before `end_module`, however it ends.
+    Expected<void> begin_module(std::string_view name);
     void end_module();
     const Chunk& module_chunk() const { return module_chunk_; }
 
@@ -207,7 +207,6 @@ private:
     struct LoadingModule {
         std::string name;
         std::string path;
-        int depth;  // of the stack when it was required
     };
 
     Script(const SourceText& source, ScriptContext context);

@@ -282,6 +282,12 @@ function on_execute() out:write(a.double(21)) assert(require "b".twice(2) == 4) 
           "cycle2.lua:1: require 'cycle1': the modules require each other: cycle1 requires cycle2 requires cycle1 "
           "(called from robot_controller.lua:1)");
     CHECK(refusal("pcall(require, 'fails') pcall(require, 'fails') param('x', 1)", context) == "");
+    for (const std::string name : {"fails", "bad", "c", "cycle1"}) {
+        CAPTURE(name);
+        const std::string after = " function on_execute() end";
+        CHECK(refusal("pcall(require, '" + name + "')" + after, context) == "");
+        CHECK(refusal("coroutine.resume(coroutine.create(require), '" + name + "')" + after, context) == "");
+    }
     CHECK(refusal("require 'a'") == "robot_controller.lua:1: require 'a': there are no modules here");
     ScriptRig late("function on_execute() require 'a' end", context);
     late.activate().tick();
