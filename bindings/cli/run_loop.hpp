@@ -16,9 +16,6 @@
 
 namespace nezumi::cli {
 
-/// As a speed: ticks follow each other without waiting.
-inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
-
 /// Something that has its turn between two ticks: the console, its socket, a status line.
 class Attendant {
 public:

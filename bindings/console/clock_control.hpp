@@ -3,12 +3,22 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
 
 namespace nezumi {
+
+/// Of a speed: simulated seconds a second.
+inline constexpr double slowest_speed = 0.001, fastest_speed = 1e6;
+/// As a speed: ticks follow each other without waiting.
+inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
+
+/// The bounds of time, whoever asks: a command line, a console, a browser. Errors say what was expected.
+Expected<double> check_speed(double factor);
+Expected<std::int64_t> check_ticks(double ticks);
 
 /// Implemented by the loop that runs the ticks; called between two ticks, from the thread that runs them. What may not
 /// be done on hardware (`speed`, `step`, `run`, `restart`) the console refuses itself, by `is_hardware`.
@@ -33,7 +43,7 @@ public:
     /// How often `pause`, `resume` and `advance` have been called: another number, and somebody has taken time over.
     virtual std::uint64_t moves() const = 0;
 
-    /// Simulated seconds a second, positive; infinity: as fast as possible.
+    /// As `check_speed` gave it.
     virtual void set_speed(double factor) = 0;
     virtual double speed() const = 0;
 

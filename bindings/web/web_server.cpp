@@ -19,8 +19,6 @@ using Json = nlohmann::ordered_json;
 
 // That wait for an execution.
 constexpr std::size_t most_explained = 64;
-// Steps at once.
-constexpr double most_ticks = 1e12;
 constexpr std::string_view only_real_time = "real robots know only real time: this works in simulation";
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -232,17 +230,20 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
             note("resumes");
             clock_.resume();
             return {};
-        case What::step:
-            if (!(value >= 1 && value <= most_ticks) || value != std::floor(value))
-                return failure(fmt::format("expected a number of ticks, 1 or more, got {}", value));
-            note(fmt::format("steps {} ticks", value));
-            clock_.advance(static_cast<std::int64_t>(value));
+        case What::step: {
+            const auto ticks = check_ticks(value);
+            if (!ticks) return Unexpected(ticks.error());
+            note(fmt::format("steps {} ticks", *ticks));
+            clock_.advance(*ticks);
             return {};
-        case What::speed:
-            if (!(value > 0)) return failure(fmt::format("expected a number above 0, got {}; pause stops time", value));
-            note(fmt::format("sets the speed to {}", value));
-            clock_.set_speed(value);
+        }
+        case What::speed: {
+            const auto speed = check_speed(value);
+            if (!speed) return Unexpected(speed.error());
+            note(fmt::format("sets the speed to {}", *speed));
+            clock_.set_speed(*speed);
             return {};
+        }
         case What::restart: return {};  // is not done here
         case What::quit:
             note("ends the run");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/ports/payload.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
@@ -216,7 +217,8 @@ Expected<ActResult> perform(System& system, const Disturb& act, const Actor& /*w
     const auto robot = handled_robot(system, act.robot);
     if (!robot) return Unexpected(robot.error());
     for (const auto& speed : {act.vx, act.vy, act.va}) {
-        if (speed && !std::isfinite(*speed)) return failure("disturb: a speed is not finite");
+        const std::string problem = speed ? check_number(*speed, {}, "") : "";
+        if (!problem.empty()) return failure("disturb: a speed: " + problem);
     }
     robot->world->disturb(robot->id, {.vx = act.vx, .vy = act.vy, .va = act.va});
     return ActResult{};
