@@ -92,14 +92,15 @@ Json write_parameter(const ParameterValue& value) {
 Json write_entry(const Entry& entry) {
     SystemSpec spec;
     spec.entries.push_back(entry);
-    return Json{{"lua", text_to_json(write_system_text(spec, "An entry."))}, {"file", place_of(entry).file}};
+    return Json{{"lua", text_to_json(write_system_text(spec, "An entry."))},
+                {"file", text_to_json(place_of(entry).file)}};
 }
 
 // The same.
 Json write_marker(const MarkerSpec& marker) {
     SystemSpec spec;
     spec.arena.markers.push_back(marker);
-    return Json{{"lua", text_to_json(write_system_text(spec, "A marker."))}, {"file", marker.place.file}};
+    return Json{{"lua", text_to_json(write_system_text(spec, "A marker."))}, {"file", text_to_json(marker.place.file)}};
 }
 
 // Reading. Each returns what is wrong, "" for nothing.
@@ -146,11 +147,13 @@ std::string read_payload(const Json& json, AnyPayload& out, const Project& proje
 // A part of a system, as `write_entry` and `write_marker` have written it; `part` gives what there is of its kind.
 template <class T, class Part>
 std::string read_part(const Json& json, T& out, const Project& project, std::string_view what, const Part& part) {
-    if (!json.is_object() || !json.contains("lua") || !json.contains("file") || !json["file"].is_string())
+    if (!json.is_object() || !json.contains("lua") || !json.contains("file"))
         return expected_in_json(fmt::format("{}'s lua and file", what), json);
     const auto text = text_from_json(json["lua"]);
     if (!text) return text.error().message;
-    auto spec = read_system_text(*text, json["file"].get<std::string>(), project, {.is_part = true});
+    const auto file = text_from_json(json["file"]);
+    if (!file) return file.error().message;
+    auto spec = read_system_text(*text, *file, project, {.is_part = true});
     if (!spec) return describe(spec.error());
     auto& all = part(*spec);
     if (all.size() != 1) return fmt::format("expected {}, got {}", what, all.size());

@@ -51,17 +51,19 @@ Journal::~Journal() {
 void Journal::begin(LiveSystem& live, const std::string& version, bool hardware) {
     live_ = &live;
     Json installed = Json::array();
-    for (const auto& folder : live.options().installed) installed.push_back(folder.string());
+    for (const auto& folder : live.options().installed) installed.push_back(text_to_json(folder.string()));
+    Json set = Json::array();
+    for (const std::string& each : live.options().values.set) set.push_back(text_to_json(each));
     Json first{{"journal", 1},
                {"version", version},
                {"hardware", hardware},
-               {"system", live.file().string()},
-               {"working_folder", files_.working_folder().string()},
+               {"system", text_to_json(live.file().string())},
+               {"working_folder", text_to_json(files_.working_folder().string())},
                {"installed", std::move(installed)},
                {"seed", live.options().build.seed},
                {"seed_wins", live.options().build.seed_wins},
-               {"params", live.options().values.file},
-               {"set", live.options().values.set},
+               {"params", text_to_json(live.options().values.file)},
+               {"set", std::move(set)},
                {"files", files_to_json(files_.take())}};
     add([first = std::move(first)] { return line(first); });
     live.observe_acts(this);
@@ -104,7 +106,10 @@ void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const
     FilesSeen files = files_.take();
     if (!is_journaled(act, result.has_value())) return;
     add([when, act, who, failed = !result, files = std::move(files)] {
-        Json json{{"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act)}};
+        Json json{{"at", at(when)},
+                  {"who", text_to_json(to_text(who))},
+                  {"do", nezumi::name_of(act)},
+                  {"with", to_json(act)}};
         if (failed) json["failed"] = true;
         if (!files.empty()) json["files"] = files_to_json(files);
         return line(json);
@@ -116,7 +121,7 @@ void Journal::ran_out_of_time(const ActTime& when, const std::string& component,
         Json ended{{"component", component},
                    {"call", call.call},
                    {"message", text_to_json(call.error.message)},
-                   {"file", call.error.place.file},
+                   {"file", text_to_json(call.error.place.file)},
                    {"line", call.error.place.line}};
         if (call.left.data) ended["state"] = plain_to_json(*call.left.data);
         if (!call.left.lost.empty()) ended["lost"] = text_to_json(call.left.lost);

@@ -48,10 +48,11 @@ template <class T>
 std::optional<T> field(const Json& json, const char* name) {
     const auto found = json.find(name);
     if (found == json.end()) return std::nullopt;
-    if constexpr (std::is_same_v<T, bool>) {
+    if constexpr (std::is_same_v<T, std::string>) {
+        auto text = text_from_json(*found);
+        return text ? std::optional(std::move(*text)) : std::nullopt;
+    } else if constexpr (std::is_same_v<T, bool>) {
         if (!found->is_boolean()) return std::nullopt;
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        if (!found->is_string()) return std::nullopt;
     } else if (!found->is_number_integer()) {
         return std::nullopt;
     }
@@ -124,16 +125,18 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
     if (!system || !working || !seed || !seed_wins || !files || installed == json.end() || !installed->is_array())
         return wrong(1, "expected system, working_folder, installed, seed, seed_wins and files");
     for (const Json& folder : *installed) {
-        if (!folder.is_string()) return wrong(1, "'installed' must be a list of folders");
-        installed_.emplace_back(folder.get<std::string>());
+        auto path = text_from_json(folder);
+        if (!path) return wrong(1, "'installed' must be a list of folders");
+        installed_.emplace_back(std::move(*path));
     }
     // A journal need not have them: none were given.
     values_.file = field<std::string>(json, "params").value_or("");
     if (const auto set = json.find("set"); set != json.end()) {
         if (!set->is_array()) return wrong(1, "'set' must be a list of texts");
         for (const Json& each : *set) {
-            if (!each.is_string()) return wrong(1, "'set' must be a list of texts");
-            values_.set.emplace_back(each.get<std::string>());
+            auto text = text_from_json(each);
+            if (!text) return wrong(1, "'set' must be a list of texts");
+            values_.set.emplace_back(std::move(*text));
         }
     }
     system_ = *system;
