@@ -272,7 +272,7 @@ void SystemNetwork::open_topics(const std::vector<Ends>& present) {
         if (outlets_.contains(path) || !port) continue;
         const auto& out = static_cast<const OutPortBase&>(**port);
         if (auto writer = transport_.write(topic_of(settings_.name, path, out.type()))) {
-            outlets_.try_emplace(path, out, std::move(writer), numbers_[path]);
+            outlets_.try_emplace(path, system_, out, std::move(writer), numbers_[path]);
         } else {
             tell_problem(path);
         }

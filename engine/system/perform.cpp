@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/ports/payload.hpp"
+#include "engine/system/published.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
@@ -90,6 +91,23 @@ Expected<HandledRobot> handled_robot(System& system, const std::string& name) {
     if (!seen) return Unexpected(seen.error());
     World* world = seen->robot->is_real() ? system.rig()->world.get() : system.world();
     return HandledRobot{seen->robot, world, seen->id};
+}
+
+// Robots of other hosts and of ROS: zero is sent to those that this system drives.
+void tell_robots_elsewhere(const System& system) {
+    for (const ConnectionSpec& each : system.connections()) {
+        const auto from = system.port(each.from);
+        const auto to = system.port(each.to);
+        if (!is_remote(each.to) || !from || !to) continue;
+        if (!commands_robots(system, static_cast<const OutPortBase&>(**from))) continue;
+        const std::string& missing = (*to)->note();
+        if (missing.empty()) {
+            system.log(LogLevel::warn, fmt::format("emergency stop: {} is sent zero until rearm()", each.to));
+        } else {
+            system.log(LogLevel::warn,
+                       fmt::format("the emergency stop does not reach {}: {}: stop it there", each.to, missing));
+        }
+    }
 }
 
 }  // namespace
@@ -254,6 +272,7 @@ Expected<ActResult> perform(System& system, const Command& act, const Actor& /*w
 Expected<ActResult> perform(System& system, const Stop& /*act*/, const Actor& who) {
     system.emergency_stop();
     system.log(LogLevel::warn, fmt::format("emergency stop ({}): rearm() lets the robots drive again", to_text(who)));
+    tell_robots_elsewhere(system);
     return ActResult{};
 }
 
