@@ -18,8 +18,8 @@ public:
           asker_(std::make_unique<Asker>(orb_.in(), options.nameserver)),
           keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)) {}
     ~OmniOrb() override {
+        keeper_.reset();  // first: robots are told to stop
         asker_.reset();
-        keeper_.reset();
         try {
             orb_->destroy();  // waits for calls that are under way: none lasts longer than a second
         } catch (const CORBA::Exception&) {
@@ -36,6 +36,7 @@ public:
         return asker_->ask(std::move(question), tell);
     }
     WantedOrders wanted(std::string_view path) override { return keeper_->wanted(path); }
+    bool is_made(const RtcLink& link) override { return keeper_->is_made(link); }
     void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) override {
         keeper_->publish(path, bytes, order);
     }
