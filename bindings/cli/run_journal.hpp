@@ -32,6 +32,11 @@ public:
     Expected<void> finish(bool of_given_length, std::uint64_t hash);
     /// The same for a run that ended by an error.
     void give_up(const std::string& why);
+    /// `Journal::is_behind`, and its `give_up`.
+    bool is_behind() const { return journal_ && journal_->is_behind(); }
+    void give_up_file() {
+        if (journal_) journal_->give_up();
+    }
 
     bool serve(Pacer::Clock::time_point until) override;
 

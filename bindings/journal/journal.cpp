@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
@@ -126,7 +125,7 @@ void Journal::ran_out_of_time(const ActTime& when, const std::string& component,
 
 void Journal::fail_with(int problem) {
     if (problem == 0 || error_) return;
-    error_ = Error{fmt::format("the journal can't be written: {}", std::strerror(problem)), {name_}};
+    error_ = Error{fmt::format("the journal can't be written: {}", why_not_written(problem)), {name_}};
 }
 
 void Journal::flush() {

@@ -61,6 +61,10 @@ public:
     void end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash);
     /// What kept it from being written, once something did.
     const std::optional<Error>& error() const { return error_; }
+    /// The file takes less than comes: a run that follows no clock should wait.
+    bool is_behind() const { return writer_.is_behind(); }
+    /// What is not written yet is not: `end` returns soon, with an error. From any thread.
+    void give_up() { writer_.give_up(); }
 
     void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) override;
     void ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) override;
