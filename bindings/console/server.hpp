@@ -59,6 +59,8 @@ public:
     void after_tick();
     /// A command of a `Use::batch` has begun and is not answered.
     bool batch_works() const;
+    /// A client of `Use::batch` takes less than is said.
+    bool is_behind() { return transport_.is_behind(); }
     /// Readable when something has come that `serve` should deal with.
     int file() const { return transport_.file(); }
 
