@@ -8,12 +8,50 @@
 #include <unistd.h>
 
 #include <array>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <mutex>
+#include <thread>
 #include <utility>
 
+#include "engine/base/mutex.hpp"
+
 namespace nezumi::hw {
+namespace {
+
+// Who ends the program at once knows no robots.
+struct AllGuards {
+    Mutex mutex;
+    std::vector<Guard*> guards;
+};
+AllGuards& all_guards() {
+    static AllGuards the;
+    return the;
+}
+
+}  // namespace
+
+Guard::Guard(Lease lease, int socket, pid_t process) : lease_(std::move(lease)), socket_(socket), process_(process) {
+    const std::lock_guard lock(all_guards().mutex);
+    all_guards().guards.push_back(this);
+}
+
+void Guard::brake_all() {
+    const auto end = std::chrono::steady_clock::now() + longest_braking;
+    const std::lock_guard lock(all_guards().mutex);
+    std::vector<std::pair<const Guard*, int>> braking;
+    for (Guard* guard : all_guards().guards) {
+        braking.emplace_back(guard, guard->stops_);
+        guard->say(GuardMessage::brake);
+    }
+    const auto has_stopped = [](const auto& each) {
+        return each.first->has_ended_ || each.first->stops_ != each.second;
+    };
+    while (!std::all_of(braking.begin(), braking.end(), has_stopped) && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
 
 Expected<std::unique_ptr<Guard>> Guard::start(const DevicePath& lease, std::vector<StopWrite> stop_writes) {
     const bool is_real = lease.files().are_real();
@@ -35,6 +73,10 @@ Expected<std::unique_ptr<Guard>> Guard::start(const DevicePath& lease, std::vect
 }
 
 Guard::~Guard() {
+    {
+        const std::lock_guard lock(all_guards().mutex);
+        std::erase(all_guards().guards, this);
+    }
     close(socket_);
     kill(process_, SIGCONT);  // it may have been stopped
     // One that hangs in the kernel is left behind.
@@ -78,6 +120,7 @@ bool Guard::has_stopped() {
             if (messages[i] == GuardMessage::stopped) stopped = true;
             asked_at_ = 0;
         }
+        if (stopped) ++stops_;
     }
 }
 

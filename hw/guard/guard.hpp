@@ -3,6 +3,8 @@
 
 #include <sys/types.h>
 
+#include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,12 +40,16 @@ public:
     bool has_ended() const { return has_ended_; }
     /// It does not answer beats. It may again.
     bool is_late(double now) const { return asked_at_ > 0 && now - asked_at_ > beat_timeout; }
+    /// All guards of this process stop their motors now. Waits until they have said so, `longest_braking` at most. From
+    /// any thread, whatever the others are in the middle of: for a program that is about to end.
+    static void brake_all();
+    static constexpr std::chrono::milliseconds longest_braking{300};
     /// Has something to read, or is at its end, when the guard has.
     int file() const { return socket_; }
     pid_t process() const { return process_; }
 
 private:
-    Guard(Lease lease, int socket, pid_t process) : lease_(std::move(lease)), socket_(socket), process_(process) {}
+    Guard(Lease lease, int socket, pid_t process);
     void say(GuardMessage message);
 
     // Beats that follow each other faster [s] say nothing new.
@@ -52,7 +58,8 @@ private:
     Lease lease_;
     int socket_;
     pid_t process_;
-    bool has_ended_ = false;
+    std::atomic<bool> has_ended_ = false;
+    std::atomic<int> stops_ = 0;  // that it has told of
     bool beats_ = false;
     double beat_at_ = 0;   // [s] the last one
     double asked_at_ = 0;  // [s] the first one that has no answer yet; 0: none

@@ -111,7 +111,12 @@ void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> st
             std::array<GuardMessage, 64> messages{};
             const ssize_t count = recv(socket, messages.data(), messages.size(), MSG_DONTWAIT);
             if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) break;
-            if (count > 0) {
+            const auto* const end = messages.data() + std::max<ssize_t>(count, 0);
+            if (std::find<const GuardMessage*>(messages.data(), end, GuardMessage::brake) != end) {
+                write_stops(stop_writes, socket);
+                awaits_beat = false;
+                say(socket, GuardMessage::stopped);
+            } else if (count > 0) {
                 awaits_beat = messages[static_cast<std::size_t>(count) - 1] == GuardMessage::beat;
                 beat_at = clock_seconds();
                 say(socket, GuardMessage::beat);

@@ -18,7 +18,8 @@ struct StopWrite {
 enum class GuardMessage : char {
     beat = 'b',     ///< engine: the motors have power and I am alive. Guard, as its answer to any message: so am I
     rest = 'r',     ///< engine: the motors have no power; there may be no beats now
-    stopped = 's',  ///< guard: no beat came in time, the motors are stopped
+    brake = 'k',    ///< engine: stop the motors now, I am about to end
+    stopped = 's',  ///< guard: no beat came in time, or I was to brake: the motors are stopped
 };
 
 /// For how long [s] the guard waits for a beat, and the engine for its answer.
