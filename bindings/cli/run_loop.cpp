@@ -92,6 +92,10 @@ void RunLoop::run() {
             wait_for_hosts();
             continue;
         }
+        if (pacer_ == nullptr && behind_ && behind_()) {
+            wait_for_files(slice, true);
+            continue;
+        }
         for (const auto& action : before_tick_) action();
         follow_restart();
         if (ended()) return;

@@ -62,6 +62,10 @@ public:
     /// end.
     void end_waits_while(std::function<bool()> works) { works_ = std::move(works); }
 
+    /// While this holds, a run that follows no clock takes no tick: what it writes to takes less than comes. One that
+    /// follows the clock goes on.
+    void wait_while(std::function<bool()> behind) { behind_ = std::move(behind); }
+
     /// Runs until the end: `quit`, `end_when`, `end_at`, or an error that the system can't go on after.
     void run();
     /// Runs one tick, as `run` does, whenever it is due: for those who have a loop of their own.
@@ -111,6 +115,7 @@ private:
     Options options_;
     double end_at_ = as_fast_as_possible;
     std::function<bool()> works_;
+    std::function<bool()> behind_;
     const volatile std::sig_atomic_t* end_ = nullptr;
     std::vector<Attendant*> attendants_;
     std::vector<std::function<void()>> before_tick_;

@@ -179,7 +179,10 @@ HttpReply Hub::reply_to(const HttpRequest& request) {
 Admission Hub::lets_in(const HttpRequest& request) {
     Admission admission = access_.check(request);
     const std::lock_guard lock(mutex_);
-    if (admission.refused == 0 && (goodbye_ || clients_.size() >= most_clients)) admission.refused = unavailable;
+    const auto viewers = static_cast<std::size_t>(
+        std::count_if(clients_.begin(), clients_.end(), [](const auto& each) { return each.second.view_only; }));
+    const bool is_full = clients_.size() >= most_clients || (admission.view_only && viewers >= most_viewers);
+    if (admission.refused == 0 && (goodbye_ || is_full)) admission.refused = unavailable;
     return admission;
 }
 

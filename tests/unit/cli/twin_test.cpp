@@ -98,7 +98,7 @@ struct Pair {
     std::unique_ptr<System> system;
 };
 
-std::string refused(const std::string& text) {
+std::string refused_twin(const std::string& text) {
     const Scratch scratch;
     const auto file = scratch.write("system.lua", text);
     auto spec = read_system_file(file, Project::of(file, {source_root()}), {});
@@ -230,9 +230,9 @@ TEST_CASE("a twin has the sensors of its model, and no in-port that could comman
 }
 
 TEST_CASE("twins that can't be are refused", "[cli][hw][twin]") {
-    CHECK(refused("robot 'mouse' { model = 'raspimouse', backend = 'sim' }\n") ==
+    CHECK(refused_twin("robot 'mouse' { model = 'raspimouse', backend = 'sim' }\n") ==
           "--twin: system.lua has no real robot to simulate beside");
-    CHECK(refused(one_mouse + "robot 'mouse_twin' { model = 'raspimouse', backend = 'sim' }\n") ==
+    CHECK(refused_twin(one_mouse + "robot 'mouse_twin' { model = 'raspimouse', backend = 'sim' }\n") ==
           "--twin: the twin of 'mouse' is called 'mouse_twin': give this one another name");
     const std::string file = "behaviors/systems/stop_at_wall.lua";
     const Outcome without_robot = run_nezumi({"run", file, "--twin"});
