@@ -10,8 +10,8 @@
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/remote.hpp"
-#include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/test_plan.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi::cli {
 namespace {

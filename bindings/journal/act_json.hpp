@@ -4,8 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "bindings/lua/project/project.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/act.hpp"
 
 namespace nezumi {

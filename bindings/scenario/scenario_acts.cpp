@@ -10,12 +10,12 @@
 #include "bindings/lua/files/read_options.hpp"
 #include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
-#include "bindings/lua/project/writable_folder.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
 #include "engine/ports/usage.hpp"
+#include "engine/project/writable_folder.hpp"
 #include "engine/robot/robot.hpp"
 
 namespace nezumi {

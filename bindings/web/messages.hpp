@@ -7,10 +7,10 @@
 #include <string_view>
 #include <variant>
 
-#include "bindings/lua/project/project.hpp"
 #include "bindings/web/changes.hpp"
 #include "engine/base/error.hpp"
 #include "engine/ports/messages.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/act.hpp"
 
 namespace nezumi::web {

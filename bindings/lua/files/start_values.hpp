@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/project/project.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {

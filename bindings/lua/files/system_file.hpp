@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/project/project.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {

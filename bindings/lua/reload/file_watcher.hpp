@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/lua/project/script_source.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/project/script_source.hpp"
 
 namespace nezumi {
 

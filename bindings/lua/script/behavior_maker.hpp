@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "bindings/lua/project/project.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/build_system.hpp"
 
 namespace nezumi {

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
@@ -23,6 +22,7 @@
 #include "bindings/lua/script/tasks.hpp"
 #include "bindings/lua/values/plain_data.hpp"
 #include "engine/components/component.hpp"
+#include "engine/project/script_source.hpp"
 
 namespace nezumi {
 

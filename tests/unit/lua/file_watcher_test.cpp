@@ -13,7 +13,7 @@
 #include <memory>
 #include <thread>
 
-#include "bindings/lua/project/script_source.hpp"
+#include "engine/project/script_source.hpp"
 
 using namespace nezumi;
 

@@ -1,10 +1,10 @@
 // Part by part: a slip in a folder's name does not hide one in the file's.
-#include "bindings/lua/project/near_path.hpp"
+#include "engine/project/near_path.hpp"
 
 #include <vector>
 
-#include "bindings/lua/project/project_files.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project_files.hpp"
 
 namespace nezumi {
 namespace {

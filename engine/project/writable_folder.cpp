@@ -1,5 +1,5 @@
 // Paths are compared without their links, which may lead out of the project.
-#include "bindings/lua/project/writable_folder.hpp"
+#include "engine/project/writable_folder.hpp"
 
 #include <fmt/format.h>
 

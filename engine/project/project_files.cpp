@@ -1,5 +1,5 @@
 // The disk, and notes of what was found.
-#include "bindings/lua/project/project_files.hpp"
+#include "engine/project/project_files.hpp"
 
 #include <algorithm>
 #include <system_error>

@@ -1,5 +1,5 @@
 // Looks for files, in the order that the places are documented.
-#include "bindings/lua/project/project.hpp"
+#include "engine/project/project.hpp"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/project/project_files.hpp"
-#include "bindings/lua/project/script_source.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project_files.hpp"
+#include "engine/project/script_source.hpp"
 
 namespace nezumi {
 

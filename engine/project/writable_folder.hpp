@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "bindings/lua/project/project.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi {
 

@@ -1,11 +1,11 @@
 // Reads files of scripts, and names types by them.
-#include "bindings/lua/project/script_source.hpp"
+#include "engine/project/script_source.hpp"
 
 #include <cctype>
 #include <utility>
 
-#include "bindings/lua/project/project.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi {
 namespace {
