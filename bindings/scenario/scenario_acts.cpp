@@ -110,7 +110,7 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
 int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_component(lua, 2);
     if (!at) return raise(run, at.error().message);
-    const auto* script = dynamic_cast<const ScriptComponent*>(at->component);
+    const ScriptFile* script = at->component->script_file();
     if (script == nullptr)
         return raise(run, fmt::format("{} has no script: only behaviours reload", at->component->name()));
     ReloadOptions source;
@@ -118,8 +118,7 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
         return raise(run, ok.error().message);
     if (source.file.has_value() == source.text.has_value())
         return raise(run, "expected { file = \"NAME\" } or { text = \"...\" }");
-    Reload reload{
-        .component = at->component->name(), .shown = script->script().file().shown, .text = source.text.value_or("")};
+    Reload reload{.component = at->component->name(), .shown = script->shown, .text = source.text.value_or("")};
     Expected<ActResult> report = failure("");
     bool readable = true;
     if (source.file) {

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/sandbox/line_trace.hpp"
-#include "bindings/lua/script/script_component.hpp"
+#include "engine/components/inside.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi {
@@ -17,13 +16,6 @@ struct Explanation {
         std::string value;                 ///< "" when nothing came yet
         std::vector<std::string> peers{};  ///< the ports that it is connected to
         std::string override{};            ///< "held", "dropped", "frozen", or ""
-    };
-    struct Line {
-        std::string file;
-        int line = 0;
-        int depth = 0;
-        std::string text;                        ///< of the file; "" where it is not known any more
-        std::vector<LineTrace::Value> values{};  ///< of the variables that it names, once it had run
     };
     /// A robot that hears it, or that it hears.
     struct OfRobot {
@@ -40,14 +32,13 @@ struct Explanation {
     std::int64_t tick = 0;
     double seconds = 0;
     std::vector<PortValue> inputs{}, outputs{};
-    std::vector<Line> lines{};
-    bool is_cut = false;
+    TracedLines traced{};
     std::vector<OfRobot> robots{};
 };
 
 /// Of the execution that was traced last; the ports are as they are now, so that it is to be asked for between that
 /// tick and the next.
-Explanation explain(const System& system, const ScriptComponent& component);
+Explanation explain(const System& system, const Component& component);
 
 /// For people: "in <- mouse.ir_sensor_out: { 31, 0, 0, 0 }", "counter.lua:9  local near = 3  near = 31", ...
 std::string to_text(const Explanation& explanation);

@@ -15,10 +15,10 @@
 namespace nezumi {
 namespace {
 
-Expected<ScriptComponent*> script_named(System& system, std::string_view name) {
+Expected<const Component*> behavior_named(System& system, std::string_view name) {
     const auto component = system.component(name);
     if (!component) return Unexpected(component.error());
-    if (auto* script = dynamic_cast<ScriptComponent*>(*component)) return script;
+    if ((*component)->script_file() != nullptr) return *component;
     return failure(fmt::format("{} has no script: only behaviours reload", name));
 }
 
@@ -60,10 +60,10 @@ Expected<ActResult> LiveSystem::perform(const Reload& act, const Actor& /*who*/)
     if (!act.files.empty()) {
         report = reloader.reload_files(act.files);
     } else {
-        auto script = script_named(*running_->system, act.component);
-        if (!script) return Unexpected(script.error());
-        const ScriptFile& file = (*script)->script().file();
-        report = reloader.reload(**script, {file.path, act.shown.empty() ? file.shown : act.shown, act.text});
+        const auto behavior = behavior_named(*running_->system, act.component);
+        if (!behavior) return Unexpected(behavior.error());
+        const ScriptFile& file = *(*behavior)->script_file();
+        report = reloader.reload({file.path, act.shown.empty() ? file.shown : act.shown, act.text});
     }
     if (report) watch_again();
     if (!report && report.error().kind == Error::Kind::out_of_time && options_.build.out_of_time_is_fatal)
@@ -72,9 +72,9 @@ Expected<ActResult> LiveSystem::perform(const Reload& act, const Actor& /*who*/)
 }
 
 Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*/) {
-    auto script = script_named(*running_->system, act.component);
-    if (!script) return Unexpected(script.error());
-    const auto report = running_->reloader->rollback(**script);
+    const auto behavior = behavior_named(*running_->system, act.component);
+    if (!behavior) return Unexpected(behavior.error());
+    const auto report = running_->reloader->rollback(**behavior);
     if (report) watch_again();
     return result_of(report);
 }

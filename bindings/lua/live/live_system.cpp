@@ -205,18 +205,18 @@ Expected<void> LiveSystem::rebuild(SystemSpec spec) {
 Expected<std::int64_t> LiveSystem::explain_next(std::string_view name) {
     const auto component = running_->system->component(name);
     if (!component) return Unexpected(component.error());
-    auto* const script = dynamic_cast<ScriptComponent*>(*component);
-    if (script == nullptr) return failure(fmt::format("{} is no behaviour: it has no lines", name));
-    if (script->state() != LifeState::active)
-        return failure(fmt::format("{} is {}: nothing of it is executed", name, to_text(script->state())));
-    return script->trace_next();
+    if ((*component)->script_file() == nullptr)
+        return failure(fmt::format("{} is no behaviour: it has no lines", name));
+    if ((*component)->state() != LifeState::active)
+        return failure(fmt::format("{} is {}: nothing of it is executed", name, to_text((*component)->state())));
+    return (*component)->trace_next();
 }
 
 Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view name, std::int64_t trace) const {
-    const auto* const script = dynamic_cast<const ScriptComponent*>(system().find(name));
-    if (script == nullptr) return failure(fmt::format("{} is gone", name));
-    if (script->traces() < trace) return std::optional<Explanation>();
-    return std::optional(explain(system(), *script));
+    const Component* const component = system().find(name);
+    if (component == nullptr || component->script_file() == nullptr) return failure(fmt::format("{} is gone", name));
+    if (component->traces() < trace) return std::optional<Explanation>();
+    return std::optional(explain(system(), *component));
 }
 
 void LiveSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "bindings/lua/live/live_system.hpp"
-#include "bindings/lua/script/script_component.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
 #include "engine/ports/payload.hpp"
@@ -156,8 +155,7 @@ std::string port_text(const LiveSystem& live, const Component& component, const 
 
 std::string component_title(const Component& component) {
     std::string text = fmt::format("{}, {}", component.type(), to_text(component.state()));
-    if (dynamic_cast<const ScriptComponent*>(&component) != nullptr)
-        text += fmt::format(", version {}", component.version());
+    if (component.script_file() != nullptr) text += fmt::format(", version {}", component.version());
     if (component.rate > 0) text += fmt::format(", {:.6g} Hz", component.rate);
     if (!component.set_in_use().empty()) text += fmt::format(", set {}", component.set_in_use());
     return text;
@@ -188,21 +186,19 @@ std::string component_text(const LiveSystem& live, const Component& component) {
     for (const auto& port : component.out_ports()) line(*port);
     for (const auto& parameter : component.parameters().all())
         text += fmt::format("\n  config.{} = {}", parameter.spec.name, to_text(parameter.value));
-    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
-        for (const CommandDeclaration& command : script->commands())
-            text += fmt::format("\n  :{}(...)  {}", command.name, first_line(command.doc));
-        for (const Task& task : script->script().tasks().all())
-            text += fmt::format("\n  task {}  {}", task.name, to_text(task, component.now().seconds));
-        for (const Probes::Probe& probe : script->script().probes().all())
-            text += fmt::format("\n  probe {} = {}", probe.name, probe_text(probe.value));
+    for (const CommandDeclaration& command : component.commands())
+        text += fmt::format("\n  :{}(...)  {}", command.name, first_line(command.doc));
+    for (const TaskStatus& task : component.tasks()) {
+        text += fmt::format("\n  task {}  {}", task.name, task.status);
+        if (!task.waiting.empty()) text += fmt::format(": {} (line {})", task.waiting, task.line);
     }
+    for (const Probe& probe : component.probes())
+        text += fmt::format("\n  probe {} = {}", probe.name, probe_text(probe.value));
     return text;
 }
 
 std::string about_text(const Component& component) {
-    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
-    if (script == nullptr) return "";
-    const ScriptAbout& about = script->script().about();
+    const ComponentAbout about = component.about();
     std::string text;
     const auto add = [&text](std::string_view name, const std::string& value) {
         if (!value.empty()) text += fmt::format("{} {} {}", text.empty() ? "\n  about" : ",", name, first_line(value));

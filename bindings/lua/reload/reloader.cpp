@@ -120,8 +120,8 @@ Expected<void> Reloader::rehearse(const std::vector<Rehearsal>& parts) {
     return {};
 }
 
-Expected<ReloadReport> Reloader::reload(ScriptComponent& component, const SourceText& source) {
-    const std::string file = normal(component.script().file().path);
+Expected<ReloadReport> Reloader::reload(const SourceText& source) {
+    const std::string file = normal(source.path);
     std::vector<Change> changes;
     for (ScriptComponent* other : scripts()) {
         if (normal(other->script().file().path) == file) changes.emplace_back(other, source);
@@ -218,8 +218,8 @@ void Reloader::connect_again(ReloadReport& report) {
 std::vector<Reloader::Group> Reloader::groups_of(const ReloadReport& report) const {
     std::vector<Group> groups;
     for (const std::string& name : report.components) {
-        const auto& component = dynamic_cast<const ScriptComponent&>(*system_.find(name));
-        const std::string& file = component.script().file().shown;
+        const Component& component = *system_.find(name);
+        const std::string& file = component.script_file()->shown;
         auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
             return known.version == component.version() && known.file == file;
         });
@@ -240,9 +240,8 @@ void Reloader::finish(const ReloadReport& report, std::string_view what) {
 ReloadReport Reloader::go_back(int reload, bool keep_settings) {
     ReloadReport report;
     for (ScriptComponent* component : scripts()) {
-        const ScriptComponent::Version* before = component->version_before();
-        if (before == nullptr || before->replaced_by != reload) continue;
-        let_ports_go(*component, *before, report);
+        if (component->last_reload() != reload) continue;
+        let_ports_go(*component, *component->version_before(), report);
         component->go_back(keep_settings);
         watch_probation(*component);
         report.components.push_back(component->name());
@@ -252,13 +251,12 @@ ReloadReport Reloader::go_back(int reload, bool keep_settings) {
     return report;
 }
 
-Expected<ReloadReport> Reloader::rollback(ScriptComponent& component) {
-    const ScriptComponent::Version* before = component.version_before();
-    if (before == nullptr) {
+Expected<ReloadReport> Reloader::rollback(const Component& component) {
+    if (component.last_reload() == 0) {
         return failure(fmt::format("{} has no version before this one; still running version {}", component.name(),
                                    component.version()));
     }
-    ReloadReport report = go_back(before->replaced_by, true);
+    ReloadReport report = go_back(component.last_reload(), true);
     finish(report, "rollback");
     for (const std::string& name : report.components) {
         Component* each = system_.find(name);

@@ -29,15 +29,15 @@ public:
 
     /// Reloads every component of these files and every one that requires them, from what the files hold now.
     Expected<ReloadReport> reload_files(const std::vector<std::string>& paths);
-    /// Reloads a component, and the others of its file, from this text.
-    Expected<ReloadReport> reload(ScriptComponent& component, const SourceText& source);
+    /// Reloads the components of a file from this text of it.
+    Expected<ReloadReport> reload(const SourceText& source);
     /// The scripts and modules whose files have changed since they were loaded, or can't be read.
     std::vector<std::string> changed_files() const { return changed(loaded_files(), read_); }
     /// Of these files, those that hold something else now or can't be read. In any thread: who may wait for a file
     /// system that does not answer asks this.
     static std::vector<std::string> changed(const std::vector<ScriptFile>& files, const Reader& read);
     /// Takes a component, and those that came to their version with it, back to the version before, state included.
-    Expected<ReloadReport> rollback(ScriptComponent& component);
+    Expected<ReloadReport> rollback(const Component& component);
 
     /// After every tick: takes back what has failed on probation.
     void after_tick();

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/components/inside.hpp"
+
 namespace nezumi {
 
 class LineTrace {
@@ -19,21 +21,7 @@ public:
     static constexpr std::size_t most_values = 48, longest_value = 60;
     static constexpr int most_fields = 12;
 
-    struct Value {
-        std::string name;
-        std::string text;
-        bool operator==(const Value&) const = default;
-    };
-    struct Line {
-        std::string file;  ///< as messages call it
-        int line = 0;
-        int depth = 0;                ///< calls within the outermost function
-        std::vector<Value> values{};  ///< of the variables in sight once it had run, and of those that ended with it
-    };
-    struct Seen {
-        std::vector<Line> lines{};
-        bool is_cut = false;  ///< there were more
-    };
+    using Value = TracedLines::Value;
 
     /// A table that scripts have by this name; `push` pushes it, raises nothing and takes no memory.
     struct Table {
@@ -51,7 +39,9 @@ public:
     /// A coroutine that is about to run: if this thread notes lines, its as well.
     static void follow(lua_State* coroutine);
 
-    Seen take() { return std::move(seen_); }
+    /// Without their texts. The values are of the variables in sight once a line had run, and of those that ended
+    /// with it.
+    TracedLines take() { return std::move(seen_); }
 
 private:
     // A function that is being called, and its line that runs.
@@ -70,7 +60,7 @@ private:
     lua_State* lua_;
     LineTrace* outer_;
     std::vector<Table> tables_;
-    Seen seen_;
+    TracedLines seen_;
     std::size_t events_ = 0;
     std::vector<Frame> frames_;
 };

@@ -253,7 +253,7 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     if (auto ok = begin_call(); !ok) return Unexpected(ok.error());
     lua_State* L = lua_->lua();
     const int before = lua_gettop(L);
-    const int function = command->function;
+    const int function = command_functions_[static_cast<std::size_t>(command - commands_.begin())];
     auto pushed = protect(L, context_.budget, [&](lua_State* inside) {
         lua_rawgeti(inside, LUA_REGISTRYINDEX, function);
         push_plain(inside, arguments);

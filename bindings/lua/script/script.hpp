@@ -69,14 +69,6 @@ struct PortSlot {
     bool live = false;             ///< it may be read and written: the version is the one that runs
 };
 
-/// `command(...)`.
-struct CommandDeclaration {
-    std::string name;
-    std::string doc;
-    int function = LUA_NOREF;
-    Place place;
-};
-
 /// `about { ... }`.
 struct ScriptAbout {
     std::string version, vendor, category;
@@ -187,7 +179,8 @@ public:
 
     Expected<PortSlot*> declare_port(PortDeclaration declaration);
     Expected<void> declare_parameter(ParameterSpec spec);
-    Expected<void> declare_command(CommandDeclaration declaration);
+    /// `function` is a registry reference.
+    Expected<void> declare_command(CommandDeclaration declaration, int function);
     Expected<void> declare_about(ScriptAbout about);
     Expected<void> declare_task(Task task);
     /// Tasks can be started and cancelled now.
@@ -236,6 +229,7 @@ private:
     std::list<PortDeclaration> ports_;
     std::list<PortSlot> slots_;
     std::vector<CommandDeclaration> commands_;
+    std::vector<int> command_functions_;  // registry references, as `commands_`
     ScriptAbout about_;
     Probes probes_;
     Parameters parameters_;

@@ -180,7 +180,7 @@ function on_execute() end)");
     REQUIRE(results);
     CHECK(results->values == std::vector<PlainData::Value>{number(4), PlainData::TableRef{0}});
     CHECK(results->tables == std::vector<PlainData::Table>{{{Text("total"), number(4)}}});
-    CHECK(rig.component->commands().at(0).doc == "adds");
+    CHECK(rig.component->commands()[0].doc == "adds");
 
     CHECK(describe(rig.component->call_command("say", {.values = {Text("hi")}, .tables = {}}, rig.now).error()) ==
           "robot_controller.lua:5: output 'out': controller is INACTIVE and can't write: activate it first");
