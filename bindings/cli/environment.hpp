@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::cli {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bindings/cli/trajectories.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/world/robot_spec.hpp"
 #include "engine/world/world.hpp"
 

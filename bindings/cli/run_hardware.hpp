@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bindings/cli/run_loop.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/system_spec.hpp"
 #include "hw/device/roots.hpp"
 

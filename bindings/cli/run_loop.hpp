@@ -10,7 +10,7 @@
 
 #include "bindings/cli/problems.hpp"
 #include "bindings/console/clock_control.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/lateness.hpp"
 #include "engine/system/pacer.hpp"
 

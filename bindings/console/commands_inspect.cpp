@@ -6,10 +6,10 @@
 
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/help_text.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/live/live_text.hpp"
 
 namespace nezumi {
 namespace {

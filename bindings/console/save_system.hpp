@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 

@@ -17,9 +17,9 @@
 #include "bindings/console/session.hpp"
 #include "bindings/console/transport.hpp"
 #include "bindings/console/worker.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/log.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 

@@ -10,11 +10,11 @@
 #include "bindings/console/console_commands.hpp"
 #include "bindings/console/input_text.hpp"
 #include "bindings/console/session_parts.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/trimmed.hpp"
+#include "engine/live/live_text.hpp"
 
 namespace nezumi {
 namespace {

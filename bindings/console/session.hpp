@@ -13,9 +13,9 @@
 
 #include "bindings/console/clock_control.hpp"
 #include "bindings/console/peers.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 

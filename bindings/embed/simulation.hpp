@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi {

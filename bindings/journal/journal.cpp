@@ -103,8 +103,9 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
 void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {
     FilesSeen files = files_.take();
     if (!is_journaled(act, result.has_value())) return;
-    add([when, act, who, failed = !result, files = std::move(files)] {
-        Json json{{"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act)}};
+    add([when, act, who, &scripts = *live_->options().scripts, failed = !result, files = std::move(files)] {
+        Json json{
+            {"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act, scripts)}};
         if (failed) json["failed"] = true;
         if (!files.empty()) json["files"] = files_to_json(files);
         return line(json);

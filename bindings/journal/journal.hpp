@@ -23,10 +23,10 @@
 #include <vector>
 
 #include "bindings/journal/recorded_files.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
 #include "engine/base/result_file.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 

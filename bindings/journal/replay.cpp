@@ -261,7 +261,7 @@ std::string Replay::cause(const ActTime& now) const {
 Expected<void> Replay::perform(LiveSystem& live, const Entry& entry) {
     if (entry.name == Describe<Restart>::name) files_->clear();
     files_->update(entry.files);
-    const auto act = act_from_json(entry.name, entry.fields, live.project());
+    const auto act = act_from_json(entry.name, entry.fields, live.part_reader());
     if (!act) return wrong(entry.line, act.error().message);
     const auto done = live.act(*act, entry.who);
     if (done.has_value() != entry.failed) return {};

@@ -11,8 +11,8 @@
 
 #include "bindings/journal/journal.hpp"
 #include "bindings/journal/recorded_files.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 

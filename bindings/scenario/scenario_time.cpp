@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/scenario/scenario_run.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/trace/text_plot.hpp"
 
 namespace nezumi {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/pacer.hpp"
 
 namespace nezumi {

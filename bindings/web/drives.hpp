@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/web/messages.hpp"
 #include "bindings/web/site.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 

@@ -64,10 +64,10 @@ void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::In
     waiting.insert(place, std::move(incoming));
 }
 
-Hub::Hub(AccessControl access, StaticFiles files, Project project, std::string hello)
+Hub::Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello)
     : access_(std::move(access)),
       files_(std::move(files)),
-      project_(std::move(project)),
+      parts_(std::move(parts)),
       hello_(std::move(hello)),
       news_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
@@ -209,7 +209,7 @@ bool Hub::is_too_fast(Client& client) {
 }
 
 bool Hub::received(ClientId id, std::string_view text) {
-    auto message = read_message(text, project_);  // may read files
+    auto message = read_message(text, parts_);  // may read files
     const bool wants_systems = message && std::holds_alternative<SystemsMessage>(message->body);
     const std::vector<RunningPage> pages = wants_systems ? running_pages() : std::vector<RunningPage>();
     Lock lock(mutex_);

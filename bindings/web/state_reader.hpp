@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bindings/console/clock_control.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/web/changes.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 

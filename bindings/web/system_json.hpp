@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 

@@ -44,7 +44,7 @@ WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& conso
       clock_(clock),
       origin_(scheme_of(options.sockets) + "://" + options.sockets.address),
       hub_(AccessControl(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page),
-           live.project(), hello(live, options)),
+           live.part_reader(), hello(live, options)),
       state_reader_(live, clock),
       drives_(live,
               [this](ClientId client, const std::string& port, const std::string& why) {

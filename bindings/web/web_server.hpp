@@ -12,13 +12,13 @@
 #include "bindings/console/clock_control.hpp"
 #include "bindings/console/server.hpp"
 #include "bindings/console/worker.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/state_reader.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 

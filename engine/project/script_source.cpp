@@ -2,6 +2,7 @@
 #include "engine/project/script_source.hpp"
 
 #include <cctype>
+#include <set>
 #include <utility>
 
 #include "engine/ports/payload.hpp"
@@ -22,6 +23,18 @@ Expected<SourceText> read_source(const std::string& path) {
     auto text = disk().read(path, shown);
     if (!text) return Unexpected(text.error());
     return SourceText{path, std::move(shown), std::move(*text)};
+}
+
+std::vector<std::string> changed_files(const std::vector<ScriptFile>& files,
+                                       const std::function<Expected<SourceText>(const std::string& path)>& read) {
+    std::set<std::string> seen;
+    std::vector<std::string> paths;
+    for (const ScriptFile& file : files) {
+        if (!seen.insert(file.path).second) continue;
+        const auto now = read(file.path);
+        if (!now || ScriptFile(*now).hash != file.hash) paths.push_back(file.path);
+    }
+    return paths;
 }
 
 std::string type_of_file(std::string_view path) {

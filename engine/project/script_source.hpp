@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/error.hpp"
 
@@ -33,6 +34,10 @@ using ModuleFinder = std::function<Expected<SourceText>(std::string_view name, s
 
 /// The text of the file at `path`, shown by its name without folders.
 Expected<SourceText> read_source(const std::string& path);
+
+/// Of these files, those that `read` gives another text of now, or none: each once.
+std::vector<std::string> changed_files(const std::vector<ScriptFile>& files,
+                                       const std::function<Expected<SourceText>(const std::string& path)>& read);
 
 /// "robot_controller.lua" is the type "RobotController".
 std::string type_of_file(std::string_view path);

@@ -190,28 +190,6 @@ Expected<ActResult> perform(System& system, const Teleport& act, const Actor& /*
     return result_of(robot->world->teleport(robot->id, act.pose));
 }
 
-Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    return result_of(system.world()->move_marker(act.marker, act.pose));
-}
-
-Expected<ActResult> perform(System& system, const MoveThing& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    return result_of(system.world()->move_thing(act.thing, act.pose));
-}
-
-Expected<ActResult> perform(System& system, const AddMarker& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    if (system.find(act.marker.name) != nullptr)
-        return failure(fmt::format("marker '{}': a component has this name: choose another", act.marker.name));
-    return result_of(system.world()->add_marker(act.marker));
-}
-
-Expected<ActResult> perform(System& system, const RemoveMarker& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    return result_of(system.world()->remove_marker(act.marker));
-}
-
 Expected<ActResult> perform(System& system, const Disturb& act, const Actor& /*who*/) {
     const auto robot = handled_robot(system, act.robot);
     if (!robot) return Unexpected(robot.error());

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "engine/devices/joystick.hpp"
+#include "engine/live/running_system.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
@@ -51,6 +52,7 @@ struct LiveRig {
         for (const auto& [name, text] : behaviors) folder.write("behaviors/" + name + ".lua", text);
         file = folder.write("system.lua", system);
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.files = &files;
         options.installed = {source_root()};
         options.world = sim::make_world;

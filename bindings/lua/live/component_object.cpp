@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "bindings/lua/live/command_arguments.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/system/perform.hpp"
 
 namespace nezumi {

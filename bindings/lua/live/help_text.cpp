@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/objects.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
 #include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/trace/channel.hpp"
 

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/system/perform.hpp"
 #include "engine/trace/channel.hpp"
 

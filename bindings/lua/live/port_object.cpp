@@ -5,11 +5,12 @@
 #include <limits>
 
 #include "bindings/lua/files/read_options.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/system/act_fields.hpp"
+#include "engine/system/perform_on_spec.hpp"
 
 namespace nezumi {
 namespace {
@@ -29,8 +30,8 @@ Answer property(const PortAt& at, std::string_view name) {
     if (name == "age") return port_age(system, port);
     if (name == "stale") return is_stale(system, port);
     if (name == "type") return std::string(port.type_name());
-    if (name == "peers") return peers_of(*at.live, *at.component, port);
-    if (name == "connected") return !peers_of(*at.live, *at.component, port).empty();
+    if (name == "peers") return peers_of(at.live->system(), at.live->spec(), *at.component, port);
+    if (name == "connected") return !peers_of(at.live->system(), at.live->spec(), *at.component, port).empty();
     if (name == "name") return port.name();
     if (name == "path") return at.path();
     if (name == "direction") return std::string(port.direction() == Direction::in ? "in" : "out");

@@ -14,17 +14,11 @@
 #include <cstdint>
 #include <lua.hpp>
 
+#include "engine/components/budget.hpp"
+
 namespace nezumi {
 
 class LuaState;
-
-/// What one call into Lua may use up.
-struct Budget {
-    double seconds = 0.1;  ///< of CPU time of the calling thread
-};
-
-inline constexpr Budget paced_budget{0.1};     ///< in runs that follow the clock, and on hardware
-inline constexpr Budget headless_budget{2.0};  ///< in runs without a clock, where reaching it ends the run
 
 /// Steps that the pattern functions may take in one call into Lua.
 inline constexpr std::int64_t pattern_step_budget = 5'000'000;

@@ -24,7 +24,7 @@ ModuleFinder modules_of(const Project& project);
 ParameterValues values_at_start(const BehaviorEntry& entry);
 
 /// For `Makers::behavior`.
-Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
-                                                   const BehaviorSettings& settings);
+Expected<std::unique_ptr<ScriptComponent>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
+                                                         const BehaviorSettings& settings);
 
 }  // namespace nezumi

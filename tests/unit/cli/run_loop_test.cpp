@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "bindings/lua/reload/lua_host.hpp"
 #include "tests/unit/engine/fake_world.hpp"
 #include "tests/unit/engine/try_component.hpp"
 
@@ -24,6 +25,7 @@ struct RealRun {
         entry.backend = "driver";
         spec.entries.emplace_back(entry);
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.bodies["driver"] = [this](const RobotEntry&,
                                           const RobotSpec& model) -> Expected<std::unique_ptr<RobotBody>> {
             return std::make_unique<FakeBody>(hull, model, not_simulated);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bindings/console/client.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "tests/unit/console/session_rig.hpp"
 
 using namespace nezumi;
@@ -272,6 +273,7 @@ TEST_CASE("what the last console holds on a real robot ends with it, a spreadshe
           "[console][server][safety]") {
     ServerRig it;
     LiveOptions options;
+    options.scripts = &lua_scripts();
     options.installed = {source_root()};
     options.world = sim::make_world;
     const std::string who = GENERATE("", "spreadsheet");

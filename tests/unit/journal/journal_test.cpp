@@ -175,8 +175,8 @@ TEST_CASE("what was read and loaded beside the ticks is replayed from the journa
         SystemSpec part = run.live->spec();
         Expected<PreparedAdd> prepared = failure("not yet");
         std::thread([&] {
-            NotedFiles files(preparer.settings.project.files());
-            const auto path = preparer.settings.project.through(files).find(FileKind::script, name, part.file);
+            NotedFiles files(preparer.project.files());
+            const auto path = preparer.project.through(files).find(FileKind::script, name, part.file);
             prepared = preparer.beside(BehaviorEntry{.name = name, .script = name, .path = path->string()},
                                        std::move(part), files);
         }).join();

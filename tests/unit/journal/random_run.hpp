@@ -14,8 +14,9 @@
 
 #include "bindings/journal/journal.hpp"
 #include "bindings/journal/replay.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "engine/devices/joystick.hpp"
+#include "engine/live/running_system.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
@@ -65,6 +66,7 @@ public:
 
     static LiveOptions makers() {
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.installed = {source_root()};
         options.world = sim::make_world;
         options.components = {{"Joystick", {{"sim", make_joystick}}}};

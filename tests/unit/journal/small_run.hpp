@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bindings/journal/journal.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/journal/random_run.hpp"
 
@@ -20,6 +21,7 @@ struct SmallRun {
         if (prepare) prepare(folder);
         const std::filesystem::path system = folder.write("system.lua", "behavior 'it' { script = 'it' }\n");
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.files = &files;
         options.budget = budget;
         live = std::move(LiveSystem::load(system, std::move(options)).value());

@@ -11,8 +11,9 @@
 #include <string>
 
 #include "bindings/lua/files/system_file.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/robot/robot.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/file_text.hpp"
@@ -127,6 +128,7 @@ public:
     End run(const std::string& script, std::uint64_t seed) const {
         folder_.write("behaviors/it.lua", script);
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.world = sim::make_world;
         options.budget = budget;
         // A reload that runs out of its time is told in the log alone.

@@ -216,7 +216,7 @@ TEST_CASE("a drive rests for a tick after half a second of silence, and is let g
 
 TEST_CASE("a stop is taken before everything that waits", "[web]") {
     const WebRig rig;
-    Hub hub(AccessControl(), StaticFiles(""), rig.live->project(), "}");
+    Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.opened(1, false);
     CHECK(hub.take().size() == 1);
     for (int i = 0; i < 20; ++i)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/script/behavior_maker.hpp"
+#include "engine/live/script_host.hpp"
 #include "engine/system/act.hpp"
 
 namespace nezumi {
@@ -16,16 +16,17 @@ struct PreparedAdd {
     Entry given;  ///< as it was asked for
     Entry entry;  ///< the same with its calibration in use
     int start = 0;
-    std::map<std::string, RobotSpec> models{};  ///< of a robot
-    std::vector<std::string> files{};           ///< that a robot was read from, as `SystemSpec::files`
-    std::unique_ptr<Component> behavior{};      ///< loaded; null: the entry is none
-    std::unique_ptr<ChunkCache> chunks{};       ///< of its code; null: the system's own
-    FilesSeen seen{};                           ///< in another thread
+    std::map<std::string, RobotSpec> models{};   ///< of a robot
+    std::vector<std::string> files{};            ///< that a robot was read from, as `SystemSpec::files`
+    std::unique_ptr<LoadedBehavior> behavior{};  ///< null: it is none, or is loaded when it is added
+    FilesSeen seen{};                            ///< in another thread
 };
 
 /// Prepares additions to a system: a copy of what that takes.
 struct AddPreparer {
-    BehaviorSettings settings;
+    const ScriptHost* scripts;
+    Project project;
+    BehaviorLoader load;
     MakerContext context;
     int start = 0;
 
@@ -33,7 +34,10 @@ struct AddPreparer {
     /// along. `part` is the system with the entry, as the words of a system file give it.
     Expected<PreparedAdd> beside(const Entry& entry, SystemSpec part, NotedFiles& files) const;
     /// Between two ticks.
-    Expected<PreparedAdd> here(const Entry& entry, SystemSpec part) const;
+    Expected<PreparedAdd> here(const Entry& entry, SystemSpec part) const { return read(entry, part, project); }
+
+private:
+    Expected<PreparedAdd> read(const Entry& entry, SystemSpec& part, const Project& project) const;
 };
 
 }  // namespace nezumi

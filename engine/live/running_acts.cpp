@@ -1,15 +1,14 @@
-// Performs acts on a live system: those that only the engine needs to know, and those on scripts and the specification.
+// Performs acts on a running system: those of perform.hpp, and those on scripts, entries and the whole.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "bindings/lua/live/live_system.hpp"
-#include "bindings/lua/live/live_text.hpp"
-#include "bindings/lua/live/rewire.hpp"
-#include "bindings/lua/live/running.hpp"
+#include "engine/live/running.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/perform.hpp"
+#include "engine/system/perform_on_spec.hpp"
 #include "engine/system/rtm_wiring.hpp"
 
 namespace nezumi {
@@ -22,20 +21,11 @@ Expected<const Component*> behavior_named(System& system, std::string_view name)
     return failure(fmt::format("{} has no script: only behaviours reload", name));
 }
 
-Expected<ActResult> result_of(const Expected<ReloadReport>& report) {
-    if (!report) return Unexpected(report.error());
-    ActResult result;
-    result.components = report->components;
-    result.version = report->version;
-    result.notes = report->notes;
-    return result;
-}
-
 }  // namespace
 
 Expected<ActResult> LiveSystem::act(const Act& act, const Actor& who) {
     // What failed on probation is taken back before anything else happens, here as before a tick.
-    running_->reloader->after_tick();
+    running_->reloads->after_tick();
     if (!foreseen_.empty()) take_foreseen();
     const ActTime time = when();
     auto result = std::visit([&](const auto& each) { return perform(each, who); }, act);
@@ -49,34 +39,35 @@ Expected<ActResult> LiveSystem::act(const Act& act, const Actor& who) {
 
 template <class EngineAct>
 Expected<ActResult> LiveSystem::perform(const EngineAct& act, const Actor& who) {
-    if constexpr (std::is_same_v<EngineAct, Connect> || std::is_same_v<EngineAct, Disconnect>)
-        return rewire(*running_->system, running_->spec, act, who);
-    return nezumi::perform(*running_->system, act, who);
+    if constexpr (requires { perform_on_spec(*running_->system, running_->spec, act, who); }) {
+        return perform_on_spec(*running_->system, running_->spec, act, who);
+    } else {
+        return nezumi::perform(*running_->system, act, who);
+    }
 }
 
 Expected<ActResult> LiveSystem::perform(const Reload& act, const Actor& /*who*/) {
-    Reloader& reloader = *running_->reloader;
-    Expected<ReloadReport> report;
+    Expected<ActResult> report;
     if (!act.files.empty()) {
-        report = reloader.reload_files(act.files);
+        report = running_->reloads->reload_files(act.files);
     } else {
         const auto behavior = behavior_named(*running_->system, act.component);
         if (!behavior) return Unexpected(behavior.error());
         const ScriptFile& file = *(*behavior)->script_file();
-        report = reloader.reload({file.path, act.shown.empty() ? file.shown : act.shown, act.text});
+        report = running_->reloads->reload({file.path, act.shown.empty() ? file.shown : act.shown, act.text});
     }
     if (report) watch_again();
     if (!report && report.error().kind == Error::Kind::out_of_time && options_.build.out_of_time_is_fatal)
         running_->system->fail(report.error());
-    return result_of(report);
+    return report;
 }
 
 Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*/) {
     const auto behavior = behavior_named(*running_->system, act.component);
     if (!behavior) return Unexpected(behavior.error());
-    const auto report = running_->reloader->rollback(**behavior);
+    auto report = running_->reloads->rollback(**behavior);
     if (report) watch_again();
-    return result_of(report);
+    return report;
 }
 
 Expected<ActResult> LiveSystem::add(PreparedAdd prepared, const Actor& who) {
@@ -104,7 +95,6 @@ Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
     }
     PreparedAdd prepared = *std::exchange(prepared_, std::nullopt);
     project_.files().adopt(prepared.seen);
-    if (prepared.chunks) running_->chunks.take(*prepared.chunks);
     for (auto& [name, model] : prepared.models) {
         const bool is_its_own = robot != nullptr && name != robot->described_by();
         if (is_its_own) {
@@ -116,7 +106,7 @@ Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
     for (const std::string& file : prepared.files) {
         if (std::find(spec.files.begin(), spec.files.end(), file) == spec.files.end()) spec.files.push_back(file);
     }
-    running_->prepared = std::move(prepared.behavior);
+    if (prepared.behavior) running_->prepared = prepared.behavior->take();
     auto added = add_entry(*running_->system, prepared.entry, spec, running_->makers);
     running_->prepared.reset();
     if (!added) return Unexpected(added.error());
@@ -125,61 +115,9 @@ Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
     return ActResult{};
 }
 
-Expected<ActResult> LiveSystem::perform(const Remove& act, const Actor& /*who*/) {
-    System& system = *running_->system;
-    const auto component = system.component(act.component);
-    if (!component) return Unexpected(component.error());
-    if (const auto* robot = dynamic_cast<const Robot*>(*component); robot != nullptr && robot->is_real())
-        return failure(fmt::format("{} is a real robot: it stays until the run ends", act.component));
-    for (const Entry& entry : running_->spec.entries) {
-        const auto* carried = std::get_if<ComponentEntry>(&entry);
-        if (carried != nullptr && carried->on == act.component)
-            return failure(fmt::format("{} carries {}: remove that first", act.component, carried->name));
-    }
-    ActResult result;
-    const auto note = [&](const auto& ports) {
-        for (const auto& port : ports) {
-            const auto peers = peers_of(*this, **component, *port);
-            if (!peers.empty())
-                result.notes.push_back(
-                    fmt::format("{}.{} was connected to {}", act.component, port->name(), fmt::join(peers, ", ")));
-        }
-    };
-    note((*component)->in_ports());
-    note((*component)->out_ports());
-    if (auto gone = system.remove(act.component); !gone) return Unexpected(gone.error());
-    std::erase_if(running_->spec.entries, [&](const Entry& entry) { return name_of(entry) == act.component; });
-    forget_rtm(running_->spec, act.component);
-    watch_again();
-    return result;
-}
-
-Expected<ActResult> LiveSystem::perform(const MoveMarker& act, const Actor& who) {
-    auto moved = nezumi::perform(*running_->system, act, who);
-    if (!moved) return moved;
-    for (MarkerSpec& marker : running_->spec.arena.markers) {
-        if (marker.name != act.marker) continue;
-        marker.at = act.pose.position;
-        marker.facing = act.pose.orientation.y;
-    }
-    return moved;
-}
-
-Expected<ActResult> LiveSystem::perform(const MoveThing& act, const Actor& who) {
-    auto moved = nezumi::perform(*running_->system, act, who);
-    if (moved) move_thing(running_->spec.arena, act.thing, act.pose);
-    return moved;
-}
-
-Expected<ActResult> LiveSystem::perform(const AddMarker& act, const Actor& who) {
-    auto added = nezumi::perform(*running_->system, act, who);
-    if (added) running_->spec.arena.markers.push_back(act.marker);
-    return added;
-}
-
-Expected<ActResult> LiveSystem::perform(const RemoveMarker& act, const Actor& who) {
-    auto gone = nezumi::perform(*running_->system, act, who);
-    if (gone) std::erase_if(running_->spec.arena.markers, [&](const auto& each) { return each.name == act.marker; });
+Expected<ActResult> LiveSystem::perform(const Remove& act, const Actor& who) {
+    auto gone = perform_on_spec(*running_->system, running_->spec, act, who);
+    if (gone) watch_again();
     return gone;
 }
 

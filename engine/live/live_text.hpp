@@ -12,9 +12,6 @@ namespace nezumi {
 
 class LiveSystem;
 
-/// "name.port" of what a port is connected to, and "rtm:NAME.port" of what it is to be connected to at RTCs.
-std::vector<std::string> peers_of(const LiveSystem& live, const Component& component, const Port& port);
-
 /// [s] since the port's message, as of the tick that comes next; infinity before any.
 double port_age(const System& system, const Port& port);
 /// Nothing came through for `OutPortBase::stale_after` of its sender; of an in-port also when nothing is connected.

@@ -1,5 +1,5 @@
 // Builds beside the system that runs, and takes its place only when all has gone well.
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 
 #include <fmt/format.h>
 
@@ -7,19 +7,18 @@
 #include <optional>
 #include <utility>
 
-#include "bindings/lua/files/system_file.hpp"
-#include "bindings/lua/live/running.hpp"
+#include "engine/live/running.hpp"
 
 namespace nezumi {
 namespace {
 
 Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options) {
-    auto spec = read_system_file(file, project, {.seed = options.build.seed, .print = options.print});
+    auto spec = options.scripts->read_system(file, project, {.seed = options.build.seed, .print = options.print});
     if (spec && options.prepare) {
         if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
     }
     if (spec) {
-        if (auto ok = apply(options.values, *spec, project); !ok) return Unexpected(ok.error());
+        if (auto ok = options.scripts->apply(options.values, *spec, project); !ok) return Unexpected(ok.error());
     }
     return spec;
 }
@@ -57,12 +56,11 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     next->makers.rig = options_.rig;
     next->makers.network = options_.network;
     next->makers.components = options_.components;
-    next->makers.behavior =
-        [settings = BehaviorSettings{.project = project_, .budget = options_.budget, .chunks = &next->chunks},
-         prepared = &next->prepared](const BehaviorEntry& entry,
-                                     const MakerContext& context) -> Expected<std::unique_ptr<Component>> {
-        if (*prepared != nullptr) return std::exchange(*prepared, nullptr);
-        return make_behavior(entry, context, settings);
+    next->behaviors = options_.scripts->behaviors(project_, options_.budget);
+    next->makers.behavior = [&running = *next](const BehaviorEntry& entry,
+                                               const MakerContext& context) -> Expected<std::unique_ptr<Component>> {
+        if (running.prepared != nullptr) return std::exchange(running.prepared, nullptr);
+        return running.behaviors->make(entry, context);
     };
     BuildOptions options = options_.build;
     options.log = [log = options_.build.log, start = starts_ + 1](LogLine line) {
@@ -72,7 +70,7 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     auto system = build_system(next->spec, next->makers, options);
     if (!system) return Unexpected(system.error());
     next->system = std::move(*system);
-    next->reloader.emplace(*next->system, [this](const std::string& path) { return project_.read_source(path); });
+    next->reloads = next->behaviors->reloads_of(*next->system);
     return next;
 }
 
@@ -82,7 +80,7 @@ std::unique_ptr<LiveSystem::Running> LiveSystem::take(std::unique_ptr<Running> r
     running_->system->observe(running_->hash);
     trace_.start(*running_->system);
     if (options_.watch) {
-        running_->live_reload.emplace(*running_->system, *running_->reloader, running_->spec.files,
+        running_->live_reload.emplace(*running_->system, *running_->reloads, running_->spec.files,
                                       [this](const std::vector<std::string>& files) -> Expected<void> {
                                           auto done = act(Reload{.files = files}, {Actor::Kind::file_watcher});
                                           return done ? Expected<void>() : Unexpected(done.error());
@@ -106,7 +104,7 @@ void LiveSystem::between_ticks() {
     if (running_->live_reload) {
         running_->live_reload->between_ticks();
     } else {
-        running_->reloader->after_tick();
+        running_->reloads->after_tick();
     }
     if (Network* network = running_->system->network()) network->between_ticks(door());
 }
@@ -232,43 +230,45 @@ void LiveSystem::end() {
 
 const System& LiveSystem::system() const { return *running_->system; }
 const SystemSpec& LiveSystem::spec() const { return running_->spec; }
-std::vector<std::string> LiveSystem::changed_files() const { return running_->reloader->changed_files(); }
+std::vector<std::string> LiveSystem::changed_files() const { return look_for_changes()(); }
 
 std::function<std::vector<std::string>()> LiveSystem::look_for_changes() const {
-    return [files = running_->reloader->loaded_files(), project = project_] {
-        return Reloader::changed(files, [&project](const std::string& path) { return project.read_source(path); });
+    return [files = running_->reloads->loaded_files(), project = project_] {
+        return nezumi::changed_files(files, [&](const std::string& path) { return project.read_source(path); });
     };
 }
 
 std::function<Expected<void>()> LiveSystem::try_reload(const std::vector<std::string>& files) const {
     // There loading that takes too long ends the run, which an attempt does not.
     if (options_.build.out_of_time_is_fatal) return [] { return Expected<void>(); };
-    return [parts = running_->reloader->rehearsal(files)]() -> Expected<void> {
-        return parts ? Reloader::rehearse(*parts) : Unexpected(parts.error());
+    return [rehearsal = running_->reloads->rehearsal(files)]() -> Expected<void> {
+        return rehearsal ? (*rehearsal)() : Unexpected(rehearsal.error());
     };
 }
 
 AddPreparer LiveSystem::add_preparer() const {
     const System::Settings& settings = running_->system->settings();
-    return {.settings = {.project = project_, .budget = options_.budget, .chunks = &running_->chunks},
+    return {.scripts = options_.scripts,
+            .project = project_,
+            .load = running_->behaviors->loader(),
             .context = {.seed = settings.seed, .tick_rate = settings.rate},
             .start = starts_};
 }
 
 std::function<Expected<void>()> LiveSystem::try_restart() const {
-    return
-        [look = look_for_changes(), file = file_, project = project_, seed = options_.build.seed]() -> Expected<void> {
-            look();
-            if (file.empty()) return {};
-            const auto spec = read_system_file(file, project, {.seed = seed});
-            if (!spec) return Unexpected(spec.error());
-            for (const Entry& entry : spec->entries) {
-                // What is wrong with a script is the act's to say.
-                if (const auto* behavior = std::get_if<BehaviorEntry>(&entry))
-                    static_cast<void>(project.read_source(behavior->path));
-            }
-            return {};
-        };
+    return [look = look_for_changes(), file = file_, project = project_, seed = options_.build.seed,
+            scripts = options_.scripts]() -> Expected<void> {
+        look();
+        if (file.empty()) return {};
+        const auto spec = scripts->read_system(file, project, {.seed = seed});
+        if (!spec) return Unexpected(spec.error());
+        for (const Entry& entry : spec->entries) {
+            // What is wrong with a script is the act's to say.
+            if (const auto* behavior = std::get_if<BehaviorEntry>(&entry))
+                static_cast<void>(project.read_source(behavior->path));
+        }
+        return {};
+    };
 }
 
 std::function<std::vector<std::string>()> LiveSystem::lost_by_restart() const {
@@ -281,9 +281,9 @@ std::function<std::vector<std::string>()> LiveSystem::lost_by_restart() const {
         if (marker.place.line == 0) added.push_back(marker.name);
     }
     if (file_.empty()) added.clear();
-    return [added, file = file_, project = project_, seed = options_.build.seed]() mutable {
+    return [added, file = file_, project = project_, seed = options_.build.seed, scripts = options_.scripts]() mutable {
         if (added.empty()) return added;
-        const auto spec = read_system_file(file, project, {.seed = seed});
+        const auto spec = scripts->read_system(file, project, {.seed = seed});
         if (!spec) return added;
         std::erase_if(added, [&](const std::string& name) {
             const auto same = [&](const auto& each) { return each.name == name; };

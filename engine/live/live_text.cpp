@@ -1,16 +1,16 @@
 // One line for a port, a few for a component.
-#include "bindings/lua/live/live_text.hpp"
+#include "engine/live/live_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/lua_text.hpp"
 #include "engine/base/names.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/ports/payload.hpp"
-#include "engine/system/rtm_wiring.hpp"
+#include "engine/system/perform_on_spec.hpp"
 
 namespace nezumi {
 namespace {
@@ -49,7 +49,7 @@ void append(std::string& out, const T& value, std::size_t most) {
 // "-> controller.in, plotter.in" or "not connected".
 std::string peers_text(const LiveSystem& live, const Component& component, const Port& port) {
     constexpr std::size_t most = 4;
-    const std::vector<std::string> peers = peers_of(live, component, port);
+    const std::vector<std::string> peers = peers_of(live.system(), live.spec(), component, port);
     if (peers.empty()) return "not connected";
     const std::size_t count = std::min(most, peers.size());
     std::string text = fmt::format("{} {}", port.direction() == Direction::in ? "<-" : "->",
@@ -117,13 +117,6 @@ std::string plain_text(const PlainData& data, const PlainData::Value& value, std
 std::string probe_text(const PlainData& probe) { return plain_text(probe, probe.values.front(), 80); }
 
 }  // namespace
-
-std::vector<std::string> peers_of(const LiveSystem& live, const Component& component, const Port& port) {
-    std::vector<std::string> peers = live.system().peers(port);
-    for (std::string& peer : rtm_peers(live.spec(), component.name() + "." + port.name()))
-        peers.push_back(std::move(peer));
-    return peers;
-}
 
 double port_age(const System& system, const Port& port) {
     return port.count() == 0 ? std::numeric_limits<double>::infinity() : system.now().seconds - port.tm();

@@ -1,5 +1,5 @@
 // What takes long is tried beside the ticks first, so that a file that never ends its loading delays none.
-#include "bindings/lua/reload/live_reload.hpp"
+#include "engine/live/live_reload.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 namespace nezumi {
 
-LiveReload::LiveReload(const System& system, Reloader& reloader, const std::vector<std::string>& other_files, Act act)
-    : system_(system), reloader_(reloader), act_(std::move(act)) {
+LiveReload::LiveReload(const System& system, Reloads& reloads, const std::vector<std::string>& other_files, Act act)
+    : system_(system), reloads_(reloads), act_(std::move(act)) {
     for (const std::string& path : other_files) {
         if (const auto text = read_source(path)) other_files_.try_emplace(path, ScriptFile(*text).hash);
     }
@@ -22,7 +22,7 @@ LiveReload::~LiveReload() {
 
 void LiveReload::watch_again() {
     FileWatcher::Files files;
-    for (const ScriptFile& file : reloader_.files()) files.try_emplace(file.path, file.hash);
+    for (const ScriptFile& file : reloads_.files()) files.try_emplace(file.path, file.hash);
     files.insert(other_files_.begin(), other_files_.end());
     watcher_.watch(files);
 }
@@ -48,7 +48,7 @@ void LiveReload::take_changes() {
         }
     }
     for (const FileWatcher::Loss& loss : watcher_.take_losses()) {
-        const std::vector<ScriptFile> files = reloader_.files();
+        const std::vector<ScriptFile> files = reloads_.files();
         const auto file =
             std::find_if(files.begin(), files.end(), [&](const auto& each) { return each.path == loss.path; });
         const std::string& shown = file != files.end() ? file->shown : loss.path;
@@ -62,7 +62,7 @@ void LiveReload::take_changes() {
 // As a module does that was missing: the script that failed without it was tried again before the watcher had looked.
 bool LiveReload::runs_already(const FileWatcher::Change& change) const {
     if (std::find(failed_.begin(), failed_.end(), change.path) != failed_.end()) return false;
-    const std::vector<ScriptFile> files = reloader_.files();
+    const std::vector<ScriptFile> files = reloads_.files();
     const auto is_of = [&](const ScriptFile& file) { return file.path == change.path; };
     return std::any_of(files.begin(), files.end(), is_of) &&
            std::all_of(files.begin(), files.end(),
@@ -70,9 +70,9 @@ bool LiveReload::runs_already(const FileWatcher::Change& change) const {
 }
 
 void LiveReload::reload(const std::vector<std::string>& paths, bool rehearsed) {
-    reloader_.limit_preparation(rehearsed ? 0 : longest_preparation);
+    reloads_.limit_preparation(rehearsed ? 0 : longest_preparation);
     const Expected<void> done = act_(paths);
-    reloader_.limit_preparation(0);
+    reloads_.limit_preparation(0);
     failed_.clear();
     if (!done) {
         if (!rehearsed && done.error().kind == Error::Kind::out_of_time) return rehearse(paths);
@@ -87,11 +87,11 @@ void LiveReload::rehearse(std::vector<std::string> paths) {
         waiting_ = std::move(paths);
         return;
     }
-    auto rehearsal = reloader_.rehearsal(paths);
+    auto rehearsal = reloads_.rehearsal(paths);
     if (!rehearsal) return system_.log(LogLevel::error, describe(rehearsal.error()));
     rehearsal_ = std::move(paths);
-    rehearser_ = std::thread([this, parts = std::move(*rehearsal)] {
-        outcome_ = Reloader::rehearse(parts);
+    rehearser_ = std::thread([this, load = std::move(*rehearsal)] {
+        outcome_ = load();
         rehearsed_.store(true, std::memory_order_release);
     });
 }

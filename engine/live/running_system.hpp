@@ -1,4 +1,4 @@
-// A system that runs with its reloader and can be started anew: what the console, scenarios and `nezumi run` drive.
+// A system that runs, is changed by acts and can be started anew: what consoles, scenarios and `nezumi run` drive.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/files/start_values.hpp"
-#include "bindings/lua/live/explain.hpp"
-#include "bindings/lua/live/prepared_add.hpp"
-#include "bindings/lua/reload/live_reload.hpp"
-#include "bindings/lua/reload/reloader.hpp"
-#include "bindings/lua/script/behavior_maker.hpp"
+#include "engine/live/explain.hpp"
+#include "engine/live/prepared_add.hpp"
+#include "engine/live/script_host.hpp"
 #include "engine/project/project.hpp"
 #include "engine/system/act.hpp"
 #include "engine/system/build_system.hpp"
@@ -24,6 +21,7 @@
 namespace nezumi {
 
 struct LiveOptions {
+    const ScriptHost* scripts = &no_scripts();     ///< must outlive the system
     std::vector<std::filesystem::path> installed;  ///< folders of the installed files (`Project::of`)
     const ProjectFiles* files = &disk();           ///< must outlive the system
     WorldFactory world;                            ///< may be empty: then there can be no robots
@@ -127,6 +125,7 @@ public:
     const SystemSpec& spec() const;
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
+    PartReader part_reader() const { return {project_, options_.scripts}; }
     /// Scripts and modules that have changed since they were loaded, as `Reload` takes them.
     std::vector<std::string> changed_files() const;
     // Files that do not answer must keep no tick. What follows is asked for between two ticks and called in a thread
@@ -157,10 +156,6 @@ private:
     Expected<ActResult> perform(const Rollback& act, const Actor& who);
     Expected<ActResult> perform(const Add& act, const Actor& who);
     Expected<ActResult> perform(const Remove& act, const Actor& who);
-    Expected<ActResult> perform(const MoveMarker& act, const Actor& who);
-    Expected<ActResult> perform(const MoveThing& act, const Actor& who);
-    Expected<ActResult> perform(const AddMarker& act, const Actor& who);
-    Expected<ActResult> perform(const RemoveMarker& act, const Actor& who);
     Expected<ActResult> perform(const Restart& act, const Actor& who);
     ActDoor door();
     void watch_again();

@@ -1,5 +1,5 @@
 // inotify on folders, gathered until it is quiet, then checked against contents.
-#include "bindings/lua/reload/file_watcher.hpp"
+#include "engine/live/file_watcher.hpp"
 
 #include <poll.h>
 #include <sys/eventfd.h>

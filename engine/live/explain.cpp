@@ -1,5 +1,5 @@
 // From ports to lines to wheels.
-#include "bindings/lua/live/explain.hpp"
+#include "engine/live/explain.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bindings/lua/live/live_text.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
 
 namespace nezumi {

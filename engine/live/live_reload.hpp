@@ -1,4 +1,4 @@
-// Reload on save: joins the watcher of files to the reloader, in runs that follow the clock.
+// Reload on save: joins the watcher of files to the reloads of a system, in runs that follow the clock.
 #pragma once
 
 #include <atomic>
@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/lua/reload/file_watcher.hpp"
-#include "bindings/lua/reload/reloader.hpp"
+#include "engine/live/file_watcher.hpp"
+#include "engine/live/script_host.hpp"
 
 namespace nezumi {
 
@@ -19,15 +19,15 @@ public:
     using Act = std::function<Expected<void>(const std::vector<std::string>& files)>;
 
     /// Watches every script of the system with its modules, and `other_files` (system, robots, maps), whose change is
-    /// only told. A file that can't be read any more is told once. System and reloader must outlive it.
-    LiveReload(const System& system, Reloader& reloader, const std::vector<std::string>& other_files, Act act);
+    /// only told. A file that can't be read any more is told once. System and reloads must outlive it.
+    LiveReload(const System& system, Reloads& reloads, const std::vector<std::string>& other_files, Act act);
     ~LiveReload();
     LiveReload(const LiveReload&) = delete;
     LiveReload& operator=(const LiveReload&) = delete;
 
     /// To be called between two ticks. Costs a look at a flag when nothing has changed.
     void between_ticks() {
-        reloader_.after_tick();
+        reloads_.after_tick();
         if (watcher_.has_news() || rehearsed_.load(std::memory_order_acquire) || !failed_.empty()) take_changes();
     }
     /// After a reload that did not come from here, or after components came or went: what is to be watched.
@@ -43,7 +43,7 @@ private:
     static constexpr double longest_preparation = 0.005;
 
     const System& system_;
-    Reloader& reloader_;
+    Reloads& reloads_;
     FileWatcher::Files other_files_;
     Act act_;
     FileWatcher watcher_;
