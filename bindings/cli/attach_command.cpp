@@ -34,7 +34,7 @@ struct AttachOptions {
 int list_systems() {
     const auto systems = running_systems();
     if (!systems) return refuse(systems.error());
-    for (const RunningSystem& system : *systems) fmt::print("{:<8} {}\n", system.process, system.name);
+    for (const ListeningSystem& system : *systems) fmt::print("{:<8} {}\n", system.process, system.name);
     return systems->empty() ? refuse("nothing is running: start a system with `nezumi run FILE`") : exit_done;
 }
 

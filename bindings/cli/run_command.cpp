@@ -305,7 +305,7 @@ private:
     std::optional<RunDevices> devices_;
     RunJournal journal_;  // its files outlive the system
     dds::Domains domains_;
-    std::unique_ptr<LiveSystem> live_;
+    std::unique_ptr<RunningSystem> live_;
     std::optional<Recorder> recorder_;
     Trajectories trajectories_;
     int starts_ = 0;

@@ -16,7 +16,7 @@ namespace nezumi::cli {
 class RunJournal final : public Attendant {
 public:
     /// Loads the system from its file, or from the journal that is replayed; it is not active yet.
-    Expected<std::unique_ptr<LiveSystem>> load(const RunOptions& options, LiveOptions live);
+    Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live);
     /// What the run should say before it begins.
     const std::vector<std::string>& notes() const { return notes_; }
     /// Follows the loop, which must outlive this.
@@ -39,7 +39,7 @@ private:
     void before_tick();
 
     RunLoop* loop_ = nullptr;
-    LiveSystem* live_ = nullptr;
+    RunningSystem* live_ = nullptr;
     RecordingFiles files_;
     std::unique_ptr<Journal> journal_;
     std::unique_ptr<Replay> replay_;

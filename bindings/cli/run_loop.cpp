@@ -24,7 +24,7 @@ constexpr double margin = 0.0002;
 
 }  // namespace
 
-RunLoop::RunLoop(LiveSystem& live, const Options& options) : live_(live), options_(options), starts_(live.starts()) {
+RunLoop::RunLoop(RunningSystem& live, const Options& options) : live_(live), options_(options), starts_(live.starts()) {
     assert(options.speed > 0);
     pace_anew();
 }

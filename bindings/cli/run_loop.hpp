@@ -46,7 +46,7 @@ public:
     };
 
     /// The system must outlive the loop, be active, and be ticked by nobody else.
-    RunLoop(LiveSystem& live, const Options& options);
+    RunLoop(RunningSystem& live, const Options& options);
 
     /// Attendants have their turns in the order in which they were added, and must outlive the loop.
     void add(Attendant& attendant) { attendants_.push_back(&attendant); }
@@ -88,8 +88,8 @@ public:
     /// Whether `end_at` has, and nothing else.
     bool came_to_end() const { return !quit_ && !interrupted() && is_at_end(); }
     Lateness lateness() const;
-    LiveSystem& live() { return live_; }
-    const LiveSystem& live() const { return live_; }
+    RunningSystem& live() { return live_; }
+    const RunningSystem& live() const { return live_; }
 
 private:
     using Clock = Pacer::Clock;
@@ -107,7 +107,7 @@ private:
     void wait_for_hosts();
     void wait_for_files(double seconds, bool of_hosts_alone = false);
 
-    LiveSystem& live_;
+    RunningSystem& live_;
     Options options_;
     double end_at_ = as_fast_as_possible;
     std::function<bool()> works_;

@@ -34,7 +34,7 @@ struct WiringOf {
     std::vector<Edge> edges;
 };
 
-WiringOf wiring_of(const LiveSystem& live, std::string title);
+WiringOf wiring_of(const RunningSystem& live, std::string title);
 
 /// In which column from the left each node stands: right of all that feed it, but for connections that close a circle,
 /// which lead back.

@@ -43,7 +43,7 @@ void bring_up_to_date(ParameterValues& config, ParameterValues* set, const Compo
     });
 }
 
-Expected<void> bring_up_to_date(RobotEntry& entry, const Component& component, const LiveSystem& live) {
+Expected<void> bring_up_to_date(RobotEntry& entry, const Component& component, const RunningSystem& live) {
     for (const auto& parameter : component.parameters().all()) {
         if (parameter.value == parameter.spec.initial) continue;
         const auto field =
@@ -56,14 +56,14 @@ Expected<void> bring_up_to_date(RobotEntry& entry, const Component& component, c
     return {};
 }
 
-Expected<void> bring_up_to_date(BehaviorEntry& entry, const Component& component, const LiveSystem& /*live*/) {
+Expected<void> bring_up_to_date(BehaviorEntry& entry, const Component& component, const RunningSystem& /*live*/) {
     entry.set = component.set_in_use();
     const auto set = entry.sets.find(entry.set);
     bring_up_to_date(entry.config, set != entry.sets.end() ? &set->second : nullptr, component);
     return {};
 }
 
-Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& component, const LiveSystem& /*live*/) {
+Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& component, const RunningSystem& /*live*/) {
     bring_up_to_date(entry.config, nullptr, component);
     return {};
 }
@@ -148,7 +148,7 @@ std::string user_of_script(const SystemSpec& spec, const std::filesystem::path& 
 
 }  // namespace
 
-Expected<PresentSystem> present_system(const LiveSystem& live) {
+Expected<PresentSystem> present_system(const RunningSystem& live) {
     const System& system = live.system();
     SystemSpec spec = live.spec();
     std::erase_if(spec.entries, [&](const Entry& entry) { return system.find(name_of(entry)) == nullptr; });

@@ -29,7 +29,7 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// Both must outlive it.
-    ConsoleServer(LiveSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
+    ConsoleServer(RunningSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
     /// Ends what runs; what can't be ended within a second goes on without it.
     ~ConsoleServer();
     ConsoleServer(const ConsoleServer&) = delete;
@@ -91,7 +91,7 @@ private:
     void answer(ClientId id, Event event);
     bool serve_sessions(Clock::time_point until);
 
-    LiveSystem& live_;
+    RunningSystem& live_;
     ClockControl& clock_;
     Draughtsman draughtsman_;
     BehaviorAuthor author_;

@@ -95,7 +95,7 @@ struct Completion {
 class Session {
 public:
     /// Both must outlive the session.
-    static Expected<std::unique_ptr<Session>> create(LiveSystem& live, ClockControl& clock, SessionOptions options);
+    static Expected<std::unique_ptr<Session>> create(RunningSystem& live, ClockControl& clock, SessionOptions options);
     /// Closes it, and waits until its thread has ended, a second after `close` at most.
     ~Session();
     Session(const Session&) = delete;

@@ -10,7 +10,7 @@ Expected<Simulation> Simulation::load(const std::filesystem::path& file, Options
     LiveOptions live = simulated_systems(std::move(options.installed));
     live.budget = headless_budget;
     live.build.log = std::move(options.log);
-    auto loaded = LiveSystem::load(file, std::move(live));
+    auto loaded = RunningSystem::load(file, std::move(live));
     if (!loaded) return Unexpected(loaded.error());
     (*loaded)->activate();
     return Simulation(std::move(*loaded));

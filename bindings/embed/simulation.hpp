@@ -46,9 +46,9 @@ public:
     const System& system() const { return live_->system(); }
 
 private:
-    explicit Simulation(std::unique_ptr<LiveSystem> live) : live_(std::move(live)) {}
+    explicit Simulation(std::unique_ptr<RunningSystem> live) : live_(std::move(live)) {}
 
-    std::unique_ptr<LiveSystem> live_;
+    std::unique_ptr<RunningSystem> live_;
 };
 
 }  // namespace nezumi

@@ -48,7 +48,7 @@ Journal::~Journal() {
     file_.discard();
 }
 
-void Journal::begin(LiveSystem& live, const std::string& version, bool hardware) {
+void Journal::begin(RunningSystem& live, const std::string& version, bool hardware) {
     live_ = &live;
     Json installed = Json::array();
     for (const auto& folder : live.options().installed) installed.push_back(folder.string());

@@ -52,7 +52,7 @@ public:
     Journal& operator=(const Journal&) = delete;
 
     /// Writes the first line, for a system that has been read and is not active yet, and follows it from now on.
-    void begin(LiveSystem& live, const std::string& version, bool hardware);
+    void begin(RunningSystem& live, const std::string& version, bool hardware);
     /// Between two ticks: writes what has waited long enough.
     void serve();
     /// Notes the hash as it is now.
@@ -79,7 +79,7 @@ private:
     ResultFile file_;
     FileWriter writer_;
     RecordingFiles& files_;
-    LiveSystem* live_ = nullptr;
+    RunningSystem* live_ = nullptr;
     std::vector<Line> waiting_;  // to be made beside the ticks: an act may hold a picture, or a million numbers
     Clock::time_point marked_{};
     ActTime last_mark_;

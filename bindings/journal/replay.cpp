@@ -210,7 +210,7 @@ Expected<void> Replay::check_system(const fs::path& file) const {
     return failure(fmt::format("{} is a journal of {}, not of {}", file_.string(), system_, file.string()));
 }
 
-Expected<std::unique_ptr<LiveSystem>> Replay::load(LiveOptions options) {
+Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
     options.files = &*files_;
     options.installed = installed_;
     options.world = with_pictures_from(*files_, std::move(options.world));
@@ -220,12 +220,12 @@ Expected<std::unique_ptr<LiveSystem>> Replay::load(LiveOptions options) {
     options.build.out_of_time_is_fatal = false;
     options.watch = false;
     options.budget = headless_budget;
-    auto live = LiveSystem::load(system_, std::move(options));
+    auto live = RunningSystem::load(system_, std::move(options));
     if (live) (*live)->foresee(std::exchange(foreseen_, {}));
     return live;
 }
 
-Expected<bool> Replay::before_tick(LiveSystem& live) {
+Expected<bool> Replay::before_tick(RunningSystem& live) {
     for (; next_ < entries_.size(); ++next_) {
         const Entry& entry = entries_[next_];
         const ActTime now = live.when();
@@ -258,7 +258,7 @@ std::string Replay::cause(const ActTime& now) const {
                        last->lost.empty() ? "" : ", nor is all of its state: " + last->lost);
 }
 
-Expected<void> Replay::perform(LiveSystem& live, const Entry& entry) {
+Expected<void> Replay::perform(RunningSystem& live, const Entry& entry) {
     if (entry.name == Describe<Restart>::name) files_->clear();
     files_->update(entry.files);
     const auto act = act_from_json(entry.name, entry.fields, live.part_reader());

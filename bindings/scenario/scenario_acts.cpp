@@ -24,7 +24,9 @@ namespace {
 constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 // Keys of faults: the system's address tells worlds apart.
-std::string key_of(const LiveSystem* live, std::string_view name) { return fmt::format("{} {}", fmt::ptr(live), name); }
+std::string key_of(const RunningSystem* live, std::string_view name) {
+    return fmt::format("{} {}", fmt::ptr(live), name);
+}
 
 std::string_view text_or_empty(lua_State* lua, int index) {
     if (lua_type(lua, index) != LUA_TSTRING) return {};
@@ -33,7 +35,7 @@ std::string_view text_or_empty(lua_State* lua, int index) {
     return {text, length};
 }
 
-Expected<ActResult> act_on(LiveSystem* live, const Act& what) { return live->act(what, scenario_actor); }
+Expected<ActResult> act_on(RunningSystem* live, const Act& what) { return live->act(what, scenario_actor); }
 
 // What puts an override in, as it is now.
 Act act_of(Override kind, const std::string& path, const Port& port) {
@@ -47,7 +49,7 @@ Act act_of(Override kind, const std::string& path, const Port& port) {
 }
 
 // An act that is done when its time has come: what it was to be done to may be gone by then.
-std::function<void()> later(LiveSystem* live, Act what) {
+std::function<void()> later(RunningSystem* live, Act what) {
     return [live, what = std::move(what)] { static_cast<void>(act_on(live, what)); };
 }
 

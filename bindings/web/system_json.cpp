@@ -225,7 +225,7 @@ Json drivers_to_json(const System& system) {
 
 }  // namespace
 
-Json system_to_json(const LiveSystem& live) {
+Json system_to_json(const RunningSystem& live) {
     const System& system = live.system();
     Json json{{"is", "system"},
               {"file", live.project().shown(live.file())},
@@ -255,7 +255,7 @@ Json system_to_json(const LiveSystem& live) {
     return json;
 }
 
-std::uint64_t system_fingerprint(const LiveSystem& live) {
+std::uint64_t system_fingerprint(const RunningSystem& live) {
     const System& system = live.system();
     std::uint64_t print = 0xcbf29ce484222325U;
     const auto mix = [&](std::uint64_t value) { print = (print ^ value) * 0x100000001b3U; };

@@ -9,9 +9,9 @@
 namespace nezumi::web {
 
 /// All but what changes from tick to tick.
-nlohmann::ordered_json system_to_json(const LiveSystem& live);
+nlohmann::ordered_json system_to_json(const RunningSystem& live);
 
 /// Another number when `system_to_json` may have changed; cheap.
-std::uint64_t system_fingerprint(const LiveSystem& live);
+std::uint64_t system_fingerprint(const RunningSystem& live);
 
 }  // namespace nezumi::web

@@ -26,7 +26,7 @@ constexpr std::string_view only_real_time = "real robots know only real time: th
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 // All of it but what is each browser's own, and without the bracket that begins it.
-std::string hello(const LiveSystem& live, const WebOptions& options) {
+std::string hello(const RunningSystem& live, const WebOptions& options) {
     const Json json{{"version", options.version},
                     {"real", live.system().settings().real_time},
                     {"frame", "WebFrame"},
@@ -39,7 +39,7 @@ std::string scheme_of(const SocketOptions& sockets) { return sockets.certificate
 
 }  // namespace
 
-WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options)
+WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options)
     : live_(live),
       clock_(clock),
       origin_(scheme_of(options.sockets) + "://" + options.sockets.address),
@@ -54,7 +54,7 @@ WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& conso
           hub_.send(client, fmt::format(R"({{"is":"console","event":{}}})", line), true);
       }) {}
 
-Expected<std::unique_ptr<WebServer>> WebServer::open(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles,
+Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
     const AccessControl& access = server->hub_.access();

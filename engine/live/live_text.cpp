@@ -47,7 +47,7 @@ void append(std::string& out, const T& value, std::size_t most) {
 }
 
 // "-> controller.in, plotter.in" or "not connected".
-std::string peers_text(const LiveSystem& live, const Component& component, const Port& port) {
+std::string peers_text(const RunningSystem& live, const Component& component, const Port& port) {
     constexpr std::size_t most = 4;
     const std::vector<std::string> peers = peers_of(live.system(), live.spec(), component, port);
     if (peers.empty()) return "not connected";
@@ -139,7 +139,7 @@ std::string payload_text(const AnyPayload& value, std::size_t width) {
     return text;
 }
 
-std::string port_text(const LiveSystem& live, const Component& component, const Port& port) {
+std::string port_text(const RunningSystem& live, const Component& component, const Port& port) {
     const System& system = live.system();
     return fmt::format("{}.{}  {}  {}  {}  {}{}{}", component.name(), port.name(), port.type_name(),
                        payload_text(port.value()), age_text(port_age(system, port)), peers_text(live, component, port),
@@ -154,7 +154,7 @@ std::string component_title(const Component& component) {
     return text;
 }
 
-std::string component_text(const LiveSystem& live, const Component& component) {
+std::string component_text(const RunningSystem& live, const Component& component) {
     const System& system = live.system();
     std::string text = fmt::format("{}  {}", component.name(), component_title(component));
     if (component.state() == LifeState::error) text += "\n  " + first_line(describe(component.last_error()));

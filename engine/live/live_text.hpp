@@ -10,7 +10,7 @@
 
 namespace nezumi {
 
-class LiveSystem;
+class RunningSystem;
 
 /// [s] since the port's message, as of the tick that comes next; infinity before any.
 double port_age(const System& system, const Port& port);
@@ -25,11 +25,11 @@ std::string_view to_text(Override override);
 std::string payload_text(const AnyPayload& value, std::size_t width = 80);
 
 /// "mouse.ir_sensor_out  TimedShortSeq  { 0, 0, 0, 0 }  0.01 s old  -> controller.in", and whether it is held.
-std::string port_text(const LiveSystem& live, const Component& component, const Port& port);
+std::string port_text(const RunningSystem& live, const Component& component, const Port& port);
 /// "RobotController, ACTIVE, version 1": type, state, and what is out of the ordinary.
 std::string component_title(const Component& component);
 /// A line for the component, what it says `about` itself, a line for each port, its configuration and its commands.
-std::string component_text(const LiveSystem& live, const Component& component);
+std::string component_text(const RunningSystem& live, const Component& component);
 /// "\n  about version 1.2, vendor Acme": what a script says of itself; "" when it says nothing.
 std::string about_text(const Component& component);
 /// "speed_x = 0.1  m/s, -1.5 to 1.5  straight-ahead speed".

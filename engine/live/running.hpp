@@ -10,7 +10,7 @@
 namespace nezumi {
 
 /// All that a restart replaces. Declaration order is destruction order reversed.
-struct LiveSystem::Running {
+struct RunningSystem::Running {
     SystemSpec spec;
     std::unique_ptr<Behaviors> behaviors;
     std::unique_ptr<Component> prepared;  // what the maker of behaviours gives next, instead of making it

@@ -23,7 +23,7 @@ Expected<const Component*> behavior_named(System& system, std::string_view name)
 
 }  // namespace
 
-Expected<ActResult> LiveSystem::act(const Act& act, const Actor& who) {
+Expected<ActResult> RunningSystem::act(const Act& act, const Actor& who) {
     // What failed on probation is taken back before anything else happens, here as before a tick.
     running_->reloads->after_tick();
     if (!foreseen_.empty()) take_foreseen();
@@ -38,7 +38,7 @@ Expected<ActResult> LiveSystem::act(const Act& act, const Actor& who) {
 }
 
 template <class EngineAct>
-Expected<ActResult> LiveSystem::perform(const EngineAct& act, const Actor& who) {
+Expected<ActResult> RunningSystem::perform(const EngineAct& act, const Actor& who) {
     if constexpr (requires { perform_on_spec(*running_->system, running_->spec, act, who); }) {
         return perform_on_spec(*running_->system, running_->spec, act, who);
     } else {
@@ -46,7 +46,7 @@ Expected<ActResult> LiveSystem::perform(const EngineAct& act, const Actor& who) 
     }
 }
 
-Expected<ActResult> LiveSystem::perform(const Reload& act, const Actor& /*who*/) {
+Expected<ActResult> RunningSystem::perform(const Reload& act, const Actor& /*who*/) {
     Expected<ActResult> report;
     if (!act.files.empty()) {
         report = running_->reloads->reload_files(act.files);
@@ -62,7 +62,7 @@ Expected<ActResult> LiveSystem::perform(const Reload& act, const Actor& /*who*/)
     return report;
 }
 
-Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*/) {
+Expected<ActResult> RunningSystem::perform(const Rollback& act, const Actor& /*who*/) {
     const auto behavior = behavior_named(*running_->system, act.component);
     if (!behavior) return Unexpected(behavior.error());
     auto report = running_->reloads->rollback(**behavior);
@@ -70,7 +70,7 @@ Expected<ActResult> LiveSystem::perform(const Rollback& act, const Actor& /*who*
     return report;
 }
 
-Expected<ActResult> LiveSystem::add(PreparedAdd prepared, const Actor& who) {
+Expected<ActResult> RunningSystem::add(PreparedAdd prepared, const Actor& who) {
     if (prepared.start != starts_) return failure("the system was started anew while this was read: say it again");
     const Add same{prepared.given};
     prepared_ = std::move(prepared);
@@ -79,7 +79,7 @@ Expected<ActResult> LiveSystem::add(PreparedAdd prepared, const Actor& who) {
     return added;
 }
 
-Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
+Expected<ActResult> RunningSystem::perform(const Add& act, const Actor& /*who*/) {
     SystemSpec& spec = running_->spec;
     const auto* robot = std::get_if<RobotEntry>(&act.entry);
     if (options_.build.real_time && robot != nullptr)
@@ -115,7 +115,7 @@ Expected<ActResult> LiveSystem::perform(const Add& act, const Actor& /*who*/) {
     return ActResult{};
 }
 
-Expected<ActResult> LiveSystem::perform(const Remove& act, const Actor& who) {
+Expected<ActResult> RunningSystem::perform(const Remove& act, const Actor& who) {
     auto gone = perform_on_spec(*running_->system, running_->spec, act, who);
     if (gone) watch_again();
     return gone;

@@ -25,7 +25,7 @@ Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project&
 
 }  // namespace
 
-Expected<std::unique_ptr<LiveSystem>> LiveSystem::load(const std::filesystem::path& file, LiveOptions options) {
+Expected<std::unique_ptr<RunningSystem>> RunningSystem::load(const std::filesystem::path& file, LiveOptions options) {
     Project project = Project::of(file, options.installed, *options.files);
     auto spec = read_spec(file, project, options);
     if (!spec) return Unexpected(spec.error());
@@ -34,20 +34,20 @@ Expected<std::unique_ptr<LiveSystem>> LiveSystem::load(const std::filesystem::pa
     return live;
 }
 
-Expected<std::unique_ptr<LiveSystem>> LiveSystem::make(SystemSpec spec, Project project, LiveOptions options) {
-    auto live = std::unique_ptr<LiveSystem>(new LiveSystem(std::move(project), std::move(options)));
+Expected<std::unique_ptr<RunningSystem>> RunningSystem::make(SystemSpec spec, Project project, LiveOptions options) {
+    auto live = std::unique_ptr<RunningSystem>(new RunningSystem(std::move(project), std::move(options)));
     auto running = live->build(std::move(spec));
     if (!running) return Unexpected(running.error());
     live->take(std::move(*running));
     return live;
 }
 
-LiveSystem::LiveSystem(Project project, LiveOptions options)
+RunningSystem::RunningSystem(Project project, LiveOptions options)
     : project_(std::move(project)), options_(std::move(options)) {}
 
-LiveSystem::~LiveSystem() = default;
+RunningSystem::~RunningSystem() = default;
 
-Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec) {
+Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpec spec) {
     auto next = std::make_unique<Running>();
     next->spec = std::move(spec);
     next->makers.world = options_.world;
@@ -74,7 +74,7 @@ Expected<std::unique_ptr<LiveSystem::Running>> LiveSystem::build(SystemSpec spec
     return next;
 }
 
-std::unique_ptr<LiveSystem::Running> LiveSystem::take(std::unique_ptr<Running> running) {
+std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Running> running) {
     std::swap(running_, running);
     endings_.clear();
     running_->system->observe(running_->hash);
@@ -95,12 +95,12 @@ std::unique_ptr<LiveSystem::Running> LiveSystem::take(std::unique_ptr<Running> r
     return running;
 }
 
-void LiveSystem::activate() {
+void RunningSystem::activate() {
     if (!foreseen_.empty()) take_foreseen();
     activate_all(*running_->system, running_->spec);
 }
 
-void LiveSystem::between_ticks() {
+void RunningSystem::between_ticks() {
     if (running_->live_reload) {
         running_->live_reload->between_ticks();
     } else {
@@ -109,20 +109,20 @@ void LiveSystem::between_ticks() {
     if (Network* network = running_->system->network()) network->between_ticks(door());
 }
 
-bool LiveSystem::may_tick() {
+bool RunningSystem::may_tick() {
     Network* network = running_->system->network();
     return network == nullptr || network->may_tick();
 }
 
-void LiveSystem::add_files(std::vector<int>& files) const {
+void RunningSystem::add_files(std::vector<int>& files) const {
     if (const Network* network = system().network()) network->add_files(files);
 }
 
-ActDoor LiveSystem::door() {
+ActDoor RunningSystem::door() {
     return [this](const Act& each, const Actor& who) { return act(each, who); };
 }
 
-void LiveSystem::tick() {
+void RunningSystem::tick() {
     between_ticks();
     if (Network* network = running_->system->network()) network->before_tick(door());
     if (!endings_.empty()) end_holds();
@@ -132,9 +132,9 @@ void LiveSystem::tick() {
     if (act_observer_ != nullptr) tell_out_of_time(time);
 }
 
-ActTime LiveSystem::when() const { return {starts_, running_->system->now().tick, acts_}; }
+ActTime RunningSystem::when() const { return {starts_, running_->system->now().tick, acts_}; }
 
-void LiveSystem::let_go(const Actor& who) {
+void RunningSystem::let_go(const Actor& who) {
     for (const std::string& path : running_->system->held_by(who)) {
         const auto port = running_->system->port(path);
         if (port && (*port)->type() == type_index<Velocity2D>()) {
@@ -146,7 +146,7 @@ void LiveSystem::let_go(const Actor& who) {
     }
 }
 
-void LiveSystem::end_holds() {
+void RunningSystem::end_holds() {
     const std::int64_t tick = running_->system->now().tick;
     for (const Ending& ending : std::exchange(endings_, {})) {
         const Actor* holder = running_->system->holder(ending.port);
@@ -159,7 +159,7 @@ void LiveSystem::end_holds() {
     }
 }
 
-void LiveSystem::take_foreseen() {
+void RunningSystem::take_foreseen() {
     const Time& now = running_->system->now();
     std::erase_if(foreseen_, [&](const Foreseen& each) {
         if (each.start != starts_ || each.tick != now.tick) return false;
@@ -169,7 +169,7 @@ void LiveSystem::take_foreseen() {
     });
 }
 
-void LiveSystem::tell_out_of_time(const ActTime& time) {
+void RunningSystem::tell_out_of_time(const ActTime& time) {
     for (const auto& component : running_->system->components()) {
         if (!component->has_new_out_of_time()) continue;
         for (const auto& call : component->take_out_of_time())
@@ -177,7 +177,7 @@ void LiveSystem::tell_out_of_time(const ActTime& time) {
     }
 }
 
-Expected<ActResult> LiveSystem::perform(const Restart& /*act*/, const Actor& /*who*/) {
+Expected<ActResult> RunningSystem::perform(const Restart& /*act*/, const Actor& /*who*/) {
     Expected<SystemSpec> spec = running_->spec;
     if (!file_.empty()) spec = read_spec(file_, project_, options_);
     if (!spec) return Unexpected(spec.error());
@@ -189,7 +189,7 @@ Expected<ActResult> LiveSystem::perform(const Restart& /*act*/, const Actor& /*w
     return ActResult{};
 }
 
-Expected<void> LiveSystem::rebuild(SystemSpec spec) {
+Expected<void> RunningSystem::rebuild(SystemSpec spec) {
     auto next = build(std::move(spec));
     if (!next) return Unexpected(next.error());
     const std::unique_ptr<Running> before = take(std::move(*next));
@@ -200,7 +200,7 @@ Expected<void> LiveSystem::rebuild(SystemSpec spec) {
     return {};
 }
 
-Expected<std::int64_t> LiveSystem::explain_next(std::string_view name) {
+Expected<std::int64_t> RunningSystem::explain_next(std::string_view name) {
     const auto component = running_->system->component(name);
     if (!component) return Unexpected(component.error());
     if ((*component)->script_file() == nullptr)
@@ -210,35 +210,35 @@ Expected<std::int64_t> LiveSystem::explain_next(std::string_view name) {
     return (*component)->trace_next();
 }
 
-Expected<std::optional<Explanation>> LiveSystem::explanation(std::string_view name, std::int64_t trace) const {
+Expected<std::optional<Explanation>> RunningSystem::explanation(std::string_view name, std::int64_t trace) const {
     const Component* const component = system().find(name);
     if (component == nullptr || component->script_file() == nullptr) return failure(fmt::format("{} is gone", name));
     if (component->traces() < trace) return std::optional<Explanation>();
     return std::optional(explain(system(), *component));
 }
 
-void LiveSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
+void RunningSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
 
-void LiveSystem::halt() {
+void RunningSystem::halt() {
     for (Robot* robot : running_->system->robots()) robot->halt();
 }
 
-void LiveSystem::end() {
+void RunningSystem::end() {
     if (Network* network = running_->system->network()) network->leave();
     running_->system->stop(0);
 }
 
-const System& LiveSystem::system() const { return *running_->system; }
-const SystemSpec& LiveSystem::spec() const { return running_->spec; }
-std::vector<std::string> LiveSystem::changed_files() const { return look_for_changes()(); }
+const System& RunningSystem::system() const { return *running_->system; }
+const SystemSpec& RunningSystem::spec() const { return running_->spec; }
+std::vector<std::string> RunningSystem::changed_files() const { return look_for_changes()(); }
 
-std::function<std::vector<std::string>()> LiveSystem::look_for_changes() const {
+std::function<std::vector<std::string>()> RunningSystem::look_for_changes() const {
     return [files = running_->reloads->loaded_files(), project = project_] {
         return nezumi::changed_files(files, [&](const std::string& path) { return project.read_source(path); });
     };
 }
 
-std::function<Expected<void>()> LiveSystem::try_reload(const std::vector<std::string>& files) const {
+std::function<Expected<void>()> RunningSystem::try_reload(const std::vector<std::string>& files) const {
     // There loading that takes too long ends the run, which an attempt does not.
     if (options_.build.out_of_time_is_fatal) return [] { return Expected<void>(); };
     return [rehearsal = running_->reloads->rehearsal(files)]() -> Expected<void> {
@@ -246,7 +246,7 @@ std::function<Expected<void>()> LiveSystem::try_reload(const std::vector<std::st
     };
 }
 
-AddPreparer LiveSystem::add_preparer() const {
+AddPreparer RunningSystem::add_preparer() const {
     const System::Settings& settings = running_->system->settings();
     return {.scripts = options_.scripts,
             .project = project_,
@@ -255,7 +255,7 @@ AddPreparer LiveSystem::add_preparer() const {
             .start = starts_};
 }
 
-std::function<Expected<void>()> LiveSystem::try_restart() const {
+std::function<Expected<void>()> RunningSystem::try_restart() const {
     return [look = look_for_changes(), file = file_, project = project_, seed = options_.build.seed,
             scripts = options_.scripts]() -> Expected<void> {
         look();
@@ -271,7 +271,7 @@ std::function<Expected<void>()> LiveSystem::try_restart() const {
     };
 }
 
-std::function<std::vector<std::string>()> LiveSystem::lost_by_restart() const {
+std::function<std::vector<std::string>()> RunningSystem::lost_by_restart() const {
     // What a file says has a line.
     std::vector<std::string> added;
     for (const Entry& entry : running_->spec.entries) {
@@ -295,12 +295,12 @@ std::function<std::vector<std::string>()> LiveSystem::lost_by_restart() const {
     };
 }
 
-std::uint64_t LiveSystem::trace_hash() const {
+std::uint64_t RunningSystem::trace_hash() const {
     const std::uint64_t hash = running_->hash.value();
     return hash_before_ ? mix(*hash_before_, hash) : hash;
 }
 
-void LiveSystem::watch_again() {
+void RunningSystem::watch_again() {
     if (running_->live_reload) running_->live_reload->watch_again();
 }
 

@@ -58,15 +58,15 @@ public:
                                  const Component::OutOfTime& call) = 0;
 };
 
-class LiveSystem {
+class RunningSystem {
 public:
     /// Reads a system file and builds what it says. Nothing is active yet. The error is the file's first.
-    static Expected<std::unique_ptr<LiveSystem>> load(const std::filesystem::path& file, LiveOptions options);
+    static Expected<std::unique_ptr<RunningSystem>> load(const std::filesystem::path& file, LiveOptions options);
     /// Builds a system that comes from no file; `restart` builds it anew as it is here.
-    static Expected<std::unique_ptr<LiveSystem>> make(SystemSpec spec, Project project, LiveOptions options);
-    ~LiveSystem();
-    LiveSystem(const LiveSystem&) = delete;
-    LiveSystem& operator=(const LiveSystem&) = delete;
+    static Expected<std::unique_ptr<RunningSystem>> make(SystemSpec spec, Project project, LiveOptions options);
+    ~RunningSystem();
+    RunningSystem(const RunningSystem&) = delete;
+    RunningSystem& operator=(const RunningSystem&) = delete;
 
     /// Activates all that the file does not keep inactive, in order.
     void activate();
@@ -149,7 +149,7 @@ public:
 private:
     struct Running;
 
-    LiveSystem(Project project, LiveOptions options);
+    RunningSystem(Project project, LiveOptions options);
     template <class EngineAct>
     Expected<ActResult> perform(const EngineAct& act, const Actor& who);
     Expected<ActResult> perform(const Reload& act, const Actor& who);

@@ -47,7 +47,7 @@ int main() {
     LiveOptions options;
     options.scripts = &lua_scripts();
     options.watch = true;
-    auto live = LiveSystem::load(system_file, std::move(options)).value();
+    auto live = RunningSystem::load(system_file, std::move(options)).value();
     live->activate();
     const auto& out = *live->system().find("it")->find_out_port("out");
 

@@ -58,7 +58,7 @@ struct LiveRig {
         options.world = sim::make_world;
         options.components = {{"Joystick", {{"sim", make_joystick}}}};
         options.build.log = [this](const LogLine& line) { log.push_back(line); };
-        auto loaded = LiveSystem::load(file, std::move(options));
+        auto loaded = RunningSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));
         live = std::move(*loaded);
         live->activate();
@@ -82,7 +82,7 @@ struct LiveRig {
     Scratch folder;
     std::filesystem::path file;
     std::vector<LogLine> log;
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
 };
 
 }  // namespace nezumi

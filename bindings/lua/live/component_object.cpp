@@ -285,7 +285,7 @@ std::vector<std::string> Objects::methods(const Component& component) {
 }
 
 Expected<ComponentAt> find_component(const ObjectRef& ref) {
-    LiveSystem* live = ref.live();
+    RunningSystem* live = ref.live();
     if (live == nullptr) return failure(fmt::format("the world of '{}' is not built", ref.component()));
     auto found = live->system().component(ref.component());
     if (!found) return Unexpected(found.error());
@@ -299,7 +299,7 @@ Expected<ComponentAt> Objects::to_component(lua_State* L, int index) const {
         if (to_object(L, index, ObjectKind::port) != nullptr) got = "a port";
         return failure("expected a component or its name, got " + got);
     }
-    LiveSystem& live = core_->current();
+    RunningSystem& live = core_->current();
     auto found = live.system().component(text_at(L, index));
     if (!found) return Unexpected(found.error());
     return ComponentAt{&live, *found};

@@ -49,7 +49,7 @@ Answer property(const PortAt& at, std::string_view name) {
 
 // What is to be known of a port before a value for it is read.
 struct PortToRead {
-    LiveSystem* live;
+    RunningSystem* live;
     std::string path;
     std::string title;  // "input 'in' (TimedShortSeq)"
     std::size_t type;
@@ -225,7 +225,7 @@ Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
         return failure(fmt::format("expected a port or \"name.port\", got {}",
                                    ref != nullptr ? told(*ref) : std::string(Arguments{L}.kind(index))));
     }
-    LiveSystem& live = core_->current();
+    RunningSystem& live = core_->current();
     const std::string_view path = text_at(L, index);
     const auto port = live.system().port(path);
     if (!port) return Unexpected(port.error());

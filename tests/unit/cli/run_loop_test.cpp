@@ -31,7 +31,7 @@ struct RealRun {
             return std::make_unique<FakeBody>(hull, model, not_simulated);
         };
         options.build.real_time = true;
-        auto made = LiveSystem::make(std::move(spec), Project::of("behaviors/systems/any.lua"), std::move(options));
+        auto made = RunningSystem::make(std::move(spec), Project::of("behaviors/systems/any.lua"), std::move(options));
         REQUIRE(made);
         live = std::move(*made);
         live->activate();
@@ -40,7 +40,7 @@ struct RealRun {
     const Robot& robot() const { return *live->system().find_robot("mouse"); }
 
     FakeHull hull;
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
 };
 
 // Ends the run once this is so.
@@ -98,7 +98,7 @@ TEST_CASE("1000 Hz asked is 1000 Hz given on average, within 0.1 %", "[cli][run]
     SystemSpec spec;
     spec.rate = 1000;
     spec.physics_step = 0.001;
-    const auto live = LiveSystem::make(std::move(spec), Project::of("behaviors/systems/any.lua"), {});
+    const auto live = RunningSystem::make(std::move(spec), Project::of("behaviors/systems/any.lua"), {});
     REQUIRE(live);
     (*live)->activate();
     RunLoop loop(**live, {});

@@ -280,9 +280,9 @@ TEST_CASE("what the last console holds on a real robot ends with it, a spreadshe
     const bool real = GENERATE(true, false);
     CAPTURE(who, real);
     options.build.real_time = real;
-    auto loaded = LiveSystem::load(it.file, options);
+    auto loaded = RunningSystem::load(it.file, options);
     REQUIRE(loaded);
-    LiveSystem& live = **loaded;
+    RunningSystem& live = **loaded;
     ConsoleServer server(live, it);
     std::optional<ConsoleClient> one(std::move(*server.connect(ConsoleServer::Use::prompt)));
     std::optional<ConsoleClient> other(std::move(*server.connect(ConsoleServer::Use::prompt)));

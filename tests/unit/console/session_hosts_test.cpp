@@ -56,7 +56,7 @@ struct HostsRig : ClockControl {
             network = made.get();
             return made;
         };
-        auto loaded = LiveSystem::load(
+        auto loaded = RunningSystem::load(
             folder.write("s.lua", "network { name = 'pi' }\nbehavior 'it' { script = 'it' }\n"), std::move(options));
         REQUIRE(loaded.has_value());
         live = std::move(*loaded);
@@ -95,7 +95,7 @@ struct HostsRig : ClockControl {
     Scratch folder;
     Bell bell;
     OneHost* network = nullptr;
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
     std::string shown;
     std::unique_ptr<Session> session;
 };

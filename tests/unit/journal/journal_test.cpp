@@ -154,7 +154,7 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
     RecordingFiles files;
     LiveOptions options = RandomRun::makers();
     options.files = &files;
-    auto live = std::move(LiveSystem::load(system, std::move(options)).value());
+    auto live = std::move(RunningSystem::load(system, std::move(options)).value());
     auto journal = std::move(Journal::create(other.path("it.journal"), files).value());
     journal->begin(*live, journal_version, false);
     live->activate();

@@ -41,7 +41,7 @@ public:
         options.files = &files_;
         options.world = with_pictures_from(files_, std::move(options.world));
         options.build.seed = seed_;
-        auto loaded = LiveSystem::load(file, std::move(options));
+        auto loaded = RunningSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));
         live_ = std::move(*loaded);
         journal.begin(*live_, journal_version, false);
@@ -216,7 +216,7 @@ function on_execute()
     std::uint64_t seed_;
     std::mt19937_64 random_;
     RecordingFiles files_;
-    std::unique_ptr<LiveSystem> live_;
+    std::unique_ptr<RunningSystem> live_;
 };
 
 /// What a replay has come to.

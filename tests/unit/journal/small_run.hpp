@@ -24,7 +24,7 @@ struct SmallRun {
         options.scripts = &lua_scripts();
         options.files = &files;
         options.budget = budget;
-        live = std::move(LiveSystem::load(system, std::move(options)).value());
+        live = std::move(RunningSystem::load(system, std::move(options)).value());
         journal = std::move(Journal::create(file, files).value());
         journal->begin(*live, journal_version, false);
         live->activate();
@@ -51,7 +51,7 @@ struct SmallRun {
     Scratch folder;
     std::filesystem::path file = folder.path("it.journal");
     RecordingFiles files;
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
     std::unique_ptr<Journal> journal;
 };
 
