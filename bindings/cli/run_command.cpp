@@ -16,14 +16,12 @@
 #include "bindings/cli/named_files.hpp"
 #include "bindings/cli/output_files.hpp"
 #include "bindings/cli/picture.hpp"
-#include "bindings/cli/problems.hpp"
 #include "bindings/cli/real_time.hpp"
 #include "bindings/cli/recorder.hpp"
 #include "bindings/cli/run_console.hpp"
 #include "bindings/cli/run_devices.hpp"
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/run_journal.hpp"
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
 #include "bindings/cli/run_rtm.hpp"
 #include "bindings/cli/run_web.hpp"
@@ -36,6 +34,9 @@
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/live/problems.hpp"
+#include "engine/live/robot_buttons.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -120,7 +121,6 @@ public:
         loop.end_at(options_.duration);
         journal_.follow(loop);
         StartButtons start_buttons(loop, [this](const std::string& text) { say(text); });
-        StopButtons stop_buttons(loop);
         ShutdownButtons shutdown_buttons(loop, [this](const std::string& text) { say(text); });
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);

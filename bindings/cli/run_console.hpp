@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/console/server.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 

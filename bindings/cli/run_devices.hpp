@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bindings/cli/run_hardware.hpp"
-#include "bindings/cli/run_loop.hpp"
+#include "engine/live/run_loop.hpp"
 #include "hw/device/roots.hpp"
 #include "hw/log/logged_files.hpp"
 #include "hw/log/played_files.hpp"

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
 #include "bindings/journal/journal.hpp"
 #include "bindings/journal/replay.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 

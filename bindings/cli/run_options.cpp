@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "bindings/cli/output_files.hpp"
-#include "bindings/cli/run_loop.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -13,12 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
 #include "bindings/console/session.hpp"
 #include "bindings/console/transport.hpp"
 #include "bindings/console/worker.hpp"
 #include "engine/base/log.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/live/clock_control.hpp"
 #include "engine/live/running_system.hpp"
 
 namespace nezumi {

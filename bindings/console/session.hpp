@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
 #include "bindings/console/peers.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/live/clock_control.hpp"
 #include "engine/live/running_system.hpp"
 
 namespace nezumi {

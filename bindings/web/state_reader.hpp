@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
 #include "bindings/web/changes.hpp"
+#include "engine/live/clock_control.hpp"
 #include "engine/live/running_system.hpp"
 
 namespace nezumi::web {

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
 #include "bindings/console/server.hpp"
 #include "bindings/console/worker.hpp"
 #include "bindings/web/console_relay.hpp"
@@ -18,6 +17,7 @@
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/state_reader.hpp"
+#include "engine/live/clock_control.hpp"
 #include "engine/live/running_system.hpp"
 
 namespace nezumi::web {

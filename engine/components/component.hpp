@@ -142,6 +142,9 @@ public:
     virtual std::int64_t traces() const { return 0; }
     virtual TracedLines latest_trace() const { return {}; }
 
+    /// Whether an emergency stop was asked for at it since the last call, as by a gamepad's button.
+    virtual bool take_stop() { return false; }
+
     /// INACTIVE to ACTIVE. In-ports start empty. An error says why not (it is in ERROR, or `on_activated` failed).
     Expected<void> activate(const Time& now);
     /// ACTIVE to INACTIVE; safe values are written.

@@ -130,6 +130,10 @@ void RunningSystem::tick() {
     const ActTime time = when();
     running_->system->tick();
     if (act_observer_ != nullptr) tell_out_of_time(time);
+    // An emergency stop is never refused.
+    for (const auto& component : running_->system->components()) {
+        if (component->take_stop()) static_cast<void>(act(Stop{}, {Actor::Kind::joystick, component->name()}));
+    }
 }
 
 ActTime RunningSystem::when() const { return {starts_, running_->system->now().tick, acts_}; }
@@ -230,11 +234,9 @@ void RunningSystem::end() {
 
 const System& RunningSystem::system() const { return *running_->system; }
 const SystemSpec& RunningSystem::spec() const { return running_->spec; }
-std::vector<std::string> RunningSystem::changed_files() const { return look_for_changes()(); }
-
 std::function<std::vector<std::string>()> RunningSystem::look_for_changes() const {
     return [files = running_->reloads->loaded_files(), project = project_] {
-        return nezumi::changed_files(files, [&](const std::string& path) { return project.read_source(path); });
+        return changed_files(files, [&](const std::string& path) { return project.read_source(path); });
     };
 }
 

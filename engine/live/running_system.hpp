@@ -70,7 +70,8 @@ public:
 
     /// Activates all that the file does not keep inactive, in order.
     void activate();
-    /// Takes what was saved, if anything, and runs one tick.
+    /// Takes what was saved, if anything, and runs one tick. An emergency stop follows where a gamepad's button for it
+    /// was pressed.
     void tick();
     /// Takes what was saved, if anything: for the time in which no tick comes.
     void between_ticks();
@@ -126,11 +127,9 @@ public:
     const Project& project() const { return project_; }
     const LiveOptions& options() const { return options_; }
     PartReader part_reader() const { return {project_, options_.scripts}; }
-    /// Scripts and modules that have changed since they were loaded, as `Reload` takes them.
-    std::vector<std::string> changed_files() const;
     // Files that do not answer must keep no tick. What follows is asked for between two ticks and called in a thread
     // that may wait, before the act.
-    /// `changed_files`.
+    /// Scripts and modules that have changed since they were loaded, as `Reload` takes them.
     std::function<std::vector<std::string>()> look_for_changes() const;
     /// Loads what `Reload` of these files would, and lets it go: the error is why it would be refused.
     std::function<Expected<void>()> try_reload(const std::vector<std::string>& files) const;

@@ -168,7 +168,7 @@ function on_execute()
     }
     Act make(std::in_place_type_t<Reload>) {
         write_scripts(random_());
-        std::vector<std::string> changed = live_->changed_files();
+        std::vector<std::string> changed = live_->look_for_changes()();
         if (below(5) == 0)
             return Reload{.component = "controller", .shown = "broken.lua", .text = "function on_execute( end"};
         return Reload{.files = std::move(changed), .component = "nobody"};

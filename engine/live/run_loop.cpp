@@ -1,5 +1,5 @@
 // Deadlines are the pacer's; what is left before them belongs to the attendants.
-#include "bindings/cli/run_loop.hpp"
+#include "engine/live/run_loop.hpp"
 
 #include <poll.h>
 
@@ -10,7 +10,7 @@
 #include <ctime>
 #include <utility>
 
-namespace nezumi::cli {
+namespace nezumi {
 namespace {
 
 Pacer::Clock::duration duration_of(double seconds) {
@@ -162,4 +162,4 @@ void RunLoop::wait_for_files(double seconds, bool of_hosts_alone) {
     ppoll(polled.data(), polled.size(), &timeout, nullptr);  // a signal ends it as well, and the loop looks again
 }
 
-}  // namespace nezumi::cli
+}  // namespace nezumi

@@ -8,13 +8,13 @@
 #include <memory>
 #include <vector>
 
-#include "bindings/cli/problems.hpp"
-#include "bindings/console/clock_control.hpp"
+#include "engine/live/clock_control.hpp"
+#include "engine/live/problems.hpp"
 #include "engine/live/running_system.hpp"
 #include "engine/system/lateness.hpp"
 #include "engine/system/pacer.hpp"
 
-namespace nezumi::cli {
+namespace nezumi {
 
 /// As a speed: ticks follow each other without waiting.
 inline constexpr double as_fast_as_possible = std::numeric_limits<double>::infinity();
@@ -126,4 +126,4 @@ private:
     bool quit_ = false;
 };
 
-}  // namespace nezumi::cli
+}  // namespace nezumi

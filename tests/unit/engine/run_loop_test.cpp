@@ -1,31 +1,30 @@
 // The loop of a run: it keeps to the clock, and no pause leaves a real robot driving.
-#include "bindings/cli/run_loop.hpp"
+#include "engine/live/run_loop.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bindings/lua/reload/lua_host.hpp"
+#include "engine/live/robot_buttons.hpp"
 #include "tests/unit/engine/fake_world.hpp"
 #include "tests/unit/engine/try_component.hpp"
 
 using namespace nezumi;
-using namespace nezumi::cli;
 
 namespace {
 
 // A mouse whose body is none of a world's, driven at 0.1 m/s by a hand on its in-port.
 struct RealRun {
-    RealRun() {
+    explicit RealRun(HardwareSpec hardware = {}) {
         SystemSpec spec;
         spec.models["mouse"] = fake_mouse();
+        spec.models["mouse"].hardware = std::move(hardware);
         RobotEntry entry;
         entry.name = "mouse";
         entry.model = "mouse";
         entry.backend = "driver";
         spec.entries.emplace_back(entry);
         LiveOptions options;
-        options.scripts = &lua_scripts();
         options.bodies["driver"] = [this](const RobotEntry&,
                                           const RobotSpec& model) -> Expected<std::unique_ptr<RobotBody>> {
             return std::make_unique<FakeBody>(hull, model, not_simulated);
@@ -42,6 +41,8 @@ struct RealRun {
     FakeHull hull;
     std::unique_ptr<RunningSystem> live;
 };
+
+constexpr std::size_t button = 3;  // of the fake mouse's sensors
 
 // Ends the run once this is so.
 struct Until final : Attendant {
@@ -94,7 +95,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("1000 Hz asked is 1000 Hz given on average, within 0.1 %", "[cli][run][wallclock]") {
+TEST_CASE("1000 Hz asked is 1000 Hz given on average, within 0.1 %", "[engine][run][wallclock]") {
     SystemSpec spec;
     spec.rate = 1000;
     spec.physics_step = 0.001;
@@ -110,7 +111,7 @@ TEST_CASE("1000 Hz asked is 1000 Hz given on average, within 0.1 %", "[cli][run]
     CHECK(std::abs(offsets.least(3000, 4000) - offsets.least(0, 1000)) < 0.001 * 3);
 }
 
-TEST_CASE("a pause of a real robot stops it, and time goes on", "[cli][hardware]") {
+TEST_CASE("a pause of a real robot stops it, and time goes on", "[engine][hardware]") {
     RealRun run;
     const RunLoop::Options options;
     const auto drives = [&] { return run.hull.speeds.left > 0.05; };
@@ -136,4 +137,38 @@ TEST_CASE("a pause of a real robot stops it, and time goes on", "[cli][hardware]
         CHECK_FALSE(loop.is_paused());
         CHECK(run_until(loop, drives));
     }
+}
+
+TEST_CASE("a robot with a start button stands until it is pressed", "[engine][hardware][safety]") {
+    RealRun run({.start = "button"});
+    RunLoop loop(*run.live, {.speed = as_fast_as_possible});
+    std::vector<std::string> said;
+    const StartButtons buttons(loop, [&](const std::string& line) { said.push_back(line); });
+    CHECK(said == std::vector<std::string>{"mouse WAITS: PRESS button ON THE ROBOT, and it starts to move"});
+    loop.after_tick([&] {
+        if (run.hull.speeds != Wheels{}) loop.quit();
+        run.hull.pressed[button] = run.live->system().now().seconds >= 1;
+    });
+    loop.end_at(20);
+    loop.run();
+    CHECK(run.live->system().now().seconds > 1);
+    CHECK(run.hull.speeds.left > 0);
+    CHECK(said.back() == "mouse starts");
+}
+
+TEST_CASE("a long press of a robot's shutdown button ends the run", "[engine][hardware]") {
+    RealRun run({.shutdown = "button"});
+    RunLoop loop(*run.live, {.speed = as_fast_as_possible});
+    std::vector<std::string> said;
+    const ShutdownButtons buttons(loop, [&](const std::string& line) { said.push_back(line); });
+    loop.after_tick([&] {
+        const double now = run.live->system().now().seconds;
+        run.hull.pressed[button] = (now > 1 && now < 2) || now > 3;
+    });
+    loop.end_at(20);
+    loop.run();
+    CHECK_FALSE(loop.came_to_end());
+    CHECK(run.live->system().now().seconds == Approx(6).margin(0.1));
+    CHECK(said ==
+          std::vector<std::string>{"mouse: button was held for 3 s: the run ends, and the computer is shut down"});
 }

@@ -8,7 +8,7 @@
 
 #include "engine/base/log.hpp"
 
-namespace nezumi::cli {
+namespace nezumi {
 
 class Problems {
 public:
@@ -28,4 +28,4 @@ private:
     std::deque<LogLine> lines_;
 };
 
-}  // namespace nezumi::cli
+}  // namespace nezumi
