@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/web/explain_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"

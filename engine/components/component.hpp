@@ -43,6 +43,8 @@ enum class Hook : unsigned char {
 
 /// Every hook's name as scripts spell it; Hook::none and Hook::command have none.
 std::string_view to_text(Hook hook);
+/// The names of all that have one, in the order of `Hook`.
+const std::vector<std::string_view>& hook_names();
 
 /// What a component says of itself; "" for what it does not say.
 struct ComponentAbout {

@@ -192,17 +192,6 @@ const std::vector<std::string_view>& script_globals() {
     return globals;
 }
 
-const std::vector<std::string_view>& hook_names() {
-    static const std::vector<std::string_view> names = [] {
-        std::vector<std::string_view> all;
-        for (int i = static_cast<int>(Hook::on_activated); i <= static_cast<int>(Hook::on_reload); ++i) {
-            all.push_back(to_text(static_cast<Hook>(i)));
-        }
-        return all;
-    }();
-    return names;
-}
-
 void push_state(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &state_key); }
 
 }  // namespace nezumi

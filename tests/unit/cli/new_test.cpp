@@ -10,7 +10,7 @@
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
-#include "bindings/lua/script/script_globals.hpp"
+#include "engine/components/component.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"

@@ -1,7 +1,6 @@
 // What a browser is shown of a running system, and what it does to it.
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/script/script_globals.hpp"
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
