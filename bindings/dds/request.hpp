@@ -19,15 +19,32 @@ struct WireValue {
     std::int64_t integer = 0;  ///< also of a truth value, and the place of a table
     double number = 0;
     std::string text{};
+
+    static constexpr std::string_view type_name = "WireValue";
+    static constexpr std::tuple fields{
+        Field{"kind", &WireValue::kind, "", "nothing, truth value, integer, number, text, table"},
+        Field{"integer", &WireValue::integer, "", ""},
+        Field{"number", &WireValue::number, "", ""},
+        Field{"text", &WireValue::text, "", ""},
+    };
 };
 
 struct WireTable {
     std::vector<WireValue> entries{};  ///< a key, its value, a key, ...
+
+    static constexpr std::string_view type_name = "WireTable";
+    static constexpr std::tuple fields{Field{"entries", &dds::WireTable::entries, "", "keys and values by turns"}};
 };
 
 struct WireData {
     std::vector<WireValue> values{};
     std::vector<WireTable> tables{};
+
+    static constexpr std::string_view type_name = "WireData";
+    static constexpr std::tuple fields{
+        Field{"values", &dds::WireData::values, "", ""},
+        Field{"tables", &dds::WireData::tables, "", "that values refer to"},
+    };
 };
 
 struct RemoteRequest {
@@ -38,6 +55,17 @@ struct RemoteRequest {
     std::string component{};
     std::string name{};
     WireData values{};
+
+    static constexpr std::string_view type_name = "Request";
+    static constexpr std::tuple fields{
+        Field{"from", &RemoteRequest::from, "", "run of who asks"},
+        Field{"to", &RemoteRequest::to, "", "run of who is asked"},
+        Field{"number", &RemoteRequest::number, "", "in its run, from 1 on"},
+        Field{"what", &RemoteRequest::what, "", "is asked"},
+        Field{"component", &RemoteRequest::component, "", "of whom"},
+        Field{"name", &RemoteRequest::name, "", "of a set, parameter or command"},
+        Field{"values", &RemoteRequest::values, "", "of the parameter, or arguments"},
+    };
 };
 
 struct Reply {
@@ -46,6 +74,15 @@ struct Reply {
     bool well = false;
     std::string problem{};  ///< when not
     WireData values{};
+
+    static constexpr std::string_view type_name = "Reply";
+    static constexpr std::tuple fields{
+        Field{"to", &Reply::to, "", "run of who asked"},
+        Field{"number", &Reply::number, "", "of the request"},
+        Field{"well", &Reply::well, "", "it was done"},
+        Field{"problem", &Reply::problem, "", "or why not"},
+        Field{"values", &Reply::values, "", "that it has come to"},
+    };
 };
 
 /// Requests to a host, and replies to it. Best effort: what is lost is asked again, and nothing waits in a broken link
@@ -58,62 +95,3 @@ WireData to_wire(const PlainData& data);
 Expected<PlainData> from_wire(WireData wire);
 
 }  // namespace nezumi::dds
-
-namespace nezumi {
-
-template <>
-struct Describe<dds::WireValue> {
-    using T = dds::WireValue;
-    static constexpr std::string_view name = "WireValue";
-    static constexpr std::tuple fields{
-        Field{"kind", &T::kind, "", "nothing, truth value, integer, number, text, table"},
-        Field{"integer", &T::integer, "", ""},
-        Field{"number", &T::number, "", ""},
-        Field{"text", &T::text, "", ""},
-    };
-};
-
-template <>
-struct Describe<dds::WireTable> {
-    static constexpr std::string_view name = "WireTable";
-    static constexpr std::tuple fields{Field{"entries", &dds::WireTable::entries, "", "keys and values by turns"}};
-};
-
-template <>
-struct Describe<dds::WireData> {
-    static constexpr std::string_view name = "WireData";
-    static constexpr std::tuple fields{
-        Field{"values", &dds::WireData::values, "", ""},
-        Field{"tables", &dds::WireData::tables, "", "that values refer to"},
-    };
-};
-
-template <>
-struct Describe<dds::RemoteRequest> {
-    using T = dds::RemoteRequest;
-    static constexpr std::string_view name = "Request";
-    static constexpr std::tuple fields{
-        Field{"from", &T::from, "", "run of who asks"},
-        Field{"to", &T::to, "", "run of who is asked"},
-        Field{"number", &T::number, "", "in its run, from 1 on"},
-        Field{"what", &T::what, "", "is asked"},
-        Field{"component", &T::component, "", "of whom"},
-        Field{"name", &T::name, "", "of a set, parameter or command"},
-        Field{"values", &T::values, "", "of the parameter, or arguments"},
-    };
-};
-
-template <>
-struct Describe<dds::Reply> {
-    using T = dds::Reply;
-    static constexpr std::string_view name = "Reply";
-    static constexpr std::tuple fields{
-        Field{"to", &T::to, "", "run of who asked"},
-        Field{"number", &T::number, "", "of the request"},
-        Field{"well", &T::well, "", "it was done"},
-        Field{"problem", &T::problem, "", "or why not"},
-        Field{"values", &T::values, "", "that it has come to"},
-    };
-};
-
-}  // namespace nezumi

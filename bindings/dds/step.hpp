@@ -15,6 +15,12 @@ namespace nezumi::dds {
 struct StepMessage {
     std::string port{};  ///< "name.port" of the sender
     Octets payload{};    ///< CDR with its header
+
+    static constexpr std::string_view type_name = "StepMessage";
+    static constexpr std::tuple fields{
+        Field{"port", &StepMessage::port, "", "name.port"},
+        Field{"payload", &StepMessage::payload, "", "CDR with its header"},
+    };
 };
 
 /// A host's tick is done: what its ports have published in it.
@@ -32,39 +38,21 @@ struct Step {
     bool paused = false;      ///< the sender could go on, and does not
     std::string waits_for{};  ///< the host for which the sender waits
     std::vector<StepMessage> messages{};
+
+    static constexpr std::string_view type_name = "Step";
+    static constexpr std::tuple fields{
+        Field{"run", &Step::run, "", "of the sender"},
+        Field{"to", &Step::to, "", "run of the receiver"},
+        Field{"began", &Step::began, "", "the sender's tick of the first step"},
+        Field{"tick", &Step::tick, "", "the sender's next one"},
+        Field{"end", &Step::end, "", "goes on, parts, ends"},
+        Field{"paused", &Step::paused, "", "the sender could go on"},
+        Field{"waits_for", &Step::waits_for, "", "a host"},
+        Field{"messages", &Step::messages, "", "published in the tick before"},
+    };
 };
 
 /// The steps of one host for another.
 Topic step_topic(const std::string& from, const std::string& to);
 
 }  // namespace nezumi::dds
-
-namespace nezumi {
-
-template <>
-struct Describe<dds::StepMessage> {
-    using T = dds::StepMessage;
-    static constexpr std::string_view name = "StepMessage";
-    static constexpr std::tuple fields{
-        Field{"port", &T::port, "", "name.port"},
-        Field{"payload", &T::payload, "", "CDR with its header"},
-    };
-};
-
-template <>
-struct Describe<dds::Step> {
-    using T = dds::Step;
-    static constexpr std::string_view name = "Step";
-    static constexpr std::tuple fields{
-        Field{"run", &T::run, "", "of the sender"},
-        Field{"to", &T::to, "", "run of the receiver"},
-        Field{"began", &T::began, "", "the sender's tick of the first step"},
-        Field{"tick", &T::tick, "", "the sender's next one"},
-        Field{"end", &T::end, "", "goes on, parts, ends"},
-        Field{"paused", &T::paused, "", "the sender could go on"},
-        Field{"waits_for", &T::waits_for, "", "a host"},
-        Field{"messages", &T::messages, "", "published in the tick before"},
-    };
-};
-
-}  // namespace nezumi

@@ -28,6 +28,13 @@ struct AnnouncementHead {
     std::string host;
     std::string version;
     bool operator==(const AnnouncementHead&) const = default;
+
+    static constexpr std::string_view type_name = "AnnouncementHead";
+    static constexpr std::tuple fields{
+        Field{"protocol", &AnnouncementHead::protocol, "", "what the rest is to be understood by"},
+        Field{"host", &AnnouncementHead::host, "", "its name"},
+        Field{"version", &AnnouncementHead::version, "", "of nezumi there"},
+    };
 };
 
 struct AnnouncedPort {
@@ -35,6 +42,13 @@ struct AnnouncedPort {
     std::string type;
     bool in = false;
     bool operator==(const AnnouncedPort&) const = default;
+
+    static constexpr std::string_view type_name = "AnnouncedPort";
+    static constexpr std::tuple fields{
+        Field{"name", &AnnouncedPort::name, "", "name.port"},
+        Field{"type", &AnnouncedPort::type, "", "of its messages"},
+        Field{"in", &AnnouncedPort::in, "", "an in-port"},
+    };
 };
 
 /// A connection between two hosts, both ends "host/name.port"; in a refusal with the reason.
@@ -43,6 +57,13 @@ struct AnnouncedConnection {
     std::string to;
     std::string why{};
     bool operator==(const AnnouncedConnection&) const = default;
+
+    static constexpr std::string_view type_name = "AnnouncedConnection";
+    static constexpr std::tuple fields{
+        Field{"from", &AnnouncedConnection::from, "", "host/name.port of an out-port"},
+        Field{"to", &AnnouncedConnection::to, "", "host/name.port of an in-port"},
+        Field{"why", &AnnouncedConnection::why, "", "it is refused"},
+    };
 };
 
 /// What a host says of itself, again whenever it changes. Who comes late is given the last one.
@@ -57,6 +78,19 @@ struct Announcement {
     double lockstep = 0;                        ///< [Hz] its ticks, 0 where it keeps its own time
     std::vector<std::string> partners;          ///< hosts with which it is to keep in step, sorted
     bool operator==(const Announcement&) const = default;
+
+    static constexpr std::string_view type_name = "Announcement";
+    static constexpr std::tuple fields{
+        Field{"head", &Announcement::head, "", "who says this"},
+        Field{"run", &Announcement::run, "", "since its start"},
+        Field{"number", &Announcement::number, "", "in its run, from 1 on"},
+        Field{"heard", &Announcement::heard, "", "runs of hosts that it knows of"},
+        Field{"ports", &Announcement::ports, "", "that it has"},
+        Field{"wants", &Announcement::wants, "", "connections with other hosts"},
+        Field{"refusals", &Announcement::refusals, "", "of what others want"},
+        Field{"lockstep", &Announcement::lockstep, "Hz", "its ticks, 0: its own time"},
+        Field{"partners", &Announcement::partners, "", "to keep in step with"},
+    };
 };
 
 /// What stands before the payload of a message between hosts.
@@ -66,73 +100,15 @@ struct MessageHead {
     double stamp = 0;
     std::int64_t tick = 0;
     double offset = 0;
+
+    static constexpr std::string_view type_name = "MessageHead";
+    static constexpr std::tuple fields{
+        Field{"run", &MessageHead::run, "", "of the sender"},
+        Field{"number", &MessageHead::number, "", "in its topic, from 1 on"},
+        Field{"stamp", &MessageHead::stamp, "s", "of the message, by the sender's time"},
+        Field{"tick", &MessageHead::tick, "", "of the sender's, in which it was sent"},
+        Field{"offset", &MessageHead::offset, "s", "of the sender's monotonic clock over its time, when it was sent"},
+    };
 };
 
 }  // namespace nezumi::dds
-
-namespace nezumi {
-
-template <>
-struct Describe<dds::AnnouncementHead> {
-    using T = dds::AnnouncementHead;
-    static constexpr std::string_view name = "AnnouncementHead";
-    static constexpr std::tuple fields{
-        Field{"protocol", &T::protocol, "", "what the rest is to be understood by"},
-        Field{"host", &T::host, "", "its name"},
-        Field{"version", &T::version, "", "of nezumi there"},
-    };
-};
-
-template <>
-struct Describe<dds::AnnouncedPort> {
-    using T = dds::AnnouncedPort;
-    static constexpr std::string_view name = "AnnouncedPort";
-    static constexpr std::tuple fields{
-        Field{"name", &T::name, "", "name.port"},
-        Field{"type", &T::type, "", "of its messages"},
-        Field{"in", &T::in, "", "an in-port"},
-    };
-};
-
-template <>
-struct Describe<dds::AnnouncedConnection> {
-    using T = dds::AnnouncedConnection;
-    static constexpr std::string_view name = "AnnouncedConnection";
-    static constexpr std::tuple fields{
-        Field{"from", &T::from, "", "host/name.port of an out-port"},
-        Field{"to", &T::to, "", "host/name.port of an in-port"},
-        Field{"why", &T::why, "", "it is refused"},
-    };
-};
-
-template <>
-struct Describe<dds::Announcement> {
-    using T = dds::Announcement;
-    static constexpr std::string_view name = "Announcement";
-    static constexpr std::tuple fields{
-        Field{"head", &T::head, "", "who says this"},
-        Field{"run", &T::run, "", "since its start"},
-        Field{"number", &T::number, "", "in its run, from 1 on"},
-        Field{"heard", &T::heard, "", "runs of hosts that it knows of"},
-        Field{"ports", &T::ports, "", "that it has"},
-        Field{"wants", &T::wants, "", "connections with other hosts"},
-        Field{"refusals", &T::refusals, "", "of what others want"},
-        Field{"lockstep", &T::lockstep, "Hz", "its ticks, 0: its own time"},
-        Field{"partners", &T::partners, "", "to keep in step with"},
-    };
-};
-
-template <>
-struct Describe<dds::MessageHead> {
-    using T = dds::MessageHead;
-    static constexpr std::string_view name = "MessageHead";
-    static constexpr std::tuple fields{
-        Field{"run", &T::run, "", "of the sender"},
-        Field{"number", &T::number, "", "in its topic, from 1 on"},
-        Field{"stamp", &T::stamp, "s", "of the message, by the sender's time"},
-        Field{"tick", &T::tick, "", "of the sender's, in which it was sent"},
-        Field{"offset", &T::offset, "s", "of the sender's monotonic clock over its time, when it was sent"},
-    };
-};
-
-}  // namespace nezumi

@@ -20,9 +20,18 @@ struct Field {
 template <class S, class T>
 Field(const char*, T S::*, const char*, const char*) -> Field<S, T>;
 
-/// Specialised for every structure that crosses a port: `name` and a tuple `fields` that lists every member in order.
+/// What a structure that crosses a port says of itself: `name`, and a tuple `fields` that lists every member in order.
+/// The structure has them as its own `type_name` and `fields`, or, where its header should not know how files spell it,
+/// this template is specialised for it.
 template <class T>
 struct Describe;
+
+template <class T>
+requires requires { T::fields; }
+struct Describe<T> {
+    static constexpr std::string_view name = T::type_name;
+    static constexpr const auto& fields = T::fields;
+};
 
 namespace detail {
 

@@ -17,6 +17,9 @@ struct Point2D {
     double x = 0;
     double y = 0;
     bool operator==(const Point2D&) const = default;
+
+    static constexpr std::string_view type_name = "Point2D";
+    static constexpr std::tuple fields{Field{"x", &Point2D::x, "m", ""}, Field{"y", &Point2D::y, "m", ""}};
 };
 
 struct Point3D {
@@ -24,6 +27,10 @@ struct Point3D {
     double y = 0;
     double z = 0;
     bool operator==(const Point3D&) const = default;
+
+    static constexpr std::string_view type_name = "Point3D";
+    static constexpr std::tuple fields{Field{"x", &Point3D::x, "m", ""}, Field{"y", &Point3D::y, "m", ""},
+                                       Field{"z", &Point3D::z, "m", ""}};
 };
 
 struct Orientation3D {
@@ -31,6 +38,13 @@ struct Orientation3D {
     double p = 0;
     double y = 0;
     bool operator==(const Orientation3D&) const = default;
+
+    static constexpr std::string_view type_name = "Orientation3D";
+    static constexpr std::tuple fields{
+        Field{"r", &Orientation3D::r, "rad", "roll about x"},
+        Field{"p", &Orientation3D::p, "rad", "pitch about y"},
+        Field{"y", &Orientation3D::y, "rad", "yaw about z, counter-clockwise"},
+    };
 };
 
 struct Size3D {
@@ -38,6 +52,10 @@ struct Size3D {
     double w = 0;
     double h = 0;
     bool operator==(const Size3D&) const = default;
+
+    static constexpr std::string_view type_name = "Size3D";
+    static constexpr std::tuple fields{Field{"l", &Size3D::l, "m", "along x"}, Field{"w", &Size3D::w, "m", "along y"},
+                                       Field{"h", &Size3D::h, "m", "along z"}};
 };
 
 /// A velocity in the robot's own frame. The zero value means "stand still".
@@ -46,24 +64,49 @@ struct Velocity2D {
     double vy = 0;
     double va = 0;
     bool operator==(const Velocity2D&) const = default;
+
+    static constexpr std::string_view type_name = "Velocity2D";
+    static constexpr std::tuple fields{
+        Field{"vx", &Velocity2D::vx, "m/s", "speed along the robot's x axis (forward)"},
+        Field{"vy", &Velocity2D::vy, "m/s", "speed along the robot's y axis (left); 0 for two wheels that don't skid"},
+        Field{"va", &Velocity2D::va, "rad/s", "yaw rate, counter-clockwise"},
+    };
 };
 
 struct Pose2D {
     Point2D position;
     double heading = 0;
     bool operator==(const Pose2D&) const = default;
+
+    static constexpr std::string_view type_name = "Pose2D";
+    static constexpr std::tuple fields{
+        Field{"position", &Pose2D::position, "", "where"},
+        Field{"heading", &Pose2D::heading, "rad", "which way, counter-clockwise from the x axis"},
+    };
 };
 
 struct Pose3D {
     Point3D position;
     Orientation3D orientation;
     bool operator==(const Pose3D&) const = default;
+
+    static constexpr std::string_view type_name = "Pose3D";
+    static constexpr std::tuple fields{
+        Field{"position", &Pose3D::position, "", "where"},
+        Field{"orientation", &Pose3D::orientation, "", "roll, pitch and yaw"},
+    };
 };
 
 struct RangerElement {
     Pose3D pose;
     Size3D size;
     bool operator==(const RangerElement&) const = default;
+
+    static constexpr std::string_view type_name = "RangerElement";
+    static constexpr std::tuple fields{
+        Field{"pose", &RangerElement::pose, "", "relative to the ranger"},
+        Field{"size", &RangerElement::size, "", "extent of the element"},
+    };
 };
 
 struct RangerGeometry {
@@ -71,6 +114,13 @@ struct RangerGeometry {
     Size3D size;
     std::vector<RangerElement> elements;
     bool operator==(const RangerGeometry&) const = default;
+
+    static constexpr std::string_view type_name = "RangerGeometry";
+    static constexpr std::tuple fields{
+        Field{"pose", &RangerGeometry::pose, "", "in the robot's frame"},
+        Field{"size", &RangerGeometry::size, "", "extent of the device"},
+        Field{"elements", &RangerGeometry::elements, "", "its single transducers"},
+    };
 };
 
 struct RangerConfig {
@@ -82,6 +132,17 @@ struct RangerConfig {
     double rangeRes = 0;
     double frequency = 0;
     bool operator==(const RangerConfig&) const = default;
+
+    static constexpr std::string_view type_name = "RangerConfig";
+    static constexpr std::tuple fields{
+        Field{"minAngle", &RangerConfig::minAngle, "rad", "first scan angle"},
+        Field{"maxAngle", &RangerConfig::maxAngle, "rad", "last scan angle"},
+        Field{"angularRes", &RangerConfig::angularRes, "rad", "angle between two scans"},
+        Field{"minRange", &RangerConfig::minRange, "m", "shortest distance it measures"},
+        Field{"maxRange", &RangerConfig::maxRange, "m", "longest distance it measures"},
+        Field{"rangeRes", &RangerConfig::rangeRes, "m", "resolution of a distance"},
+        Field{"frequency", &RangerConfig::frequency, "Hz", "scans per second"},
+    };
 };
 
 struct RangeData {
@@ -89,6 +150,13 @@ struct RangeData {
     RangerGeometry geometry;
     RangerConfig config;
     bool operator==(const RangeData&) const = default;
+
+    static constexpr std::string_view type_name = "RangeData";
+    static constexpr std::tuple fields{
+        Field{"ranges", &RangeData::ranges, "m", "distances, one per scan angle"},
+        Field{"geometry", &RangeData::geometry, "", "where the ranger sits"},
+        Field{"config", &RangeData::config, "", "what it can measure"},
+    };
 };
 
 /// Raw bytes; a string in Lua.
@@ -102,6 +170,16 @@ struct CameraImage {
     double fDiv = 0;
     Octets pixels;
     bool operator==(const CameraImage&) const = default;
+
+    static constexpr std::string_view type_name = "CameraImage";
+    static constexpr std::tuple fields{
+        Field{"width", &CameraImage::width, "px", ""},
+        Field{"height", &CameraImage::height, "px", ""},
+        Field{"bpp", &CameraImage::bpp, "bit", "bits per pixel"},
+        Field{"format", &CameraImage::format, "", "how a pixel is stored, for example \"rgb8\" or \"gray8\""},
+        Field{"fDiv", &CameraImage::fDiv, "", "scale factor of a compressed image"},
+        Field{"pixels", &CameraImage::pixels, "", "the bytes, row by row from the top left; a string in Lua"},
+    };
 };
 
 /// How a camera maps what is before it to pixels: a pinhole, and the distortion of its lens after Brown and Conrady, as
@@ -122,132 +200,8 @@ struct CameraIntrinsics {
     double p2 = 0;
     double k3 = 0;
     bool operator==(const CameraIntrinsics&) const = default;
-};
 
-/// A fiducial marker where a camera sees it.
-struct SeenMarker {
-    std::int32_t id = 0;
-    Pose3D pose;
-    bool operator==(const SeenMarker&) const = default;
-};
-
-template <>
-struct Describe<Point2D> {
-    static constexpr std::string_view name = "Point2D";
-    static constexpr std::tuple fields{Field{"x", &Point2D::x, "m", ""}, Field{"y", &Point2D::y, "m", ""}};
-};
-
-template <>
-struct Describe<Point3D> {
-    static constexpr std::string_view name = "Point3D";
-    static constexpr std::tuple fields{Field{"x", &Point3D::x, "m", ""}, Field{"y", &Point3D::y, "m", ""},
-                                       Field{"z", &Point3D::z, "m", ""}};
-};
-
-template <>
-struct Describe<Orientation3D> {
-    static constexpr std::string_view name = "Orientation3D";
-    static constexpr std::tuple fields{
-        Field{"r", &Orientation3D::r, "rad", "roll about x"},
-        Field{"p", &Orientation3D::p, "rad", "pitch about y"},
-        Field{"y", &Orientation3D::y, "rad", "yaw about z, counter-clockwise"},
-    };
-};
-
-template <>
-struct Describe<Size3D> {
-    static constexpr std::string_view name = "Size3D";
-    static constexpr std::tuple fields{Field{"l", &Size3D::l, "m", "along x"}, Field{"w", &Size3D::w, "m", "along y"},
-                                       Field{"h", &Size3D::h, "m", "along z"}};
-};
-
-template <>
-struct Describe<Velocity2D> {
-    static constexpr std::string_view name = "Velocity2D";
-    static constexpr std::tuple fields{
-        Field{"vx", &Velocity2D::vx, "m/s", "speed along the robot's x axis (forward)"},
-        Field{"vy", &Velocity2D::vy, "m/s", "speed along the robot's y axis (left); 0 for two wheels that don't skid"},
-        Field{"va", &Velocity2D::va, "rad/s", "yaw rate, counter-clockwise"},
-    };
-};
-
-template <>
-struct Describe<Pose2D> {
-    static constexpr std::string_view name = "Pose2D";
-    static constexpr std::tuple fields{
-        Field{"position", &Pose2D::position, "", "where"},
-        Field{"heading", &Pose2D::heading, "rad", "which way, counter-clockwise from the x axis"},
-    };
-};
-
-template <>
-struct Describe<Pose3D> {
-    static constexpr std::string_view name = "Pose3D";
-    static constexpr std::tuple fields{
-        Field{"position", &Pose3D::position, "", "where"},
-        Field{"orientation", &Pose3D::orientation, "", "roll, pitch and yaw"},
-    };
-};
-
-template <>
-struct Describe<RangerElement> {
-    static constexpr std::string_view name = "RangerElement";
-    static constexpr std::tuple fields{
-        Field{"pose", &RangerElement::pose, "", "relative to the ranger"},
-        Field{"size", &RangerElement::size, "", "extent of the element"},
-    };
-};
-
-template <>
-struct Describe<RangerGeometry> {
-    static constexpr std::string_view name = "RangerGeometry";
-    static constexpr std::tuple fields{
-        Field{"pose", &RangerGeometry::pose, "", "in the robot's frame"},
-        Field{"size", &RangerGeometry::size, "", "extent of the device"},
-        Field{"elements", &RangerGeometry::elements, "", "its single transducers"},
-    };
-};
-
-template <>
-struct Describe<RangerConfig> {
-    static constexpr std::string_view name = "RangerConfig";
-    static constexpr std::tuple fields{
-        Field{"minAngle", &RangerConfig::minAngle, "rad", "first scan angle"},
-        Field{"maxAngle", &RangerConfig::maxAngle, "rad", "last scan angle"},
-        Field{"angularRes", &RangerConfig::angularRes, "rad", "angle between two scans"},
-        Field{"minRange", &RangerConfig::minRange, "m", "shortest distance it measures"},
-        Field{"maxRange", &RangerConfig::maxRange, "m", "longest distance it measures"},
-        Field{"rangeRes", &RangerConfig::rangeRes, "m", "resolution of a distance"},
-        Field{"frequency", &RangerConfig::frequency, "Hz", "scans per second"},
-    };
-};
-
-template <>
-struct Describe<RangeData> {
-    static constexpr std::string_view name = "RangeData";
-    static constexpr std::tuple fields{
-        Field{"ranges", &RangeData::ranges, "m", "distances, one per scan angle"},
-        Field{"geometry", &RangeData::geometry, "", "where the ranger sits"},
-        Field{"config", &RangeData::config, "", "what it can measure"},
-    };
-};
-
-template <>
-struct Describe<CameraImage> {
-    static constexpr std::string_view name = "CameraImage";
-    static constexpr std::tuple fields{
-        Field{"width", &CameraImage::width, "px", ""},
-        Field{"height", &CameraImage::height, "px", ""},
-        Field{"bpp", &CameraImage::bpp, "bit", "bits per pixel"},
-        Field{"format", &CameraImage::format, "", "how a pixel is stored, for example \"rgb8\" or \"gray8\""},
-        Field{"fDiv", &CameraImage::fDiv, "", "scale factor of a compressed image"},
-        Field{"pixels", &CameraImage::pixels, "", "the bytes, row by row from the top left; a string in Lua"},
-    };
-};
-
-template <>
-struct Describe<CameraIntrinsics> {
-    static constexpr std::string_view name = "CameraIntrinsics";
+    static constexpr std::string_view type_name = "CameraIntrinsics";
     static constexpr std::tuple fields{
         Field{"width", &CameraIntrinsics::width, "px", "of the pictures that they are for"},
         Field{"height", &CameraIntrinsics::height, "px", ""},
@@ -263,9 +217,13 @@ struct Describe<CameraIntrinsics> {
     };
 };
 
-template <>
-struct Describe<SeenMarker> {
-    static constexpr std::string_view name = "SeenMarker";
+/// A fiducial marker where a camera sees it.
+struct SeenMarker {
+    std::int32_t id = 0;
+    Pose3D pose;
+    bool operator==(const SeenMarker&) const = default;
+
+    static constexpr std::string_view type_name = "SeenMarker";
     static constexpr std::tuple fields{
         Field{"id", &SeenMarker::id, "", "its number"},
         Field{"pose", &SeenMarker::pose, "", "from the camera: x forward, y left, z up"},
