@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/ports/payload.hpp"
+#include "engine/world/arena_fields.hpp"
 #include "sim/ode_world.hpp"
 #include "sim/picture.hpp"
 
@@ -34,11 +34,7 @@ Expected<void> check_marker(const MarkerSpec& marker) {
             fmt::format("marker '{}': there is no tag {}, they go from 0 to {}", marker.name, marker.id, tag_count - 1),
             marker.place);
     }
-    const bool has_size = marker.size > 0 && std::isfinite(marker.size);
-    if (!has_size || !nezumi::is_finite(marker.at) || !std::isfinite(marker.facing)) {
-        return failure(fmt::format("marker '{}' needs a positive size and finite numbers", marker.name), marker.place);
-    }
-    return {};
+    return check_record(marker, marker.place);
 }
 
 MarkerPose pose_of(const MarkerSpec& marker) {
@@ -65,8 +61,8 @@ std::vector<std::string> OdeWorld::marker_cells(int id) const {
 }
 
 Expected<void> OdeWorld::move_marker(std::string_view name, const Pose3D& pose) {
-    if (!nezumi::is_finite(pose))
-        return failure(fmt::format("marker '{}': its pose must be of finite numbers", shown(name)));
+    if (const std::string problem = check_pose(pose); !problem.empty())
+        return failure(fmt::format("marker '{}': its pose: {}", shown(name), problem));
     const auto marker = find_marker(markers_, name);
     if (marker == markers_.end()) return no_marker(name, markers_);
     marker->pose = pose;

@@ -64,7 +64,8 @@ Expected<void> OdeWorld::move_label(const Label& label, Shape& shape, const Pose
 }
 
 Expected<void> OdeWorld::move_thing(std::string_view name, const Pose2D& pose) {
-    if (!nezumi::is_finite(pose)) return failure(fmt::format("{}: its pose must be of finite numbers", shown(name)));
+    if (const std::string problem = check_pose(pose); !problem.empty())
+        return failure(fmt::format("{}: its pose: {}", shown(name), problem));
     if (name == border_name) return failure("the walls of the arena's border stay where they are");
     const auto find = [&](const std::vector<Label>& labels) {
         return std::find_if(labels.begin(), labels.end(), [&](const Label& each) { return each.name == name; });

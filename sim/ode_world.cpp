@@ -198,10 +198,8 @@ Expected<void> OdeWorld::check_inside(const std::string& what, const Point2D& at
 
 Expected<void> OdeWorld::check_free(const RobotModel& model, const std::string& name, const Pose2D& pose,
                                     Scene::Index self) {
-    if (!std::isfinite(pose.position.x) || !std::isfinite(pose.position.y) || !std::isfinite(pose.heading)) {
-        return failure(fmt::format("robot '{}': its pose must be of finite numbers, got x = {}, y = {}, heading = {}",
-                                   name, pose.position.x, pose.position.y, pose.heading));
-    }
+    if (const std::string problem = check_pose(pose); !problem.empty())
+        return failure(fmt::format("robot '{}': its pose: {}", name, problem));
     if (auto inside = check_inside(fmt::format("robot '{}'", name), pose.position); !inside) return inside;
     Shape hull = model.hull;
     hull.rotation = yaw_rotation(pose.heading);

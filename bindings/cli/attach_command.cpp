@@ -34,7 +34,7 @@ struct AttachOptions {
 int list_systems() {
     const auto systems = running_systems();
     if (!systems) return refuse(systems.error());
-    for (const RunningSystem& system : *systems) fmt::print("{:<8} {}\n", system.process, system.name);
+    for (const ListeningSystem& system : *systems) fmt::print("{:<8} {}\n", system.process, system.name);
     return systems->empty() ? refuse("nothing is running: start a system with `nezumi run FILE`") : exit_done;
 }
 
@@ -49,7 +49,7 @@ Expected<int> attach_by_ssh(const AttachOptions& options, const std::string& whi
     if (options.timeout > 0) command += fmt::format(" --timeout {}", options.timeout);
     if (options.list) command += " --list";
     const bool has_terminal = !options.eval && isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
-    const auto ended = run_in_front(remote->ssh(command, has_terminal), false);
+    const auto ended = run_in_front(remote->ssh(command, has_terminal));
     if (!ended) return Unexpected(ended.error());
     if (ended->status == no_connection)
         return failure(fmt::format("{} is not to be reached by ssh, or the connection broke", remote->host()));

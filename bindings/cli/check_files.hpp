@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "bindings/cli/lua_kind.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/find_files.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::cli {
 

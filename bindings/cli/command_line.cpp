@@ -26,16 +26,23 @@ CLI::Option* add_option(CLI::App& app, const std::string& name, Value* value, co
         return app.add_flag(name, value->text, help);
     } else {
         CLI::Option* const option = app.add_option(name, *value, help);
-        constexpr bool is_number = std::is_arithmetic_v<Value>;
-        if constexpr (is_number) option->capture_default_str();
-        if constexpr (std::is_same_v<Value, std::string>) {
-            if (!value->empty()) option->capture_default_str();
-        }
         if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
             // Of `--in a --in b`, each takes one: what follows belongs to others.
             if (option->nonpositional()) option->allow_extra_args(false);
         }
         return option;
+    }
+}
+
+// "=8765": how --help shows a default, which CLI11's versions do in several ways.
+template <class Value>
+std::string default_text(const Value* value) {
+    if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
+        return fmt::format("={}", *value);
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+        return value->empty() ? "" : "=" + *value;
+    } else {
+        return "";
     }
 }
 
@@ -46,7 +53,7 @@ void declare(CLI::App& app, const Option& option) {
         std::visit([&](auto* value) { return add_option(app, name, value, option.help); }, option.value);
     declared->required(!may_be_missing);
     if (!takes_value(option)) return;
-    declared->type_name(option.form);
+    declared->type_name(option.form + std::visit([](const auto* value) { return default_text(value); }, option.value));
     if (declared->nonpositional() && !std::holds_alternative<std::optional<std::string>*>(option.value))
         declared->check(not_empty);
     if (option.check) declared->check(option.check);

@@ -16,6 +16,7 @@ SubCommand test_command();
 SubCommand doctor_command();
 SubCommand calibrate_command();
 SubCommand push_command();
+SubCommand receive_command();
 SubCommand marker_command();
 SubCommand network_command();
 SubCommand completion_command();

@@ -42,15 +42,16 @@ Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view,
     return {};
 }
 
-int refuse(std::string_view why) {
-    put_text(stderr, fmt::format("nezumi: {}\n", visible(why)));
-    return exit_could_not_run;
+std::string refusal(const Error& error) {
+    // A place begins the line, so that editors can go there.
+    if (error.place.file.empty()) return visible("nezumi: " + error.message) + "\n";
+    return visible(describe(error)) + "\n";
 }
 
+int refuse(std::string_view why) { return refuse(Error{std::string(why), {}}); }
+
 int refuse(const Error& error) {
-    // A place begins the line, so that editors can go there.
-    if (error.place.file.empty()) return refuse(error.message);
-    put_text(stderr, visible(describe(error)) + "\n");
+    put_text(stderr, refusal(error));
     return exit_could_not_run;
 }
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::cli {
 
@@ -30,5 +30,7 @@ Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view,
 /// Says on standard error why something can't be done: one plain line. Returns `exit_could_not_run`.
 int refuse(std::string_view why);
 int refuse(const Error& error);
+/// That line.
+std::string refusal(const Error& error);
 
 }  // namespace nezumi::cli

@@ -5,6 +5,7 @@
 
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/program.hpp"
+#include "bindings/cli/stack_limit.hpp"
 #include "bindings/cli/standard_files.hpp"
 #include "bindings/cli/status.hpp"
 
@@ -12,6 +13,7 @@ using namespace nezumi;
 
 int main(int count, char** words) {
     cli::open_missing_standard_files();
+    if (const std::string problem = cli::stack_problem(); !problem.empty()) return cli::refuse(problem);
     std::signal(SIGXFSZ, SIG_IGN);  // writing beyond a file's limit is an error like others, also to whoever is started
     int status = cli::exit_could_not_run;
     std::string problem;

@@ -26,6 +26,7 @@ Expected<std::string> marker_pdf(const Paper& paper, const std::vector<int>& ids
         cairo_pdf_surface_create_for_stream(append, &bytes, paper.width * points_per_metre,
                                             paper.height * points_per_metre),
         cairo_surface_destroy);
+    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);  // which every printer reads
     const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()), cairo_destroy);
     cairo_scale(context.get(), points_per_metre, points_per_metre);
     for (const int id : ids) {

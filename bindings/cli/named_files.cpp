@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "bindings/cli/environment.hpp"
-#include "bindings/lua/project/near_path.hpp"
-#include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/test_plan.hpp"
+#include "engine/project/near_path.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi::cli {
 namespace {

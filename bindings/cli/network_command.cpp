@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "bindings/dds/domain_xml.hpp"
 #include "bindings/dds/host_table.hpp"
 #include "bindings/dds/sealed_transport.hpp"
+#include "bindings/dds/user_secret.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
@@ -31,6 +33,15 @@ struct ListOptions {
     double seconds = 3;  // hosts announce themselves every second or so
 };
 
+// The secret of the hosts to be seen: on the loopback this user's, where that is not said and there is one.
+std::optional<Expected<dds::Secret>> secret_for(const ListOptions& options) {
+    if (!options.secret.empty()) return dds::read_secret(options.secret, options.secret);
+    const auto own = dds::user_secret_file();
+    std::error_code none;
+    if (options.interface.empty() && std::filesystem::exists(own, none)) return dds::user_secret(own);
+    return std::nullopt;
+}
+
 int list_network(const ListOptions& options) {
     constexpr std::uint64_t last_domain = 232;
     if (options.domain > last_domain)
@@ -39,17 +50,20 @@ int list_network(const ListOptions& options) {
                                     .xml = dds::domain_xml(options.interface, options.peers),
                                     .loopback = options.interface.empty()});
     if (!place) return refuse(fmt::format("network list: {}", place.error().message));
-    std::unique_ptr<dds::DdsTransport> sealed;
-    if (!options.secret.empty()) {
-        const auto secret = dds::read_secret(options.secret, options.secret);
-        if (!secret) return refuse(fmt::format("network list: {}", secret.error().message));
-        sealed = dds::make_sealed_transport(**place, *secret);
+    const auto secret = secret_for(options);
+    if (secret && !*secret) return refuse(fmt::format("network list: {}", secret->error().message));
+    const auto sealed = secret ? dds::make_sealed_transport(**place, **secret) : nullptr;
+    std::vector<std::unique_ptr<dds::Reader>> readers;
+    for (dds::DdsTransport* each : {options.secret.empty() ? place->get() : nullptr, sealed.get()}) {
+        if (each == nullptr) continue;
+        readers.push_back(each->read(dds::announcement_topic()));
+        if (readers.back() == nullptr) return refuse(fmt::format("network list: {}", (*place)->problem()));
     }
-    const auto reader = (sealed != nullptr ? *sealed : **place).read(dds::announcement_topic());
-    if (reader == nullptr) return refuse(fmt::format("network list: {}", (*place)->problem()));
     std::this_thread::sleep_for(std::chrono::duration<double>(options.seconds));
     dds::HostTable hosts({}, 0);
-    for (const dds::TopicSample& sample : reader->take()) hosts.heard(sample.writer, sample.bytes, 0);
+    for (const auto& reader : readers) {
+        for (const dds::TopicSample& sample : reader->take()) hosts.heard(sample.writer, sample.bytes, 0);
+    }
     const std::string text = dds::list_domain(hosts.all(), (*place)->seen());
     put_text(stdout, text.empty() ? fmt::format("nobody is in domain {}\n", options.domain) : text);
     return exit_done;
@@ -87,7 +101,8 @@ SubCommand network_command() {
                              {"--secret", &list->secret, "that of the hosts to be seen", "FILE"},
                              {"--seconds", &list->seconds, "how long to listen", "S", number_from(0.1, 60)}},
                  .run = [list] { return list_network(*list); },
-                 .footer = "Hosts that have a secret are seen only by who has it: --secret."},
+                 .footer = "Hosts that have a secret are seen only by who has it: --secret. On the loopback those of "
+                           "this user are seen without it."},
                 {.name = "secret",
                  .help = "Write a new secret into a file, for hosts that are to trust each other",
                  .options = {{"FILE", file.get(), "that is not there yet"}},

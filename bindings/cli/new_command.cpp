@@ -18,8 +18,8 @@
 #include "bindings/cli/new_project.hpp"
 #include "bindings/cli/new_system.hpp"
 #include "bindings/lua/files/system_file.hpp"
-#include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/test_plan.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi::cli {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "bindings/cli/json_text.hpp"
-#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/lua/stubs/annotations.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
+#include "engine/components/component.hpp"
 
 namespace nezumi::cli {
 namespace {

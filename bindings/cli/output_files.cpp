@@ -1,12 +1,9 @@
 // A file is tried without leaving a trace.
 #include "bindings/cli/output_files.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 
@@ -17,11 +14,9 @@ bool is_picture_name(std::string_view name) {
 Expected<void> check_can_write(const std::string& file) {
     // Opening is the only test that all file systems answer truly; what it made goes again.
     const bool was_there = access(file.c_str(), F_OK) == 0;
-    const int fd = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-    if (fd < 0 && errno == ENXIO)
-        return failure("is a pipe that nobody reads: start its reader first, or give a file", {file});
-    if (fd < 0) return failure(fmt::format("can't be written: {}", std::strerror(errno)), {file});
-    close(fd);
+    const auto opened = open_to_write(file);
+    if (!opened) return Unexpected(opened.error());
+    close(*opened);
     if (!was_there) unlink(file.c_str());
     return {};
 }

@@ -297,7 +297,7 @@ private:
 
 }  // namespace
 
-PictureOf look_at(const LiveSystem& live, const Trajectories& trajectories, std::string title) {
+PictureOf look_at(const RunningSystem& live, const Trajectories& trajectories, std::string title) {
     const System& system = live.system();
     PictureOf picture{.title = std::move(title),
                       .seconds = system.now().seconds,

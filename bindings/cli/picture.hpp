@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bindings/cli/trajectories.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/world/robot_spec.hpp"
 #include "engine/world/world.hpp"
 
@@ -33,7 +33,7 @@ struct PictureOf {
 };
 
 /// Takes what there is to be seen now.
-PictureOf look_at(const LiveSystem& live, const Trajectories& trajectories, std::string title);
+PictureOf look_at(const RunningSystem& live, const Trajectories& trajectories, std::string title);
 
 /// Draws it to a file that ends in .png or .svg; what lies at no finite place is left out. An error says why it can't
 /// be written; then there is no file.

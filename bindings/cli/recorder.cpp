@@ -4,12 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-#include <filesystem>
+#include <cerrno>
 #include <fstream>
 #include <utility>
 
 #include "engine/base/csv.hpp"
+#include "engine/base/staged_file.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -17,8 +18,9 @@ namespace {
 constexpr std::size_t flush_at = 16384;  // bytes
 // A crash may cost 0.1 s: this, a tick and the time to write.
 constexpr std::chrono::milliseconds longest_unwritten{50};
-// For a tick that is just adding its rows.
-constexpr std::chrono::seconds longest_wait{1};
+// For a tick that is just adding its rows, and then for a disk that is slow.
+constexpr std::chrono::milliseconds longest_wait{400};
+constexpr std::chrono::milliseconds longest_end{200};
 
 }  // namespace
 
@@ -74,52 +76,48 @@ void Recorder::add_rows(const System& system) {
     if (buffer_.size() >= flush_at || Clock::now() - flushed_ > longest_unwritten) flush();
 }
 
-void Recorder::fail(int code) { error_ = Error{fmt::format("can't be written: {}", std::strerror(code)), {name_}}; }
+void Recorder::fail(const std::string& why) { error_ = Error{"can't be written: " + why, {name_}}; }
 
 void Recorder::flush() {
     flushed_ = Clock::now();
     writer_->put(std::exchange(buffer_, {}));
-    if (const int problem = writer_->problem(); problem != 0 && !error_) fail(problem);
+    if (const int problem = writer_->problem(); problem != 0 && !error_) fail(why_not_written(problem));
 }
 
-Expected<void> Recorder::align_rows() {
-    const std::string aligned = file_.path() + ".part";
+void Recorder::align_rows() {
+    StagedFile aligned(file_.path());
     std::ifstream in(file_.path(), std::ios::binary);
-    std::ofstream out(aligned, std::ios::binary | std::ios::trunc);
     std::string row;
-    out << layouts_.back().header << '\n';
+    std::string text = layouts_.back().header + "\n";
+    int problem = aligned.problem();
+    const auto write = [&] {
+        if (problem == 0) problem = write_all(aligned.descriptor(), std::exchange(text, {}));
+        if (problem == 0 && writer_->is_given_up()) problem = ECANCELED;
+    };
     read_csv_row(in, row);  // the header of the beginning
     std::size_t layout = 0;
     std::vector<std::string> by_id;
-    for (std::uint64_t number = 0; out && read_csv_row(in, row); ++number) {
+    for (std::uint64_t number = 0; problem == 0 && read_csv_row(in, row); ++number) {
         if (layout + 1 < layouts_.size() && layouts_[layout + 1].row == number) ++layout;
         const auto cells = split_csv_row(row).value_or(std::vector<std::string_view>{""});
         by_id.assign(table_.width(), {});
         const auto& ids = layouts_[layout].ids;
         for (std::size_t i = 0; i < ids.size() && i + 1 < cells.size(); ++i) by_id[ids[i]] = cells[i + 1];
-        out << TraceTable::row(cells.front(), layouts_.back().ids, by_id) << '\n';
+        text += TraceTable::row(cells.front(), layouts_.back().ids, by_id) + "\n";
+        if (text.size() >= flush_at) write();
     }
-    out.close();
-    std::error_code code;
-    if (out) std::filesystem::rename(aligned, file_.path(), code);
-    if (out && !code) return {};
-    std::error_code none;
-    std::filesystem::remove(aligned, none);
-    return failure(fmt::format("can't be written: {}", code ? code.message() : "the disk may be full"), {name_});
+    write();
+    if (problem == 0) problem = aligned.commit();
+    if (problem != 0) fail(why_not_written(problem));
 }
 
-void Recorder::complete() {
+void Recorder::complete(std::chrono::milliseconds patience) {
     sealed_ = complete_ = true;
     if (layouts_.empty()) begin_layout();  // no tick has passed: the header alone
     flush();
-    if (const int problem = writer_->close(); problem != 0 && !error_) fail(problem);
-    aligned_ = layouts_.size() == 1;
-    if (error_ || aligned_) return;
-    if (auto ok = align_rows(); ok) {
-        aligned_ = true;
-    } else {
-        error_ = ok.error();
-    }
+    if (const int problem = writer_->close(patience); problem != 0 && !error_) fail(why_not_written(problem));
+    if (!error_ && layouts_.size() > 1) align_rows();
+    aligned_ = !error_;
 }
 
 void Recorder::end_with_note(std::string_view why) {
@@ -133,7 +131,7 @@ void Recorder::end_with_note(std::string_view why) {
 Expected<void> Recorder::finish() {
     const std::lock_guard lock(*mutex_);
     if (complete_) return {};
-    complete();
+    complete(FileWriter::forever);
     if (!error_) {
         file_.replace_older();
         return {};
@@ -148,7 +146,7 @@ Expected<void> Recorder::finish() {
 void Recorder::end_here(std::string_view why) {
     const std::unique_lock lock(*mutex_, longest_wait);
     if (!lock.owns_lock() || complete_) return;
-    complete();
+    complete(longest_end);
     end_with_note(error_ ? error_->message : why);
 }
 

@@ -48,6 +48,10 @@ public:
     std::string told_of_older() const { return file_.told_of_older(); }
     /// What keeps the file from being written, as soon as something does.
     const std::optional<Error>& error() const { return error_; }
+    /// The file takes less than comes: a run that follows no clock should wait.
+    bool is_behind() const { return writer_->is_behind(); }
+    /// What is not written yet is not: `finish` returns soon, with an error. From any thread.
+    void give_up() { writer_->give_up(); }
 
 private:
     // From which row on the columns are these, by their ids.
@@ -62,9 +66,9 @@ private:
     void follow_ports(const System& system);
     void begin_layout();
     void flush();
-    void fail(int code);
-    void complete();
-    Expected<void> align_rows();
+    void fail(const std::string& why);
+    void complete(std::chrono::milliseconds patience);
+    void align_rows();
     void end_with_note(std::string_view why);
 
     std::unique_ptr<std::timed_mutex> mutex_ = std::make_unique<std::timed_mutex>();  // of all below

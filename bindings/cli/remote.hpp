@@ -1,6 +1,7 @@
 // A robot's computer that is reached by ssh.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,9 @@
 
 namespace nezumi::cli {
 
-/// Runs a program of `words` to its end, with our terminal as its own; with `keeps_output` what it says on standard
-/// output is kept. An error when it can't be run.
-Expected<ProgramEnd> run_in_front(std::vector<std::string> words, bool keeps_output);
+/// Runs a program of `words` to its end, with our terminal as its own; `input` and `output` are files it has in place
+/// of ours. An error when it can't be run.
+Expected<ProgramEnd> run_in_front(std::vector<std::string> words, int input = own_file, int output = own_file);
 
 class Remote {
 public:
@@ -22,10 +23,9 @@ public:
     const std::string& host() const { return host_; }
     /// The words that run a command there, a text for its shell. With `has_terminal` it gets one.
     std::vector<std::string> ssh(const std::string& command, bool has_terminal = false) const;
-    /// The same for the option -e of rsync.
-    std::string for_rsync() const;
-    /// What a command says there; an error names what failed.
-    Expected<std::string> ask(const std::string& command) const;
+    /// Runs a command there to its end, while `talk` reads what it writes (`from`) and writes what it reads (`to`). An
+    /// error when ssh can't be run.
+    Expected<ProgramEnd> talk(const std::string& command, const std::function<void(int from, int to)>& talk) const;
 
 private:
     Remote(std::string host, std::string config) : host_(std::move(host)), config_(std::move(config)) {}

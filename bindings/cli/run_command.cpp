@@ -1,8 +1,10 @@
 // `nezumi run`: a system file, simulated until its end or Ctrl-C.
 #include <fmt/format.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -14,34 +16,39 @@
 #include "bindings/cli/commands.hpp"
 #include "bindings/cli/environment.hpp"
 #include "bindings/cli/named_files.hpp"
-#include "bindings/cli/output_files.hpp"
-#include "bindings/cli/picture.hpp"
-#include "bindings/cli/problems.hpp"
 #include "bindings/cli/real_time.hpp"
-#include "bindings/cli/recorder.hpp"
 #include "bindings/cli/run_console.hpp"
 #include "bindings/cli/run_devices.hpp"
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/cli/run_journal.hpp"
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
+#include "bindings/cli/run_results.hpp"
 #include "bindings/cli/run_rtm.hpp"
 #include "bindings/cli/run_web.hpp"
 #include "bindings/cli/screen.hpp"
+#include "bindings/cli/standard_files.hpp"
+#include "bindings/cli/status.hpp"
 #include "bindings/cli/status_line.hpp"
 #include "bindings/cli/stop_signals.hpp"
 #include "bindings/cli/system_error.hpp"
-#include "bindings/cli/trajectories.hpp"
 #include "bindings/console/put_text.hpp"
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/embed/simulation.hpp"
+#include "bindings/push/interrupted.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/live/problems.hpp"
+#include "engine/live/robot_buttons.hpp"
+#include "engine/live/run_loop.hpp"
+#include "hw/guard/guard.hpp"
 
 namespace nezumi::cli {
 namespace {
 
 // Robots that brake longer than this [s] of simulated time are pushed: nobody waits for them.
 constexpr double longest_braking = 1;
+
+// How long standard output waits for standard error, so that a terminal shows both in order.
+constexpr std::chrono::milliseconds usual_flush{500};
 
 bool all_stand(const System& system) {
     for (const Robot* robot : system.robots()) {
@@ -81,14 +88,41 @@ public:
     explicit Run(RunOptions options)
         : options_(std::move(options)),
           prompt_(!options_.headless && has_terminal()),
-          screen_(!options_.headless && !prompt_ && isatty(STDERR_FILENO) != 0) {}
+          screen_(!options_.headless && !prompt_ && isatty(STDERR_FILENO) != 0) {
+        if (prompt_) tcgetattr(STDIN_FILENO, &terminal_before_);
+    }
 
-    Expected<int> operator()() {
+    ~Run() {
+        // What may not end does so here, while signals are still watched.
+        doing_ = "devices and components of other programs";
+        rtm_.reset();
+        web_.reset();
+        console_.reset();
+        loop_.reset();
+        live_.reset();
+        if (devices_) devices_->close([this](const std::string& line) { screen_.say(line); });
+        give_up_files();  // of a run that was none
+        doing_ = "standard error";
+    }
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+
+    /// Returns the exit status. What kept it from running has been told.
+    int operator()() {
+        const auto ended = run();
+        if (ended) return *ended;
+        screen_.show(refusal(ended.error()));
+        return exit_could_not_run;
+    }
+
+private:
+    Expected<int> run() {
         if (auto ok = need_simulation({{"run without --hw", !options_.hardware},
                                        {"--twin", options_.hardware && options_.hardware->twins},
                                        {"--picture", !options_.picture.empty()}});
             !ok)
             return Unexpected(ok.error());
+        if (auto whole = push::finish_interrupted_push(options_.file); !whole) return Unexpected(whole.error());
         // A replay reads no other file, and knows its system by name.
         auto file = find_system_file(options_.file);
         if (!file && options_.replay.empty()) return Unexpected(file.error());
@@ -106,21 +140,21 @@ public:
         auto live = journal_.load(options_, live_options());
         if (!live) return Unexpected(explain_system_error(live.error()));
         live_ = std::move(*live);
-        StopSignals stop_signals;
+        signals_.emplace();
         live_->trace().remember_ports();
-        if (auto ready = prepare_files(); !ready) return Unexpected(ready.error());
-        stop_signals.at_second([this] {
-            if (recorder_) recorder_->end_here("the run was ended at once");
-        });
+        if (auto open = results_.open(options_, *live_); !open) return Unexpected(open.error());
+        signals_->watch_end({.give_up = [this] { give_up_files(); },
+                             .at_once = [this] { end_at_once(); },
+                             .held = [this] { return held(); }});
 
         live_->activate();
         loop_.emplace(*live_, RunLoop::Options{.speed = options_.speed, .problems = &problems_});
         RunLoop& loop = *loop_;
-        loop.end_when(stop_signals.received());
+        loop.end_when(signals_->received());
         loop.end_at(options_.duration);
+        loop.wait_while([this] { return is_behind(); });
         journal_.follow(loop);
         StartButtons start_buttons(loop, [this](const std::string& text) { say(text); });
-        StopButtons stop_buttons(loop);
         ShutdownButtons shutdown_buttons(loop, [this](const std::string& text) { say(text); });
         for (const std::string& note : journal_.notes()) screen_.say(note);
         StatusLine status_line(loop, screen_);
@@ -128,7 +162,7 @@ public:
         if (auto open = open_rtm(); !open) return Unexpected(open.error());
         if (auto open = options_.replay.empty() ? open_console() : Expected<void>(); !open)
             return Unexpected(open.error());
-        if (recorder_ || !options_.picture.empty()) loop.after_tick([this, &loop] { keep_trace(loop); });
+        results_.follow(loop);
         if (devices_) devices_->follow(loop, [this](const std::string& line) { say(line); });
         if (options_.real_time) {
             real_time_.emplace();
@@ -147,19 +181,26 @@ public:
         // one that was ended shows it when the robots stand.
         const bool of_given_length = journal_.is_of_given_length(
             !loop.interrupted() && (options_.batch || live_->system().now().seconds >= options_.duration - 1e-9));
-        if (of_given_length) take_results();
-        stop(loop, stop_signals.received());
+        if (of_given_length) results_.take(name_of_system());
+        stop(loop, signals_->received());
         shutdown_buttons.finish();
         if (const auto& fatal = live_->system().fatal_error()) return give_up(*fatal);
-        if (!of_given_length) take_results();
-        if (auto told = journal_.finish(of_given_length, hash_); !told) return give_up(told.error());
+        if (!of_given_length) results_.take(name_of_system());
+        // Files first: who takes nothing at a console keeps nothing from being written.
+        real_time_.reset();
+        doing_ = "results to be written";
+        if (auto told = journal_.finish(of_given_length, results_.hash()); !told) return give_up(told.error());
+        const auto written = results_.write();
+        results_are_written_ = true;
+        doing_ = "components of other programs";
         rtm_.reset();
+        doing_ = "consoles";
         web_.reset();
         if (console_) console_->close();
+        if (!written) return Unexpected(written.error());
         return finish(how);
     }
 
-private:
     LiveOptions live_options() {
         LiveOptions live = simulated_systems();
         if (!options_.sounds.empty()) keep_sounds(live, options_.sounds);
@@ -182,13 +223,15 @@ private:
         return live;
     }
 
+    std::string name_of_system() const { return std::filesystem::path(options_.file).stem().string(); }
+
     void say(const std::string& line) {
         if (web_) web_->say(line);
         if (!console_ || !console_->say(line)) screen_.say(line);
     }
 
     Expected<void> open_console() {
-        console_.emplace(*loop_, std::filesystem::path(options_.file).stem().string());
+        console_.emplace(*loop_, name_of_system());
         loop_->add(*console_);
         console_->server().ask_peers_by(
             [this](const PeerWish& wish) { return rtm_ ? rtm_->ask(wish) : refused_peers(); });
@@ -197,21 +240,21 @@ private:
         // A run that nobody can attach to is better than none.
         if (auto ok = console_->listen(); !ok) screen_.say("nobody can attach: " + ok.error().message);
         if (options_.batch) return console_->open_batch();
-        const std::string address = open_web();
-        if (prompt_) return console_->open_prompt(address);
-        if (!address.empty()) screen_.say(address);
+        const std::string page = open_web();
+        if (prompt_) return console_->open_prompt(page);
+        if (!page.empty()) screen_.show(page + "\n");
         return {};
     }
 
-    // Returns what is to be said of the page. A run without one is better than none.
+    // Returns what is to be said of the page, on a terminal with its address for a camera. A run without one is better
+    // than none.
     std::string open_web() {
         if (!options_.web) return "";
         auto web = RunWeb::open(*loop_, *console_, *options_.web);
-        if (!web) return "no page for browsers: " + web.error().message;
+        if (!web) return visible("no page for browsers: " + web.error().message);
         web_ = std::move(*web);
         loop_->add(*web_);
-        if (isatty(STDERR_FILENO) != 0) put_text(stderr, web_->picture());
-        return web_->where();
+        return (isatty(STDERR_FILENO) != 0 ? web_->picture() : "") + visible(web_->where());
     }
 
     // A replay has what RTCs did in its journal.
@@ -224,44 +267,13 @@ private:
         return {};
     }
 
-    Expected<void> prepare_files() {
-        if (!options_.picture.empty()) {
-            if (auto ok = check_can_write(options_.picture); !ok) return ok;
-        }
-        if (options_.record.empty()) return {};
-        auto recorder = Recorder::open(options_.record, live_->trace(), live_->system(), options_.ports);
-        if (!recorder) return Unexpected(recorder.error());
-        recorder_.emplace(std::move(*recorder));
-        return {};
-    }
-
-    void keep_trace(RunLoop& loop) {
-        if (recorder_) {
-            recorder_->add_rows(live_->system());
-            if (recorder_->error()) loop.quit();
-        }
-        if (options_.picture.empty()) return;
-        if (starts_ != live_->starts()) trajectories_.clear();
-        starts_ = live_->starts();
-        trajectories_.add(live_->system(), live_->trace());
-    }
-
-    void take_results() {
-        if (recorder_) recorder_->seal();
-        hash_ = live_->trace_hash();
-        if (!options_.picture.empty())
-            picture_ = look_at(*live_, trajectories_, std::filesystem::path(options_.file).stem().string());
-    }
-
     // The run is none: no file is left that could be taken for its result. The rows that are whole stay, with a note.
     Expected<int> give_up(const Error& error) {
         std::string why = visible(describe(error));
         std::replace(why.begin(), why.end(), '\n', ' ');
-        if (recorder_) recorder_->end_here(why);
-        journal_.give_up(describe(error));
-        if (!recorder_ || recorder_->told_of_older().empty()) return Unexpected(error);
         Error told = error;
-        told.message += fmt::format(" (the recording ends there{})", recorder_->told_of_older());
+        told.message += results_.discard(why);
+        journal_.give_up(describe(error));
         return Unexpected(std::move(told));
     }
 
@@ -276,14 +288,31 @@ private:
         return line > 0 || loop_->interrupted();
     }
 
+    // What the run writes to takes less than comes.
+    bool is_behind() const {
+        return screen_.is_behind() || journal_.is_behind() || results_.is_behind() ||
+               (options_.batch && console_ && console_->is_behind());
+    }
+
+    // The three that follow are not called on the run's own thread.
+
+    void give_up_files() {
+        results_.give_up();
+        journal_.give_up_file();
+        if (devices_) devices_->give_up();
+    }
+
+    void end_at_once() {
+        hw::Guard::brake_all();
+        results_.end_at_once();
+        if (prompt_) tcsetattr(STDIN_FILENO, TCSANOW, &terminal_before_);
+    }
+
+    StopSignals::Held held() const {
+        return {.by = doing_.load(), .status = results_are_written_ ? exit_failed : exit_could_not_run};
+    }
+
     Expected<int> finish(const std::string& how) {
-        real_time_.reset();
-        if (recorder_) {
-            if (auto ok = recorder_->finish(); !ok) return Unexpected(ok.error());
-        }
-        if (picture_) {
-            if (auto ok = draw_picture(std::move(*picture_), options_.picture); !ok) return Unexpected(ok.error());
-        }
         // What --batch says is the same each time, and how long it took is not.
         if (!options_.batch) screen_.say(how);
         int status = (!console_ || console_->all_well()) && !tell_cut_off() ? exit_done : exit_failed;
@@ -294,23 +323,26 @@ private:
                                     visible_message(describe(component->last_error()))));
             status = exit_failed;
         }
-        if (options_.trace_hash) put_text(stdout, fmt::format("trace hash: {:016x}\n", hash_));
+        screen_.flush(usual_flush);
+        doing_ = "standard output";
+        if (options_.trace_hash) put_text(stdout, fmt::format("trace hash: {:016x}\n", results_.hash()));
+        if (const std::string lost = lost_output(); !lost.empty()) return failure(lost);
         return status;
     }
 
     RunOptions options_;
     bool prompt_;
-    Screen screen_;  // before all that speaks through it
-    Problems problems_;
+    termios terminal_before_{};
+    std::atomic<const char*> doing_ = "a tick";  // what a run that does not end waits for
+    std::atomic<bool> results_are_written_ = false;
+    RunResults results_;
     std::optional<RunDevices> devices_;
-    RunJournal journal_;  // its files outlive the system
+    RunJournal journal_;                  // its files outlive the system
+    std::optional<StopSignals> signals_;  // of which another thread makes use of all above
+    Screen screen_;                       // before all that speaks through it
+    Problems problems_;
     dds::Domains domains_;
-    std::unique_ptr<LiveSystem> live_;
-    std::optional<Recorder> recorder_;
-    Trajectories trajectories_;
-    int starts_ = 0;
-    std::optional<PictureOf> picture_;
-    std::uint64_t hash_ = 0;
+    std::unique_ptr<RunningSystem> live_;
     std::optional<RunLoop> loop_;
     std::optional<RunConsole> console_;
     std::unique_ptr<RunWeb> web_;  // before the console that it relays goes
@@ -327,14 +359,15 @@ SubCommand run_command() {
             .options = run_options(*words),
             .run =
                 [words] {
-                    const auto ended =
-                        read_run_options(*words).and_then([](RunOptions options) { return Run(std::move(options))(); });
-                    return ended ? *ended : refuse(ended.error());  // when the screen is free again
+                    auto options = read_run_options(*words);
+                    return options ? Run(std::move(*options))() : refuse(options.error());
                 },
             .footer =
-                "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete; a "
-                "second one at once.\nExit status: 0 the run came to its end, 1 it did and a component was in "
-                "ERROR then or a command of --batch had failed or was cut off, 2 it could not be run."};
+                "Ctrl-C ends a run in good order: behaviours deactivated, robots stopped, files complete. What takes "
+                "nothing is given up after 2 s, or at once at a second one.\n"
+                "Exit status: 0 the run came to its end, 1 it did and a component was in ERROR then, a command of "
+                "--batch had failed or was cut off, or the run ended without what it last said, 2 it could not be run "
+                "or its files could not be written."};
 }
 
 }  // namespace nezumi::cli

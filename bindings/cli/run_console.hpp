@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/console/server.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 
@@ -43,6 +43,8 @@ public:
     int unfinished_line() const { return unfinished_; }
     /// A command of --batch is at work.
     bool batch_works() const { return server_ && server_->batch_works(); }
+    /// Standard output or error take less than --batch says.
+    bool is_behind() const { return server_ && server_->is_behind(); }
 
     ConsoleServer& server() { return *server_; }
     /// Is given the state in one line, about once a second.

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <utility>
 
+#include "engine/base/file_writer.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
@@ -36,11 +36,17 @@ Expected<RunDevices> RunDevices::open(const Hardware& hardware) {
     return devices;
 }
 
-RunDevices::~RunDevices() {
-    if (logged_) logged_->close();
+void RunDevices::close(const Say& say) {
+    if (!logged_) return;
+    logged_->close();
+    if (say) tell_problem(say);
 }
 
-void RunDevices::follow(RunLoop& loop, std::function<void(const std::string& line)> say) {
+void RunDevices::give_up() {
+    if (logged_) logged_->give_up();
+}
+
+void RunDevices::follow(RunLoop& loop, Say say) {
     if (!logged_ && !played_) return;
     loop_ = &loop;
     say_ = std::move(say);
@@ -50,17 +56,17 @@ void RunDevices::follow(RunLoop& loop, std::function<void(const std::string& lin
 }
 
 void RunDevices::after_tick() {
-    if (logged_) tell_problem();
+    if (logged_) tell_problem(say_);
     if (!played_) return;
     for (const std::string& line : played_->take_differences()) say_(line);
     if (played_->is_over()) loop_->quit();
 }
 
-void RunDevices::tell_problem() {
+void RunDevices::tell_problem(const Say& say) {
     const int problem = logged_->problem();
     if (problem == 0 || std::exchange(has_told_problem_, true)) return;
-    say_(fmt::format("{}: the device log can't be written: {}: the run goes on without it{}", file_,
-                     std::strerror(problem), logged_->file().told_of_older()));
+    say(fmt::format("{}: the device log can't be written: {}: the run goes on without it{}", file_,
+                    why_not_written(problem), logged_->file().told_of_older()));
 }
 
 void RunDevices::end() {
@@ -70,7 +76,7 @@ void RunDevices::end() {
 }
 
 bool RunDevices::finish() {
-    if (logged_) tell_problem();
+    if (logged_) tell_problem(say_);
     if (!played_) return true;
     const hw::WriteComparison& comparison = played_->comparison();
     const int differences = comparison.differences();

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bindings/cli/run_hardware.hpp"
-#include "bindings/cli/run_loop.hpp"
+#include "engine/live/run_loop.hpp"
 #include "hw/device/roots.hpp"
 #include "hw/log/logged_files.hpp"
 #include "hw/log/played_files.hpp"
@@ -15,10 +15,11 @@ namespace nezumi::cli {
 
 class RunDevices {
 public:
+    using Say = std::function<void(const std::string& line)>;
+
     /// Begins the log, or reads the one that is played. An error names the file.
     static Expected<RunDevices> open(const Hardware& hardware);
-    /// The log is complete: after all that drove the robots.
-    ~RunDevices();
+    ~RunDevices() { close({}); }
     RunDevices(RunDevices&&) = default;
     RunDevices& operator=(RunDevices&&) = delete;
 
@@ -26,23 +27,27 @@ public:
 
     /// The ticks begin. `say` tells what a person should know, also later; the loop ends where a log that is played
     /// does. Both must outlive this.
-    void follow(RunLoop& loop, std::function<void(const std::string& line)> say);
+    void follow(RunLoop& loop, Say say);
     /// The run is over, the robots are to be stopped.
     void end();
     /// The robots stand: tells what came of it. Whether what was played did as the log says; true without one.
     bool finish();
+    /// The log is complete: after all that drove the robots. Tells what kept it from that.
+    void close(const Say& say);
+    /// What of the log is not written yet is not: `close` returns soon. From any thread.
+    void give_up();
 
 private:
     RunDevices() = default;
     void after_tick();
-    void tell_problem();
+    void tell_problem(const Say& say);
 
     hw::DeviceRoots roots_;
     std::string file_;  // the log
     std::shared_ptr<hw::LoggedFiles> logged_;
     std::shared_ptr<hw::PlayedFiles> played_;
     RunLoop* loop_ = nullptr;
-    std::function<void(const std::string& line)> say_;
+    Say say_;
     bool has_told_problem_ = false;
 };
 

@@ -9,8 +9,7 @@
 #include <variant>
 
 #include "bindings/lua/files/calibration_file.hpp"
-#include "engine/base/program.hpp"
-#include "engine/devices/joystick.hpp"
+#include "engine/live/twins.hpp"
 #include "engine/system/build_system.hpp"
 #include "hw/drivers.hpp"
 
@@ -87,16 +86,6 @@ Expected<bool> choose(ComponentEntry& component, const SystemSpec& spec, const s
     return free;
 }
 
-// Whether this button of a real robot is pressed; "" is no button.
-bool is_pressed(const Robot& robot, const std::string& button) {
-    const RobotSpec& spec = robot.spec();
-    for (std::size_t i = 0; robot.is_real() && i < spec.sensors.size() && i < robot.readings().size(); ++i) {
-        const SensorReading& reading = robot.readings()[i];
-        if (!button.empty() && spec.sensors[i].name == button) return reading.is_there && reading.value != 0;
-    }
-    return false;
-}
-
 }  // namespace
 
 Expected<void> choose_drivers(SystemSpec& spec, const std::vector<std::string>& names,
@@ -144,124 +133,23 @@ Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const
     return {};
 }
 
-Expected<void> add_twins(SystemSpec& spec) {
-    std::vector<Entry> entries;
-    for (Entry& entry : spec.entries) {
-        const auto* real = std::get_if<RobotEntry>(&entry);
-        if (real == nullptr || real->backend.empty() || real->backend == simulated) {
-            entries.push_back(std::move(entry));
-            continue;
-        }
-        RobotEntry twin = *real;
-        twin.name = real->name + "_twin";
-        const auto taken = std::find_if(spec.entries.begin(), spec.entries.end(),
-                                        [&](const Entry& other) { return name_of(other) == twin.name; });
-        if (taken != spec.entries.end())
-            return failure(fmt::format("--twin: the twin of '{}' is called '{}': give this one another name",
-                                       real->name, twin.name),
-                           place_of(*taken));
-        RobotSpec description = spec.models.at(real->described_by());
-        std::erase_if(description.ports, [](const PortSpec& port) { return port.is_input; });
-        for (ActuatorSpec& actuator : description.actuators) actuator.speed = 0;  // no parameter for it
-        description.drive.needs.clear();
-        description.hardware = {};
-        spec.models.insert_or_assign(twin.name, std::move(description));
-        twin.description = twin.name;
-        twin.backend = simulated;
-        twin.twin_of = real->name;
-        entries.push_back(std::move(entry));
-        entries.emplace_back(std::move(twin));
-    }
-    if (entries.size() == spec.entries.size())
-        return failure(fmt::format("--twin: {} has no real robot to simulate beside", spec.file));
-    spec.entries = std::move(entries);
-    return {};
-}
-
 void use_hardware(LiveOptions& live, const Hardware& hardware, const hw::DeviceRoots& roots) {
     live.bodies = hw::drivers(roots);
     auto drivers = hw::device_drivers(roots);
     for (const auto& [type, by_backend] : drivers) live.components[type].insert(by_backend.begin(), by_backend.end());
-    live.prepare = [hardware, drivers = std::move(drivers),
-                    serial = roots.files->are_real() ? std::optional(serial_number(hardware.sys_root)) : std::nullopt,
-                    files = LiveOptions{.installed = live.installed, .files = live.files}](SystemSpec& spec) {
+    live.prepare =
+        [hardware, drivers = std::move(drivers),
+         serial = roots.files->are_real() ? std::optional(serial_number(hardware.sys_root)) : std::nullopt,
+         files = LiveOptions{.installed = live.installed, .files = live.files}](SystemSpec& spec) -> Expected<void> {
         auto ready = choose_drivers(spec, hardware.robots, drivers);
         if (ready) ready = use_calibrations(spec, files, serial);
-        return ready && hardware.twins ? add_twins(spec) : ready;
+        if (!ready || !hardware.twins) return ready;
+        ready = add_twins(spec);
+        return ready ? ready : failure("--twin: " + ready.error().message, ready.error().place);
     };
     live.build.real_time = true;
     live.build.out_of_time_is_fatal = false;
     live.budget = paced_budget;
-}
-
-ShutdownButtons::ShutdownButtons(RunLoop& loop, std::function<void(std::string)> say)
-    : loop_(loop), say_(std::move(say)) {
-    if (loop.is_hardware()) loop.after_tick([this] { after_tick(); });
-}
-
-void ShutdownButtons::after_tick() {
-    const System& system = loop_.live().system();
-    for (const Robot* robot : system.robots()) {
-        if (!is_pressed(*robot, robot->spec().hardware.shutdown)) {
-            pressed_at_.erase(robot->name());
-            continue;
-        }
-        const double since = pressed_at_.try_emplace(robot->name(), system.now().seconds).first->second;
-        if (system.now().seconds - since < long_press || std::exchange(is_wanted_, true)) continue;
-        say_(fmt::format("{}: {} was held for {} s: the run ends, and the computer is shut down", robot->name(),
-                         robot->spec().hardware.shutdown, long_press));
-        loop_.quit();
-    }
-}
-
-void ShutdownButtons::finish() const {
-    if (!is_wanted_) return;
-    if (const std::string problem = problem_of(run_program({.words = {"systemctl", "poweroff"}})); !problem.empty())
-        say_(fmt::format("the computer can't be shut down: systemctl poweroff: {}. Try: sudo systemctl poweroff",
-                         problem));
-}
-
-StopButtons::StopButtons(RunLoop& loop) : loop_(loop) {
-    if (loop.is_hardware()) loop.after_tick([this] { after_tick(); });
-}
-
-void StopButtons::after_tick() {
-    for (const Component* component : loop_.live().system().components()) {
-        const auto* joystick = dynamic_cast<const Joystick*>(component);
-        if (joystick == nullptr) continue;
-        const int stops = joystick->stops();
-        // An emergency stop is never refused.
-        if (std::exchange(seen_[joystick->name()], stops) < stops)
-            static_cast<void>(loop_.live().act(Stop{}, {Actor::Kind::joystick, joystick->name()}));
-    }
-}
-
-StartButtons::StartButtons(RunLoop& loop, std::function<void(std::string)> say) : loop_(loop), say_(std::move(say)) {
-    for (const Robot* robot : loop.live().system().robots()) {
-        const std::string& button = robot->spec().hardware.start;
-        if (!robot->is_real() || button.empty()) continue;
-        waiting_.push_back(robot->name());
-        say_(fmt::format("{} WAITS: PRESS {} ON THE ROBOT, and it starts to move", robot->name(), button));
-    }
-    if (waiting_.empty()) return;
-    loop_.pause();
-    loop_.after_tick([this] { after_tick(); });
-}
-
-void StartButtons::after_tick() {
-    if (waiting_.empty()) return;
-    if (!loop_.is_paused()) {
-        waiting_.clear();  // somebody at the console knows what they do
-        return;
-    }
-    std::erase_if(waiting_, [this](const std::string& name) {
-        const Robot* robot = loop_.live().system().find_robot(name);
-        if (robot == nullptr) return true;
-        if (!is_pressed(*robot, robot->spec().hardware.start)) return false;
-        say_(name + " starts");
-        return true;
-    });
-    if (waiting_.empty()) loop_.resume();
 }
 
 }  // namespace nezumi::cli

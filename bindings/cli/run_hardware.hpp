@@ -1,15 +1,12 @@
-// `nezumi run --hw`: which robots and devices of a system are the real ones, and when they start and stop.
+// `nezumi run --hw`: which robots and devices of a system are the real ones.
 #pragma once
 
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "bindings/cli/run_loop.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/system_spec.hpp"
 #include "hw/device/roots.hpp"
 
@@ -41,58 +38,7 @@ std::string serial_number(const std::string& sys_root);
 /// calibration can't be read, or is another robot's.
 Expected<void> use_calibrations(SystemSpec& spec, const LiveOptions& live, const std::optional<std::string>& serial);
 
-/// Puts after each real robot its twin, a simulated one called NAME_twin with the same description, without in-ports.
-/// An error when there is no real robot, or when such a name is taken.
-Expected<void> add_twins(SystemSpec& spec);
-
 /// Has systems made with real robots, at real time, that are reached by `roots`.
 void use_hardware(LiveOptions& live, const Hardware& hardware, const hw::DeviceRoots& roots);
-
-/// Where a real robot's model names a start button, nothing moves before it has been pressed.
-class StartButtons {
-public:
-    /// Pauses `loop` when there is something to wait for, and tells so. Both must outlive this.
-    StartButtons(RunLoop& loop, std::function<void(std::string)> say);
-
-private:
-    void after_tick();
-
-    RunLoop& loop_;
-    std::function<void(std::string)> say_;
-    std::vector<std::string> waiting_;  // robots whose button has not been pressed
-};
-
-/// Where a real robot's model names a button for it, a long press ends the run, and the computer is shut down after it.
-class ShutdownButtons {
-public:
-    /// Both must outlive this.
-    ShutdownButtons(RunLoop& loop, std::function<void(std::string)> say);
-
-    static constexpr double long_press = 3;  ///< [s]
-
-    /// After the run, when the robots stand: shuts the computer down if that was wanted. Tells when it can't.
-    void finish() const;
-
-private:
-    void after_tick();
-
-    RunLoop& loop_;
-    std::function<void(std::string)> say_;
-    std::map<std::string, double, std::less<>> pressed_at_;  // [s] by robot
-    bool is_wanted_ = false;
-};
-
-/// A real gamepad's button for emergency stops, where its joystick names one, stops all robots.
-class StopButtons {
-public:
-    /// `loop` must outlive this.
-    explicit StopButtons(RunLoop& loop);
-
-private:
-    void after_tick();
-
-    RunLoop& loop_;
-    std::map<std::string, int, std::less<>> seen_;  // stops of each joystick
-};
 
 }  // namespace nezumi::cli

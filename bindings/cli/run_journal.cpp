@@ -7,7 +7,7 @@
 
 namespace nezumi::cli {
 
-Expected<std::unique_ptr<LiveSystem>> RunJournal::load(const RunOptions& options, LiveOptions live) {
+Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& options, LiveOptions live) {
     if (!options.replay.empty()) {
         file_ = options.replay;
         auto replay = Replay::read(options.replay, NEZUMI_VERSION);
@@ -22,12 +22,12 @@ Expected<std::unique_ptr<LiveSystem>> RunJournal::load(const RunOptions& options
         if (loaded) live_ = loaded->get();
         return loaded;
     }
-    if (options.journal.empty()) return LiveSystem::load(options.file, std::move(live));
+    if (options.journal.empty()) return RunningSystem::load(options.file, std::move(live));
     auto journal = Journal::create(options.journal, files_);
     if (!journal) return Unexpected(journal.error());
     live.files = &files_;
     live.world = with_pictures_from(files_, std::move(live.world));
-    auto loaded = LiveSystem::load(options.file, std::move(live));
+    auto loaded = RunningSystem::load(options.file, std::move(live));
     if (!loaded) return loaded;
     journal_ = std::move(*journal);
     live_ = loaded->get();

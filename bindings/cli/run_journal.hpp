@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
 #include "bindings/journal/journal.hpp"
 #include "bindings/journal/replay.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 
 class RunJournal final : public Attendant {
 public:
     /// Loads the system from its file, or from the journal that is replayed; it is not active yet.
-    Expected<std::unique_ptr<LiveSystem>> load(const RunOptions& options, LiveOptions live);
+    Expected<std::unique_ptr<RunningSystem>> load(const RunOptions& options, LiveOptions live);
     /// What the run should say before it begins.
     const std::vector<std::string>& notes() const { return notes_; }
     /// Follows the loop, which must outlive this.
@@ -32,6 +32,11 @@ public:
     Expected<void> finish(bool of_given_length, std::uint64_t hash);
     /// The same for a run that ended by an error.
     void give_up(const std::string& why);
+    /// `Journal::is_behind`, and its `give_up`.
+    bool is_behind() const { return journal_ && journal_->is_behind(); }
+    void give_up_file() {
+        if (journal_) journal_->give_up();
+    }
 
     bool serve(Pacer::Clock::time_point until) override;
 
@@ -39,7 +44,7 @@ private:
     void before_tick();
 
     RunLoop* loop_ = nullptr;
-    LiveSystem* live_ = nullptr;
+    RunningSystem* live_ = nullptr;
     RecordingFiles files_;
     std::unique_ptr<Journal> journal_;
     std::unique_ptr<Replay> replay_;

@@ -9,13 +9,11 @@
 #include <string_view>
 
 #include "bindings/cli/output_files.hpp"
-#include "bindings/cli/run_loop.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 namespace {
 
-constexpr double slowest = 0.001;
-constexpr double fastest = 1e6;
 constexpr double longest = 1e9;  // [s], some thirty years
 constexpr int most_threads = 256;
 
@@ -198,8 +196,9 @@ Expected<RunOptions> read_run_options(const RunWords& words) {
         options.speed = as_fast_as_possible;
     } else if (!words.speed.empty()) {
         const auto speed = number<double>(words.speed);
-        if (!speed || !(*speed >= slowest && *speed <= fastest))
-            return wrong("--speed", fmt::format("a factor from {} to {:.0f}, or max", slowest, fastest), words.speed);
+        if (!speed || !std::isfinite(*speed) || !check_speed(*speed))
+            return wrong("--speed", fmt::format("a factor from {} to {:.0f}, or max", slowest_speed, fastest_speed),
+                         words.speed);
         options.speed = *speed;
     }
     if (!words.duration.empty()) {

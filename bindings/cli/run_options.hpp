@@ -9,8 +9,8 @@
 
 #include "bindings/cli/command_line.hpp"
 #include "bindings/cli/run_hardware.hpp"
-#include "bindings/lua/files/start_values.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/script_host.hpp"
 
 namespace nezumi::cli {
 

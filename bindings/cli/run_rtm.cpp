@@ -16,7 +16,7 @@ Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void
     if (!bell) return failure(std::string("rtm: ") + std::strerror(errno));
     const int rings = bell.get();
     std::unique_ptr<RunRtm> rtm(new RunRtm(std::move(bell)));
-    LiveSystem& live = loop.live();
+    RunningSystem& live = loop.live();
     auto server =
         openrtm::RtmServer::open({.system = [&live]() -> const System& { return live.system(); },
                                   .spec = [&live]() -> const SystemSpec& { return live.spec(); },

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/console/file_handle.hpp"
 #include "bindings/console/peers.hpp"
 #include "bindings/openrtm/rtm_server.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "bindings/cli/run_console.hpp"
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/run_options.hpp"
 #include "bindings/web/page_directory.hpp"
 #include "bindings/web/web_server.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 

@@ -19,7 +19,7 @@ class ScenarioFiles final : public RunFiles {
 public:
     explicit ScenarioFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    void begin(std::size_t world, LiveSystem& live) override {
+    void begin(std::size_t world, RunningSystem& live) override {
         const std::string number = world == 0 ? "" : fmt::format("_{}", world + 1);
         worlds_.push_back({"trace" + number + ".csv", "picture" + number + ".png", live});
     }
@@ -65,7 +65,7 @@ private:
     struct World {
         std::string trace;
         std::string picture;
-        LiveSystem& live;
+        RunningSystem& live;
         std::optional<Recorder> recorder{};
         Trajectories trajectories{};
         bool begun = false;  // it has ticked

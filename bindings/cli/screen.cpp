@@ -1,16 +1,16 @@
-// The status line is taken away before a log line is written and comes back after it, all in one write.
+// The status line is taken away before log lines are written and comes back after them, all in one write.
 #include "bindings/cli/screen.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
+#include "engine/base/thread.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi::cli {
 namespace {
@@ -19,15 +19,6 @@ namespace {
 std::string take_away(int columns) {
     const int more_lines = columns > 0 ? (columns - 1) / Screen::width() : 0;
     return more_lines > 0 ? fmt::format("\r\x1b[{}A\x1b[J", more_lines) : "\r\x1b[J";
-}
-
-void write_whole(std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return;  // nobody is there to be told
-        text.remove_prefix(static_cast<std::size_t>(written));
-    }
 }
 
 std::string_view colour_of_level(LogLevel level) {
@@ -42,12 +33,9 @@ std::string_view colour_of_level(LogLevel level) {
 
 }  // namespace
 
-Screen::Screen(bool live) : live_(live) {
-    if (live_) writer_ = std::thread([this] { write_all(); });
-}
+Screen::Screen(bool live) : live_(live), writer_(start_thread([this] { write_all(); })) {}
 
 Screen::~Screen() {
-    if (!live_) return;
     {
         const std::lock_guard lock(mutex_);
         ends_ = true;
@@ -71,17 +59,22 @@ void Screen::log(const LogLine& line) {
 
 void Screen::say(const std::string& text) { put(visible(text) + "\n"); }
 
-void Screen::put(std::string line) {
-    if (!live_) return write_whole(line);
+void Screen::put(std::string_view lines) {
     {
         const std::lock_guard lock(mutex_);
-        if (waiting_.size() < most_waiting) {
-            waiting_.push_back(std::move(line));
-        } else {
+        if (waiting_bytes_ > most_waiting || lost_ > 0) {
             ++lost_;
+            return;
         }
+        waiting_ += lines;
+        waiting_bytes_ += lines.size();
     }
     news_.notify_one();
+}
+
+void Screen::flush(std::chrono::milliseconds patience) {
+    Lock lock(mutex_);
+    written_.wait_for(lock, patience, [this] { return waiting_bytes_ == 0 && lost_ == 0; });
 }
 
 void Screen::show_status(std::string line, int columns) {
@@ -99,17 +92,20 @@ void Screen::write_all() {
     Lock lock(mutex_);
     int shown_columns = 0;
     for (bool ends = false; !ends;) {
-        news_.wait(lock, [this] { return ends_ || status_is_new_ || !waiting_.empty(); });
+        news_.wait(lock, [this] { return ends_ || status_is_new_ || !waiting_.empty() || lost_ > 0; });
         ends = ends_;
         status_is_new_ = false;
-        std::string text = take_away(std::exchange(shown_columns, status_columns_));
-        for (const std::string& line : std::exchange(waiting_, {})) text += line;
+        std::string text = live_ ? take_away(std::exchange(shown_columns, status_columns_)) : "";
+        const std::size_t bytes = waiting_.size();
+        text += std::exchange(waiting_, {});
         if (const std::size_t lost = std::exchange(lost_, 0); lost > 0)
-            text += fmt::format("({} more lines came faster than this terminal shows them)\n", lost);
+            text += fmt::format("({} more lines were left out: they came faster than they are taken here)\n", lost);
         if (!ends) text += status_;
         lock.unlock();
-        write_whole(text);
+        nezumi::write_all(STDERR_FILENO, text);  // where that fails, there is nowhere to tell it
         lock.lock();
+        waiting_bytes_ -= bytes;
+        written_.notify_all();
     }
 }
 

@@ -1,48 +1,61 @@
 // What a run says on standard error: log lines, and on a terminal a status line below them, which no line tears.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <thread>
-#include <vector>
 
 #include "engine/base/log.hpp"
 #include "engine/base/mutex.hpp"
 
 namespace nezumi::cli {
 
+/// A thread of its own writes, so that whatever standard error is (a terminal that was stopped by Ctrl-S, a pipe that
+/// is not read, a slow disk) delays no tick.
 class Screen {
 public:
-    /// `live`: standard error is a terminal with a status line. Then a thread of its own writes, so that a terminal
-    /// that is slow or stopped (Ctrl-S) delays no tick; otherwise lines are written where they are said.
+    /// `live`: standard error is a terminal with a status line.
     explicit Screen(bool live);
     /// Waits until all is written, and takes the status line away.
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
 
+    // None of these waits. Lines beyond `most_waiting` are left out and counted, which is said in their place.
+
     void log(const LogLine& line);
     /// One line of our own.
     void say(const std::string& text);
+    /// Lines as they are, such as a drawing for a terminal.
+    void show(std::string_view lines) { put(lines); }
     /// The status line from now on, so many columns wide: at most `width()` - 1.
     void show_status(std::string line, int columns);
 
+    /// Waits until all that has been said is written, but no longer than this.
+    void flush(std::chrono::milliseconds patience);
+    /// Standard error takes less than is said: a run that follows no clock should wait.
+    bool is_behind() const { return waiting_bytes_ > most_waiting / 4; }
     bool is_live() const { return live_; }
     /// Columns of the terminal.
     static int width();
 
+    static constexpr std::size_t most_waiting = std::size_t{4} << 20;  ///< [bytes]
+
 private:
-    void put(std::string line);
+    void put(std::string_view lines);
     void write_all();
 
-    // Somebody who logs faster than the terminal scrolls loses lines, and is told how many.
-    static constexpr std::size_t most_waiting = 10000;
-
-    bool live_;
+    const bool live_;
     Mutex mutex_;  // of all below
     std::condition_variable news_;
-    std::vector<std::string> waiting_;
-    std::size_t lost_ = 0;
+    std::condition_variable written_;
+    std::string waiting_;
+    std::atomic<std::size_t> waiting_bytes_ = 0;  // with those that are being written
+    std::size_t lost_ = 0;                        // lines
     std::string status_;
     int status_columns_ = 0;
     bool status_is_new_ = false;

@@ -2,6 +2,7 @@
 #include "bindings/cli/standard_files.hpp"
 
 #include <fcntl.h>
+#include <stdio_ext.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -23,6 +24,8 @@ std::string lost_output() {
     const bool flushed = std::fflush(stdout) == 0;
     const int problem = errno;
     if (flushed && !was_lost) return "";
+    std::clearerr(stdout);
+    __fpurge(stdout);
     std::string text = "standard output can't be written";
     if (!flushed) text += std::string(": ") + std::strerror(problem);
     return text;

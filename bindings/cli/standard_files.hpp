@@ -9,7 +9,8 @@ namespace nezumi::cli {
 /// their place, and get what is meant for a person.
 void open_missing_standard_files();
 
-/// Writes out what standard output still holds. Returns why something that was said there got lost; empty: nothing.
+/// Writes out what standard output still holds. Returns why something that was said there got lost, once; empty:
+/// nothing.
 std::string lost_output();
 
 }  // namespace nezumi::cli

@@ -4,8 +4,8 @@
 #include <deque>
 #include <string>
 
-#include "bindings/cli/run_loop.hpp"
 #include "bindings/cli/screen.hpp"
+#include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
 

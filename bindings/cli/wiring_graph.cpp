@@ -89,7 +89,7 @@ void draw_box(Canvas& canvas, const WiringOf::Node& node, const Box& box) {
 
 }  // namespace
 
-WiringOf wiring_of(const LiveSystem& live, std::string title) {
+WiringOf wiring_of(const RunningSystem& live, std::string title) {
     const System& system = live.system();
     WiringOf wiring{.title = std::move(title)};
     for (const auto& component : system.components()) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::cli {
 
@@ -34,7 +34,7 @@ struct WiringOf {
     std::vector<Edge> edges;
 };
 
-WiringOf wiring_of(const LiveSystem& live, std::string title);
+WiringOf wiring_of(const RunningSystem& live, std::string title);
 
 /// In which column from the left each node stands: right of all that feed it, but for connections that close a circle,
 /// which lead back.

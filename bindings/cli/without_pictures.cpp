@@ -9,14 +9,14 @@
 
 namespace nezumi::cli {
 
-PictureOf look_at(const LiveSystem& /*live*/, const Trajectories& /*trajectories*/, std::string /*title*/) {
+PictureOf look_at(const RunningSystem& /*live*/, const Trajectories& /*trajectories*/, std::string /*title*/) {
     return {};
 }
 Expected<void> draw_picture(PictureOf /*picture*/, const std::string& /*file*/) {
     return failure(std::string(no_simulation));
 }
 
-WiringOf wiring_of(const LiveSystem& /*live*/, std::string /*title*/) { return {}; }
+WiringOf wiring_of(const RunningSystem& /*live*/, std::string /*title*/) { return {}; }
 Expected<void> draw_wiring(const WiringOf& /*wiring*/, const std::string& /*file*/) {
     return failure(std::string(no_simulation));
 }

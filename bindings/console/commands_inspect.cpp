@@ -6,11 +6,10 @@
 
 #include "bindings/console/console_commands.hpp"
 #include "bindings/lua/live/help_text.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
-#include "bindings/lua/script/script_component.hpp"
 #include "engine/base/visible.hpp"
+#include "engine/live/live_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -54,10 +53,8 @@ void find_in(Finder& finder, const Component& component) {
         finder.offer(parameter.spec.name, parameter.spec.doc,
                      fmt::format("{}.config.{} = {}", name, parameter.spec.name, to_text(parameter.value)));
     }
-    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
-        for (const CommandDeclaration& command : script->commands())
-            finder.offer(command.name, command.doc, fmt::format("{}:{}(...)", name, command.name));
-    }
+    for (const CommandDeclaration& command : component.commands())
+        finder.offer(command.name, command.doc, fmt::format("{}:{}(...)", name, command.name));
 }
 
 std::string help_line(const ConsoleCommand& command) { return fmt::format("  {:40} {}", command.usage, command.help); }

@@ -24,7 +24,7 @@ struct Present {
     AddPreparer preparer;
 };
 
-Present present_of(const LiveSystem& live) { return {live.project(), live.spec(), live.add_preparer()}; }
+Present present_of(const RunningSystem& live) { return {live.project(), live.spec(), live.add_preparer()}; }
 
 // What is added belongs to the system's file, at no line of it.
 WordCall call_of(const std::string& word, const Present& present) { return {word, {present.spec.file}, nullptr}; }

@@ -119,7 +119,7 @@ constexpr std::string_view marks = "*o+x#%@&";
 
 }  // namespace
 
-Expected<PlotCurves> look_at_plot(LiveSystem& live, const PlotRequest& plot) {
+Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot) {
     PlotCurves looked{.plot = plot, .to = live.system().now().seconds};
     double first = looked.to;
     std::vector<Trace::Remembered> all;

@@ -19,10 +19,8 @@ Expected<void> refuse_hardware(const Session::Parts& parts) {
     return {};
 }
 
-constexpr double most_ticks = 1e12;
-
-CommandEnd advance(Session::Parts& parts, double ticks) {
-    parts.ticks = static_cast<std::int64_t>(ticks);
+CommandEnd advance(Session::Parts& parts, std::int64_t ticks) {
+    parts.ticks = ticks;
     return CommandEnd::wait;
 }
 
@@ -41,9 +39,9 @@ Expected<CommandEnd> command_step(Session::Parts& parts, const Arguments& argume
         if (!given) return Unexpected(given.error());
         ticks = *given;
     }
-    if (!(ticks >= 1 && ticks <= most_ticks) || ticks != std::floor(ticks))
-        return failure(fmt::format("expected a number of ticks, 1 or more, got {}", ticks));
-    return advance(parts, ticks);
+    const auto checked = check_ticks(ticks);
+    if (!checked) return Unexpected(checked.error());
+    return advance(parts, *checked);
 }
 
 Expected<CommandEnd> command_run(Session::Parts& parts, const Arguments& arguments) {
@@ -55,11 +53,11 @@ Expected<CommandEnd> command_run(Session::Parts& parts, const Arguments& argumen
     if (auto ok = refuse_hardware(parts); !ok) return Unexpected(ok.error());
     const auto seconds = arguments.number(1, "seconds");
     if (!seconds) return Unexpected(seconds.error());
+    if (!(*seconds > 0)) return failure(fmt::format("expected seconds, more than 0, got {}", *seconds));
     const double ticks = std::ceil(*seconds * parts.live.system().settings().rate - 1e-6);
-    if (!(*seconds > 0 && ticks <= most_ticks))
-        return failure(fmt::format("expected seconds, more than 0{}, got {}",
-                                   *seconds > 0 ? " and fewer than that" : "", *seconds));
-    return advance(parts, std::max(1.0, ticks));
+    const auto checked = check_ticks(std::max(1.0, ticks));
+    if (!checked) return Unexpected(checked.error());
+    return advance(parts, *checked);
 }
 
 Expected<CommandEnd> command_speed(Session::Parts& parts, const Arguments& arguments) {
@@ -74,8 +72,9 @@ Expected<CommandEnd> command_speed(Session::Parts& parts, const Arguments& argum
         if (!given) return Unexpected(given.error());
         factor = *given;
     }
-    if (!(factor > 0)) return failure(fmt::format("expected a number above 0, got {}; pause() stops time", factor));
-    parts.clock.set_speed(factor);
+    const auto speed = check_speed(factor);
+    if (!speed) return Unexpected(speed.error());
+    parts.clock.set_speed(*speed);
     return CommandEnd::done;
 }
 

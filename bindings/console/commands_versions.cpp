@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "bindings/console/console_commands.hpp"
-#include "bindings/lua/script/script_component.hpp"
 
 namespace nezumi {
 namespace {
@@ -21,13 +20,10 @@ std::string report_text(const System& system, const ActResult& report) {
 }
 
 // The component whose version came last.
-const ScriptComponent* changed_last(const System& system) {
-    const ScriptComponent* last = nullptr;
-    for (const auto& component : system.components()) {
-        const auto* script = dynamic_cast<const ScriptComponent*>(component);
-        if (script == nullptr || script->version_before() == nullptr) continue;
-        if (last == nullptr || script->version_before()->replaced_by > last->version_before()->replaced_by)
-            last = script;
+const Component* changed_last(const System& system) {
+    const Component* last = nullptr;
+    for (const Component* component : system.components()) {
+        if (component->last_reload() > (last != nullptr ? last->last_reload() : 0)) last = component;
     }
     return last;
 }

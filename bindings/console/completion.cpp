@@ -21,7 +21,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 // What a chain of names leads to, if it is there.
-struct Place {
+struct CursorPlace {
     // `remote`: a host, or a component of one, "ev3/vehicle".
     enum class Kind { nothing, system, component, ports, port, config, truth, value, data, table, hosts, remote };
     Kind kind = Kind::nothing;
@@ -110,21 +110,21 @@ public:
     Walk(const Walk&) = delete;
     Walk& operator=(const Walk&) = delete;
 
-    Place follow(const Names& chain) {
+    CursorPlace follow(const Names& chain) {
         if (chain.empty() || lua_checkstack(lua_, 20) == 0) return {};
-        Place place = begin(chain.front());
+        CursorPlace place = begin(chain.front());
         for (std::size_t i = 1; i < chain.size(); ++i) place = member(place, chain[i]);
         return place;
     }
 
-    Names names(const Place& place, char separator) {
-        if (place.kind == Place::Kind::table) return table_keys(lua_, lua_gettop(lua_));
+    Names names(const CursorPlace& place, char separator) {
+        if (place.kind == CursorPlace::Kind::table) return table_keys(lua_, lua_gettop(lua_));
         return parts_.at_system([&] { return names_in(parts_.live.system(), place, separator == ':'); });
     }
 
 private:
-    Names names_in(const System& system, const Place& place, bool called) const {
-        using Kind = Place::Kind;
+    Names names_in(const System& system, const CursorPlace& place, bool called) const {
+        using Kind = CursorPlace::Kind;
         if (place.kind == Kind::system) return called ? Names{} : names_of(system);
         if (place.kind == Kind::hosts) return called ? Names{} : host_names(system);
         if (place.kind == Kind::remote) return host_members(system, place.component, called);
@@ -155,30 +155,30 @@ private:
     }
 
     // What the value on top of the stack is.
-    Place value() const {
-        if (lua_type(lua_, -1) == LUA_TTABLE) return {Place::Kind::table};
+    CursorPlace value() const {
+        if (lua_type(lua_, -1) == LUA_TTABLE) return {CursorPlace::Kind::table};
         const ObjectRef* ref = to_object(lua_, -1);
         if (ref == nullptr) return {};
-        if (ref->kind == ObjectKind::system) return {Place::Kind::system};
+        if (ref->kind == ObjectKind::system) return {CursorPlace::Kind::system};
         const std::string owner(ref->component());
         switch (ref->kind) {
-            case ObjectKind::ports: return {Place::Kind::ports, owner};
-            case ObjectKind::config: return {Place::Kind::config, owner};
-            case ObjectKind::truth: return {Place::Kind::truth, owner};
-            case ObjectKind::port: return {Place::Kind::port, owner, std::string(ref->port())};
-            case ObjectKind::hosts: return {Place::Kind::hosts};
+            case ObjectKind::ports: return {CursorPlace::Kind::ports, owner};
+            case ObjectKind::config: return {CursorPlace::Kind::config, owner};
+            case ObjectKind::truth: return {CursorPlace::Kind::truth, owner};
+            case ObjectKind::port: return {CursorPlace::Kind::port, owner, std::string(ref->port())};
+            case ObjectKind::hosts: return {CursorPlace::Kind::hosts};
             case ObjectKind::host:
-            case ObjectKind::remote: return {Place::Kind::remote, owner};
+            case ObjectKind::remote: return {CursorPlace::Kind::remote, owner};
             case ObjectKind::remote_config: return {};
-            default: return {Place::Kind::component, owner};
+            default: return {CursorPlace::Kind::component, owner};
         }
     }
 
-    Place begin(const std::string& name) const {
+    CursorPlace begin(const std::string& name) const {
         lua_pushglobaltable(lua_);
         if (!push_raw(name)) {
             push_commands_table(lua_);
-            if (!push_raw(name)) return {Place::Kind::component, name};
+            if (!push_raw(name)) return {CursorPlace::Kind::component, name};
         }
         return value();
     }
@@ -199,8 +199,8 @@ private:
         return false;
     }
 
-    Place member(const Place& place, const std::string& name) const {
-        using Kind = Place::Kind;
+    CursorPlace member(const CursorPlace& place, const std::string& name) const {
+        using Kind = CursorPlace::Kind;
         switch (place.kind) {
             case Kind::system: return {Kind::component, name};
             case Kind::hosts: return {Kind::remote, name};
@@ -216,15 +216,15 @@ private:
             case Kind::ports: return {Kind::port, place.component, name};
             case Kind::port:
                 if (name == "value") return {Kind::value, place.component, place.port};
-                return plotted_ ? Place{Kind::value, place.component, place.port, {name}} : Place{};
+                return plotted_ ? CursorPlace{Kind::value, place.component, place.port, {name}} : CursorPlace{};
             case Kind::truth:
             case Kind::data:
             case Kind::value: {
-                Place within = place;
+                CursorPlace within = place;
                 within.fields.push_back(name);
                 return within;
             }
-            case Kind::table: return push_raw(name) ? value() : Place{};
+            case Kind::table: return push_raw(name) ? value() : CursorPlace{};
             default: return {};
         }
     }
@@ -249,9 +249,9 @@ Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
         if (chain.empty() && dot != std::string::npos) chain = {call.first.substr(0, dot), call.first.substr(dot + 1)};
     }
     Walk walk(parts);
-    Place place = walk.follow(chain);
-    if (place.kind != Place::Kind::port) return {};
-    place.kind = Place::Kind::value;
+    CursorPlace place = walk.follow(chain);
+    if (place.kind != CursorPlace::Kind::port) return {};
+    place.kind = CursorPlace::Kind::value;
     place.fields = field.path;
     return walk.names(place, '.');
 }
@@ -259,11 +259,12 @@ Names field_names(Session::Parts& parts, const FieldAtCursor& field) {
 // The sets of the component that a chain of names leads to.
 Names set_names(Session::Parts& parts, const Names& chain) {
     Walk walk(parts);
-    const Place place = walk.follow(chain);
+    const CursorPlace place = walk.follow(chain);
     return parts.at_system([&] {
         Names sets;
         const System& system = parts.live.system();
-        const Component* component = place.kind == Place::Kind::component ? system.find(place.component) : nullptr;
+        const Component* component =
+            place.kind == CursorPlace::Kind::component ? system.find(place.component) : nullptr;
         if (component == nullptr) return sets;
         for (const auto& [name, values] : component->sets) sets.push_back(name);
         return sets;

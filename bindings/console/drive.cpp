@@ -47,7 +47,7 @@ double press(double place, double by) {
 
 }  // namespace
 
-Expected<void> Drive::begin(LiveSystem& live, const std::string& what, const Actor& who) {
+Expected<void> Drive::begin(RunningSystem& live, const std::string& what, const Actor& who) {
     std::string path = what;
     if (what.find('.') == std::string::npos) {
         const auto component = live.system().component(what);
@@ -74,7 +74,7 @@ Expected<void> Drive::begin(LiveSystem& live, const std::string& what, const Act
     return {};
 }
 
-Expected<void> Drive::send(LiveSystem& live) {
+Expected<void> Drive::send(RunningSystem& live) {
     const auto port = live.system().port(path_);
     if (!port) return failure("what was driven is gone");
     const Actor* holder = live.system().holder(path_);
@@ -90,7 +90,7 @@ Expected<void> Drive::send(LiveSystem& live) {
     return {};
 }
 
-void Drive::key(Key key, LiveSystem& live) {
+void Drive::key(Key key, RunningSystem& live) {
     if (!is_on()) return;
     pressed_at_ = live.system().now().seconds;
     switch (key) {
@@ -116,14 +116,14 @@ std::string Drive::full_speed() const {
     return fmt::format("{:.2f} m/s, {:.1f} rad/s", px * speed_of_px, px * -turn_of_px);
 }
 
-void Drive::end(LiveSystem& live) {
+void Drive::end(RunningSystem& live) {
     if (path_.empty()) return;
     x_ = y_ = 0;
     ending_ = true;
     static_cast<void>(send(live));
 }
 
-Expected<void> Drive::after_tick(LiveSystem& live) {
+Expected<void> Drive::after_tick(RunningSystem& live) {
     if (path_.empty()) return {};
     if (ending_) {
         static_cast<void>(live.act(Release{path_}, who_));  // a port that is gone needs none

@@ -24,20 +24,20 @@ public:
 
     /// From now on holds "name.port", or of a joystick its in-port `stick`, of another component its out-port `pos`, of
     /// a robot its velocity in-port. The port carries a sequence of numbers or a velocity.
-    Expected<void> begin(LiveSystem& live, const std::string& what, const Actor& who);
+    Expected<void> begin(RunningSystem& live, const std::string& what, const Actor& who);
     bool is_on() const { return !path_.empty() && !ending_; }
     /// "name.port" that it holds.
     const std::string& path() const { return path_; }
     /// What the stick sends at its edge: "0.30 m/s, 3.0 rad/s".
     std::string full_speed() const;
-    void key(Key key, LiveSystem& live);
+    void key(Key key, RunningSystem& live);
     /// The stick goes to the middle, and the port is let go after the next tick.
-    void end(LiveSystem& live);
+    void end(RunningSystem& live);
     /// After every tick. The error says why it has ended: its port is gone, or another took it.
-    Expected<void> after_tick(LiveSystem& live);
+    Expected<void> after_tick(RunningSystem& live);
 
 private:
-    Expected<void> send(LiveSystem& live);
+    Expected<void> send(RunningSystem& live);
 
     Actor who_;
     std::string path_;

@@ -1,10 +1,11 @@
-// What is refused here nobody writes.
+// Only a regular file is written: another thing might take nothing.
 #include "bindings/console/file_to_write.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
+
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 
@@ -16,8 +17,8 @@ Expected<std::filesystem::path> file_to_write(const std::filesystem::path& home,
     std::filesystem::path path = name;
     if (path.filename().empty()) return failure(fmt::format("'{}' names no file", name));
     if (!path.has_extension()) path += written.endings.front();
-    std::error_code problem;
-    if (std::filesystem::is_directory(path, problem)) return failure(fmt::format("'{}' is a folder", path.string()));
+    if (const auto what = other_than_file(path); !what.empty())
+        return failure(fmt::format("'{}' is {}: give another name", path.string(), what));
     const auto& endings = written.endings;
     if (std::find(endings.begin(), endings.end(), path.extension().string()) == endings.end()) {
         return failure(fmt::format("{} ends in {}: write {} \"{}\"", written.file, fmt::join(endings, " or "),

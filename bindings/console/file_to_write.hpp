@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/project/writable_folder.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/writable_folder.hpp"
 
 namespace nezumi {
 

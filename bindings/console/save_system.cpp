@@ -43,7 +43,7 @@ void bring_up_to_date(ParameterValues& config, ParameterValues* set, const Compo
     });
 }
 
-Expected<void> bring_up_to_date(RobotEntry& entry, const Component& component, const LiveSystem& live) {
+Expected<void> bring_up_to_date(RobotEntry& entry, const Component& component, const RunningSystem& live) {
     for (const auto& parameter : component.parameters().all()) {
         if (parameter.value == parameter.spec.initial) continue;
         const auto field =
@@ -56,36 +56,16 @@ Expected<void> bring_up_to_date(RobotEntry& entry, const Component& component, c
     return {};
 }
 
-Expected<void> bring_up_to_date(BehaviorEntry& entry, const Component& component, const LiveSystem& /*live*/) {
+Expected<void> bring_up_to_date(BehaviorEntry& entry, const Component& component, const RunningSystem& /*live*/) {
     entry.set = component.set_in_use();
     const auto set = entry.sets.find(entry.set);
     bring_up_to_date(entry.config, set != entry.sets.end() ? &set->second : nullptr, component);
     return {};
 }
 
-Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& component, const LiveSystem& /*live*/) {
+Expected<void> bring_up_to_date(ComponentEntry& entry, const Component& component, const RunningSystem& /*live*/) {
     bring_up_to_date(entry.config, nullptr, component);
     return {};
-}
-
-// Writes the file, and what was there goes on as `before`. When it can't be done all is as it was.
-Expected<void> replace_file(const std::filesystem::path& path, const std::string& before, const std::string& text) {
-    std::error_code none;
-    if (!std::filesystem::exists(path, none)) return write_whole(path, text);
-    const std::string kept = before + ".new";
-    std::error_code problem;
-    const auto real = std::filesystem::canonical(path, problem);
-    std::filesystem::remove(kept, none);
-    std::filesystem::create_hard_link(real, kept, problem);  // takes no room on the disk
-    if (problem) std::filesystem::copy_file(real, kept, problem);
-    Expected<void> done = failure(fmt::format("can't be kept as {}: {}", before, problem.message()), {path.string()});
-    if (!problem) done = write_whole(path, text);
-    if (done) {
-        std::filesystem::rename(kept, before, none);
-    } else {
-        std::filesystem::remove(kept, none);
-    }
-    return done;
 }
 
 // How a person would name this file within `named_in`: the shortest name that finds it again, else its path from there
@@ -148,7 +128,7 @@ std::string user_of_script(const SystemSpec& spec, const std::filesystem::path& 
 
 }  // namespace
 
-Expected<PresentSystem> present_system(const LiveSystem& live) {
+Expected<PresentSystem> present_system(const RunningSystem& live) {
     const System& system = live.system();
     SystemSpec spec = live.spec();
     std::erase_if(spec.entries, [&](const Entry& entry) { return system.find(name_of(entry)) == nullptr; });
@@ -194,7 +174,7 @@ Expected<std::string> save_system(PresentSystem present, const std::string& file
     std::error_code problem;
     const bool existed = std::filesystem::exists(path, problem);
     const std::string before = path.string() + "~";
-    if (auto ok = replace_file(path, before, text); !ok) return failure(describe(ok.error()));
+    if (auto ok = write_whole(path, text, before); !ok) return failure(describe(ok.error()));
     return fmt::format("saved {}: {}, {}{}", path.string(), counted(spec.entries.size(), "component"),
                        counted(spec.connections.size() + spec.rtm_connections.size(), "connection"),
                        existed ? fmt::format("; what was there is now {}", before) : "");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 
@@ -20,7 +20,7 @@ struct PresentSystem {
 /// components that are gone left out, connections as they are. A value that was set by hand is in the set in use if
 /// that names it, else in `config`, a robot's in its description. An error when what a system file says of a robot
 /// can't be read any more.
-Expected<PresentSystem> present_system(const LiveSystem& live);
+Expected<PresentSystem> present_system(const RunningSystem& live);
 
 /// Writes it as a system file and says in a sentence what was done. What was there is kept beside it, as `FILE~`. Only
 /// `.lua` files are written, and only within the project, or where there is none, in and below the system's folder.

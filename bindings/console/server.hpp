@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
 #include "bindings/console/session.hpp"
 #include "bindings/console/transport.hpp"
 #include "bindings/console/worker.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/log.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/live/clock_control.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 
@@ -29,7 +29,7 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// Both must outlive it.
-    ConsoleServer(LiveSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
+    ConsoleServer(RunningSystem& live, ClockControl& clock) : live_(live), clock_(clock) {}
     /// Ends what runs; what can't be ended within a second goes on without it.
     ~ConsoleServer();
     ConsoleServer(const ConsoleServer&) = delete;
@@ -59,6 +59,8 @@ public:
     void after_tick();
     /// A command of a `Use::batch` has begun and is not answered.
     bool batch_works() const;
+    /// A client of `Use::batch` takes less than is said.
+    bool is_behind() { return transport_.is_behind(); }
     /// Readable when something has come that `serve` should deal with.
     int file() const { return transport_.file(); }
 
@@ -91,7 +93,7 @@ private:
     void answer(ClientId id, Event event);
     bool serve_sessions(Clock::time_point until);
 
-    LiveSystem& live_;
+    RunningSystem& live_;
     ClockControl& clock_;
     Draughtsman draughtsman_;
     BehaviorAuthor author_;

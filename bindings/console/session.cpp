@@ -10,11 +10,11 @@
 #include "bindings/console/console_commands.hpp"
 #include "bindings/console/input_text.hpp"
 #include "bindings/console/session_parts.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/inspect.hpp"
 #include "bindings/lua/sandbox/stdlib.hpp"
 #include "engine/base/trimmed.hpp"
+#include "engine/live/live_text.hpp"
 
 namespace nezumi {
 namespace {
@@ -80,7 +80,7 @@ void drop(const Session::Parts& parts, const Job& job) {
     if (parts.options.output.done) parts.options.output.done(false);
 }
 
-Expected<std::unique_ptr<Session::Parts>> make_parts(LiveSystem& live, ClockControl& clock, SessionOptions options) {
+Expected<std::unique_ptr<Session::Parts>> make_parts(RunningSystem& live, ClockControl& clock, SessionOptions options) {
     try {
         return std::make_unique<Session::Parts>(live, clock, std::move(options));
     } catch (const std::system_error& error) {
@@ -90,7 +90,7 @@ Expected<std::unique_ptr<Session::Parts>> make_parts(LiveSystem& live, ClockCont
 
 }  // namespace
 
-Session::Parts::Parts(LiveSystem& system, ClockControl& control, SessionOptions settings)
+Session::Parts::Parts(RunningSystem& system, ClockControl& control, SessionOptions settings)
     : live(system), clock(control), options(std::move(settings)), is_hardware(control.is_hardware()), worker(bell()) {}
 
 void Session::Parts::tell(const std::function<void(std::string_view)>& output, std::string_view text) {
@@ -103,7 +103,7 @@ Expected<void> Session::Parts::open() {
     auto fresh = create_sandbox({.print = [this](std::string_view line) { show(line); }});
     if (!fresh) return Unexpected(fresh.error());
     auto opened = Objects::open(
-        **fresh, [this]() -> LiveSystem& { return live; }, options.who);
+        **fresh, [this]() -> RunningSystem& { return live; }, options.who);
     if (!opened) return Unexpected(opened.error());
     state = std::move(*fresh);
     objects = std::move(*opened);
@@ -145,7 +145,7 @@ bool Session::Parts::run(const std::string& input) {
     return true;
 }
 
-Expected<std::unique_ptr<Session>> Session::create(LiveSystem& live, ClockControl& clock, SessionOptions options) {
+Expected<std::unique_ptr<Session>> Session::create(RunningSystem& live, ClockControl& clock, SessionOptions options) {
     auto parts = make_parts(live, clock, std::move(options));
     if (!parts) return Unexpected(parts.error());
     std::unique_ptr<Session> session(new Session(std::move(*parts)));

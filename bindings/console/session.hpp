@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
 #include "bindings/console/peers.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/live/clock_control.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 
@@ -95,7 +95,7 @@ struct Completion {
 class Session {
 public:
     /// Both must outlive the session.
-    static Expected<std::unique_ptr<Session>> create(LiveSystem& live, ClockControl& clock, SessionOptions options);
+    static Expected<std::unique_ptr<Session>> create(RunningSystem& live, ClockControl& clock, SessionOptions options);
     /// Closes it, and waits until its thread has ended, a second after `close` at most.
     ~Session();
     Session(const Session&) = delete;

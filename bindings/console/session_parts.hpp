@@ -29,7 +29,7 @@ struct PortWatch {
 /// An execution that is to be explained.
 struct Explained {
     std::string component;
-    std::int64_t trace = 0;  ///< `LiveSystem::explain_next`
+    std::int64_t trace = 0;  ///< `RunningSystem::explain_next`
     int start = 0;           ///< of the system
 };
 
@@ -51,7 +51,7 @@ struct PlotCurves {
 };
 
 /// Looks at the system, between two ticks; what was not remembered is from now on.
-Expected<PlotCurves> look_at_plot(LiveSystem& live, const PlotRequest& plot);
+Expected<PlotCurves> look_at_plot(RunningSystem& live, const PlotRequest& plot);
 std::string to_text(PlotCurves looked);
 
 /// An input, or a question what could stand before the cursor.
@@ -62,7 +62,7 @@ struct Job {
 };
 
 struct Session::Parts {
-    Parts(LiveSystem& system, ClockControl& control, SessionOptions settings);
+    Parts(RunningSystem& system, ClockControl& control, SessionOptions settings);
 
     /// Shows it behind all that was shown before. From both threads.
     void show(std::string_view text) { tell(options.output.show, text); }
@@ -80,7 +80,7 @@ struct Session::Parts {
     Expected<ActResult> act(const Act& act) const { return live.act(act, options.who); }
 
     // Of the thread that ticks:
-    LiveSystem& live;
+    RunningSystem& live;
     ClockControl& clock;
     SessionOptions options;
     const bool is_hardware;

@@ -69,12 +69,12 @@ FileHandle connect_in(const FileHandle& folder, std::string_view name, bool wait
 }
 
 // NAME-PID.sock; nothing for any other file.
-std::optional<RunningSystem> parse_name(std::string_view file) {
+std::optional<ListeningSystem> parse_name(std::string_view file) {
     if (!file.ends_with(suffix)) return std::nullopt;
     file.remove_suffix(suffix.size());
     const std::size_t dash = file.rfind('-');
     if (dash == std::string_view::npos || dash == 0 || file.front() == '.') return std::nullopt;
-    RunningSystem system{.name = std::string(file.substr(0, dash)), .path = {}};
+    ListeningSystem system{.name = std::string(file.substr(0, dash)), .path = {}};
     const std::string_view number = file.substr(dash + 1);
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), system.process);
     if (error != std::errc{} || end != number.data() + number.size() || system.process <= 0) return std::nullopt;
@@ -123,8 +123,8 @@ Listener::~Listener() {
     if (folder_) unlinkat(folder_.get(), path_.filename().c_str(), 0);
 }
 
-Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path& path) {
-    std::vector<RunningSystem> systems;
+Expected<std::vector<ListeningSystem>> running_systems(const std::filesystem::path& path) {
+    std::vector<ListeningSystem> systems;
     if (struct stat status{}; lstat(path.c_str(), &status) != 0 && errno == ENOENT) return systems;
     const auto folder = open_folder(path);
     if (!folder) return Unexpected(folder.error());
@@ -140,7 +140,7 @@ Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path
         system->path = path / entry->d_name;
         systems.push_back(std::move(*system));
     }
-    std::sort(systems.begin(), systems.end(), [](const RunningSystem& a, const RunningSystem& b) {
+    std::sort(systems.begin(), systems.end(), [](const ListeningSystem& a, const ListeningSystem& b) {
         return std::pair(a.name, a.process) < std::pair(b.name, b.process);
     });
     return systems;
@@ -151,13 +151,13 @@ Expected<ReachedSystem> connect_to_system(std::string_view which, const std::fil
     if (!systems) return Unexpected(systems.error());
     if (systems->empty()) return failure("nothing is running: start a system with `nezumi run FILE`");
 
-    std::vector<RunningSystem> fitting;
-    for (const RunningSystem& system : *systems) {
+    std::vector<ListeningSystem> fitting;
+    for (const ListeningSystem& system : *systems) {
         if (which.empty() || system.name == which || std::to_string(system.process) == which) fitting.push_back(system);
     }
     if (fitting.empty()) {
         std::vector<std::string_view> names;
-        for (const RunningSystem& system : *systems) names.emplace_back(system.name);
+        for (const ListeningSystem& system : *systems) names.emplace_back(system.name);
         return failure("no system '" + shown(which) + "' is running" + did_you_mean(which, names) +
                        "; running: " + list_of(*systems));
     }
@@ -173,16 +173,16 @@ Expected<ReachedSystem> connect_to_system(std::string_view which, const std::fil
     return ReachedSystem{std::move(fitting.front()), std::move(socket)};
 }
 
-std::string list_of(const std::vector<RunningSystem>& systems) {
+std::string list_of(const std::vector<ListeningSystem>& systems) {
     std::string text;
-    for (const RunningSystem& system : systems) {
+    for (const ListeningSystem& system : systems) {
         if (!text.empty()) text += ", ";
         text += system.name + " (process " + std::to_string(system.process) + ")";
     }
     return text;
 }
 
-std::string no_answer(const RunningSystem& system) {
+std::string no_answer(const ListeningSystem& system) {
     return list_of({system}) + " does not answer: it is stopped, or very busy";
 }
 

@@ -39,7 +39,7 @@ private:
 };
 
 /// A system that listens.
-struct RunningSystem {
+struct ListeningSystem {
     std::string name;
     pid_t process = 0;
     std::filesystem::path path;
@@ -47,11 +47,11 @@ struct RunningSystem {
 
 /// The systems that listen, sorted by name and process. Sockets that nobody listens at any more are removed. Waits for
 /// none of them.
-Expected<std::vector<RunningSystem>> running_systems(const std::filesystem::path& folder = console_folder());
+Expected<std::vector<ListeningSystem>> running_systems(const std::filesystem::path& folder = console_folder());
 
 /// A running system that is connected to.
 struct ReachedSystem {
-    RunningSystem system;
+    ListeningSystem system;
     FileHandle socket;
 };
 
@@ -61,10 +61,10 @@ Expected<ReachedSystem> connect_to_system(std::string_view which,
                                           const std::filesystem::path& folder = console_folder());
 
 /// "stop_at_wall (process 4711), swarm (process 4712)".
-std::string list_of(const std::vector<RunningSystem>& systems);
+std::string list_of(const std::vector<ListeningSystem>& systems);
 
 /// What is said of a system that does not.
-std::string no_answer(const RunningSystem& system);
+std::string no_answer(const ListeningSystem& system);
 
 /// Whether the process at the other end of a Unix socket belongs to `user`.
 bool is_peer(int socket, uid_t user);

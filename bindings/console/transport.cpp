@@ -14,6 +14,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/base/descriptors.hpp"
+
 namespace nezumi {
 namespace {
 
@@ -96,11 +98,14 @@ void Transport::listen(Listener listener, uid_t user) {
     signal(wake_);
 }
 
-ClientId Transport::add(FileHandle socket, Flow flow) {
+ClientId Transport::add(FileHandle socket, Flow flow) { return add(std::move(socket), flow, true); }
+
+ClientId Transport::add(FileHandle socket, Flow flow, bool has_spoken) {
     fcntl(socket.get(), F_SETFL, fcntl(socket.get(), F_GETFL) | O_NONBLOCK);
     auto client = std::make_unique<Client>();
     client->socket = std::move(socket);
     client->flow = flow;
+    client->has_spoken = has_spoken;
     ClientId id = 0;
     {
         const std::lock_guard lock(mutex_);
@@ -131,20 +136,21 @@ void Transport::finish_request(ClientId id) {
 bool Transport::takes_more(ClientId id) {
     const std::lock_guard lock(mutex_);
     const auto found = clients_.find(id);
-    if (found == clients_.end() || found->second->flow == Flow::lossless) return true;
+    if (found == clients_.end()) return true;
     found->second->awaited = found->second->backlog > high_water;
     return !found->second->awaited;
 }
 
+bool Transport::is_behind() {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(clients_.begin(), clients_.end(), [](const auto& each) {
+        return each.second->flow == Flow::lossless && each.second->backlog > high_water;
+    });
+}
+
 void Transport::send(ClientId id, Event event) {
-    Lock lock(mutex_);
-    auto found = clients_.find(id);
-    if (found != clients_.end() && found->second->flow == Flow::lossless) {
-        drained_.wait(lock, [&] {
-            found = clients_.find(id);
-            return found == clients_.end() || found->second->backlog <= max_backlog;
-        });
-    }
+    const std::lock_guard lock(mutex_);
+    const auto found = clients_.find(id);
     if (found == clients_.end()) return;
     put(*found->second, std::move(event));
     signal(wake_);
@@ -152,8 +158,9 @@ void Transport::send(ClientId id, Event event) {
 
 // With the lock held.
 void Transport::put(Client& client, Event event) {
-    const bool full = client.backlog > (client.lost > 0 ? high_water : max_backlog);
-    if (full && client.flow == Flow::lossy && only_shows(event)) {
+    const std::size_t most = client.flow == Flow::lossless ? max_lossless : max_backlog;
+    const bool full = client.backlog > (client.lost > 0 ? high_water : most);
+    if (full && only_shows(event)) {
         ++client.lost;
         return;
     }
@@ -201,7 +208,6 @@ void Transport::work() {
     }
     const std::lock_guard lock(mutex_);
     clients_.clear();
-    drained_.notify_all();
 }
 
 // Returns false when there is no descriptor for another client.
@@ -209,15 +215,9 @@ bool Transport::accept_all(int listener) {
     for (;;) {
         FileHandle socket(accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
         if (!socket) return errno != EMFILE && errno != ENFILE && errno != ENOBUFS && errno != ENOMEM;
-        bool ours = false;
-        bool full = false;
-        {
-            const std::lock_guard lock(mutex_);
-            ours = is_peer(socket.get(), user_);
-            full = clients_.size() >= max_clients;
-        }
-        if (ours && !full) {
-            add(std::move(socket), Flow::lossy);
+        const bool ours = is_peer(socket.get(), user_);
+        if (ours && leaves_free(socket.get(), for_files) && make_room()) {
+            add(std::move(socket), Flow::lossy, false);
             continue;
         }
         const std::string line =
@@ -225,6 +225,21 @@ bool Transport::accept_all(int listener) {
                      .text = ours ? "too many consoles are attached" : "the system belongs to another user"});
         ::send(socket.get(), line.data(), line.size(), MSG_NOSIGNAL);
     }
+}
+
+// For another client. Returns false where there is none.
+bool Transport::make_room() {
+    ClientId silent = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        if (clients_.size() < max_clients) return true;
+        const auto oldest =
+            std::find_if(clients_.begin(), clients_.end(), [](const auto& each) { return !each.second->has_spoken; });
+        if (oldest == clients_.end()) return false;
+        silent = oldest->first;
+    }
+    remove(silent);
+    return true;
 }
 
 void Transport::serve(ClientId id, Client& client, short found) {
@@ -257,6 +272,7 @@ void Transport::read_from(ClientId id, Client& client) {
             continue;
         }
         ++client.requests;
+        client.has_spoken = true;
         incoming_.push_back({.client = id, .what = Incoming::What::request, .request = std::move(*request)});
         signal(news_);
     }
@@ -272,7 +288,6 @@ void Transport::write_to(Client& client) {
                 events.push_back(std::move(client.events.front()));
             }
             for (const Event& event : events) client.backlog -= std::min(client.backlog, size_of(event));
-            if (client.flow == Flow::lossless) drained_.notify_all();
             if (client.awaited && client.backlog <= high_water) {
                 client.awaited = false;
                 drained_news_ = true;
@@ -297,7 +312,6 @@ void Transport::remove(ClientId id) {
     clients_.erase(id);
     incoming_.push_back({.client = id, .what = Incoming::What::closed, .request = {}});
     signal(news_);
-    drained_.notify_all();
 }
 
 }  // namespace nezumi

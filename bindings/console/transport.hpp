@@ -4,7 +4,6 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -37,13 +36,15 @@ public:
     /// How a client's events are kept while it does not take them.
     enum class Flow {
         lossy,    ///< what only shows something is left out, and counted, past `max_backlog`; see `takes_more`
-        lossless  ///< `send` waits past `max_backlog`: for runs without a clock
+        lossless  ///< the same, past `max_lossless`: nothing is, where a run waits while it is behind
     };
 
     /// [bytes] that wait for a client.
     static constexpr std::size_t max_backlog = std::size_t{1} << 20;
+    static constexpr std::size_t max_lossless = std::size_t{64} << 20;
     /// Requests of a client that are not finished yet; no more are read from it until some are.
     static constexpr std::size_t max_requests = 64;
+    /// One more, and the oldest that has not sent a request yet goes.
     static constexpr std::size_t max_clients = 32;
 
     /// Starts the thread that waits for the sockets, if it can: see `ready`.
@@ -69,9 +70,11 @@ public:
     /// A request has been dealt with: its client may send another.
     void finish_request(ClientId client);
     /// Whether nothing of what is sent now is left out, with a good reserve. When it says no, `file` becomes readable
-    /// as soon as it would say yes. Yes for a lossless client, and for one that is gone.
+    /// as soon as it would say yes. Yes for one that is gone.
     bool takes_more(ClientId client);
-    /// Never waits for a lossy client. Events to clients that are gone are dropped.
+    /// A lossless client takes less than is sent: a run that follows no clock should wait.
+    bool is_behind();
+    /// Waits for nothing. Events to clients that are gone are dropped.
     void send(ClientId client, Event event);
 
 private:
@@ -82,6 +85,7 @@ private:
         std::size_t backlog = 0;   // [bytes] of them, about
         std::size_t lost = 0;
         bool awaited = false;      // somebody wants to know when it takes more
+        bool has_spoken = false;   // it has sent a request, or was added from within
         std::size_t requests = 0;  // not finished
         // Of the thread alone:
         LineReader reader{};
@@ -91,8 +95,10 @@ private:
         bool gone = false;
     };
 
+    ClientId add(FileHandle socket, Flow flow, bool has_spoken);
     void work();
     bool accept_all(int listener);
+    bool make_room();
     void serve(ClientId id, Client& client, short found);
     void read_from(ClientId id, Client& client);
     void write_to(Client& client);
@@ -104,7 +110,6 @@ private:
     int problem_ = 0;  // an errno: there is no thread
 
     Mutex mutex_;  // of all below, and of the first part of each client
-    std::condition_variable drained_;
     std::optional<Listener> listener_;
     uid_t user_ = geteuid();
     std::map<ClientId, std::unique_ptr<Client>> clients_;  // removed by the thread alone

@@ -141,7 +141,7 @@ void Lockstep::follow(const std::vector<Ends>& connections) {
     for (const std::string& path : wanted) {
         if (published_.contains(path)) continue;
         if (const auto port = std::as_const(system_).port(path))
-            published_.try_emplace(path, static_cast<const OutPortBase&>(**port));
+            published_.try_emplace(path, system_, static_cast<const OutPortBase&>(**port));
     }
 }
 

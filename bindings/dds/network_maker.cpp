@@ -13,6 +13,7 @@
 #include "bindings/dds/sealed_transport.hpp"
 #include "bindings/dds/silent_transport.hpp"
 #include "bindings/dds/system_network.hpp"
+#include "bindings/dds/user_secret.hpp"
 
 namespace nezumi::dds {
 namespace {
@@ -83,8 +84,15 @@ std::uint64_t new_run() {
     return std::uint64_t{random()} << 32 | random() | 1;
 }
 
+// Whether messages are sealed: with the secret that the file names, on the loopback with that of this user.
+bool is_sealed(const NetworkSpec& spec) { return !spec.secret.empty() || (spec.interface.empty() && !spec.open); }
+
 // Whether others may do more than look.
-bool is_writable(const NetworkSpec& spec) { return spec.interface.empty() || spec.open || !spec.secret.empty(); }
+bool is_writable(const NetworkSpec& spec) { return spec.open || is_sealed(spec); }
+
+Expected<Secret> secret_of(const NetworkSpec& spec) {
+    return spec.secret.empty() ? user_secret() : read_secret(spec.secret, spec.secret_path);
+}
 
 // What the word allows and this run does not.
 Expected<void> check(const NetworkSpec& spec, const System& system) {
@@ -109,7 +117,7 @@ Expected<std::unique_ptr<SystemNetwork>> make_host(const Join<NetworkSpec>& join
     settings.name = spec.name;
     settings.version = version;
     settings.writable = is_writable(spec);
-    settings.answered = !spec.secret.empty();
+    settings.sealed = is_sealed(spec);
     settings.run = new_run();
     settings.clock = system.settings().clock;
     settings.lockstep = spec.lockstep && !alone;
@@ -161,8 +169,8 @@ NetworkMaker make_networks(Domains& domains, std::string version) {
         const auto join = [&]<class Spec>(const Spec& part) -> Expected<DdsTransport*> {
             auto joined = domains.join(part.domain, part.interface, part.peers);
             if constexpr (std::is_same_v<Spec, NetworkSpec>) {
-                if (!joined || part.secret.empty()) return joined;
-                const auto secret = read_secret(part.secret, part.secret_path);
+                if (!joined || !is_sealed(part)) return joined;
+                const auto secret = secret_of(part);
                 if (!secret) return Unexpected(secret.error());
                 sealed = make_sealed_transport(**joined, *secret);
                 return sealed.get();

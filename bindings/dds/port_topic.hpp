@@ -18,40 +18,13 @@
 #include "engine/ports/cdr.hpp"
 #include "engine/ports/payload.hpp"
 #include "engine/ports/port.hpp"
+#include "engine/system/published.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi::dds {
 
 /// The topic of the out-port "name.port" of a host, whose messages are of this type.
 Topic topic_of(std::string_view host, std::string_view port, std::size_t type);
-
-/// What an out-port publishes from now on. The port must live until another one is followed.
-class Published {
-public:
-    explicit Published(const OutPortBase& port) : port_(&port), type_(port.type()), seen_(port.sequence()) {}
-
-    /// Gives each `Message<T>` that was published since the last call.
-    template <class Give>
-    void take(const Give& give) {
-        if (port_->sequence() == seen_) return;
-        seen_ = port_->sequence();
-        with_payload_type(type_, [&]<class T>() {
-            for (const Message<T>& message : static_cast<const OutPort<T>&>(*port_).messages()) give(message);
-        });
-    }
-    std::size_t type() const { return type_; }
-    /// The port of the same name and type that has taken the place of the one before.
-    void follow(const OutPortBase& port) {
-        if (&port == port_) return;
-        port_ = &port;
-        seen_ = 0;
-    }
-
-private:
-    const OutPortBase* port_;  // may be gone until another one is followed
-    std::size_t type_;
-    std::uint64_t seen_;
-};
 
 /// Has each of a map of what ports publish, by "name.port", follow the port that is called so now; drops those whose
 /// port has gone, or is of another type.
@@ -73,8 +46,8 @@ class Outlet : public Published {
 public:
     /// `number`: of the message sent last on this topic, which goes on where another outlet has ended, and must outlive
     /// this one.
-    Outlet(const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
-        : Published(port), writer_(std::move(writer)), number_(number) {}
+    Outlet(const System& system, const OutPortBase& port, std::unique_ptr<Writer> writer, std::uint64_t& number)
+        : Published(system, port), writer_(std::move(writer)), number_(number) {}
 
     /// Sends what was published since the last call. `run` as announced; `clock`: the monotonic clock [s].
     void send(const Time& now, std::uint64_t run, double clock);

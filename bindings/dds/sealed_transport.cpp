@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sodium.h>
 
+#include <atomic>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -90,23 +91,28 @@ public:
     std::unique_ptr<Reader> read(const Topic& topic) override {
         // Who has no secret may send as much as they like: it must not push out what waits.
         Topic its = sealed(topic);
-        its.admits = [this, topic](std::span<const std::uint8_t> bytes) { return is_sealed(bytes, topic, secret_); };
+        its.admits = [this, topic](std::span<const std::uint8_t> bytes) {
+            const bool is_ours = is_sealed(bytes, topic, secret_);
+            if (!is_ours) ++strange_;
+            return is_ours;
+        };
         auto made = inner_.read(its);
         return made != nullptr ? std::make_unique<SealedReader>(std::move(made), topic, secret_) : nullptr;
     }
     std::vector<SeenEndpoint> seen() override { return inner_.seen(); }
     std::string problem() const override { return inner_.problem(); }
+    std::uint64_t strange() const override { return strange_; }
 
 private:
-    // Hosts with a secret and those without one do not hear each other at all.
     static Topic sealed(Topic topic) {
-        topic.name = "sealed/" + topic.name;
+        topic.name = sealed_name(topic.name);
         topic.type = "nezumi::Sealed";
         return topic;
     }
 
     DdsTransport& inner_;
     Secret secret_;
+    std::atomic<std::uint64_t> strange_ = 0;
 };
 
 }  // namespace
@@ -156,6 +162,8 @@ Expected<Secret> read_secret(const std::string& said, const std::string& file) {
     if (!secret) return refuse(secret.error().message);
     return secret;
 }
+
+std::string sealed_name(std::string_view topic) { return fmt::format("sealed/{}", topic); }
 
 Octets seal(std::span<const std::uint8_t> cdr, const Topic& topic, const Secret& secret) {
     const std::string place = place_of(topic);

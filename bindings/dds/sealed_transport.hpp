@@ -30,6 +30,9 @@ Octets seal(std::span<const std::uint8_t> cdr, const Topic& topic, const Secret&
 /// What `seal` was given; nothing when it was not sealed for this topic with this secret.
 std::optional<Octets> unseal(std::span<const std::uint8_t> sealed, const Topic& topic, const Secret& secret);
 
+/// The name of a topic whose messages are sealed: hosts with a secret and those without one do not hear each other.
+std::string sealed_name(std::string_view topic);
+
 /// `inner` must outlive it, and it its readers. What can't be unsealed is dropped as it comes. That a message comes
 /// again is for who reads to see: heads have numbers.
 std::unique_ptr<DdsTransport> make_sealed_transport(DdsTransport& inner, const Secret& secret);

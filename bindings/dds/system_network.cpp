@@ -34,8 +34,9 @@ SystemNetwork::SystemNetwork(System& system, DdsTransport& transport, HostSettin
       transport_(transport),
       settings_(std::move(settings)),
       hosts_({.protocol = protocol, .host = settings_.name, .version = settings_.version}, settings_.run,
-             settings_.answered),
-      requests_(transport, settings_.name, settings_.run) {
+             settings_.sealed),
+      requests_(transport, settings_.name, settings_.run),
+      strangers_(transport, settings_.sealed) {
     if (settings_.lockstep)
         lockstep_.emplace(
             system, transport,
@@ -73,6 +74,8 @@ void SystemNetwork::between_ticks(const ActDoor& act) {
 
 void SystemNetwork::look(const ActDoor& act) {
     listen();
+    if (const std::string told = strangers_.look(settings_.clock()); !told.empty())
+        system_.log(LogLevel::warn, "network: " + told);
     const bool made =
         (!lockstep_ || lockstep_->may_connect(hosts_, present())) && make_what_others_want(present(), act);
     end_what_they_no_longer_want(present(), act);
@@ -272,7 +275,7 @@ void SystemNetwork::open_topics(const std::vector<Ends>& present) {
         if (outlets_.contains(path) || !port) continue;
         const auto& out = static_cast<const OutPortBase&>(**port);
         if (auto writer = transport_.write(topic_of(settings_.name, path, out.type()))) {
-            outlets_.try_emplace(path, out, std::move(writer), numbers_[path]);
+            outlets_.try_emplace(path, system_, out, std::move(writer), numbers_[path]);
         } else {
             tell_problem(path);
         }

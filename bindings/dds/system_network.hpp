@@ -18,6 +18,7 @@
 #include "bindings/dds/lockstep.hpp"
 #include "bindings/dds/port_topic.hpp"
 #include "bindings/dds/remote_component.hpp"
+#include "bindings/dds/strangers.hpp"
 #include "bindings/dds/transport.hpp"
 #include "engine/system/network.hpp"
 #include "engine/system/system.hpp"
@@ -29,7 +30,7 @@ struct HostSettings {
     std::string name;
     std::string version;                                ///< of nezumi
     bool writable = true;                               ///< others may connect to its in-ports
-    bool answered = false;                              ///< as in `HostTable`
+    bool sealed = false;                                ///< the transport's messages are
     std::uint64_t run = 0;                              ///< another number at each start
     std::function<double()> clock = monotonic_seconds;  ///< [s], never backwards
     bool lockstep = false;                              ///< time is that of its partners
@@ -84,6 +85,7 @@ private:
     HostSettings settings_;
     HostTable hosts_;
     mutable HostRequests requests_;
+    Strangers strangers_;
     std::optional<Lockstep> lockstep_;
     std::unique_ptr<Writer> announcer_;
     std::unique_ptr<Reader> listener_;

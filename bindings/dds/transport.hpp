@@ -77,6 +77,8 @@ public:
     /// Every writer and reader in the domain that was found up to now, own ones too.
     virtual std::vector<SeenEndpoint> seen() = 0;
     virtual std::string problem() const = 0;
+    /// Messages that came and were dropped, as they were sealed with another secret or not at all.
+    virtual std::uint64_t strange() const { return 0; }
 };
 
 }  // namespace nezumi::dds

@@ -10,7 +10,11 @@ Expected<Simulation> Simulation::load(const std::filesystem::path& file, Options
     LiveOptions live = simulated_systems(std::move(options.installed));
     live.budget = headless_budget;
     live.build.log = std::move(options.log);
-    auto loaded = LiveSystem::load(file, std::move(live));
+    return load_with(file, std::move(live));
+}
+
+Expected<Simulation> Simulation::load_with(const std::filesystem::path& file, LiveOptions options) {
+    auto loaded = RunningSystem::load(file, std::move(options));
     if (!loaded) return Unexpected(loaded.error());
     (*loaded)->activate();
     return Simulation(std::move(*loaded));

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi {
@@ -32,8 +32,10 @@ public:
     /// Reads a system file, builds what it says and activates it, at time 0. The error is the file's first, with its
     /// place.
     static Expected<Simulation> load(const std::filesystem::path& file, Options options);
+    /// The same with makers of the program's own beside those of `simulated_systems`: components, drivers of devices.
+    static Expected<Simulation> load_with(const std::filesystem::path& file, LiveOptions options);
 
-    /// Runs one tick.
+    /// Runs one tick. A gamepad's button for emergency stops counts, where a joystick names one.
     void tick() { live_->tick(); }
     /// Runs as many ticks as these simulated seconds have.
     void run(double seconds);
@@ -44,11 +46,13 @@ public:
     Expected<ActResult> act(const Act& act) { return live_->act(act, {Actor::Kind::run}); }
     /// Components, robots, ports and the world, to look at.
     const System& system() const { return live_->system(); }
+    /// For a `RunLoop`, which ticks by the clock, and the buttons of robots (engine/live/robot_buttons.hpp).
+    RunningSystem& running() { return *live_; }
 
 private:
-    explicit Simulation(std::unique_ptr<LiveSystem> live) : live_(std::move(live)) {}
+    explicit Simulation(std::unique_ptr<RunningSystem> live) : live_(std::move(live)) {}
 
-    std::unique_ptr<LiveSystem> live_;
+    std::unique_ptr<RunningSystem> live_;
 };
 
 }  // namespace nezumi

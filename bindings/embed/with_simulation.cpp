@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "bindings/embed/simulation.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "engine/devices/camera.hpp"
 #include "engine/devices/joystick.hpp"
 #include "engine/vision/color_detector.hpp"
@@ -12,7 +13,8 @@
 namespace nezumi {
 
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
-    return {.installed = std::move(installed),
+    return {.scripts = &lua_scripts(),
+            .installed = std::move(installed),
             .world = sim::make_world,
             .components = {{"Camera", {{"sim", make_simulated_camera}}},
                            {"ColorDetector", {{"sim", make_image_component<ColorDetector>}}},

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bindings/embed/simulation.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "engine/devices/joystick.hpp"
 
 namespace nezumi {
@@ -18,7 +19,8 @@ Expected<std::unique_ptr<Component>> refuse(const ComponentEntry& entry, System&
 }  // namespace
 
 LiveOptions simulated_systems(std::vector<std::filesystem::path> installed) {
-    return {.installed = std::move(installed),
+    return {.scripts = &lua_scripts(),
+            .installed = std::move(installed),
             .components = {{"Camera", {{"sim", refuse}}},
                            {"ColorDetector", {{"sim", refuse}}},
                            {"Joystick", {{"sim", make_joystick}}},

@@ -4,15 +4,15 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "bindings/lua/project/project.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/script_host.hpp"
 #include "engine/system/act.hpp"
 
 namespace nezumi {
 
-/// The fields of an act. An entry of a system is Lua, as a system file says it.
-nlohmann::ordered_json to_json(const Act& act);
-/// The act of this name. An error says which field is wrong. `project` is where an entry's files are found.
-Expected<Act> act_from_json(std::string_view name, const nlohmann::ordered_json& fields, const Project& project);
+/// The fields of an act. An entry of a system is text, as a system file says it.
+nlohmann::ordered_json to_json(const Act& act, const ScriptHost& scripts);
+/// The act of this name. An error says which field is wrong. `parts` reads its entry.
+Expected<Act> act_from_json(std::string_view name, const nlohmann::ordered_json& fields, const PartReader& parts);
 
 }  // namespace nezumi

@@ -52,7 +52,7 @@ std::optional<PathSeen> path_from_json(const Json& json) {
 
 Json files_to_json(const FilesSeen& seen) {
     Json json = Json::object();
-    for (const auto& [path, found] : seen) json[path.string()] = to_json(found);
+    for (const auto& [path, found] : seen) json[text_to_key(path.string())] = to_json(found);
     return json;
 }
 
@@ -61,8 +61,9 @@ std::optional<FilesSeen> files_from_json(const Json& json) {
     FilesSeen seen;
     for (const auto& [path, found] : json.items()) {
         auto read = path_from_json(found);
-        if (!read) return std::nullopt;
-        seen.emplace(path, std::move(*read));
+        auto name = text_from_key(path);
+        if (!read || !name) return std::nullopt;
+        seen.emplace(std::move(*name), std::move(*read));
     }
     return seen;
 }

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
-#include "bindings/lua/project/project_files.hpp"
+#include "engine/project/project_files.hpp"
 
 namespace nezumi {
 

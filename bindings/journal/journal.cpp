@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
@@ -48,20 +47,22 @@ Journal::~Journal() {
     file_.discard();
 }
 
-void Journal::begin(LiveSystem& live, const std::string& version, bool hardware) {
+void Journal::begin(RunningSystem& live, const std::string& version, bool hardware) {
     live_ = &live;
     Json installed = Json::array();
-    for (const auto& folder : live.options().installed) installed.push_back(folder.string());
+    for (const auto& folder : live.options().installed) installed.push_back(text_to_json(folder.string()));
+    Json set = Json::array();
+    for (const std::string& each : live.options().values.set) set.push_back(text_to_json(each));
     Json first{{"journal", 1},
                {"version", version},
                {"hardware", hardware},
-               {"system", live.file().string()},
-               {"working_folder", files_.working_folder().string()},
+               {"system", text_to_json(live.file().string())},
+               {"working_folder", text_to_json(files_.working_folder().string())},
                {"installed", std::move(installed)},
                {"seed", live.options().build.seed},
                {"seed_wins", live.options().build.seed_wins},
-               {"params", live.options().values.file},
-               {"set", live.options().values.set},
+               {"params", text_to_json(live.options().values.file)},
+               {"set", std::move(set)},
                {"files", files_to_json(files_.take())}};
     add([first = std::move(first)] { return line(first); });
     live.observe_acts(this);
@@ -103,8 +104,11 @@ void Journal::end(RunEnd how, const std::string& message, const ActTime& when, s
 void Journal::acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) {
     FilesSeen files = files_.take();
     if (!is_journaled(act, result.has_value())) return;
-    add([when, act, who, failed = !result, files = std::move(files)] {
-        Json json{{"at", at(when)}, {"who", to_text(who)}, {"do", nezumi::name_of(act)}, {"with", to_json(act)}};
+    add([when, act, who, &scripts = *live_->options().scripts, failed = !result, files = std::move(files)] {
+        Json json{{"at", at(when)},
+                  {"who", text_to_json(to_text(who))},
+                  {"do", nezumi::name_of(act)},
+                  {"with", to_json(act, scripts)}};
         if (failed) json["failed"] = true;
         if (!files.empty()) json["files"] = files_to_json(files);
         return line(json);
@@ -116,7 +120,7 @@ void Journal::ran_out_of_time(const ActTime& when, const std::string& component,
         Json ended{{"component", component},
                    {"call", call.call},
                    {"message", text_to_json(call.error.message)},
-                   {"file", call.error.place.file},
+                   {"file", text_to_json(call.error.place.file)},
                    {"line", call.error.place.line}};
         if (call.left.data) ended["state"] = plain_to_json(*call.left.data);
         if (!call.left.lost.empty()) ended["lost"] = text_to_json(call.left.lost);
@@ -126,7 +130,7 @@ void Journal::ran_out_of_time(const ActTime& when, const std::string& component,
 
 void Journal::fail_with(int problem) {
     if (problem == 0 || error_) return;
-    error_ = Error{fmt::format("the journal can't be written: {}", std::strerror(problem)), {name_}};
+    error_ = Error{fmt::format("the journal can't be written: {}", why_not_written(problem)), {name_}};
 }
 
 void Journal::flush() {

@@ -23,10 +23,10 @@
 #include <vector>
 
 #include "bindings/journal/recorded_files.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
 #include "engine/base/result_file.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 
@@ -52,7 +52,7 @@ public:
     Journal& operator=(const Journal&) = delete;
 
     /// Writes the first line, for a system that has been read and is not active yet, and follows it from now on.
-    void begin(LiveSystem& live, const std::string& version, bool hardware);
+    void begin(RunningSystem& live, const std::string& version, bool hardware);
     /// Between two ticks: writes what has waited long enough.
     void serve();
     /// Notes the hash as it is now.
@@ -61,6 +61,10 @@ public:
     void end(RunEnd how, const std::string& message, const ActTime& when, std::uint64_t hash);
     /// What kept it from being written, once something did.
     const std::optional<Error>& error() const { return error_; }
+    /// The file takes less than comes: a run that follows no clock should wait.
+    bool is_behind() const { return writer_.is_behind(); }
+    /// What is not written yet is not: `end` returns soon, with an error. From any thread.
+    void give_up() { writer_.give_up(); }
 
     void acted(const ActTime& when, const Act& act, const Actor& who, const Expected<ActResult>& result) override;
     void ran_out_of_time(const ActTime& when, const std::string& component, const Component::OutOfTime& call) override;
@@ -79,7 +83,7 @@ private:
     ResultFile file_;
     FileWriter writer_;
     RecordingFiles& files_;
-    LiveSystem* live_ = nullptr;
+    RunningSystem* live_ = nullptr;
     std::vector<Line> waiting_;  // to be made beside the ticks: an act may hold a picture, or a million numbers
     Clock::time_point marked_{};
     ActTime last_mark_;

@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view base64_key = "base64:";
+
 bool is_utf8(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
         const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -99,6 +101,17 @@ Expected<std::string> text_from_json(const Json& json) {
         if (auto text = from_base64(bytes->get_ref<const std::string&>())) return std::move(*text);
     }
     return failure(expected_in_json("a text", json));
+}
+
+std::string text_to_key(const std::string& text) {
+    return is_utf8(text) && !text.starts_with(base64_key) ? text : std::string(base64_key) + to_base64(text);
+}
+
+Expected<std::string> text_from_key(const std::string& key) {
+    if (!key.starts_with(base64_key)) return key;
+    auto text = from_base64(std::string_view(key).substr(base64_key.size()));
+    if (!text) return failure(expected_in_json("a text", key));
+    return std::move(*text);
 }
 
 Json number_to_json(double value) {

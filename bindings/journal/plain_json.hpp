@@ -13,6 +13,9 @@ namespace nezumi {
 /// A text, or of one that is no UTF-8 its bytes: { "base64": "..." }.
 nlohmann::ordered_json text_to_json(const std::string& text);
 Expected<std::string> text_from_json(const nlohmann::ordered_json& json);
+/// The same as the name of a member, which can only be a text: "base64:...".
+std::string text_to_key(const std::string& text);
+Expected<std::string> text_from_key(const std::string& key);
 
 /// A number, or { "number": "nan" }, "inf" or "-inf".
 nlohmann::ordered_json number_to_json(double value);

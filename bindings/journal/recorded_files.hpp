@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/project/project_files.hpp"
+#include "engine/project/project_files.hpp"
 #include "engine/world/world.hpp"
 
 namespace nezumi {

@@ -48,10 +48,11 @@ template <class T>
 std::optional<T> field(const Json& json, const char* name) {
     const auto found = json.find(name);
     if (found == json.end()) return std::nullopt;
-    if constexpr (std::is_same_v<T, bool>) {
+    if constexpr (std::is_same_v<T, std::string>) {
+        auto text = text_from_json(*found);
+        return text ? std::optional(std::move(*text)) : std::nullopt;
+    } else if constexpr (std::is_same_v<T, bool>) {
         if (!found->is_boolean()) return std::nullopt;
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        if (!found->is_string()) return std::nullopt;
     } else if (!found->is_number_integer()) {
         return std::nullopt;
     }
@@ -124,16 +125,18 @@ Expected<void> Replay::read_header(const std::string& line, const std::string& v
     if (!system || !working || !seed || !seed_wins || !files || installed == json.end() || !installed->is_array())
         return wrong(1, "expected system, working_folder, installed, seed, seed_wins and files");
     for (const Json& folder : *installed) {
-        if (!folder.is_string()) return wrong(1, "'installed' must be a list of folders");
-        installed_.emplace_back(folder.get<std::string>());
+        auto path = text_from_json(folder);
+        if (!path) return wrong(1, "'installed' must be a list of folders");
+        installed_.emplace_back(std::move(*path));
     }
     // A journal need not have them: none were given.
     values_.file = field<std::string>(json, "params").value_or("");
     if (const auto set = json.find("set"); set != json.end()) {
         if (!set->is_array()) return wrong(1, "'set' must be a list of texts");
         for (const Json& each : *set) {
-            if (!each.is_string()) return wrong(1, "'set' must be a list of texts");
-            values_.set.emplace_back(each.get<std::string>());
+            auto text = text_from_json(each);
+            if (!text) return wrong(1, "'set' must be a list of texts");
+            values_.set.emplace_back(std::move(*text));
         }
     }
     system_ = *system;
@@ -210,7 +213,7 @@ Expected<void> Replay::check_system(const fs::path& file) const {
     return failure(fmt::format("{} is a journal of {}, not of {}", file_.string(), system_, file.string()));
 }
 
-Expected<std::unique_ptr<LiveSystem>> Replay::load(LiveOptions options) {
+Expected<std::unique_ptr<RunningSystem>> Replay::load(LiveOptions options) {
     options.files = &*files_;
     options.installed = installed_;
     options.world = with_pictures_from(*files_, std::move(options.world));
@@ -220,12 +223,12 @@ Expected<std::unique_ptr<LiveSystem>> Replay::load(LiveOptions options) {
     options.build.out_of_time_is_fatal = false;
     options.watch = false;
     options.budget = headless_budget;
-    auto live = LiveSystem::load(system_, std::move(options));
+    auto live = RunningSystem::load(system_, std::move(options));
     if (live) (*live)->foresee(std::exchange(foreseen_, {}));
     return live;
 }
 
-Expected<bool> Replay::before_tick(LiveSystem& live) {
+Expected<bool> Replay::before_tick(RunningSystem& live) {
     for (; next_ < entries_.size(); ++next_) {
         const Entry& entry = entries_[next_];
         const ActTime now = live.when();
@@ -258,10 +261,10 @@ std::string Replay::cause(const ActTime& now) const {
                        last->lost.empty() ? "" : ", nor is all of its state: " + last->lost);
 }
 
-Expected<void> Replay::perform(LiveSystem& live, const Entry& entry) {
+Expected<void> Replay::perform(RunningSystem& live, const Entry& entry) {
     if (entry.name == Describe<Restart>::name) files_->clear();
     files_->update(entry.files);
-    const auto act = act_from_json(entry.name, entry.fields, live.project());
+    const auto act = act_from_json(entry.name, entry.fields, live.part_reader());
     if (!act) return wrong(entry.line, act.error().message);
     const auto done = live.act(*act, entry.who);
     if (done.has_value() != entry.failed) return {};

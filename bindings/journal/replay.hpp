@@ -11,8 +11,8 @@
 
 #include "bindings/journal/journal.hpp"
 #include "bindings/journal/recorded_files.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 
@@ -28,10 +28,10 @@ public:
     /// Why this is no journal of that system file; files are compared by name, as they may be gone or elsewhere now.
     Expected<void> check_system(const std::filesystem::path& file) const;
     /// Builds the system as it was, from the journal alone: with these makers of worlds and components, and this log.
-    Expected<std::unique_ptr<LiveSystem>> load(LiveOptions options);
+    Expected<std::unique_ptr<RunningSystem>> load(LiveOptions options);
     /// Performs what came before the next tick, and compares hashes. Returns whether there is more: a tick may follow.
     /// An error says in which line the run is another one than that of the journal.
-    Expected<bool> before_tick(LiveSystem& live);
+    Expected<bool> before_tick(RunningSystem& live);
 
     /// How that run ended; nothing: its journal breaks off, where its process was killed.
     std::optional<RunEnd> end() const { return end_; }
@@ -49,7 +49,7 @@ private:
     Expected<void> read_entry(const std::string& line, int number);
     Expected<void> read_out_of_time(const nlohmann::ordered_json& json, const ActTime& when, int number);
     Unexpected wrong(int line, const std::string& what) const;
-    Expected<void> perform(LiveSystem& live, const Entry& entry);
+    Expected<void> perform(RunningSystem& live, const Entry& entry);
     // Why it may have become another run by now: "; ...", or nothing.
     std::string cause(const ActTime& now) const;
 
@@ -62,7 +62,7 @@ private:
     std::optional<RecordedFiles> files_;
     std::vector<Entry> entries_;
     std::size_t next_ = 0;
-    std::vector<LiveSystem::Foreseen> foreseen_;
+    std::vector<RunningSystem::Foreseen> foreseen_;
     struct Ended {
         ActTime when;
         std::string component;

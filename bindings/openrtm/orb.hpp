@@ -147,6 +147,8 @@ public:
     virtual std::future<Expected<std::string>> ask(PeerQuestion question, TellPeers* tell) = 0;
     /// Hands a message to the connections of an out-port that want it in this order.
     virtual void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) = 0;
+    /// Whether a connection that is wanted is there, as far as that is known.
+    virtual bool is_made(const RtcLink& link) = 0;
 };
 
 struct OrbOptions {

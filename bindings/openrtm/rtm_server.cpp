@@ -21,17 +21,6 @@ std::string set_in_use(const Component& component) {
     return component.set_in_use().empty() ? std::string(Component::no_set) : component.set_in_use();
 }
 
-// Encodes each message of the port's latest publication.
-template <class Send>
-void for_each_message(const OutPortBase& port, std::endian order, std::vector<std::uint8_t>& buffer, const Send& send) {
-    with_payload_type(port.type(), [&]<class T>() {
-        for (const Message<T>& message : static_cast<const OutPort<T>&>(port).messages()) {
-            write_cdr_message(buffer, message.data, message.tm, {.order = order});
-            send();
-        }
-    });
-}
-
 }  // namespace
 
 Expected<std::unique_ptr<RtmServer>> RtmServer::open(RtmHost host, const OrbMaker& make_orb) {
@@ -70,7 +59,7 @@ Expected<void> RtmServer::show() {
                 if (port.is_in) {
                     in_ports.emplace(port.path, component.find_in_port(name)->type());
                 } else if (const OutPortBase* out = component.find_out_port(name)) {
-                    outlets_.push_back({port.path, out, out->sequence()});
+                    outlets_.push_back({port.path, Published(system, *out)});
                 }
             }
         }
@@ -131,16 +120,38 @@ void RtmServer::before_tick() {
 
 void RtmServer::after_tick() {
     follow_changes();
+    follow_stop();
     for (Outlet& outlet : outlets_) {
-        if (outlet.port->sequence() == outlet.seen) continue;
-        outlet.seen = outlet.port->sequence();
-        const WantedOrders wanted = orb_->wanted(outlet.path);
-        for (const auto& [is_wanted, order] :
-             {std::pair{wanted.little, std::endian::little}, std::pair{wanted.big, std::endian::big}}) {
-            if (!is_wanted) continue;
-            for_each_message(*outlet.port, order, buffer_,
-                             [&, in = order] { orb_->publish(outlet.path, buffer_, in); });
-        }
+        outlet.published.take([&](const auto& message) {
+            const WantedOrders wanted = orb_->wanted(outlet.path);
+            for (const auto& [is_wanted, order] :
+                 {std::pair{wanted.little, std::endian::little}, std::pair{wanted.big, std::endian::big}}) {
+                if (!is_wanted) continue;
+                write_cdr_message(buffer_, message.data, message.tm, {.order = order});
+                orb_->publish(outlet.path, buffer_, order);
+            }
+        });
+    }
+}
+
+// Which robots an emergency stop reaches, and which it does not.
+void RtmServer::follow_stop() {
+    const bool is_stopped = host_.system().is_stopped();
+    if (std::exchange(is_stopped_, is_stopped) == is_stopped || !is_stopped) return;
+    for (const Outlet& outlet : outlets_) {
+        if (!outlet.published.commands()) continue;
+        const WantedOrders connected = orb_->wanted(outlet.path);
+        if (connected.little || connected.big)
+            host_.say(true, fmt::format("rtm: emergency stop: RTCs connected to {} are sent zero until rearm()",
+                                        outlet.path));
+    }
+    for (const ConnectionSpec& wanted : wanted_) {
+        const auto links = links_of(host_.system(), {wanted});
+        const auto from = std::find_if(outlets_.begin(), outlets_.end(),
+                                       [&](const Outlet& outlet) { return outlet.path == wanted.from; });
+        if (!links || from == outlets_.end() || !from->published.commands() || orb_->is_made(links->front())) continue;
+        host_.say(true, fmt::format("rtm: the emergency stop does not reach {}: it is not connected: stop it there",
+                                    wanted.to));
     }
 }
 

@@ -18,6 +18,7 @@
 #include "bindings/openrtm/rtc_profiles.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/system/act.hpp"
+#include "engine/system/published.hpp"
 #include "engine/system/system.hpp"
 
 namespace nezumi::openrtm {
@@ -78,8 +79,7 @@ private:
 
     struct Outlet {
         std::string path;
-        const OutPortBase* port;
-        std::uint64_t seen;  // publications
+        Published published;
     };
     struct Line {
         bool is_problem;
@@ -89,6 +89,7 @@ private:
     Expected<void> show();
     std::vector<RtcLink> fitting_links();
     void follow_changes();
+    void follow_stop();
     void take_away(const std::vector<RtcLink>& ended);
     void take_snapshots();
     RtcAnswer perform_now(const RtcRequest& request);
@@ -103,6 +104,7 @@ private:
     std::uint64_t layout_ = 0;
     int starts_ = 0;
     std::chrono::steady_clock::time_point taken_at_{};
+    bool is_stopped_ = false;                     // by an emergency stop; told
     std::map<std::string, std::string> refused_;  // messages of a port: what was said of it last
     std::vector<std::uint8_t> buffer_;
 

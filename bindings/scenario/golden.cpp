@@ -10,9 +10,9 @@
 #include <optional>
 #include <sstream>
 
-#include "bindings/lua/project/project.hpp"
 #include "engine/base/csv.hpp"
 #include "engine/base/whole_file.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi {
 namespace {

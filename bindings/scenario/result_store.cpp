@@ -10,12 +10,12 @@
 #include <set>
 #include <system_error>
 
-#include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/archive.hpp"
 #include "bindings/scenario/measures.hpp"
 #include "engine/base/find_files.hpp"
 #include "engine/base/whole_file.hpp"
 #include "engine/ports/payload.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi {
 namespace {

@@ -8,14 +8,14 @@
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/find_script.hpp"
 #include "bindings/lua/files/read_options.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
-#include "bindings/lua/project/writable_folder.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/scenario/failure_folder.hpp"
 #include "bindings/scenario/scenario_fields.hpp"
 #include "bindings/scenario/scenario_methods.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/ports/usage.hpp"
+#include "engine/project/writable_folder.hpp"
 #include "engine/robot/robot.hpp"
 
 namespace nezumi {
@@ -24,7 +24,9 @@ namespace {
 constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 // Keys of faults: the system's address tells worlds apart.
-std::string key_of(const LiveSystem* live, std::string_view name) { return fmt::format("{} {}", fmt::ptr(live), name); }
+std::string key_of(const RunningSystem* live, std::string_view name) {
+    return fmt::format("{} {}", fmt::ptr(live), name);
+}
 
 std::string_view text_or_empty(lua_State* lua, int index) {
     if (lua_type(lua, index) != LUA_TSTRING) return {};
@@ -33,7 +35,7 @@ std::string_view text_or_empty(lua_State* lua, int index) {
     return {text, length};
 }
 
-Expected<ActResult> act_on(LiveSystem* live, const Act& what) { return live->act(what, scenario_actor); }
+Expected<ActResult> act_on(RunningSystem* live, const Act& what) { return live->act(what, scenario_actor); }
 
 // What puts an override in, as it is now.
 Act act_of(Override kind, const std::string& path, const Port& port) {
@@ -47,7 +49,7 @@ Act act_of(Override kind, const std::string& path, const Port& port) {
 }
 
 // An act that is done when its time has come: what it was to be done to may be gone by then.
-std::function<void()> later(LiveSystem* live, Act what) {
+std::function<void()> later(RunningSystem* live, Act what) {
     return [live, what = std::move(what)] { static_cast<void>(act_on(live, what)); };
 }
 
@@ -110,7 +112,7 @@ int ScenarioRun::Methods::golden(ScenarioRun& run, lua_State* lua) {
 int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
     const auto at = run.objects_->to_component(lua, 2);
     if (!at) return raise(run, at.error().message);
-    const auto* script = dynamic_cast<const ScriptComponent*>(at->component);
+    const ScriptFile* script = at->component->script_file();
     if (script == nullptr)
         return raise(run, fmt::format("{} has no script: only behaviours reload", at->component->name()));
     ReloadOptions source;
@@ -118,8 +120,7 @@ int ScenarioRun::Methods::reload(ScenarioRun& run, lua_State* lua) {
         return raise(run, ok.error().message);
     if (source.file.has_value() == source.text.has_value())
         return raise(run, "expected { file = \"NAME\" } or { text = \"...\" }");
-    Reload reload{
-        .component = at->component->name(), .shown = script->script().file().shown, .text = source.text.value_or("")};
+    Reload reload{.component = at->component->name(), .shown = script->shown, .text = source.text.value_or("")};
     Expected<ActResult> report = failure("");
     bool readable = true;
     if (source.file) {

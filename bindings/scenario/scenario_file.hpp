@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "bindings/lua/files/data_file.hpp"
-#include "bindings/lua/project/project.hpp"
 #include "bindings/scenario/sweep.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi {
 

@@ -132,7 +132,7 @@ int ScenarioRun::Methods::find_member(ScenarioRun& run, lua_State* lua) {
     }
     if (is_method) return 1;
     lua_pop(lua, 1);
-    LiveSystem& world = run.current();
+    RunningSystem& world = run.current();
     if (name != "world" && world.system().find(name) == nullptr) {
         auto known = names();
         for (const auto& component : world.system().components()) known.emplace_back(component->name());

@@ -48,7 +48,7 @@ Expected<void> ScenarioRun::open() {
         return error;
     };
     auto objects = Objects::open(
-        state, [this]() -> LiveSystem& { return current(); }, scenario_actor);
+        state, [this]() -> RunningSystem& { return current(); }, scenario_actor);
     if (!objects) return Unexpected(objects.error());
     objects_ = std::move(*objects);
     objects_->set_prepare([this] { return settle_or_note(); });

@@ -29,7 +29,7 @@ class RunFiles {
 public:
     virtual ~RunFiles() = default;
     /// A world begins; it is called `name` in names of files ("" when there is but one so far).
-    virtual void begin(std::size_t world, LiveSystem& live) = 0;
+    virtual void begin(std::size_t world, RunningSystem& live) = 0;
     /// A world has made a tick.
     virtual void after_tick(std::size_t world) = 0;
     /// What has been written whole, and what kept the rest from it.
@@ -89,8 +89,8 @@ private:
     struct Described {
         std::unique_ptr<Project> project;
         std::unique_ptr<SystemWords> words;
-        LiveSystem* live = nullptr;  // null: not built yet
-        std::size_t entries = 0;     // that it has, of the words'
+        RunningSystem* live = nullptr;  // null: not built yet
+        std::size_t entries = 0;        // that it has, of the words'
         std::size_t connections = 0;
         // What can't change once time has moved.
         struct Fixed {
@@ -121,7 +121,7 @@ private:
     Expected<void> rebuild(Described& described);
     Expected<void> add_new(Described& described);
     Expected<void> load(const std::string& name, const Expected<FileValue>& options, const Place& place);
-    LiveSystem& current() { return *described_.back().live; }
+    RunningSystem& current() { return *described_.back().live; }
     bool has_world() const { return !described_.empty() && described_.back().live != nullptr; }
 
     // Time. False: the run has stopped.

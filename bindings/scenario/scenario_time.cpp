@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/scenario/scenario_run.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/trace/text_plot.hpp"
 
 namespace nezumi {
@@ -123,7 +123,7 @@ void ScenarioRun::fail(const CallError& error, const Watched& watched) {
 
 void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
     std::vector<const Port*> told;
-    const auto tell = [&](const LiveSystem& live, const Component& component, const Port& port) {
+    const auto tell = [&](const RunningSystem& live, const Component& component, const Port& port) {
         constexpr std::size_t most = 12;
         for (const Port* other : told) {
             if (other == &port) return;
@@ -136,7 +136,7 @@ void ScenarioRun::tell_ports(const std::vector<PortAt>& ports) {
     if (!told.empty()) return;
     // It looked at no port: then all that is published says most.
     for (std::size_t i = 0; i < worlds_.size(); ++i) {
-        const LiveSystem& live = worlds_[i];
+        const RunningSystem& live = worlds_[i];
         for (const auto& component : live.system().components()) {
             for (const auto& port : component->out_ports()) tell(live, *component, *port);
         }

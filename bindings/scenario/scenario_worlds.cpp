@@ -138,7 +138,7 @@ Expected<void> ScenarioRun::build(Described& described) {
     if (options.prepare) {
         if (auto ready = options.prepare(spec); !ready) return ready;
     }
-    auto live = LiveSystem::make(std::move(spec), *described.project, std::move(options));
+    auto live = RunningSystem::make(std::move(spec), *described.project, std::move(options));
     if (!live) return Unexpected(live.error());
     (*live)->activate();
     const SystemSpec& built = described.words->spec();
@@ -173,7 +173,7 @@ Expected<void> ScenarioRun::rebuild(Described& described) {
 
 Expected<void> ScenarioRun::add_new(Described& described) {
     const SystemSpec& spec = described.words->spec();
-    LiveSystem& live = *described.live;
+    RunningSystem& live = *described.live;
     while (described.entries < spec.entries.size()) {
         const Entry& entry = spec.entries[described.entries++];
         if (live.options().build.real_time && std::holds_alternative<RobotEntry>(entry))

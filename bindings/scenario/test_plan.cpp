@@ -7,9 +7,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "bindings/lua/project/near_path.hpp"
 #include "bindings/scenario/scenario_run.hpp"
 #include "engine/base/find_files.hpp"
+#include "engine/project/near_path.hpp"
 
 namespace nezumi {
 namespace {

@@ -27,7 +27,7 @@ void Worlds::World::tick() {
     ++ticks;
 }
 
-LiveSystem& Worlds::add(std::unique_ptr<LiveSystem> world) {
+RunningSystem& Worlds::add(std::unique_ptr<RunningSystem> world) {
     const double passed = world->system().settings().real_time ? world->system().now().seconds : 0;
     worlds_.push_back({std::move(world), now_ - passed, 0});
     return *worlds_.back().live;

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/pacer.hpp"
 
 namespace nezumi {
@@ -17,11 +17,11 @@ namespace nezumi {
 class Worlds {
 public:
     /// Its time begins now.
-    LiveSystem& add(std::unique_ptr<LiveSystem> world);
+    RunningSystem& add(std::unique_ptr<RunningSystem> world);
 
     bool empty() const { return worlds_.empty(); }
     std::size_t size() const { return worlds_.size(); }
-    LiveSystem& operator[](std::size_t index) { return *worlds_[index].live; }
+    RunningSystem& operator[](std::size_t index) { return *worlds_[index].live; }
     /// Ticks that this world has made.
     std::int64_t ticks(std::size_t index) const { return worlds_[index].ticks; }
 
@@ -42,7 +42,7 @@ public:
 
 private:
     struct World {
-        std::unique_ptr<LiveSystem> live;
+        std::unique_ptr<RunningSystem> live;
         double began;
         std::int64_t ticks;
 

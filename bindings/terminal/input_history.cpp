@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
 #include "bindings/console/file_handle.hpp"
+#include "engine/base/state_folder.hpp"
 
 namespace nezumi {
 namespace {
@@ -95,11 +95,8 @@ void cut_down(const std::filesystem::path& path, const std::vector<std::string_v
 }  // namespace
 
 std::filesystem::path history_path() {
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && state[0] == '/')
-        return std::filesystem::path(state) / "nezumi/history";
-    if (const char* home = std::getenv("HOME"); home != nullptr && home[0] == '/')
-        return std::filesystem::path(home) / ".local/state/nezumi/history";
-    return {};
+    const std::filesystem::path folder = state_folder();
+    return folder.empty() ? folder : folder / "history";
 }
 
 std::vector<std::string> HistoryFile::read() const {

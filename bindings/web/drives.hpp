@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/web/messages.hpp"
 #include "bindings/web/site.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 
@@ -22,7 +22,7 @@ public:
     using Tell = std::function<void(ClientId, const std::string& port, const std::string& why)>;
 
     /// `live` must outlive it.
-    Drives(LiveSystem& live, Tell tell) : live_(live), tell_(std::move(tell)) {}
+    Drives(RunningSystem& live, Tell tell) : live_(live), tell_(std::move(tell)) {}
 
     /// Begins a drive, goes on with it, or ends it. An error when it can't begin. All of it between two ticks.
     Expected<void> take(ClientId client, const DriveMessage& message, const Actor& who, Clock::time_point now);
@@ -45,7 +45,7 @@ private:
     bool has_it(const Drive& drive) const;
     void rest(Drive& drive);
 
-    LiveSystem& live_;
+    RunningSystem& live_;
     Tell tell_;
     std::vector<Drive> drives_;
 };

@@ -18,9 +18,9 @@ Json to_json(const std::vector<Explanation::PortValue>& ports) {
     return json;
 }
 
-Json to_json(const Explanation::Line& line) {
+Json to_json(const TracedLines::Line& line) {
     Json values = Json::array();
-    for (const LineTrace::Value& value : line.values) values.push_back(Json::array({value.name, value.text}));
+    for (const TracedLines::Value& value : line.values) values.push_back(Json::array({value.name, value.text}));
     return {{"file", line.file},
             {"line", line.line},
             {"depth", line.depth},
@@ -47,10 +47,10 @@ Json explanation_to_json(const Explanation& explanation) {
               {"at", explanation.seconds},
               {"inputs", to_json(explanation.inputs)},
               {"lines", Json::array()},
-              {"is_cut", explanation.is_cut},
+              {"is_cut", explanation.traced.is_cut},
               {"outputs", to_json(explanation.outputs)},
               {"robots", Json::array()}};
-    for (const Explanation::Line& line : explanation.lines) json["lines"].push_back(to_json(line));
+    for (const TracedLines::Line& line : explanation.traced.lines) json["lines"].push_back(to_json(line));
     for (const Explanation::OfRobot& robot : explanation.robots) json["robots"].push_back(to_json(robot));
     return json;
 }

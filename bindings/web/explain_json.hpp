@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "bindings/lua/live/explain.hpp"
+#include "engine/live/explain.hpp"
 
 namespace nezumi::web {
 

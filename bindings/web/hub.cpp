@@ -64,10 +64,10 @@ void put_in_order(std::vector<Hub::Incoming>& waiting, std::size_t from, Hub::In
     waiting.insert(place, std::move(incoming));
 }
 
-Hub::Hub(AccessControl access, StaticFiles files, Project project, std::string hello)
+Hub::Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello)
     : access_(std::move(access)),
       files_(std::move(files)),
-      project_(std::move(project)),
+      parts_(std::move(parts)),
       hello_(std::move(hello)),
       news_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
@@ -179,7 +179,10 @@ HttpReply Hub::reply_to(const HttpRequest& request) {
 Admission Hub::lets_in(const HttpRequest& request) {
     Admission admission = access_.check(request);
     const std::lock_guard lock(mutex_);
-    if (admission.refused == 0 && (goodbye_ || clients_.size() >= most_clients)) admission.refused = unavailable;
+    const auto viewers = static_cast<std::size_t>(
+        std::count_if(clients_.begin(), clients_.end(), [](const auto& each) { return each.second.view_only; }));
+    const bool is_full = clients_.size() >= most_clients || (admission.view_only && viewers >= most_viewers);
+    if (admission.refused == 0 && (goodbye_ || is_full)) admission.refused = unavailable;
     return admission;
 }
 
@@ -209,7 +212,7 @@ bool Hub::is_too_fast(Client& client) {
 }
 
 bool Hub::received(ClientId id, std::string_view text) {
-    auto message = read_message(text, project_);  // may read files
+    auto message = read_message(text, parts_);  // may read files
     const bool wants_systems = message && std::holds_alternative<SystemsMessage>(message->body);
     const std::vector<RunningPage> pages = wants_systems ? running_pages() : std::vector<RunningPage>();
     Lock lock(mutex_);

@@ -45,7 +45,7 @@ public:
     };
 
     /// `hello` is the message that greets a browser, without what is its own.
-    Hub(AccessControl access, StaticFiles files, Project project, std::string hello);
+    Hub(AccessControl access, StaticFiles files, PartReader parts, std::string hello);
     Hub(const Hub&) = delete;
     Hub& operator=(const Hub&) = delete;
     ~Hub() override = default;
@@ -124,7 +124,7 @@ private:
 
     const AccessControl access_;
     const StaticFiles files_;
-    const Project project_;
+    const PartReader parts_;
     const std::string hello_;
     FileHandle news_;  // eventfd
     std::atomic<int> clients_there_ = 0;

@@ -107,13 +107,13 @@ Watch read_watch(Fields& fields) {
             .members = fields.texts("members")};
 }
 
-ActMessage read_act(Fields& fields, const Project& project) {
+ActMessage read_act(Fields& fields, const PartReader& parts) {
     const std::string name = fields.text("act");
     const Json* given = fields.find("fields");
     const Json none = Json::object();
     if (given == nullptr) given = &none;
     if (!fields.problem().empty()) return {};
-    auto act = act_from_json(name, *given, project);
+    auto act = act_from_json(name, *given, parts);
     if (!act) {
         fields.refuse(act.error().message);
         return {};
@@ -141,12 +141,11 @@ TimeMessage read_time(Fields& fields) {
     return time;
 }
 
-DriveMessage read_drive(Fields& fields, const Project& project) {
+DriveMessage read_drive(Fields& fields, const PartReader& parts) {
     DriveMessage drive{.port = fields.text("port"), .value = {}, .take = fields.flag("take")};
     const Json* value = fields.find("value");
     if (value == nullptr || value->is_null() || !fields.problem().empty()) return drive;
-    const auto held =
-        act_from_json("Hold", Json{{"port", drive.port}, {"value", *value}, {"take", drive.take}}, project);
+    const auto held = act_from_json("Hold", Json{{"port", drive.port}, {"value", *value}, {"take", drive.take}}, parts);
     if (!held) {
         fields.refuse(held.error().message);
         return drive;
@@ -176,7 +175,7 @@ ConsoleMessage read_console(Fields& fields) {
 
 }  // namespace
 
-tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const Project& project) {
+tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const PartReader& parts) {
     BrowserMessage message;
     const auto refuse = [&](std::string why) {
         return tl::unexpected(Refusal{.id = message.id, .text = std::move(why)});
@@ -197,7 +196,7 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
     if (what == "watch") {
         message.body = read_watch(fields);
     } else if (what == "act") {
-        message.body = read_act(fields, project);
+        message.body = read_act(fields, parts);
     } else if (what == "stop") {
         message.body = ActMessage{.act = Stop{}, .shown = "Stop"};
     } else if (what == "rearm") {
@@ -205,7 +204,7 @@ tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const 
     } else if (what == "time") {
         message.body = read_time(fields);
     } else if (what == "drive") {
-        message.body = read_drive(fields, project);
+        message.body = read_drive(fields, parts);
     } else if (what == "console") {
         message.body = read_console(fields);
     } else if (what == "floor") {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <variant>
 
-#include "bindings/lua/project/project.hpp"
 #include "bindings/web/changes.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/script_host.hpp"
 #include "engine/ports/messages.hpp"
 #include "engine/system/act.hpp"
 
@@ -62,7 +62,7 @@ struct Refusal {
 /// Ports that a browser may watch, and pictures.
 inline constexpr std::size_t most_watched = 256;
 
-/// Reads one message. `project` is where the files of an act's entries are found.
-tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const Project& project);
+/// Reads one message. `parts` reads an act's entry.
+tl::expected<BrowserMessage, Refusal> read_message(std::string_view text, const PartReader& parts);
 
 }  // namespace nezumi::web

@@ -16,8 +16,9 @@ using ClientId = std::uint64_t;
 
 /// The longest message of a browser [bytes]; a longer one closes its connection.
 inline constexpr std::size_t longest_message = std::size_t{1} << 20;
-/// Browsers at once.
-inline constexpr std::size_t most_clients = 16;
+/// Browsers at once, and of these such that may only look: they keep out none that may stop the robots.
+inline constexpr std::size_t most_clients = 32;
+inline constexpr std::size_t most_viewers = 24;
 
 /// Of an HTTP request, what decides on the answer; "" for a header that is not there.
 struct HttpRequest {

@@ -1,5 +1,7 @@
 // Sockets by libwebsockets. What is served and who is let in is the site's to say; nothing is decided here.
 #include <libwebsockets.h>
+#include <netdb.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
@@ -7,6 +9,7 @@
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -16,6 +19,8 @@
 #include <vector>
 
 #include "bindings/web/sockets.hpp"
+#include "bindings/web/unadmitted.hpp"
+#include "engine/base/descriptors.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/base/thread.hpp"
 
@@ -24,15 +29,14 @@ namespace {
 
 // How long browsers have to take what is left when the run ends.
 constexpr std::chrono::milliseconds farewell{300};
-// Connections of all kinds at once: a page asks for its files over six.
-constexpr unsigned most_connections = 96;
+// Connections of all kinds at once: those of browsers, those that have shown no token, and those among them that are
+// to go when another one comes and are not gone yet.
+constexpr unsigned most_connections = most_clients + 2 * Unadmitted::most;
 // [bytes] that are handed to a socket at once.
 constexpr std::size_t portion = std::size_t{1} << 16;
 // The longest header that counts [bytes].
 constexpr std::size_t longest_header = 512;
-// [s] for a request to come whole, for a connection without one, without a sign of life, and until it is closed then.
-constexpr unsigned request_timeout = 10;
-constexpr int idle_timeout = 30;
+// [s] without a sign of life of a browser, and until it is closed then.
 constexpr std::uint16_t ping_after = 2;
 constexpr std::uint16_t close_after = 7;
 
@@ -46,6 +50,20 @@ struct BrowserPart {
     std::string* message;  // as far as it has come
     bool view_only;
 };
+
+// Where it comes from; "" where that is not known.
+std::string address_of(int socket) {
+    sockaddr_storage peer{};
+    socklen_t size = sizeof peer;
+    std::array<char, NI_MAXHOST> text{};
+    if (getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &size) != 0 ||
+        getnameinfo(reinterpret_cast<const sockaddr*>(&peer), size, text.data(), text.size(), nullptr, 0,
+                    NI_NUMERICHOST) != 0)
+        return "";
+    return text.data();
+}
+
+void let_stay(lws* socket) { lws_set_timer_usecs(socket, std::chrono::microseconds(Unadmitted::longest_stay).count()); }
 
 std::string header(lws* socket, lws_token_indexes name) {
     std::array<char, longest_header> text{};
@@ -84,6 +102,7 @@ private:
     static int browser_event(lws* socket, lws_callback_reasons reason, void* user, void* in, std::size_t length);
 
     bool listen(const SocketOptions& options, int port);
+    void come(lws* socket);
     void serve();
     Admission lets_in(lws* socket) const;
     int answer(lws* socket, FilePart& part, std::string_view path) const;
@@ -97,6 +116,7 @@ private:
     std::atomic<bool> ends_ = false;
     std::atomic<bool> at_once_ = false;  // nobody is waited for
     int browsers_ = 0;                   // of the thread
+    Unadmitted unadmitted_;              // likewise
     Mutex mutex_;                        // of ended_
     std::condition_variable has_ended_;
     bool ended_ = false;  // the thread
@@ -125,7 +145,7 @@ std::string WebSockets::open(const SocketOptions& options) {
     info.gid = static_cast<gid_t>(-1);
     info.uid = static_cast<uid_t>(-1);
     info.fd_limit_per_thread = most_connections;
-    info.timeout_secs = request_timeout;
+    info.timeout_secs = Unadmitted::longest_stay.count();
     info.retry_and_idle_policy = &patience_;
     context_ = lws_create_context(&info);
     if (context_ == nullptr) return std::string("browsers can't be served: ") + std::strerror(errno);
@@ -162,8 +182,8 @@ bool WebSockets::listen(const SocketOptions& options, int port) {
         info.ssl_private_key_filepath = options.key.c_str();
         info.alpn = "http/1.1";  // WebSockets begin there, and who is asked for is the header Host
     }
-    info.keepalive_timeout = idle_timeout;
-    info.timeout_secs = request_timeout;
+    info.keepalive_timeout = Unadmitted::longest_stay.count();
+    info.timeout_secs = Unadmitted::longest_stay.count();
     info.retry_and_idle_policy = &patience_;
     lws_vhost* host = lws_create_vhost(context_, &info);
     if (host == nullptr) return false;
@@ -180,6 +200,13 @@ void WebSockets::serve() {
     has_ended_.notify_all();
 }
 
+void WebSockets::come(lws* socket) {
+    let_stay(socket);
+    const auto* goes = unadmitted_.add(socket, address_of(lws_get_socket_fd(socket)));
+    if (goes == nullptr) return;
+    lws_set_timeout(static_cast<lws*>(const_cast<void*>(goes)), PENDING_TIMEOUT_USER_REASON_BASE, LWS_TO_KILL_ASYNC);
+}
+
 Admission WebSockets::lets_in(lws* socket) const {
     const std::string path = header(socket, WSI_TOKEN_GET_URI);
     const std::string host = header(socket, WSI_TOKEN_HOST);
@@ -189,6 +216,7 @@ Admission WebSockets::lets_in(lws* socket) const {
 }
 
 int WebSockets::answer(lws* socket, FilePart& part, std::string_view path) const {
+    let_stay(socket);
     const std::string host = header(socket, WSI_TOKEN_HOST);
     HttpReply reply{.status = 405, .body = "only GET\n"};
     if (lws_hdr_total_length(socket, WSI_TOKEN_GET_URI) > 0)
@@ -223,6 +251,7 @@ int WebSockets::write_body(lws* socket, FilePart& part) {
     std::memcpy(piece.data() + LWS_PRE, part.body->data() + part.written, count);
     const int written = lws_write(socket, piece.data() + LWS_PRE, count, last ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP);
     if (written < 0) return -1;
+    let_stay(socket);
     part.written += count;
     if (!last) {
         lws_callback_on_writable(socket);
@@ -265,6 +294,11 @@ int WebSockets::send(lws* socket, const BrowserPart& part) {
 int WebSockets::file_event(lws* socket, lws_callback_reasons reason, void* user, void* in, std::size_t length) {
     auto* part = static_cast<FilePart*>(user);
     switch (reason) {
+        case LWS_CALLBACK_FILTER_NETWORK_CONNECTION:
+            return leaves_free(static_cast<int>(reinterpret_cast<std::intptr_t>(in)), for_files_and_consoles) ? 0 : 1;
+        case LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED: self(socket).come(socket); return 0;
+        case LWS_CALLBACK_TIMER: return -1;  // it has stayed too long
+        case LWS_CALLBACK_WSI_DESTROY: self(socket).unadmitted_.remove(socket); return 0;
         case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE: {
             if (in == nullptr || std::strcmp(static_cast<const char*>(in), "websocket") != 0) return -1;
             const Admission admission = self(socket).lets_in(socket);
@@ -292,6 +326,8 @@ int WebSockets::browser_event(lws* socket, lws_callback_reasons reason, void* us
             return admission.refused != 0 || part == nullptr ? -1 : 0;
         }
         case LWS_CALLBACK_ESTABLISHED:
+            self(socket).unadmitted_.remove(socket);
+            lws_set_timer_usecs(socket, LWS_SET_TIMER_USEC_CANCEL);
             part->id = ++self(socket).last_id_;
             ++self(socket).browsers_;
             self(socket).site_.opened(part->id, part->view_only);

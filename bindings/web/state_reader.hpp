@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/web/changes.hpp"
+#include "engine/live/clock_control.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 
 class StateReader {
 public:
     /// Both must outlive it.
-    StateReader(const LiveSystem& live, const ClockControl& clock) : live_(live), clock_(clock) {}
+    StateReader(const RunningSystem& live, const ClockControl& clock) : live_(live), clock_(clock) {}
 
     /// Adds what has changed to a state that nobody has taken yet, or begins one.
     std::unique_ptr<State> at(std::unique_ptr<State> state, const Watch& wanted, double late);
@@ -25,7 +25,7 @@ private:
     void add_ports(State& state, const Watch& wanted);
     void add_members(State& state, const Watch& wanted) const;
 
-    const LiveSystem& live_;
+    const RunningSystem& live_;
     const ClockControl& clock_;
     int starts_ = 0;
     std::uint64_t layout_ = 0;  // of the system

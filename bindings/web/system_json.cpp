@@ -10,7 +10,6 @@
 #include <type_traits>
 #include <variant>
 
-#include "bindings/lua/script/script_component.hpp"
 #include "engine/system/network.hpp"
 
 namespace nezumi::web {
@@ -27,7 +26,7 @@ Json value_to_json(const ParameterValue& value) {
 
 std::string_view kind_of(const Component& component) {
     if (dynamic_cast<const Robot*>(&component) != nullptr) return "robot";
-    return dynamic_cast<const ScriptComponent*>(&component) != nullptr ? "behavior" : "component";
+    return component.script_file() != nullptr ? "behavior" : "component";
 }
 
 // What a parameter is when nobody has set it by hand: as the set in use says, or the system file, or its declaration.
@@ -78,11 +77,11 @@ Json component_to_json(const Component& component) {
               {"type", component.type()},       {"state", to_text(component.state())},
               {"version", component.version()}, {"rate", component.rate}};
     if (component.state() == LifeState::error) json["error"] = describe(component.last_error());
-    if (const auto* scripted = dynamic_cast<const ScriptComponent*>(&component)) {
-        json["script"] = scripted->script().file().shown;
-        json["about"] = scripted->script().doc();
+    if (const ScriptFile* script = component.script_file()) {
+        json["script"] = script->shown;
+        json["about"] = component.about().description;
         Json commands = Json::array();
-        for (const CommandDeclaration& command : scripted->commands())
+        for (const CommandDeclaration& command : component.commands())
             commands.push_back({{"name", command.name}, {"doc", command.doc}});
         json["commands"] = std::move(commands);
     }
@@ -226,7 +225,7 @@ Json drivers_to_json(const System& system) {
 
 }  // namespace
 
-Json system_to_json(const LiveSystem& live) {
+Json system_to_json(const RunningSystem& live) {
     const System& system = live.system();
     Json json{{"is", "system"},
               {"file", live.project().shown(live.file())},
@@ -256,7 +255,7 @@ Json system_to_json(const LiveSystem& live) {
     return json;
 }
 
-std::uint64_t system_fingerprint(const LiveSystem& live) {
+std::uint64_t system_fingerprint(const RunningSystem& live) {
     const System& system = live.system();
     std::uint64_t print = 0xcbf29ce484222325U;
     const auto mix = [&](std::uint64_t value) { print = (print ^ value) * 0x100000001b3U; };

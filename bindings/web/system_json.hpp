@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
-#include "bindings/lua/live/live_system.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 
 /// All but what changes from tick to tick.
-nlohmann::ordered_json system_to_json(const LiveSystem& live);
+nlohmann::ordered_json system_to_json(const RunningSystem& live);
 
 /// Another number when `system_to_json` may have changed; cheap.
-std::uint64_t system_fingerprint(const LiveSystem& live);
+std::uint64_t system_fingerprint(const RunningSystem& live);
 
 }  // namespace nezumi::web

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bindings/lua/script/script_globals.hpp"
 #include "bindings/web/explain_json.hpp"
 #include "bindings/web/system_json.hpp"
 #include "bindings/web/types_json.hpp"
@@ -19,14 +18,12 @@ using Json = nlohmann::ordered_json;
 
 // That wait for an execution.
 constexpr std::size_t most_explained = 64;
-// Steps at once.
-constexpr double most_ticks = 1e12;
 constexpr std::string_view only_real_time = "real robots know only real time: this works in simulation";
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 // All of it but what is each browser's own, and without the bracket that begins it.
-std::string hello(const LiveSystem& live, const WebOptions& options) {
+std::string hello(const RunningSystem& live, const WebOptions& options) {
     const Json json{{"version", options.version},
                     {"real", live.system().settings().real_time},
                     {"frame", "WebFrame"},
@@ -39,12 +36,12 @@ std::string scheme_of(const SocketOptions& sockets) { return sockets.certificate
 
 }  // namespace
 
-WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options)
+WebServer::WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options)
     : live_(live),
       clock_(clock),
       origin_(scheme_of(options.sockets) + "://" + options.sockets.address),
       hub_(AccessControl(scheme_of(options.sockets), options.sockets.address), StaticFiles(options.page),
-           live.project(), hello(live, options)),
+           live.part_reader(), hello(live, options)),
       state_reader_(live, clock),
       drives_(live,
               [this](ClientId client, const std::string& port, const std::string& why) {
@@ -54,7 +51,7 @@ WebServer::WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& conso
           hub_.send(client, fmt::format(R"({{"is":"console","event":{}}})", line), true);
       }) {}
 
-Expected<std::unique_ptr<WebServer>> WebServer::open(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles,
+Expected<std::unique_ptr<WebServer>> WebServer::open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options) {
     std::unique_ptr<WebServer> server(new WebServer(live, clock, consoles, options));
     const AccessControl& access = server->hub_.access();
@@ -232,17 +229,20 @@ Expected<void> WebServer::set_time(const TimeMessage& time, const Browser& brows
             note("resumes");
             clock_.resume();
             return {};
-        case What::step:
-            if (!(value >= 1 && value <= most_ticks) || value != std::floor(value))
-                return failure(fmt::format("expected a number of ticks, 1 or more, got {}", value));
-            note(fmt::format("steps {} ticks", value));
-            clock_.advance(static_cast<std::int64_t>(value));
+        case What::step: {
+            const auto ticks = check_ticks(value);
+            if (!ticks) return Unexpected(ticks.error());
+            note(fmt::format("steps {} ticks", *ticks));
+            clock_.advance(*ticks);
             return {};
-        case What::speed:
-            if (!(value > 0)) return failure(fmt::format("expected a number above 0, got {}; pause stops time", value));
-            note(fmt::format("sets the speed to {}", value));
-            clock_.set_speed(value);
+        }
+        case What::speed: {
+            const auto speed = check_speed(value);
+            if (!speed) return Unexpected(speed.error());
+            note(fmt::format("sets the speed to {}", *speed));
+            clock_.set_speed(*speed);
             return {};
+        }
         case What::restart: return {};  // is not done here
         case What::quit:
             note("ends the run");

@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "bindings/console/clock_control.hpp"
 #include "bindings/console/server.hpp"
 #include "bindings/console/worker.hpp"
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/web/console_relay.hpp"
 #include "bindings/web/drives.hpp"
 #include "bindings/web/hub.hpp"
 #include "bindings/web/pictures.hpp"
 #include "bindings/web/sockets.hpp"
 #include "bindings/web/state_reader.hpp"
+#include "engine/live/clock_control.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi::web {
 
@@ -38,7 +38,7 @@ public:
     static constexpr double descriptions = 10;
 
     /// Begins to serve. All that it is given must outlive it. The error says in one line why it can't.
-    static Expected<std::unique_ptr<WebServer>> open(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles,
+    static Expected<std::unique_ptr<WebServer>> open(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles,
                                                      const WebOptions& options);
     /// Says goodbye to the browsers. What they held stays as it is.
     ~WebServer();
@@ -66,7 +66,7 @@ private:
         bool view_only = false;
     };
 
-    WebServer(LiveSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options);
+    WebServer(RunningSystem& live, ClockControl& clock, ConsoleServer& consoles, const WebOptions& options);
 
     void deal_with(const Hub::Incoming& incoming);
     void note(const Browser& browser, const std::string& what);
@@ -81,7 +81,7 @@ private:
 
     std::string url_with(const std::string& token) const;
 
-    LiveSystem& live_;
+    RunningSystem& live_;
     ClockControl& clock_;
     const std::string origin_;  // without the port
     Hub hub_;

@@ -1,17 +1,33 @@
-// One producer, one thread that writes, a queue between them.
+// One producer, one thread that writes, a queue between them. What is no disk is written without blocking: it may take
+// nothing for ever, and the thread has to end all the same.
 #include "engine/base/file_writer.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "engine/base/thread.hpp"
-#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
+namespace {
+
+// [bytes] at once: between two of them it may be given up.
+constexpr std::size_t portion = std::size_t{1} << 18;
+// How long a pipe is waited for before that is looked at again [ms].
+constexpr int glance = 20;
+
+}  // namespace
 
 FileWriter::FileWriter(int file, std::size_t most_waiting) : most_waiting_(most_waiting), file_(file) {
+    struct stat status {};
+    if (fstat(file_, &status) == 0 && !S_ISREG(status.st_mode))
+        fcntl(file_, F_SETFL, fcntl(file_, F_GETFL) | O_NONBLOCK);
     // Signals are for the thread that runs the loop: they end its waiting.
     thread_ = start_thread([this] { run(); });
 }
@@ -26,8 +42,11 @@ void FileWriter::put(std::string text) {
 
 void FileWriter::put(std::size_t bytes, std::function<std::string()> make) {
     {
-        Lock lock(mutex_);
-        space_.wait(lock, [this] { return waiting_bytes_ <= most_waiting_ || problem_ != 0; });
+        const std::lock_guard lock(mutex_);
+        if (problem_ == 0 && waiting_bytes_ > most_waiting_) {
+            problem_ = ENOBUFS;
+            give_up();
+        }
         if (problem_ != 0) return;
         waiting_bytes_ += bytes;
         waiting_.push_back({bytes, std::move(make)});
@@ -45,39 +64,63 @@ std::uint64_t FileWriter::last_whole_piece() const {
     return last_whole_piece_;
 }
 
-int FileWriter::close() {
+int FileWriter::close(std::chrono::milliseconds patience) {
     if (file_ < 0) return problem();
     {
-        const std::lock_guard lock(mutex_);
+        Lock lock(mutex_);
         ends_ = true;
+        news_.notify_one();
+        if (!end_.wait_for(lock, patience, [this] { return ended_; })) give_up();
     }
-    news_.notify_one();
     thread_.join();
     if (::close(std::exchange(file_, -1)) != 0 && problem_ == 0) problem_ = errno;
     return problem_;
+}
+
+// Returns an errno, 0 when all of it is written.
+int FileWriter::write(std::string_view text) const {
+    while (!text.empty()) {
+        if (given_up_) return ECANCELED;
+        const ssize_t written = ::write(file_, text.data(), std::min(text.size(), portion));
+        if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+        if (written >= 0 || errno == EINTR) continue;
+        if (errno != EAGAIN) return errno;
+        pollfd full{.fd = file_, .events = POLLOUT, .revents = 0};
+        poll(&full, 1, glance);
+    }
+    return 0;
 }
 
 void FileWriter::run() {
     Lock lock(mutex_);
     for (;;) {
         news_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
-        if (waiting_.empty()) return;
+        if (waiting_.empty()) break;
         const Piece piece = std::move(waiting_.front());
         waiting_.pop_front();
         lock.unlock();
         const std::string text = piece.make();
-        const int problem = write_all(file_, text);
+        const int problem = write(text);
         lock.lock();
         waiting_bytes_ -= piece.bytes;
         if (problem == 0) {
             last_whole_piece_ = std::exchange(written_, written_ + text.size());
-        } else {
+        } else if (problem_ == 0) {
             problem_ = problem;
+        }
+        if (problem_ != 0) {
             waiting_.clear();
             waiting_bytes_ = 0;
         }
-        space_.notify_one();
     }
+    ended_ = true;
+    end_.notify_all();
+}
+
+std::string why_not_written(int problem) {
+    if (problem == ENOBUFS) return "too much waits for it, which takes too little";
+    if (problem == ECANCELED) return "it did not take all of it in time";
+    return std::strerror(problem);
 }
 
 }  // namespace nezumi

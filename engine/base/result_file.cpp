@@ -15,15 +15,12 @@
 #include <vector>
 
 #include "engine/base/csv.hpp"
+#include "engine/base/whole_file.hpp"
 
 namespace nezumi {
 namespace {
 
 constexpr int most_set_aside = 99;
-
-Error problem_with(const std::string& file) {
-    return {fmt::format("can't be written: {}", std::strerror(errno)), {.file = file}};
-}
 
 // Gives the file a name that nothing has; "" when it can't be renamed, as in a folder that is not ours.
 std::string rename_aside(const std::string& path) {
@@ -39,16 +36,10 @@ std::string rename_aside(const std::string& path) {
 
 Expected<ResultFile> ResultFile::open(const std::string& file) {
     ResultFile result;
+    const auto opened = open_to_write(file);
+    if (!opened) return Unexpected(opened.error());
+    result.descriptor_ = *opened;
     struct stat status {};
-    // The reader of a pipe is not waited for: it may never come.
-    result.descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-    if (result.descriptor_ < 0) {
-        Error problem = problem_with(file);
-        if (errno == ENXIO && stat(file.c_str(), &status) == 0 && S_ISFIFO(status.st_mode))
-            problem.message = "is a pipe that nobody reads: start its reader first, or give a file";
-        return Unexpected(std::move(problem));
-    }
-    fcntl(result.descriptor_, F_SETFL, fcntl(result.descriptor_, F_GETFL) & ~O_NONBLOCK);
     if (fstat(result.descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return result;
     std::error_code none;
     result.path_ = std::filesystem::canonical(file, none);
@@ -66,9 +57,9 @@ Expected<ResultFile> ResultFile::open(const std::string& file) {
     if (!result.set_aside_.empty()) std::rename(result.set_aside_.c_str(), result.path_.c_str());
     result.set_aside_.clear();
     if (ftruncate(result.descriptor_, 0) == 0) return result;
-    Error problem = problem_with(file);
+    const int problem = errno;
     ::close(result.descriptor_);
-    return Unexpected(std::move(problem));
+    return failure(fmt::format("can't be written: {}", std::strerror(problem)), {.file = file});
 }
 
 std::string ResultFile::told_of_older() const {

@@ -35,7 +35,10 @@ Expected<int> steps_per_tick(double rate, double physics_step) {
     }
     const double steps = 1.0 / (rate * physics_step);
     const double whole = std::round(steps);
-    if (whole >= 1 && whole <= most_steps && std::abs(steps - whole) < 1e-9 * whole) return static_cast<int>(whole);
+    if (whole >= 1 && whole <= most_steps && std::abs(steps - whole) < 1e-9 * whole) {
+        if (rate >= slowest_rate && rate <= fastest_rate) return static_cast<int>(whole);
+        return failure(fmt::format("rate: expected from {} to {} Hz, got {}", slowest_rate, fastest_rate, rate));
+    }
     // All digits: the user may copy the number.
     const auto rate_of = [&](double n) { return fmt::format("{}", 1.0 / (n * physics_step)); };
     const double slower = std::clamp(std::ceil(steps), 1.0, most_steps);

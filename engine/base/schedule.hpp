@@ -7,6 +7,9 @@
 
 namespace nezumi {
 
+/// [Hz] Rates are whole numbers of micro-hertz; a tick that takes less than a microsecond is a slip.
+inline constexpr double slowest_rate = 1e-6, fastest_rate = 1e6;
+
 /// How many physics steps of `physics_step` [s] make a tick at `rate` [Hz]. When that is no whole number, an error that
 /// names the nearest rates.
 Expected<int> steps_per_tick(double rate, double physics_step);

@@ -4,29 +4,22 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <string>
+
+#include "engine/base/descriptor.hpp"
+#include "engine/base/staged_file.hpp"
 
 namespace nezumi {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Descriptor {
-    explicit Descriptor(int opened) : file(opened) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (file >= 0) close(file);
-    }
-    const int file;
-};
 
 std::string_view other_than_file(mode_t mode) {
     switch (mode & S_IFMT) {
@@ -38,29 +31,32 @@ std::string_view other_than_file(mode_t mode) {
     }
 }
 
-// All return an errno, 0 when it is done.
-
-int write_into(const fs::path& file, std::string_view text, int flags, mode_t mode) {
-    const int out = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, mode);
-    if (out < 0) return errno;
-    const int problem = write_all(out, text);
-    return close(out) != 0 && problem == 0 ? errno : problem;
+Error can_not_write(const fs::path& file, int problem) {
+    return {std::string("can't be written: ") + std::strerror(problem), {.file = file.string()}};
 }
 
-int write_beside(const fs::path& file, std::string_view text) {
+// The same file under a further name, which takes no room on the disk; a copy where there are no links.
+Expected<void> keep_as(const std::string& kept, const std::string& file) {
+    const std::string fresh = kept + ".new";
+    std::error_code problem;
+    fs::remove(fresh, problem);
+    fs::create_hard_link(file, fresh, problem);
+    if (problem) fs::copy_file(file, fresh, problem);
+    if (!problem) fs::rename(fresh, kept, problem);
+    if (!problem) return {};
     std::error_code none;
-    const fs::path real = fs::canonical(file, none);
-    const std::string target = none ? file.string() : real.string();
-    struct stat before {};
-    const bool existed = stat(target.c_str(), &before) == 0;
-    if (existed && !S_ISREG(before.st_mode)) return write_into(target, text, 0, 0);
-    if (existed && access(target.c_str(), W_OK) != 0) return errno;
+    fs::remove(fresh, none);
+    return failure(fmt::format("can't be kept as {}: {}", kept, problem.message()), {.file = file});
+}
 
-    const std::string fresh = target + ".new";
-    int problem = write_into(fresh, text, O_TRUNC, existed ? before.st_mode & 0777 : 0666);
-    if (problem == 0 && std::rename(fresh.c_str(), target.c_str()) != 0) problem = errno;
-    if (problem != 0) unlink(fresh.c_str());
-    return problem;
+// A device or a pipe, as it is.
+Expected<void> write_into(const fs::path& file, std::string_view text) {
+    const auto out = open_to_write(file);
+    if (!out) return Unexpected(out.error());
+    int problem = write_all(*out, text);
+    if (close(*out) != 0 && problem == 0) problem = errno;
+    if (problem != 0) return Unexpected(can_not_write(file, problem));
+    return {};
 }
 
 }  // namespace
@@ -68,8 +64,11 @@ int write_beside(const fs::path& file, std::string_view text) {
 int write_all(int file, std::string_view text) {
     while (!text.empty()) {
         const ssize_t written = write(file, text.data(), text.size());
-        if (written < 0 && errno != EINTR) return errno;
         if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+        if (written >= 0 || errno == EINTR) continue;
+        if (errno != EAGAIN) return errno;
+        pollfd full{.fd = file, .events = POLLOUT, .revents = 0};  // whoever shares it has made it not wait
+        poll(&full, 1, -1);
     }
     return 0;
 }
@@ -92,7 +91,7 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
     if (const auto what = other_than_file(file); !what.empty()) return expected_a_file(what);
     const Descriptor in(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
-    if (in.file < 0 || fstat(in.file, &status) != 0) return refuse_with(errno);
+    if (!in.is_open() || fstat(in.get(), &status) != 0) return refuse_with(errno);
     if (const auto what = other_than_file(status.st_mode); !what.empty()) return expected_a_file(what);
     const auto too_large = [&] { return refuse(fmt::format("is larger than {} MB", largest >> 20)); };
     if (static_cast<std::uint64_t>(status.st_size) > largest) return too_large();
@@ -100,7 +99,7 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
     text.reserve(static_cast<std::size_t>(status.st_size));
     char buffer[65536];
     for (;;) {
-        const ssize_t count = read(in.file, buffer, sizeof buffer);
+        const ssize_t count = read(in.get(), buffer, sizeof buffer);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return refuse_with(errno);
         if (count == 0) return text;
@@ -109,10 +108,34 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
     }
 }
 
-Expected<void> write_whole(const fs::path& file, std::string_view text) {
-    const int problem = write_beside(file, text);
-    if (problem == 0) return {};
-    return failure(std::string("can't be written: ") + std::strerror(problem), {.file = file.string()});
+Expected<int> open_to_write(const fs::path& file) {
+    // The reader of a pipe is not waited for: it may never come.
+    const int out = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
+    if (out < 0 && errno == ENXIO && other_than_file(file) == "a FIFO")
+        return failure("is a pipe that nobody reads: start its reader first, or give a file", {.file = file.string()});
+    if (out < 0) return Unexpected(can_not_write(file, errno));
+    fcntl(out, F_SETFL, fcntl(out, F_GETFL) & ~O_NONBLOCK);
+    return out;
+}
+
+Expected<void> write_whole(const fs::path& file, std::string_view text, const std::string& kept) {
+    std::error_code none;
+    const fs::path real = fs::canonical(file, none);
+    const std::string target = none ? file.string() : real.string();
+    struct stat before {};
+    const bool existed = stat(target.c_str(), &before) == 0;
+    if (existed && !S_ISREG(before.st_mode)) return write_into(file, text);
+    if (existed && access(target.c_str(), W_OK) != 0) return Unexpected(can_not_write(file, errno));
+
+    StagedFile staged(target, existed ? before.st_mode & 0777 : 0666);
+    int problem = staged.problem();
+    if (problem == 0) problem = write_all(staged.descriptor(), text);
+    if (problem == 0 && existed && !kept.empty()) {
+        if (auto ok = keep_as(kept, target); !ok) return ok;
+    }
+    if (problem == 0) problem = staged.commit();
+    if (problem != 0) return Unexpected(can_not_write(file, problem));
+    return {};
 }
 
 }  // namespace nezumi

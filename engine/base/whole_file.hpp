@@ -24,9 +24,13 @@ std::string_view other_than_file(const std::filesystem::path& path);
 /// Writes all of it to an open file, however many calls that takes. Returns 0, or the errno of the one that failed.
 int write_all(int file, std::string_view text);
 
-/// Writes `text` under a name of its own beside `file` ("FILE.new") and gives it its name when all of it is there:
-/// whatever goes wrong, what was there before is still there, and nothing else. A link is followed; a device or a pipe
-/// is written as it is. The error says why not, with the file as its place.
-Expected<void> write_whole(const std::filesystem::path& file, std::string_view text);
+/// Opens a file to be written, and makes it where there is none. A pipe that nobody reads is an error, not waited for.
+/// The error says why it can't be written, with the file as its place.
+Expected<int> open_to_write(const std::filesystem::path& file);
+
+/// Writes `text` beside `file` and puts it in its place when all of it is there (`StagedFile`): whatever goes wrong,
+/// what was there before is still there, and nothing else. A link is followed; a device or a pipe is written as it is.
+/// With `kept`, what was there goes on under that name. The error says why not, with the file as its place.
+Expected<void> write_whole(const std::filesystem::path& file, std::string_view text, const std::string& kept = {});
 
 }  // namespace nezumi

@@ -21,6 +21,17 @@ std::string_view to_text(Hook hook) {
     return names[static_cast<int>(hook)];
 }
 
+const std::vector<std::string_view>& hook_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all;
+        for (int i = static_cast<int>(Hook::on_activated); i <= static_cast<int>(Hook::on_reload); ++i) {
+            all.push_back(to_text(static_cast<Hook>(i)));
+        }
+        return all;
+    }();
+    return names;
+}
+
 const InPortBase* Component::find_in_port(std::string_view name) const {
     for (const auto& port : in_ports_) {
         if (port->name() == name) return port.get();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,9 +14,11 @@
 #include "engine/base/const_view.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/log.hpp"
+#include "engine/components/inside.hpp"
 #include "engine/components/parameter.hpp"
 #include "engine/components/plain_data.hpp"
 #include "engine/ports/port.hpp"
+#include "engine/project/script_source.hpp"
 
 namespace nezumi {
 
@@ -40,6 +43,8 @@ enum class Hook : unsigned char {
 
 /// Every hook's name as scripts spell it; Hook::none and Hook::command have none.
 std::string_view to_text(Hook hook);
+/// The names of all that have one, in the order of `Hook`.
+const std::vector<std::string_view>& hook_names();
 
 /// What a component says of itself; "" for what it does not say.
 struct ComponentAbout {
@@ -118,6 +123,29 @@ public:
     /// Visits the numbers, truth values and texts of a member that is neither port nor parameter, as a script's
     /// "state". Returns whether it has such a member.
     virtual bool visit_member(std::string_view /*member*/, const LeafVisitor& /*visit*/) const { return false; }
+
+    /// The file that it was loaded from, if it is a behaviour: these have lines and can be reloaded. Null for others.
+    virtual const ScriptFile* script_file() const { return nullptr; }
+    /// The number of the reload that brought the version that runs, if a rollback can take it back; 0: none can.
+    virtual int last_reload() const { return 0; }
+    /// The commands that `call_command` takes.
+    virtual std::span<const CommandDeclaration> commands() const { return {}; }
+    virtual std::vector<TaskStatus> tasks() const { return {}; }
+    /// In the order in which they came.
+    virtual std::span<const Probe> probes() const { return {}; }
+    /// As much of its state as a limit allows.
+    virtual Expected<PlainSnapshot> state_snapshot(const PlainLimit& /*limit*/) const {
+        return PlainSnapshot{PlainData::empty_table(), 1};
+    }
+    /// Has an execution traced, line by line: the next one that is not on probation. Returns the number of that trace;
+    /// 0 when it has no lines.
+    virtual std::int64_t trace_next() { return 0; }
+    /// The number of the latest trace, and what was seen.
+    virtual std::int64_t traces() const { return 0; }
+    virtual TracedLines latest_trace() const { return {}; }
+
+    /// Whether an emergency stop was asked for at it since the last call, as by a gamepad's button.
+    virtual bool take_stop() { return false; }
 
     /// INACTIVE to ACTIVE. In-ports start empty. An error says why not (it is in ERROR, or `on_activated` failed).
     Expected<void> activate(const Time& now);

@@ -24,6 +24,21 @@ struct PlainData {
     std::vector<Table> tables;
 
     bool operator==(const PlainData&) const = default;
+
+    /// One table that has nothing in it.
+    static PlainData empty_table() { return {.values = {TableRef{0}}, .tables = {{}}}; }
+};
+
+/// How much a snapshot takes. What is copied between two ticks makes none of them late: some 0.3 us a value.
+struct PlainLimit {
+    std::size_t values = 4000;                ///< entries of tables
+    std::size_t text = std::size_t{1} << 16;  ///< [bytes] of keys and values
+};
+
+/// A copy of a table, breadth first, as far as a limit goes: the tables from `whole` on are empty here.
+struct PlainSnapshot {
+    PlainData data;
+    std::size_t whole = 0;
 };
 
 }  // namespace nezumi

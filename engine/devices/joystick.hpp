@@ -62,6 +62,7 @@ public:
 
     /// How often its gamepad's button for emergency stops has been pressed.
     int stops() const { return stops_; }
+    bool take_stop() override { return std::exchange(told_stops_, stops_) < stops_; }
 
 private:
     Expected<void> on_activated() override;
@@ -79,6 +80,7 @@ private:
     GamepadSettings settings_;
     std::unique_ptr<Gamepad> gamepad_;
     int stops_ = 0;
+    int told_stops_ = 0;
     int counted_ = 0;      // of them by the gamepad that is open
     bool speaks_ = false;  // its last message was not the one that ends them
 };

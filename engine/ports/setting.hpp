@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,7 +12,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/base/error.hpp"
 #include "engine/ports/describe.hpp"
+#include "engine/ports/messages.hpp"
 
 namespace nezumi {
 
@@ -120,6 +123,63 @@ constexpr void for_each_setting(Visit&& visit) {
         if constexpr (requires { field.rule; }) visit(field);
     };
     std::apply([&](const auto&... field) { (one(field), ...); }, Describe<T>::fields);
+}
+
+/// "a number", "a positive number".
+std::string_view words_for(NumberRange range);
+/// What is wrong with a number by the rule of its field, "" for nothing: "expected a positive number, got -1".
+std::string check_number(double number, const Rule& rule, std::string_view unit);
+/// The same of every number of a pose, which has no rule but the widest.
+std::string check_pose(const Pose2D& pose);
+std::string check_pose(const Pose3D& pose);
+
+namespace detail {
+
+template <Recorded T>
+std::string check_fields(const T& record, const std::string& path);
+
+template <class T>
+std::string check_member(const T& value, const std::string& path, const Rule& rule, std::string_view unit) {
+    if constexpr (std::is_same_v<T, double>) {
+        const std::string problem = check_number(value, rule, unit);
+        return problem.empty() ? problem : "field '" + path + "' " + problem;
+    } else if constexpr (requires { value.x; }) {
+        std::string problem = check_member(value.x, path + ".x", rule, unit);
+        if (problem.empty()) problem = check_member(value.y, path + ".y", rule, unit);
+        if constexpr (requires { value.z; }) {
+            if (problem.empty()) problem = check_member(value.z, path + ".z", rule, unit);
+        }
+        return problem;
+    } else if constexpr (requires { value.has_value(); }) {
+        return value ? check_member(*value, path, rule, unit) : std::string();
+    } else if constexpr (Recorded<T>) {
+        return check_fields(value, path + ".");
+    } else {
+        return "";
+    }
+}
+
+template <Recorded T>
+std::string check_fields(const T& record, const std::string& path) {
+    std::string problem;
+    for_each_setting<T>([&](const auto& field) {
+        if constexpr (requires { field.member; }) {
+            if (problem.empty())
+                problem = check_member(record.*(field.member), path + std::string(field.name), field.rule, field.unit);
+        }
+    });
+    return problem;
+}
+
+}  // namespace detail
+
+/// Checks the numbers and places of a structure by the rules of its fields, for whoever did not read it field by field:
+/// a map, a program. The error is "box: field 'size.x' expected a positive number, got 0", at `place`.
+template <Recorded T>
+Expected<void> check_record(const T& record, const Place& place) {
+    const std::string problem = detail::check_fields(record, "");
+    if (!problem.empty()) return failure(std::string(Describe<T>::name) + ": " + problem, place);
+    return {};
 }
 
 }  // namespace nezumi

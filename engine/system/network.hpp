@@ -36,7 +36,7 @@ struct Host {
     std::vector<OfferedPort> ports{};
 };
 
-/// Performs an act as `LiveSystem::act` does.
+/// Performs an act as `RunningSystem::act` does.
 using ActDoor = std::function<Expected<ActResult>(const Act& act, const Actor& who)>;
 
 class Network {

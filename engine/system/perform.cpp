@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/ports/payload.hpp"
+#include "engine/ports/setting.hpp"
+#include "engine/system/published.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
@@ -90,6 +92,23 @@ Expected<HandledRobot> handled_robot(System& system, const std::string& name) {
     if (!seen) return Unexpected(seen.error());
     World* world = seen->robot->is_real() ? system.rig()->world.get() : system.world();
     return HandledRobot{seen->robot, world, seen->id};
+}
+
+// Robots of other hosts and of ROS: zero is sent to those that this system drives.
+void tell_robots_elsewhere(const System& system) {
+    for (const ConnectionSpec& each : system.connections()) {
+        const auto from = system.port(each.from);
+        const auto to = system.port(each.to);
+        if (!is_remote(each.to) || !from || !to) continue;
+        if (!commands_robots(system, static_cast<const OutPortBase&>(**from))) continue;
+        const std::string& missing = (*to)->note();
+        if (missing.empty()) {
+            system.log(LogLevel::warn, fmt::format("emergency stop: {} is sent zero until rearm()", each.to));
+        } else {
+            system.log(LogLevel::warn,
+                       fmt::format("the emergency stop does not reach {}: {}: stop it there", each.to, missing));
+        }
+    }
 }
 
 }  // namespace
@@ -190,33 +209,12 @@ Expected<ActResult> perform(System& system, const Teleport& act, const Actor& /*
     return result_of(robot->world->teleport(robot->id, act.pose));
 }
 
-Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    return result_of(system.world()->move_marker(act.marker, act.pose));
-}
-
-Expected<ActResult> perform(System& system, const MoveThing& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    return result_of(system.world()->move_thing(act.thing, act.pose));
-}
-
-Expected<ActResult> perform(System& system, const AddMarker& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    if (system.find(act.marker.name) != nullptr)
-        return failure(fmt::format("marker '{}': a component has this name: choose another", act.marker.name));
-    return result_of(system.world()->add_marker(act.marker));
-}
-
-Expected<ActResult> perform(System& system, const RemoveMarker& act, const Actor& /*who*/) {
-    if (system.world() == nullptr) return failure("there is no simulated world");
-    return result_of(system.world()->remove_marker(act.marker));
-}
-
 Expected<ActResult> perform(System& system, const Disturb& act, const Actor& /*who*/) {
     const auto robot = handled_robot(system, act.robot);
     if (!robot) return Unexpected(robot.error());
     for (const auto& speed : {act.vx, act.vy, act.va}) {
-        if (speed && !std::isfinite(*speed)) return failure("disturb: a speed is not finite");
+        const std::string problem = speed ? check_number(*speed, {}, "") : "";
+        if (!problem.empty()) return failure("disturb: a speed: " + problem);
     }
     robot->world->disturb(robot->id, {.vx = act.vx, .vy = act.vy, .va = act.va});
     return ActResult{};
@@ -254,6 +252,7 @@ Expected<ActResult> perform(System& system, const Command& act, const Actor& /*w
 Expected<ActResult> perform(System& system, const Stop& /*act*/, const Actor& who) {
     system.emergency_stop();
     system.log(LogLevel::warn, fmt::format("emergency stop ({}): rearm() lets the robots drive again", to_text(who)));
+    tell_robots_elsewhere(system);
     return ActResult{};
 }
 

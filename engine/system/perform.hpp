@@ -1,4 +1,4 @@
-// Performs the acts that need nothing but the engine.
+// Performs the acts that change a system and not its description.
 #pragma once
 
 #include <string_view>
@@ -24,10 +24,6 @@ Expected<ActResult> perform(System& system, const Use& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Connect& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Disconnect& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Teleport& act, const Actor& who);
-Expected<ActResult> perform(System& system, const MoveMarker& act, const Actor& who);
-Expected<ActResult> perform(System& system, const MoveThing& act, const Actor& who);
-Expected<ActResult> perform(System& system, const AddMarker& act, const Actor& who);
-Expected<ActResult> perform(System& system, const RemoveMarker& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Disturb& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Press& act, const Actor& who);
 Expected<ActResult> perform(System& system, const Command& act, const Actor& who);

@@ -76,6 +76,10 @@ Expected<Component*> System::add(std::unique_ptr<Component> component) {
         return failure(fmt::format("{}: a rate of {} Hz is not a positive number", name, component->rate),
                        component->place);
     }
+    if (component->rate > 0 && component->rate < slowest_rate)
+        return failure(
+            fmt::format("{}: expected a rate of at least {} Hz, got {}", name, slowest_rate, component->rate),
+            component->place);
     if (component->rate > settings_.rate) {
         return failure(
             fmt::format("{}: a rate of {} Hz is above the tick's {} Hz", name, component->rate, settings_.rate),

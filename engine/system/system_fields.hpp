@@ -1,6 +1,7 @@
 // The words of a system file: every field, its unit, its meaning and what may stand in it.
 #pragma once
 
+#include "engine/base/schedule.hpp"
 #include "engine/ports/setting.hpp"
 #include "engine/system/system_spec.hpp"
 #include "engine/world/arena_fields.hpp"
@@ -53,7 +54,7 @@ struct Describe<BehaviorEntry> {
                 &BehaviorEntry::rate,
                 "Hz",
                 "executions a second, at most the tick's",
-                {.range = NumberRange::positive, .fallback = "the tick's"}},
+                {.range = NumberRange::positive, .least = slowest_rate, .fallback = "the tick's"}},
         Setting{"active", &BehaviorEntry::active, "", "whether it is activated at the start"},
         Internal{&BehaviorEntry::name},
         Internal{&BehaviorEntry::path},
@@ -74,7 +75,7 @@ struct Describe<ComponentEntry> {
                 &ComponentEntry::rate,
                 "Hz",
                 "executions a second, at most the tick's",
-                {.range = NumberRange::positive, .fallback = "the type's own"}},
+                {.range = NumberRange::positive, .least = slowest_rate, .fallback = "the type's own"}},
         Setting{"on", &ComponentEntry::on, "", "the robot that carries it"},
         Setting{"at", &ComponentEntry::at, "m", "on that robot, from the middle of the wheels' axis on the floor"},
         Setting{"yaw", &ComponentEntry::yaw, "rad", "on that robot, counter-clockwise"},
@@ -109,9 +110,13 @@ struct Describe<NetworkSpec> {
                 "the network interface, for example \"wlan0\"",
                 {.fallback = "the loopback: processes of this machine"}},
         Setting{"peers", &NetworkSpec::peers, "", "addresses of hosts, where the network carries no multicast"},
-        Setting{"secret", &NetworkSpec::secret, "",
-                "a file that `nezumi network secret` has made: who has it may write"},
-        Setting{"open", &NetworkSpec::open, "", "everybody on the interface may write, without a secret"},
+        Setting{"secret",
+                &NetworkSpec::secret,
+                "",
+                "a file that `nezumi network secret` has made: who has it may write",
+                {.fallback = "on the loopback this user's own"}},
+        Setting{"open", &NetworkSpec::open, "",
+                "everybody on the interface, or every user of this computer, may write without a secret"},
         Setting{"lockstep", &NetworkSpec::lockstep, "",
                 "simulations that are connected advance together, the same each time"},
         Setting{"hosts", &NetworkSpec::hosts, "",
@@ -201,7 +206,7 @@ struct Describe<PhysicsFields> {
                 &PhysicsFields::step,
                 "s",
                 "of time that the physics advances at once; a tick is a whole number of them",
-                {.required = true, .range = NumberRange::positive}},
+                {.required = true, .range = NumberRange::positive, .least = 1 / fastest_rate}},
     };
 };
 

@@ -43,4 +43,19 @@ std::string adopt_identifier(std::string& text) {
                        text);
 }
 
+Expected<void> check_arena(const ArenaSpec& arena) {
+    auto ok = check_record(arena, {});
+    const auto check_all = [&ok](const auto& things) {
+        for (const auto& thing : things) {
+            if (ok) ok = check_record(thing, thing.place);
+        }
+    };
+    check_all(arena.boxes);
+    check_all(arena.cylinders);
+    check_all(arena.markers);
+    check_all(arena.lines);
+    if (ok && arena.floor) ok = check_record(*arena.floor, arena.floor->place);
+    return ok;
+}
+
 }  // namespace nezumi

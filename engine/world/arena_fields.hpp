@@ -38,6 +38,8 @@ BoxSpec box_of(const WallSpec& wall);
 std::string adopt_color(std::string& text);
 /// Letters, digits and underscores; of any other text, what was expected.
 std::string adopt_identifier(std::string& text);
+/// Checks the numbers of everything in an arena by the rules below, wherever it comes from: a table, a map, a program.
+Expected<void> check_arena(const ArenaSpec& arena);
 
 template <>
 struct Describe<BoxSpec> {

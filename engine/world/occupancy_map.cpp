@@ -12,13 +12,14 @@
 #include <span>
 
 #include "engine/base/trimmed.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/world/frames.hpp"
 
 namespace nezumi {
 namespace {
 
 constexpr std::int64_t most_pixels = 64'000'000;
-constexpr double least_resolution = 1e-3;  // [m]
+constexpr double least_resolution = 1e-3, most_resolution = 1e3;  // [m]
 
 std::string_view without_quotes(std::string_view text) {
     const bool quoted =
@@ -158,12 +159,14 @@ Expected<OccupancyFacts> read_occupancy_facts(std::string_view text, const std::
         if (key == "image") {
             facts.image = value;
         } else if (key == "resolution") {
-            if (!real || *real < least_resolution)
-                return refuse(fmt::format("the edge of a pixel in m, at least {}", least_resolution));
+            if (!real || *real < least_resolution || *real > most_resolution)
+                return refuse(
+                    fmt::format("the edge of a pixel in m, from {} to {}", least_resolution, most_resolution));
             facts.resolution = *real;
         } else if (key == "origin") {
             const auto pose = pose_of(value);
             if (!pose) return refuse("[x, y, yaw]");
+            if (!check_pose(*pose).empty()) return refuse(fmt::format("numbers up to {}", Rule{}.most));
             facts.origin = *pose;
             has_origin = true;
         } else if (key == "negate") {

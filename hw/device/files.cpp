@@ -43,6 +43,7 @@ public:
     Answer<std::size_t> keys(std::span<char> down) override {
         return answer_of([&] { return ioctl(file_, EVIOCGKEY(down.size()), down.data()); });
     }
+    int descriptor() const override { return file_; }
 
 private:
     const int file_;

@@ -27,6 +27,8 @@ public:
     virtual Answer<std::size_t> write(std::string_view text) = 0;
     /// Which keys of an event device are down, a bit each (EVIOCGKEY): how many bytes.
     virtual Answer<std::size_t> keys(std::span<char> down) = 0;
+    /// The kernel's number of it; -1: there is no device behind it.
+    virtual int descriptor() const { return -1; }
 };
 
 /// Any call may come from any thread, and may wait for a device.

@@ -35,6 +35,8 @@ public:
     tl::expected<void, NodeError> write(std::string_view text);
 
     const std::string& path() const { return path_.text(); }
+    /// Of the device that is open; -1: none is.
+    int descriptor() const { return file_ ? file_->descriptor() : -1; }
 
 private:
     tl::unexpected<NodeError> failed(int code);

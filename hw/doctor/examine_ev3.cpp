@@ -69,7 +69,7 @@ private:
                 fmt::format("{} (process {}) has {} open", holder.name.empty() ? "a program" : holder.name,
                             holder.process, listed(holder.files)),
                 fmt::format("end it before a robot is driven: kill {}", holder.process));
-        if (const auto lease = Lease::take(folder); !lease) {
+        if (const auto lease = Lease::take("ev3", folder); !lease) {
             const std::string text = lease.error().message;
             const std::size_t colon = text.rfind(": ");
             say("programs", wrong, text.substr(0, colon), colon == text.npos ? "" : text.substr(colon + 2));

@@ -82,8 +82,8 @@ private:
                 fmt::format("end it before a robot is driven: kill {}", holder.process));
         }
         if (is_power_held || opening_fails_with(power, writes) != 0) return;
-        // A program of another user is not to be seen, its lock is.
-        if (const auto lease = Lease::take(power); !lease) {
+        // A program of another user is not to be seen, its lease is.
+        if (const auto lease = Lease::take("raspimouse", power); !lease) {
             const std::string text = lease.error().message;
             const std::size_t colon = text.rfind(": ");
             say("programs", wrong, text.substr(0, colon), colon == text.npos ? "" : text.substr(colon + 2));

@@ -122,20 +122,17 @@ std::optional<Rgb> floor_seen(const SensorValues& values) {
 Expected<std::unique_ptr<RobotBody>> Ev3Body::make(const RobotSpec& spec, const DeviceRoots& roots) {
     if (auto ok = check(spec); !ok) return Unexpected(ok.error());
     const DevicePath motors = roots.in_sys() + "/class/tacho-motor";
+    std::array<std::string, WheelMotors::count> ports{"outB", "outC"};
+    if (!spec.drive.port.empty()) std::copy(spec.drive.port.begin(), spec.drive.port.end(), ports.begin());
+    auto wheels = WheelMotors::make(motors, ports, rim_acceleration(spec.drive) / metres_per_pulse(spec.drive).left);
+    if (!wheels) return Unexpected(wheels.error());
     const auto index = servo_of(spec);
     std::shared_ptr<ServoMotor> servo;
-    std::vector<std::string> others;
     if (index) {
         const ActuatorSpec& actuator = spec.actuators[*index];
         servo = std::make_shared<ServoMotor>(motors, actuator.port.empty() ? "outA" : actuator.port,
-                                             fmt::format("motor '{}'", actuator.name));
-        if (std::string node = servo->find(); !node.empty()) others.push_back(std::move(node));
+                                             fmt::format("motor '{}'", actuator.name), (*wheels)->guard());
     }
-    std::array<std::string, 2> ports{"outB", "outC"};
-    if (!spec.drive.port.empty()) std::copy(spec.drive.port.begin(), spec.drive.port.end(), ports.begin());
-    auto wheels =
-        WheelMotors::make(motors, ports, rim_acceleration(spec.drive) / metres_per_pulse(spec.drive).left, others);
-    if (!wheels) return Unexpected(wheels.error());
     return std::unique_ptr<RobotBody>(
         new Ev3Body(spec, roots, std::move(*wheels), std::move(servo), index.value_or(spec.actuators.size())));
 }

@@ -6,12 +6,11 @@
 
 #include "hw/device/clock.hpp"
 #include "hw/device/sampler.hpp"
+#include "hw/ev3/wheel_motors.hpp"
 
 namespace nezumi::hw {
 
 double ServoMotor::radians_per_pulse() const { return 2 * std::numbers::pi / motor_.pulses_per_turn(); }
-
-std::string ServoMotor::find() { return motor_.find() ? motor_.command_node() : ""; }
 
 void ServoMotor::aim(double angle, double speed) {
     const std::lock_guard lock(mutex_);
@@ -32,6 +31,9 @@ std::vector<std::string> ServoMotor::take_faults() {
 tl::expected<void, std::string> ServoMotor::serve() {
     if (!motor_.is_found()) {
         if (auto ok = motor_.find(); !ok) return ok;
+        // Without a proof: it turns to its target and stands, and the wheels need not wait for it.
+        const auto guarded = guard_->take_up(motor_.command_node(), {.index = WheelMotors::count, .text = "stop"});
+        if (!guarded) return tl::unexpected(motor_.give_up(with_ev3_advice(guarded.error())));
     }
     if (health_.is_lost()) {
         if (auto ok = motor_.prepare(); !ok) return ok;

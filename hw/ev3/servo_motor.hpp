@@ -1,6 +1,7 @@
 // The EV3's medium motor, which turns to an angle, on a thread of its own.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "hw/device/health.hpp"
 #include "hw/device/worker.hpp"
 #include "hw/ev3/tacho_motor.hpp"
+#include "hw/guard/guard.hpp"
 
 namespace nezumi::hw {
 
@@ -16,12 +18,10 @@ namespace nezumi::hw {
 /// there.
 class ServoMotor final : public DeviceJob {
 public:
-    /// `folder` of the class tacho-motor; `name` as a person calls it: "medium motor 'arm'".
-    ServoMotor(const DevicePath& folder, const std::string& port, std::string name)
-        : motor_(folder, "lego-ev3-m-motor", port), health_(std::move(name)) {}
+    /// `folder` of the class tacho-motor; `name` as a person calls it: "medium motor 'arm'". `guard` stops it as well.
+    ServoMotor(const DevicePath& folder, const std::string& port, std::string name, std::shared_ptr<Guard> guard)
+        : motor_(folder, "lego-ev3-m-motor", port), guard_(std::move(guard)), health_(std::move(name)) {}
 
-    /// Looks for it before the thread begins; returns the node for commands, "" when it is not there.
-    std::string find();
     /// From the control loop: turns to `angle` [rad] at `speed` [rad/s] (0: as fast as it can).
     void aim(double angle, double speed);
     /// [rad] as it was read last.
@@ -40,6 +40,7 @@ private:
     double radians_per_pulse() const;
 
     TachoMotor motor_;
+    std::shared_ptr<Guard> guard_;
     Health health_;
     mutable Mutex mutex_;  // held for a copy at most
     std::optional<Target> target_;

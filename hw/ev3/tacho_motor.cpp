@@ -46,14 +46,14 @@ tl::expected<void, std::string> TachoMotor::find() {
 }
 
 // A motor of which one thing fails must not go on by the others.
-std::string TachoMotor::lost(const std::string& why) {
+std::string TachoMotor::give_up(const std::string& why) {
     static_cast<void>(nodes_->command.write("stop"));
     nodes_.reset();
     return fmt::format("{}: {}", port_, why);
 }
 
 tl::expected<void, std::string> TachoMotor::write(Node& node, const std::string& text) {
-    if (auto ok = node.write(text); !ok) return tl::unexpected(lost(with_ev3_advice(ok.error())));
+    if (auto ok = node.write(text); !ok) return tl::unexpected(give_up(with_ev3_advice(ok.error())));
     return {};
 }
 
@@ -102,7 +102,7 @@ tl::expected<void, std::string> TachoMotor::coast() {
 
 tl::expected<std::int64_t, std::string> TachoMotor::position() {
     const auto read = read_whole_number(nodes_->position);
-    if (!read) return tl::unexpected(lost(read.error()));
+    if (!read) return tl::unexpected(give_up(read.error()));
     if (std::exchange(counts_anew_, false)) offset_ = last_ - *read;
     last_ = *read + offset_;
     return last_;

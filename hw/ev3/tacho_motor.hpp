@@ -20,8 +20,8 @@ public:
     tl::expected<void, std::string> find();
     /// Whether it was found, and nothing has failed since.
     bool is_found() const { return nodes_.has_value(); }
-    /// The node that takes "stop" of the motor that was found last.
-    std::string command_node() const { return (folder_ + "/command").text(); }
+    /// Of one that is found: the node that takes "stop".
+    const Node& command_node() const { return nodes_->command; }
 
     /// Lets it roll freely, without ramps, forward positive.
     tl::expected<void, std::string> prepare();
@@ -34,6 +34,9 @@ public:
     tl::expected<void, std::string> hold();
     /// Rolls freely.
     tl::expected<void, std::string> coast();
+
+    /// Gives it up, stopped so far as it can be. Returns `why` with its port.
+    std::string give_up(const std::string& why);
 
     /// Pulses, forward positive. One that was plugged in again counts on from where it was.
     tl::expected<std::int64_t, std::string> position();
@@ -48,7 +51,6 @@ private:
         explicit Nodes(const DevicePath& folder);
         Node command, speed, target, time, after_stop, position;
     };
-    std::string lost(const std::string& why);
     tl::expected<void, std::string> write(Node& node, const std::string& text);
     tl::expected<void, std::string> set_after_stop(AfterStop wanted);
 

@@ -16,17 +16,14 @@ constexpr double tell_again = TachoMotor::dead_man / 2;  // [s]
 }  // namespace
 
 Expected<std::shared_ptr<WheelMotors>> WheelMotors::make(const DevicePath& folder,
-                                                         const std::array<std::string, 2>& ports, double acceleration,
-                                                         const std::vector<std::string>& others) {
+                                                         const std::array<std::string, count>& ports,
+                                                         double acceleration) {
     std::shared_ptr<WheelMotors> motors(new WheelMotors(folder, ports, acceleration));
     // Both are looked for before any is written: where one is missing, nothing is touched.
     for (Wheel& wheel : motors->wheels_) {
         if (auto ok = wheel.motor.find(); !ok) return failure("motors: " + ok.error());
     }
-    std::vector<StopWrite> stop;
-    for (const Wheel& wheel : motors->wheels_) stop.push_back({wheel.motor.command_node(), "stop"});
-    for (const std::string& node : others) stop.push_back({node, "stop"});
-    auto guard = Guard::start(folder, std::move(stop));
+    auto guard = Guard::start("ev3", folder);
     if (!guard) return Unexpected(guard.error());
     motors->guard_ = std::make_unique<GuardWatch>(std::move(*guard));
     if (auto ok = motors->prepare(); !ok) return failure("motors: " + ok.error());
@@ -39,6 +36,14 @@ tl::expected<void, std::string> WheelMotors::prepare() {
         if (!wheel.motor.is_found()) {
             if (auto ok = wheel.motor.find(); !ok) return ok;
         }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        TachoMotor& motor = wheels_[i].motor;
+        const auto ok =
+            guard_->take_up(motor.command_node(), {.index = i, .text = "stop", .proof = Proof::empty_write});
+        if (!ok) return tl::unexpected(motor.give_up(with_ev3_advice(ok.error())));
+    }
+    for (Wheel& wheel : wheels_) {
         if (auto ok = wheel.motor.prepare(); !ok) return ok;
         wheel.told = Wheel::Told::roll;
     }
@@ -62,9 +67,28 @@ bool WheelMotors::turns() const { return wheels_[0].told == Wheel::Told::run || 
 void WheelMotors::stop_all() {
     for (Wheel& wheel : wheels_) {
         wheel.told = Wheel::Told::nothing;
-        if (wheel.motor.is_found() && wheel.motor.hold()) wheel.told = Wheel::Told::hold;
+        if (!wheel.motor.is_found()) continue;
+        if (const auto ok = wheel.motor.hold(); ok) {
+            wheel.told = Wheel::Told::hold;
+        } else {
+            health_.lost(ok.error());
+        }
     }
     guard_->rest();
+}
+
+void WheelMotors::lose(const NodeError& trouble) {
+    for (Wheel& wheel : wheels_) {
+        const bool is_its = wheel.motor.is_found() && wheel.motor.command_node().path() == trouble.path;
+        if (is_its) health_.lost(wheel.motor.give_up(with_ev3_advice(trouble)));
+    }
+    stop_all();
+}
+
+bool WheelMotors::has_to_stop(double now, bool they_turn) {
+    if (!guard_->must_stop(now, they_turn)) return false;
+    stop_all();
+    return true;
 }
 
 // From standstill, or a stop that was not asked for, a wheel speeds up no faster than the robot's limits allow.
@@ -98,15 +122,14 @@ tl::expected<void, std::string> WheelMotors::tell(Wheel& wheel, const Command& c
 tl::expected<void, std::string> WheelMotors::perform(const Command& command, double now) {
     const double elapsed = now - std::exchange(served_at_, now);
     const std::array rates{command.rates.left, command.rates.right};
-    for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    // While this thread stood still the guard may have stopped the motors, or have been stopped: then the command is
+    // void.
+    const auto is_void = [&] { return has_to_stop(clock_seconds(), turns() || (rates[0] != 0 || rates[1] != 0)); };
+    for (std::size_t i = 0; i < count && !is_void(); ++i) {
         Wheel& wheel = wheels_[i];
         if (auto ok = tell(wheel, command, reachable(wheel, rates[i], elapsed), now); !ok) return ok;
-        // The guard may have stopped the motors while this thread stood still: then what was told meanwhile is void.
-        if (guard_->has_stopped()) {
-            stop_all();
-            return {};
-        }
     }
+    is_void();
     return {};
 }
 
@@ -130,9 +153,8 @@ tl::expected<void, std::string> WheelMotors::read_positions() {
 
 double WheelMotors::run() {
     const double now = clock_seconds();
-    if (guard_->has_stopped()) stop_all();
-    const bool is_guarded = guard_->is_awake(now);
-    if (!is_guarded && turns()) stop_all();
+    has_to_stop(now, turns());
+    if (guard_->trouble() && !health_.is_lost()) lose(*guard_->trouble());
     if (health_.is_lost()) {
         if (now < retry_at_) return retry_at_ - now;
         retry_at_ = now + retry_period;
@@ -144,8 +166,10 @@ double WheelMotors::run() {
         health_.works();
     }
     auto [command, is_new] = newest_.take();
-    if (!is_guarded) command.rates = {};
+    if (is_new) wants_to_turn_ = command.drives && (command.rates.left != 0 || command.rates.right != 0);
+    if (wants_to_turn_ && !guard_->may_turn(now)) command.rates = {};
     auto ok = is_new ? perform(command, now) : tl::expected<void, std::string>();
+    if (ok && health_.is_lost()) return attention;  // it failed while it was stopped
     if (ok) ok = read_positions();
     if (!ok) {
         health_.lost(ok.error());
@@ -153,7 +177,7 @@ double WheelMotors::run() {
         retry_at_ = clock_seconds() + retry_period;
         return retry_period;
     }
-    if (!turns()) {
+    if (!wants_to_turn_) {
         guard_->rest();
     } else if (is_new) {
         guard_->beat();

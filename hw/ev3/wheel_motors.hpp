@@ -31,13 +31,16 @@ public:
         Wheels rates;         ///< [pulses/s]
     };
 
-    /// Takes the lease of the brick's motors and starts the guard, which stops `others` as well: their nodes for
-    /// commands. `folder` is the class's; `ports` of the left motor and the right; `acceleration` [pulses/s^2] that the
-    /// limits allow a wheel. An error, with what to do, when a motor is missing, and nothing has been written, or when
-    /// another program drives them.
+    static constexpr std::size_t count = 2;
+
+    /// Takes the brick's lease and starts the guard. `folder` is the class's; `ports` of the left motor and the right;
+    /// `acceleration` [pulses/s^2] that the limits allow a wheel. An error, with what to do, when a motor is missing,
+    /// and nothing has been written, or when another program drives them.
     static Expected<std::shared_ptr<WheelMotors>> make(const DevicePath& folder,
-                                                       const std::array<std::string, 2>& ports, double acceleration,
-                                                       const std::vector<std::string>& others);
+                                                       const std::array<std::string, count>& ports,
+                                                       double acceleration);
+    /// Which stops other motors of the brick as well: nodes from the index `count` on.
+    const std::shared_ptr<Guard>& guard() const { return guard_->guard(); }
 
     /// From the control loop, once a tick at least: whoever falls silent is stopped.
     void command(const Command& command) { newest_.put(command); }
@@ -59,25 +62,28 @@ private:
         double told_at = 0;  // [s] when it was last told to run
     };
 
-    WheelMotors(const DevicePath& folder, const std::array<std::string, 2>& ports, double acceleration)
+    WheelMotors(const DevicePath& folder, const std::array<std::string, count>& ports, double acceleration)
         : wheels_{Wheel(folder, ports[0]), Wheel(folder, ports[1])}, acceleration_(acceleration) {}
     tl::expected<void, std::string> prepare();
     void stop_all();
+    void lose(const NodeError& trouble);
+    bool has_to_stop(double now, bool they_turn);
     double reachable(const Wheel& wheel, double rate, double elapsed) const;
     tl::expected<void, std::string> tell(Wheel& wheel, const Command& command, double rate, double now);
     tl::expected<void, std::string> perform(const Command& command, double now);
     tl::expected<void, std::string> read_positions();
     bool turns() const;
 
-    std::array<Wheel, 2> wheels_;  // left, right
-    const double acceleration_;    // [pulses/s^2]
+    std::array<Wheel, count> wheels_;  // left, right
+    const double acceleration_;        // [pulses/s^2]
     std::unique_ptr<GuardWatch> guard_;
     Health health_{"motors"};
 
     Newest<Command> newest_;
     NewestSample<WheelValues> sample_;
     double served_at_ = 0;
-    double retry_at_ = 0;  // while they are lost: when to look for them
+    double retry_at_ = 0;         // while they are lost: when to look for them
+    bool wants_to_turn_ = false;  // by the newest command: they do once the guard has proved that it can stop them
 };
 
 }  // namespace nezumi::hw

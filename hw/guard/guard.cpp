@@ -1,31 +1,100 @@
 // Forks the guard and talks to it without ever waiting.
 #include "hw/guard/guard.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstring>
 #include <utility>
+#include <vector>
+
+#include "engine/base/mutex.hpp"
+#include "hw/device/clock.hpp"
 
 namespace nezumi::hw {
+namespace {
 
-Expected<std::unique_ptr<Guard>> Guard::start(const DevicePath& lease, std::vector<StopWrite> stop_writes) {
-    const bool is_real = lease.files().are_real();
-    if (!is_real) stop_writes.clear();
-    auto taken = is_real ? Lease::take(lease.text()) : Lease::of_nothing();
+// A descriptor of the guard's own: where the engine's hangs in a driver, another one need not.
+tl::expected<int, int> open_again(const std::string& path, int file) {
+    const int again = open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (again < 0) return tl::unexpected(errno);
+    struct stat one {};
+    struct stat other {};
+    const bool is_same = fstat(file, &one) == 0 && fstat(again, &other) == 0 && one.st_dev == other.st_dev &&
+                         one.st_ino == other.st_ino && one.st_rdev == other.st_rdev;
+    if (is_same) return again;
+    close(again);
+    return tl::unexpected(ENODEV);
+}
+
+bool send_with(int socket, GuardOrder& order, int file) {
+    iovec content{.iov_base = &order, .iov_len = sizeof order};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof file)> extra{};
+    msghdr message{};
+    message.msg_iov = &content;
+    message.msg_iovlen = 1;
+    message.msg_control = extra.data();
+    message.msg_controllen = extra.size();
+    cmsghdr* header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = SOL_SOCKET;
+    header->cmsg_type = SCM_RIGHTS;
+    header->cmsg_len = CMSG_LEN(sizeof file);
+    std::memcpy(CMSG_DATA(header), &file, sizeof file);
+    return sendmsg(socket, &message, MSG_DONTWAIT | MSG_NOSIGNAL) == static_cast<ssize_t>(sizeof order);
+}
+
+// The sockets of all guards. Who ends the program at once is a signal's thread, and knows no robots.
+struct Sockets {
+    Mutex mutex;
+    std::vector<int> all;
+};
+Sockets& sockets() {
+    static Sockets the;
+    return the;
+}
+
+}  // namespace
+
+Guard::Guard(Lease lease, int socket, pid_t process) : lease_(std::move(lease)), socket_(socket), process_(process) {
+    const Lock lock(sockets().mutex);
+    sockets().all.push_back(socket_);
+}
+
+void Guard::brake_all() {
+    const Lock lock(sockets().mutex);
+    // A guard that hears no more stops the motors and ends.
+    for (const int socket : sockets().all) shutdown(socket, SHUT_WR);
+    const double end = clock_seconds() + std::chrono::duration<double>(longest_braking).count();
+    for (const int socket : sockets().all) {
+        pollfd hangup{.fd = socket, .events = 0, .revents = 0};
+        poll(&hangup, 1, std::max(0, static_cast<int>((end - clock_seconds()) * 1e3)));
+    }
+}
+
+Expected<std::unique_ptr<Guard>> Guard::start(const std::string& driver, const DevicePath& node) {
+    const bool is_real = node.files().are_real();
+    if (is_real && getpid() == 1)
+        return failure(
+            "motors: this program is process 1 of its container, whose end would kill the guard of the motors as well: "
+            "let the container have an init, as by docker run --init");
+    auto taken = is_real ? Lease::take(driver, node.text()) : Lease::of_nothing();
     if (!taken) return Unexpected(taken.error());
     std::array<int, 2> ends{};
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return failure(std::string("no guard process for the motors: ") + std::strerror(errno));
     const pid_t engine = getpid();
+    const ProcessWords words = ProcessWords::of_this();
     const pid_t process = fork();
-    if (process == 0) be_guard(ends[1], taken->file(), engine, stop_writes);
+    if (process == 0) be_guard(ends[1], taken->file(), engine, words);
     close(ends[1]);
     if (process < 0) {
         close(ends[0]);
@@ -35,6 +104,10 @@ Expected<std::unique_ptr<Guard>> Guard::start(const DevicePath& lease, std::vect
 }
 
 Guard::~Guard() {
+    {
+        const Lock lock(sockets().mutex);
+        std::erase(sockets().all, socket_);
+    }
     close(socket_);
     kill(process_, SIGCONT);  // it may have been stopped
     // One that hangs in the kernel is left behind.
@@ -46,11 +119,35 @@ Guard::~Guard() {
     waitpid(process_, nullptr, WNOHANG);
 }
 
-void Guard::say(GuardMessage message) {
+tl::expected<void, NodeError> Guard::take_up(const Node& node, const Stop& stop) {
+    const auto failed = [&](int code) { return tl::unexpected(NodeError{node.path(), code}); };
+    if (node.descriptor() < 0) return {};  // no device is behind it
+    GuardOrder order{.kind = GuardOrder::Kind::node};
+    if (node.path().size() >= order.node.path.size()) return failed(ENAMETOOLONG);
+    order.node.index = static_cast<std::uint8_t>(stop.index);
+    order.node.proof = stop.proof;
+    std::copy(stop.text.begin(), stop.text.end(), order.node.text.begin());
+    std::copy(node.path().begin(), node.path().end(), order.node.path.begin());
+    const auto file = open_again(node.path(), node.descriptor());
+    if (!file) return failed(file.error());
+    const bool is_sent = send_with(socket_, order, *file);
+    const int problem = errno;
+    close(*file);
+    if (!is_sent) return failed(problem);
+    if (stop.proof == Proof::none) return {};
+    paths_.at(stop.index) = node.path();
+    trouble_.reset();
+    proved_at_ = -1;
+    taken_up_at_ = clock_seconds();
+    return {};
+}
+
+void Guard::say(GuardOrder::Kind kind, double now) {
     if (has_ended_) return;
+    const GuardOrder order{.kind = kind, .tm = now};
     // A guard that takes nothing is noticed by the answers that fail to come.
-    if (send(socket_, &message, 1, MSG_DONTWAIT | MSG_NOSIGNAL) < 0 && errno != EAGAIN && errno != EINTR)
-        has_ended_ = true;
+    const ssize_t sent = send(socket_, &order, offsetof(GuardOrder, node), MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (sent < 0 && errno != EAGAIN && errno != EINTR) has_ended_ = true;
 }
 
 void Guard::beat(double now) {
@@ -58,25 +155,31 @@ void Guard::beat(double now) {
     beats_ = true;
     beat_at_ = now;
     if (asked_at_ == 0) asked_at_ = now;
-    say(GuardMessage::beat);
+    say(GuardOrder::Kind::beat, now);
 }
 
 void Guard::rest() {
     // A beat that has had no answer yet still wants it.
     if (!std::exchange(beats_, false)) return;
-    say(GuardMessage::rest);
+    say(GuardOrder::Kind::rest);
 }
 
 bool Guard::has_stopped() {
     bool stopped = false;
-    std::array<GuardMessage, 64> messages{};
     for (;;) {
-        const ssize_t count = recv(socket_, messages.data(), messages.size(), MSG_DONTWAIT);
-        if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) has_ended_ = true;
-        if (count <= 0) return stopped;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-            if (messages[i] == GuardMessage::stopped) stopped = true;
-            asked_at_ = 0;
+        GuardAnswer answer;
+        const ssize_t length = recv(socket_, &answer, sizeof answer, MSG_DONTWAIT);
+        if (length == 0 || (length < 0 && errno != EAGAIN && errno != EINTR)) has_ended_ = true;
+        if (length <= 0) return stopped;
+        asked_at_ = 0;
+        if (answer.kind == GuardAnswer::Kind::stopped) stopped = true;
+        // What it said of nodes that it has no longer is void.
+        if (answer.kind == GuardAnswer::Kind::stopped || answer.tm < taken_up_at_) continue;
+        if (answer.kind == GuardAnswer::Kind::proved) {
+            proved_at_ = answer.tm;
+            trouble_.reset();
+        } else {
+            trouble_ = NodeError{paths_.at(answer.index), answer.error};
         }
     }
 }

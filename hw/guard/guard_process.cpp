@@ -7,7 +7,6 @@
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,8 +15,12 @@
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
 
 #include "hw/device/clock.hpp"
+#include "hw/guard/guarded_node.hpp"
 
 namespace nezumi::hw {
 namespace {
@@ -26,27 +29,24 @@ namespace {
 // a thread that waits for a device ends only with its reading.
 constexpr int engine_died = SIGUSR1;
 
-void write_stop(const StopWrite& stop) {
-    const int file = open(stop.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-    if (file < 0) return;
-    struct stat status {};
-    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && ftruncate(file, 0) != 0) status = {};
-    [[maybe_unused]] const ssize_t written = write(file, stop.text.data(), stop.text.size());
-    close(file);
-}
+// What kills every nezumi (`pkill nezumi`, `pkill -f nezumi`, `killall nezumi`) must leave the guard alive.
+constexpr std::string_view guard_name = "motor-guard";
+
+using Nodes = std::array<GuardedNode, GuardOrder::most_nodes>;
 
 // Each in a process of its own: a node that does not answer keeps none of the others from being written. Returns when
 // all are, or `patience` [s] later.
-void write_stops(std::span<const StopWrite> stops, int socket) {
+void stop_all(const Nodes& nodes, int socket) {
     constexpr double patience = 0.1;
     const double begin = clock_seconds();
     std::size_t writing = 0;
-    for (const StopWrite& each : stops) {
+    for (const GuardedNode& each : nodes) {
+        if (each.file < 0) continue;
         const pid_t process = fork();
         if (process > 0) ++writing;
         if (process > 0) continue;
         if (process == 0) close(socket);  // its end is the guard's
-        write_stop(each);
+        stop(each);
         if (process == 0) _exit(0);
     }
     while (writing > 0 && clock_seconds() - begin < patience) {
@@ -66,6 +66,15 @@ void close_all_but(int a, int b) {
     if (nothing > STDERR_FILENO) close(nothing);
 }
 
+// A session, and so a process group, a name and words of its own.
+void part_from_engine(const ProcessWords& words) {
+    setsid();
+    prctl(PR_SET_NAME, guard_name.data());
+    if (words.begin == nullptr || words.size <= guard_name.size()) return;
+    std::memset(words.begin, 0, words.size);
+    std::memcpy(words.begin, guard_name.data(), guard_name.size());
+}
+
 // Ctrl-C in the engine's terminal is not for the guard, whose engine may take a while to end; all else is as anywhere.
 void set_signals() {
     for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
@@ -83,21 +92,70 @@ int open_death_notice() {
     return signalfd(-1, &only, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-void say(int socket, GuardMessage message) { send(socket, &message, 1, MSG_DONTWAIT | MSG_NOSIGNAL); }
+// Where it may: before all that is not of real time, or the machine's load would be the motors' time; and the last that
+// is killed for want of memory, also where the kernel kills a whole cgroup (memory.oom.group).
+void claim_resources() {
+    const sched_param priority{.sched_priority = 1};
+    sched_setscheduler(0, SCHED_FIFO, &priority);
+    if (const int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); file >= 0) {
+        [[maybe_unused]] const ssize_t written = write(file, "-1000", 5);
+        close(file);
+    }
+}
+
+void say(int socket, const GuardAnswer& answer) { send(socket, &answer, sizeof answer, MSG_DONTWAIT | MSG_NOSIGNAL); }
+
+GuardAnswer prove(const Nodes& nodes, double tm) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (const int error = problem_of(nodes[i]); error != 0)
+            return {
+                .kind = GuardAnswer::Kind::unproved, .tm = tm, .index = static_cast<std::uint8_t>(i), .error = error};
+    }
+    return {.kind = GuardAnswer::Kind::proved, .tm = tm};
+}
+
+// One order. Returns what recvmsg(2) does: 0 at the socket's end, below 0 where there is none.
+ssize_t receive(int socket, GuardOrder& order, int& file) {
+    iovec content{.iov_base = &order, .iov_len = sizeof order};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> extra{};
+    msghdr message{};
+    message.msg_iov = &content;
+    message.msg_iovlen = 1;
+    message.msg_control = extra.data();
+    message.msg_controllen = extra.size();
+    const ssize_t length = recvmsg(socket, &message, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
+    file = -1;
+    if (const cmsghdr* header = CMSG_FIRSTHDR(&message); length > 0 && header != nullptr)
+        std::memcpy(&file, CMSG_DATA(header), sizeof file);
+    return length;
+}
 
 }  // namespace
 
-void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> stop_writes) {
-    setsid();
+ProcessWords ProcessWords::of_this() {
+    // proc(5): arg_start and arg_end are fields 48 and 49; the second, the program's name, may hold anything.
+    std::array<char, 1024> text{};
+    const int file = open("/proc/self/stat", O_RDONLY | O_CLOEXEC);
+    const ssize_t length = file < 0 ? -1 : read(file, text.data(), text.size() - 1);
+    if (file >= 0) close(file);
+    const char* at = length > 0 ? std::strrchr(text.data(), ')') : nullptr;
+    for (int field = 2; at != nullptr && field < 48; ++field) at = std::strchr(at + 1, ' ');
+    if (at == nullptr) return {};
+    char* next = nullptr;
+    const std::uintptr_t begin = std::strtoull(at, &next, 10), end = std::strtoull(next, nullptr, 10);
+    if (begin == 0 || end <= begin) return {};
+    return {reinterpret_cast<char*>(begin), end - begin};  // NOLINT(performance-no-int-to-ptr): the kernel's own word
+}
+
+void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words) {
+    part_from_engine(words);
     set_signals();
-    prctl(PR_SET_NAME, "nezumi-guard");
     prctl(PR_SET_PDEATHSIG, engine_died);
     close_all_but(socket, lease);
     const int death = open_death_notice();
-    // Where it may: before all that is not of real time, or the machine's load would be the motors' time.
-    const sched_param priority{.sched_priority = 1};
-    sched_setscheduler(0, SCHED_FIFO, &priority);
+    claim_resources();
 
+    Nodes nodes;
     bool awaits_beat = false;
     double beat_at = 0;
     while (getppid() == engine) {
@@ -107,22 +165,29 @@ void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> st
         const int timeout = awaits_beat ? std::max(0, static_cast<int>(left * 1e3) + 1) : -1;
         if (poll(files.data(), files.size(), timeout) < 0 && errno != EINTR) break;
         if (files[1].revents != 0) break;
-        if (files[0].revents != 0) {
-            std::array<GuardMessage, 64> messages{};
-            const ssize_t count = recv(socket, messages.data(), messages.size(), MSG_DONTWAIT);
-            if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) break;
-            if (count > 0) {
-                awaits_beat = messages[static_cast<std::size_t>(count) - 1] == GuardMessage::beat;
-                beat_at = clock_seconds();
-                say(socket, GuardMessage::beat);
-            }
-        } else if (awaits_beat && clock_seconds() - beat_at >= beat_timeout) {
-            write_stops(stop_writes, socket);
+        if (files[0].revents == 0) {
+            if (!awaits_beat || clock_seconds() - beat_at < beat_timeout) continue;
+            stop_all(nodes, socket);
             awaits_beat = false;
-            say(socket, GuardMessage::stopped);
+            say(socket, {.kind = GuardAnswer::Kind::stopped});
+            continue;
+        }
+        GuardOrder order;
+        int file = -1;
+        const ssize_t length = receive(socket, order, file);
+        if (length == 0 || (length < 0 && errno != EAGAIN && errno != EINTR)) break;
+        if (length < 0) continue;
+        switch (order.kind) {
+            case GuardOrder::Kind::node: take_up(nodes.at(order.node.index), order.node, file); break;
+            case GuardOrder::Kind::rest: awaits_beat = false; break;
+            case GuardOrder::Kind::beat:
+                awaits_beat = true;
+                beat_at = order.tm;  // not when it is read: both processes may have been stopped meanwhile
+                say(socket, prove(nodes, order.tm));
+                break;
         }
     }
-    write_stops(stop_writes, socket);
+    stop_all(nodes, socket);
     _exit(0);
 }
 

@@ -3,29 +3,67 @@
 
 #include <sys/types.h>
 
-#include <span>
-#include <string>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace nezumi::hw {
 
-/// A write that makes something stop.
-struct StopWrite {
-    std::string path;
-    std::string text;
+/// How a guard proves that it could write to a node, without writing anything to it (docs/hardware.md has what each
+/// driver makes of it).
+enum class Proof : std::uint8_t {
+    none,         ///< not at all: what the node moves ends by itself
+    is_there,     ///< the guard's descriptor is of a node that has not been removed
+    empty_write,  ///< and the node's driver takes a write of no bytes through it
 };
 
-/// What the engine says to the guard, a byte each, and the guard to the engine.
-enum class GuardMessage : char {
-    beat = 'b',     ///< engine: the motors have power and I am alive. Guard, as its answer to any message: so am I
-    rest = 'r',     ///< engine: the motors have no power; there may be no beats now
-    stopped = 's',  ///< guard: no beat came in time, the motors are stopped
+/// What the engine says to the guard: a packet each. Of a `beat` and a `rest` only what comes before `node`; with a
+/// `node` comes a descriptor, open for writing, of the guard's own.
+struct GuardOrder {
+    enum class Kind : std::uint8_t {
+        beat,  ///< the motors have power, or shall have it, and the control loop is alive at `tm`
+        rest,  ///< the motors have no power; there may be no beats now
+        node,  ///< stop this node as well, in place of the one that had its index before
+    };
+    Kind kind = Kind::beat;
+    double tm = 0;  ///< [s] by the engine's `clock_seconds`
+    struct Node {
+        std::uint8_t index = 0;
+        Proof proof = Proof::none;
+        std::array<char, 8> text{};    ///< what makes it stop, up to a zero
+        std::array<char, 512> path{};  ///< where it is looked for when its descriptor does not work, up to a zero
+    } node{};
+
+    static constexpr std::size_t most_nodes = 4;
 };
 
-/// For how long [s] the guard waits for a beat, and the engine for its answer.
+/// What the guard says to the engine.
+struct GuardAnswer {
+    enum class Kind : std::uint8_t {
+        proved,    ///< to a beat: I can stop all nodes
+        unproved,  ///< to a beat: I can't stop the node `index`, for the reason `error`
+        stopped,   ///< no beat came in time, the motors are stopped
+    };
+    Kind kind = Kind::proved;
+    double tm = 0;  ///< the beat's
+    std::uint8_t index = 0;
+    int error = 0;  ///< `errno`
+};
+
+/// For how long [s] the guard waits for a beat, and a proof is good.
 inline constexpr double beat_timeout = 0.2;
 
+/// The words that a process was started with, where they are in its memory.
+struct ProcessWords {
+    char* begin = nullptr;  ///< null: they could not be found
+    std::size_t size = 0;
+
+    static ProcessWords of_this();
+};
+
 /// What the forked guard does, until its engine has ended: never returns. `socket` leads to the engine, the process
-/// `engine`; `lease` is kept open. Allocates nothing: the engine's other threads were not forked.
-[[noreturn]] void be_guard(int socket, int lease, pid_t engine, std::span<const StopWrite> stop_writes);
+/// `engine`, which started with `words`; `lease` is kept open. Allocates nothing: the engine's other threads were not
+/// forked.
+[[noreturn]] void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words);
 
 }  // namespace nezumi::hw

@@ -8,12 +8,15 @@
 
 namespace nezumi::hw {
 
-/// An advisory lock (`flock`) on a node of the robot, or on a folder of nodes. Processes forked from the holder hold it
-/// as well: it is free when the last of them has closed it or ended.
+/// A name that only one socket of the machine can have: the robot's, whatever becomes of its nodes. Processes forked
+/// from the holder hold it as well: it is free when the last of them has closed it or ended. A container with a network
+/// of its own counts as a machine.
 class Lease {
 public:
-    /// An error when it can't be opened, a node for writing, or names the process that holds it.
-    static Expected<Lease> take(const std::string& node);
+    /// `driver` reaches the robot by `node`, one of its nodes or a folder of them. A machine has one robot of a driver;
+    /// those under other roots than /dev and /sys are others. An error when there is no such node, or when another
+    /// program holds it, with its process.
+    static Expected<Lease> take(const std::string& driver, const std::string& node);
     /// Of a robot that is none: anybody may have one.
     static Expected<Lease> of_nothing();
     ~Lease();

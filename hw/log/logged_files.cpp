@@ -40,6 +40,7 @@ public:
             return length;
         });
     }
+    int descriptor() const override { return file_->descriptor(); }
 
 private:
     std::shared_ptr<LoggedFiles> log_;

@@ -35,6 +35,8 @@ public:
     void end();
     /// The error that ended the writing (an errno), 0 so far.
     int problem() const { return writer_.problem(); }
+    /// What is not written yet is not: `close` returns soon. From any thread.
+    void give_up() { writer_.give_up(); }
     /// The log, and where the older one of its name is.
     const ResultFile& file() const { return file_; }
     /// Writes what is still to be written, calls that have not come back as well. Returns the error, or 0. Once.

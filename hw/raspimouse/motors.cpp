@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 #include "hw/device/clock.hpp"
@@ -37,14 +38,13 @@ Expected<std::shared_ptr<Motors>> Motors::make(const DevicePath& folder, Wheels 
     for (const DevicePath& path : {power, left, right}) {
         if (auto ok = Node(path, Node::Access::write).open(); !ok) return failure("motors: " + with_advice(ok.error()));
     }
-    // Power first: without it nothing turns, whatever the others say.
-    auto guard = Guard::start(
-        power,
-        {{power.text(), encode_switch(false)}, {left.text(), encode_number(0)}, {right.text(), encode_number(0)}});
+    auto guard = Guard::start("raspimouse", power);
     if (!guard) return Unexpected(guard.error());
     std::shared_ptr<Motors> motors(
         new Motors(folder, std::move(*guard), metres_per_pulse, acceleration, standing_power));
-    if (auto ok = motors->stop_all(); !ok) return failure("motors: " + with_advice(ok.error()));
+    auto ok = motors->be_guarded();
+    if (ok) ok = motors->stop_all();
+    if (!ok) return failure("motors: " + with_advice(ok.error()));
     return motors;
 }
 
@@ -77,9 +77,33 @@ tl::expected<void, NodeError> Motors::stop_all() {
     return {};
 }
 
-bool Motors::has_guard_stopped() {
-    if (!guard_.has_stopped()) return false;
-    forget();
+// Without power nothing turns, so the guard proves most of that. The driver writes a line into the kernel's log for
+// each empty write to the motors themselves.
+tl::expected<void, NodeError> Motors::be_guarded() {
+    const std::array nodes{&power_, &left_, &right_};
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const bool is_power = i == 0;
+        auto ok = nodes[i]->open();
+        if (ok)
+            ok = guard_.take_up(*nodes[i], {.index = i,
+                                            .text = is_power ? encode_switch(false) : encode_number(0),
+                                            .proof = is_power ? Proof::empty_write : Proof::is_there});
+        if (ok) continue;
+        for (Node* node : nodes) node->close();  // their paths may lead elsewhere now
+        return ok;
+    }
+    return {};
+}
+
+void Motors::reopen(const std::string& why) {
+    health_.lost(why);
+    static_cast<void>(stop_all());  // by what is still open
+    for (Node* node : {&power_, &left_, &right_, &buzzer_}) node->close();
+}
+
+bool Motors::has_to_stop(double now, bool they_turn) {
+    if (!guard_.must_stop(now, they_turn)) return false;
+    static_cast<void>(stop_all());
     return true;
 }
 
@@ -87,6 +111,7 @@ bool Motors::has_guard_stopped() {
 void Motors::forget() {
     follow({});
     goal_ = {};
+    wants_power_ = false;
 }
 
 MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) {
@@ -100,7 +125,8 @@ MotorState Motors::wanted(const MotorCommand& command, bool is_new, double now) 
         goal.power = command.power;
     }
     goal_ = goal;
-    goal.power = goal.power && now - moved_at_ < standing_power_ && guard_.is_awake(now);
+    wants_power_ = goal.power && now - moved_at_ < standing_power_;
+    goal.power = wants_power_ && guard_.may_turn(now);
     return possible(goal);
 }
 
@@ -132,30 +158,26 @@ bool Motors::write(const MotorWrite& write) {
 }
 
 bool Motors::perform(const MotorState& goal) {
+    // While this thread stood still the guard may have stopped the motors, or have been stopped: then the goal is void.
+    const auto is_void = [&] { return has_to_stop(clock_seconds(), goal.power); };
     for (const MotorWrite& each : plan(state_, goal)) {
-        // The guard may have stopped the motors while this thread stood still: then what follows is void.
-        if (has_guard_stopped()) {
-            static_cast<void>(stop_all());
-            return true;
-        }
+        if (is_void()) return true;
         if (!write(each)) return false;
     }
+    is_void();
     return true;
 }
 
 double Motors::run() {
     const double now = clock_seconds();
-    has_guard_stopped();
-    if (!guard_.is_awake(now) && state_.power) static_cast<void>(stop_all());
-    if (const int losses = commanded_->driver_losses; std::exchange(driver_losses_, losses) != losses) {
-        health_.lost(
-            "the driver's nodes have gone: it was loaded anew, or unloaded. The robot stands until they are back");
-        for (Node* node : {&power_, &left_, &right_, &buzzer_}) node->close();
-    }
+    has_to_stop(now, state_.power);
+    if (guard_.trouble() && !health_.is_lost()) reopen(with_advice(*guard_.trouble()));
+    if (const int losses = commanded_->driver_losses; std::exchange(driver_losses_, losses) != losses)
+        reopen("the driver's nodes have gone: it was loaded anew, or unloaded. The robot stands until they are back");
     if (health_.is_lost()) {
         if (now < retry_at_) return retry_at_ - now;
         retry_at_ = now + retry_period;
-        if (!stop_all()) return retry_period;
+        if (!stop_all() || !be_guarded()) return retry_period;
         health_.works();
     }
     const auto [command, is_new] = newest_.take();
@@ -164,7 +186,7 @@ double Motors::run() {
         retry_at_ = clock_seconds() + retry_period;
         return retry_period;
     }
-    if (!state_.power) {
+    if (!wants_power_) {
         guard_.rest();
     } else if (is_new) {
         guard_.beat();

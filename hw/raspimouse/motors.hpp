@@ -38,7 +38,7 @@ struct MotorCommand {
 /// turns, and both are tried again every half a second.
 class Motors final : public DeviceJob {
 public:
-    /// Takes the motors' lease, starts the guard and has all motors stopped and without power. `folder` has the nodes.
+    /// Takes the robot's lease, starts the guard and has all motors stopped and without power. `folder` has the nodes.
     /// `metres_per_pulse` of the wheels' rims, `acceleration` [m/s^2] that the limits allow it, `standing_power` [s] of
     /// standstill after which the motors' power goes off, until they are to turn again. An error, with what to do, when
     /// another program drives the motors, or when motors or their power can't be written.
@@ -59,7 +59,9 @@ private:
            double standing_power);
     /// All motors stopped and without power, whatever they were: every node is written, also after one that failed.
     tl::expected<void, NodeError> stop_all();
-    bool has_guard_stopped();
+    tl::expected<void, NodeError> be_guarded();
+    void reopen(const std::string& why);
+    bool has_to_stop(double now, bool they_turn);
     MotorState wanted(const MotorCommand& command, bool is_new, double now);
     bool perform(const MotorState& goal);
     bool write(const MotorWrite& write);
@@ -81,6 +83,8 @@ private:
     double moved_at_ = 0;  // when the wheels were last meant to turn, or power was first wanted
     double retry_at_ = 0;  // while they are lost: when to try again
     bool has_power_command_ = false;
+    bool wants_power_ =
+        false;  // of the newest command: the motors get it once the guard has proved that it can stop them
 };
 
 }  // namespace nezumi::hw

@@ -13,7 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
+#include "engine/live/running_system.hpp"
 #include "tests/bench/report.hpp"
 
 using namespace nezumi;
@@ -44,8 +45,9 @@ int main() {
     const fs::path system_file = folder / "system.lua";
     std::ofstream(system_file) << "behavior 'it' { script = 'it' }\n";
     LiveOptions options;
+    options.scripts = &lua_scripts();
     options.watch = true;
-    auto live = LiveSystem::load(system_file, std::move(options)).value();
+    auto live = RunningSystem::load(system_file, std::move(options)).value();
     live->activate();
     const auto& out = *live->system().find("it")->find_out_port("out");
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/scenario/test_session.hpp"
 #include "sim/world.hpp"
 #include "tests/bench/report.hpp"
@@ -41,7 +42,9 @@ int main() {
     std::ofstream(folder / "it_test.lua") << scenario_text();
     TestSessionOptions options;
     options.installed = {NEZUMI_SOURCE_ROOT};
-    options.systems = [] { return LiveOptions{.installed = {NEZUMI_SOURCE_ROOT}, .world = sim::make_world}; };
+    options.systems = [] {
+        return LiveOptions{.scripts = &lua_scripts(), .installed = {NEZUMI_SOURCE_ROOT}, .world = sim::make_world};
+    };
     const auto plan = plan_tests({.paths = {folder / "it_test.lua"}, .seed = 124, .installed = options.installed});
     bool passed = plan.has_value();
     double fastest = 1e9;

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <string>
 
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/scenario/test_session.hpp"
 #include "sim/world.hpp"
 #include "tests/bench/report.hpp"
@@ -64,7 +65,9 @@ int main(int count, char** words) {
     options.folder = folder / "results";
     options.keep = true;
     options.installed = {NEZUMI_SOURCE_ROOT};
-    options.systems = [] { return LiveOptions{.installed = {NEZUMI_SOURCE_ROOT}, .world = sim::make_world}; };
+    options.systems = [] {
+        return LiveOptions{.scripts = &lua_scripts(), .installed = {NEZUMI_SOURCE_ROOT}, .world = sim::make_world};
+    };
     const auto plan = plan_tests({.paths = {folder / "it_test.lua"}, .seed = 124, .installed = options.installed});
     const auto reporter = console_reporter([](std::string_view) {}, false);
     const auto began = std::chrono::steady_clock::now();

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/web/messages.hpp"
 #include "tests/fuzz/require.hpp"
 
@@ -20,8 +21,8 @@ void check(const web::BrowserMessage& message) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const Project project = Project::of("behaviors/systems/fuzz.lua");
-    const auto message = web::read_message({reinterpret_cast<const char*>(data), size}, project);
+    static const PartReader parts{Project::of("behaviors/systems/fuzz.lua"), &lua_scripts()};
+    const auto message = web::read_message({reinterpret_cast<const char*>(data), size}, parts);
     if (message) {
         check(*message);
     } else {

@@ -5,6 +5,7 @@
 
 #include "bindings/cli/check_files.hpp"
 #include "bindings/cli/lua_kind.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "tests/fuzz/require.hpp"
 
 using namespace nezumi;
@@ -12,6 +13,7 @@ using namespace nezumi;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const LiveOptions options = [] {
         LiveOptions made;
+        made.scripts = &lua_scripts();
         made.installed = {"."};
         return made;
     }();

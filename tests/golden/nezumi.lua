@@ -620,7 +620,7 @@ function output(name, type, doc, options) end
 ---@field interface? string the network interface, for example "wlan0"
 ---@field peers? string|string[] addresses of hosts, where the network carries no multicast
 ---@field secret? string a file that `nezumi network secret` has made: who has it may write
----@field open? boolean everybody on the interface may write, without a secret
+---@field open? boolean everybody on the interface, or every user of this computer, may write without a secret
 ---@field lockstep? boolean simulations that are connected advance together, the same each time
 ---@field hosts? string|string[] hosts that lockstep waits for before it begins, beside those that connections name
 

@@ -1,12 +1,21 @@
 # Lists a test executable's cases for ctest; Catch2's own script breaks names at a semicolon.
 # A case that computes takes two slots of the four that tests/run_tests gives ctest for each processor.
-# Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DSANITIZED=OFF|address|thread -P discover.cmake
+# Usage: cmake -DTESTS=path -DCASES=file -DPREFIX=engine/ -DFOLDER=where -DSANITIZED=OFF|address|thread -DCATCH2=version
+#              -P discover.cmake
+
+if(CATCH2 VERSION_LESS 3)
+  set(list_names --list-test-names-only)
+  set(must_run --warn NoTests)
+else()
+  set(list_names --list-tests --verbosity quiet)
+  set(must_run "")  # as it is
+endif()
 
 # Appends an add_test for each case that matches `spec`.
 function(list_cases spec properties)
-  execute_process(COMMAND ${TESTS} ${spec} --list-test-names-only OUTPUT_VARIABLE names RESULT_VARIABLE count
+  execute_process(COMMAND ${TESTS} ${spec} ${list_names} OUTPUT_VARIABLE names RESULT_VARIABLE count
                   WORKING_DIRECTORY ${FOLDER})
-  if(NOT count MATCHES "^[0-9]+$")  # Catch2 exits with the number of cases; a crash is a word
+  if(NOT count MATCHES "^[0-9]+$")  # Catch2 2 exits with the number of cases, Catch2 3 with 0; a crash is a word
     message(FATAL_ERROR "${TESTS} does not run: ${count}")
   endif()
   # CMake's lists break at semicolons, and do not break within brackets.
@@ -18,8 +27,8 @@ function(list_cases spec properties)
   string(REPLACE "]" "${close}" names "${names}")
   string(REPLACE "\n" ";" names "${names}")
   list(LENGTH names listed)
-  if(NOT listed EQUAL count AND count LESS 255)  # two cases of one name: it complains, and lists none
-    execute_process(COMMAND ${TESTS} ${spec} --list-test-names-only WORKING_DIRECTORY ${FOLDER})
+  if(CATCH2 VERSION_LESS 3 AND NOT listed EQUAL count AND count LESS 255)  # two cases of one name: it complains, and lists none
+    execute_process(COMMAND ${TESTS} ${spec} ${list_names} WORKING_DIRECTORY ${FOLDER})
     message(FATAL_ERROR "${TESTS} lists ${listed} cases, and says that it has ${count}")
   endif()
   foreach(name IN LISTS names)
@@ -30,7 +39,7 @@ function(list_cases spec properties)
     # NoTests: a name that Catch2 does not find again must fail, not pass by running nothing. ASAN_OPTIONS: a test that
     # runs away in memory must end before the machine does. LSAN_OPTIONS: what libraries keep until the process ends.
     string(APPEND script
-      "add_test([==[${PREFIX}${name}]==] [==[${TESTS}]==] [==[${found}]==] --warn NoTests)\n"
+      "add_test([==[${PREFIX}${name}]==] [==[${TESTS}]==] [==[${found}]==] ${must_run})\n"
       "set_tests_properties([==[${PREFIX}${name}]==] PROPERTIES WORKING_DIRECTORY [==[${FOLDER}]==] TIMEOUT 120 "
       "SKIP_REGULAR_EXPRESSION [==[SKIPPED: ]==] "
       "ENVIRONMENT [==[ASAN_OPTIONS=hard_rss_limit_mb=4096;LSAN_OPTIONS=suppressions=${FOLDER}/tests/unit/leaks.txt:print_suppressions=0;TSAN_OPTIONS=suppressions=${FOLDER}/tests/unit/lock_orders.txt]==] "

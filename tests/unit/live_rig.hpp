@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "engine/devices/joystick.hpp"
+#include "engine/live/running_system.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
@@ -51,12 +52,13 @@ struct LiveRig {
         for (const auto& [name, text] : behaviors) folder.write("behaviors/" + name + ".lua", text);
         file = folder.write("system.lua", system);
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.files = &files;
         options.installed = {source_root()};
         options.world = sim::make_world;
         options.components = {{"Joystick", {{"sim", make_joystick}}}};
         options.build.log = [this](const LogLine& line) { log.push_back(line); };
-        auto loaded = LiveSystem::load(file, std::move(options));
+        auto loaded = RunningSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));
         live = std::move(*loaded);
         live->activate();
@@ -80,7 +82,7 @@ struct LiveRig {
     Scratch folder;
     std::filesystem::path file;
     std::vector<LogLine> log;
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
 };
 
 }  // namespace nezumi

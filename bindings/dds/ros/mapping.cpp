@@ -38,19 +38,30 @@ public:
     void send(double offset) override {
         while (port_.is_new()) {
             const nezumi::Message<T>& taken = port_.take();
-            to_ros(taken.data, message_);
-            set_stamp(message_, taken.tm + offset, frame_);
-            write_cdr(bytes_, on_the_wire, message_);
-            static_cast<void>(writer_->write(bytes_));
+            send(taken.data, taken.tm + offset);
         }
     }
+    void send_zero(double stamp) override {
+        while (port_.is_new()) static_cast<void>(port_.take());
+        send(T{}, stamp);
+    }
+    bool moves() const override { return moves_; }
 
 private:
+    void send(const T& payload, double stamp) {
+        if constexpr (std::is_same_v<T, Velocity2D>) moves_ = payload != Velocity2D{};
+        to_ros(payload, message_);
+        set_stamp(message_, stamp, frame_);
+        write_cdr(bytes_, on_the_wire, message_);
+        static_cast<void>(writer_->write(bytes_));
+    }
+
     InPort<T>& port_;
     std::unique_ptr<dds::Writer> writer_;
     std::string frame_;
     Message message_;
     Octets bytes_;
+    bool moves_ = false;
 };
 
 template <class T, class Message>

@@ -18,8 +18,12 @@ namespace nezumi::ros {
 class Publication {
 public:
     virtual ~Publication() = default;
-    /// `offset` [s]: what ROS calls now, less what the system does.
+    /// Sends what has come. `offset` [s]: what ROS calls now, less what the system does.
     virtual void send(double offset) = 0;
+    /// Sends a zero in the place of what has come. `stamp` [s]: what ROS calls now.
+    virtual void send_zero(double stamp) = 0;
+    /// Whether the last message may move a robot: it was a velocity, and not zero.
+    virtual bool moves() const = 0;
 };
 
 /// Takes messages of a topic for an out-port of the node.

@@ -9,6 +9,7 @@
 #include "bindings/dds/ros/convert.hpp"
 #include "bindings/dds/ros/type_hash.hpp"
 #include "engine/ports/cdr.hpp"
+#include "engine/system/published.hpp"
 
 namespace nezumi::dds {
 namespace {
@@ -90,8 +91,8 @@ void RosNode::open() {
                 continue;
             }
             const std::string frame = line.said.frame.empty() ? std::string(line.mapping->frame) : line.said.frame;
-            publications_.push_back(
-                line.mapping->publish(static_cast<InPortBase&>(*line.port), std::move(writer), frame));
+            auto& port = static_cast<InPortBase&>(*line.port);
+            publications_.push_back({&port, line.mapping->publish(port, std::move(writer), frame)});
         } else {
             auto reader = transport_.read(topic);
             if (reader == nullptr) {
@@ -112,6 +113,8 @@ void RosNode::open() {
 double RosNode::offset(const Time& now) const {
     return system_.settings().real_time ? settings_.wall_clock() - now.seconds : 0;
 }
+
+double RosNode::stamp() const { return system_.now().seconds + offset(system_.now()); }
 
 void RosNode::before_tick(const ActDoor& act) {
     const double clock = settings_.clock();
@@ -137,7 +140,39 @@ void RosNode::before_tick(const ActDoor& act) {
 void RosNode::actuate(const Time& now) {
     if (state() != LifeState::active) return;
     send_clock(now);
-    for (const auto& publication : publications_) publication->send(offset(now));
+    const double clock = settings_.clock();
+    for (Given& given : publications_) {
+        if (given.port->is_new()) given.sent_at = clock;
+        if (system_.is_stopped() && commands_robots(given)) {
+            given.publication->send_zero(stamp());
+        } else {
+            given.publication->send(offset(now));
+        }
+    }
+}
+
+bool RosNode::commands_robots(const Given& given) const {
+    if (given.port->type() != type_index<Velocity2D>()) return false;
+    const auto sources = given.port->sources();
+    return sources.empty() || std::any_of(sources.begin(), sources.end(), [this](const OutPortBase* source) {
+               return nezumi::commands_robots(system_, *source);
+           });
+}
+
+// A robot of ROS may go on for ever with the last velocity that it got.
+void RosNode::between_ticks() {
+    ++turns_;
+    const double clock = settings_.clock();
+    for (const Given& given : publications_) {
+        if (given.publication->moves() && clock - given.sent_at > silence) given.publication->send_zero(stamp());
+    }
+}
+
+Expected<void> RosNode::on_deactivated() {
+    for (const Given& given : publications_) {
+        if (given.publication->moves()) given.publication->send_zero(stamp());
+    }
+    return {};
 }
 
 void RosNode::send_clock(const Time& now) {

@@ -29,7 +29,7 @@ public:
                                   RosNodeSettings settings);
 
     /// As of `Network`: between two ticks, again and again only while time stands.
-    void between_ticks() { ++turns_; }
+    void between_ticks();
     /// Once before each tick: has what came since the last one written, as acts of ROS; nothing while this is not
     /// ACTIVE.
     void before_tick(const ActDoor& act);
@@ -37,6 +37,9 @@ public:
     /// What comes is there before the tick.
     void sense(const Time& /*now*/) override {}
     void actuate(const Time& now) override;
+
+protected:
+    Expected<void> on_deactivated() override;
 
 private:
     struct Line {
@@ -48,7 +51,10 @@ private:
     RosNode(const System& system, const RosSpec& spec, DdsTransport& transport, RosNodeSettings settings);
     Expected<void> make_port(System& system, const RosTopic& topic, bool publishes);
     void open();
+    struct Given;
+    bool commands_robots(const Given& given) const;
     double offset(const Time& now) const;
+    double stamp() const;
     void send_clock(const Time& now);
 
     const System& system_;
@@ -58,7 +64,12 @@ private:
     bool opened_ = false;
     int turns_ = 0;           // between this tick and the last one
     double received_at_ = 0;  // [s] by the clock
-    std::vector<std::unique_ptr<ros::Publication>> publications_;
+    struct Given {
+        const InPortBase* port;
+        std::unique_ptr<ros::Publication> publication;
+        double sent_at = 0;  // [s] by the clock
+    };
+    std::vector<Given> publications_;
     struct Taken {
         const Port* port;
         std::unique_ptr<ros::Subscription> subscription;

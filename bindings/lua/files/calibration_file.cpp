@@ -45,7 +45,7 @@ void read_cameras(Fields cameras, Calibration& out) {
                     value = static_cast<std::uint16_t>(pixels);
             } else {
                 camera.require(field.name, "a number");
-                camera.number(field.name, value, is_focal ? NumberRange::positive : NumberRange::any);
+                camera.number(field.name, value, {.range = is_focal ? NumberRange::positive : NumberRange::any});
             }
         });
         camera.done();

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "bindings/lua/project/project.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 #include "engine/world/calibration.hpp"
 

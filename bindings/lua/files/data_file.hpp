@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "bindings/lua/files/file_source.hpp"
-#include "bindings/lua/project/project.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi {
 

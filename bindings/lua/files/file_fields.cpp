@@ -14,31 +14,16 @@ const FileTable& empty_table() {
     return table;
 }
 
-std::string_view words_for(NumberRange range) {
-    switch (range) {
-        case NumberRange::any: return "a number";
-        case NumberRange::not_negative: return "a number from 0 on";
-        case NumberRange::positive: return "a positive number";
-    }
-    return "a number";
-}
-
-// Why the value is no number of this range, or "".
-std::string read_number(const FileValue& value, NumberRange range, double most, double& out) {
+// Why the value is no number of this field, or "".
+std::string read_number(const FileValue& value, const Rule& rule, std::string_view unit, double& out) {
     if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
         out = static_cast<double>(*whole);
     } else if (const auto* number = std::get_if<double>(&value.data)) {
         out = *number;
     } else {
-        return fmt::format("expected {}, got {}", words_for(range), kind_of(value));
+        return fmt::format("expected {}, got {}", words_for(rule.range), kind_of(value));
     }
-    if (!std::isfinite(out))
-        return fmt::format("expected a finite number, got {}", std::isnan(out) ? "nan" : fmt::format("{}", out));
-    if ((range == NumberRange::positive && out <= 0) || (range == NumberRange::not_negative && out < 0)) {
-        return fmt::format("expected {}, got {}", words_for(range), out);
-    }
-    if (std::abs(out) > most) return fmt::format("expected a number up to {}, got {}", most, out);
-    return "";
+    return check_number(out, rule, unit);
 }
 
 }  // namespace
@@ -109,11 +94,11 @@ bool Fields::boolean(std::string_view name, bool& out) {
     return false;
 }
 
-bool Fields::number(std::string_view name, double& out, NumberRange range, double most) {
+bool Fields::number(std::string_view name, double& out, const Rule& rule, std::string_view unit) {
     const FileValue* value = field(name);
     if (value == nullptr) return false;
     double number = 0;
-    const std::string problem = read_number(*value, range, most, number);
+    const std::string problem = read_number(*value, rule, unit, number);
     if (problem.empty()) {
         out = number;
         return true;
@@ -176,7 +161,7 @@ bool Fields::coordinates(std::string_view name, std::vector<double>& out, std::s
         if (axis == nullptr) break;
         path.back() = by_name ? std::string(axes[i]) : fmt::format("[{}]", i + 1);
         double number = 0;
-        if (const std::string problem = read_number(*axis, range, Rule{}.most, number); !problem.empty()) {
+        if (const std::string problem = read_number(*axis, {.range = range}, "", number); !problem.empty()) {
             check_.wrong(path, problem);
             return false;
         }
@@ -270,19 +255,11 @@ bool Fields::pose(std::string_view name, Pose2D& out) {
     return has(name);
 }
 
-void Fields::check_least(std::string_view name, const Rule& rule, std::string_view unit,
-                         std::span<const double> numbers) {
-    if (rule.least <= 0) return;
-    for (const double number : numbers) {
-        if (number >= rule.least || (number == 0 && rule.range == NumberRange::not_negative)) continue;
-        if (numbers.size() > 1) {
-            check_.wrong(path_of(name), fmt::format("expected lengths of at least {} {}", rule.least, unit));
-        } else {
-            check_.wrong(path_of(name), fmt::format("expected at least {} {}{}, got {}", rule.least, unit,
-                                                    rule.range == NumberRange::not_negative ? ", or 0" : "", number));
-        }
-        return;
-    }
+void Fields::check_lengths(std::string_view name, const Rule& rule, std::string_view unit,
+                           std::span<const double> lengths) {
+    if (std::all_of(lengths.begin(), lengths.end(), [&](double each) { return each >= rule.least; })) return;
+    if (rule.least > 0)
+        check_.wrong(path_of(name), fmt::format("expected lengths of at least {} {}", rule.least, unit));
 }
 
 Fields Fields::inner(std::string_view name) {

@@ -79,7 +79,7 @@ public:
     /// Whether there is one, without asking for it: it may still be unknown.
     bool gives(std::string_view name) const { return table_->find(name) != nullptr; }
     bool boolean(std::string_view name, bool& out);
-    bool number(std::string_view name, double& out, NumberRange range = NumberRange::any, double most = Rule{}.most);
+    bool number(std::string_view name, double& out, const Rule& rule = {}, std::string_view unit = "");
     bool whole(std::string_view name, std::int64_t& out, std::int64_t min, std::int64_t max);
     bool text(std::string_view name, std::string& out);
     /// `{ x, y }` or `{ x =, y = }`.
@@ -94,9 +94,8 @@ public:
     bool values(std::string_view name, ParameterValues& out);
     /// `{ x =, y =, heading = }`.
     bool pose(std::string_view name, Pose2D& out);
-    /// A number, or each coordinate of a place, that is not too small for physics: 0, where the range allows it, is
-    /// not.
-    void check_least(std::string_view name, const Rule& rule, std::string_view unit, std::span<const double> numbers);
+    /// The coordinates of a place that are lengths, none too small for physics.
+    void check_lengths(std::string_view name, const Rule& rule, std::string_view unit, std::span<const double> lengths);
     /// The fields of a table within; those of an empty one when there is none.
     Fields inner(std::string_view name);
     /// Every field, by its name in ascending order, when the names are the person's own.

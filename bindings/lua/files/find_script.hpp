@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "bindings/lua/project/project.hpp"
 #include "engine/base/error.hpp"
+#include "engine/project/project.hpp"
 
 namespace nezumi {
 

@@ -32,7 +32,7 @@ void read_setting(Fields& fields, std::string_view name, std::string_view unit, 
             out = word == 1;
         }
     } else if constexpr (std::is_same_v<T, double>) {
-        if (fields.number(name, out, rule.range, rule.most)) fields.check_least(name, rule, unit, {&out, 1});
+        fields.number(name, out, rule, unit);
     } else if constexpr (std::is_integral_v<T>) {
         std::int64_t whole = 0;
         if (fields.whole(name, whole, rule.min, rule.max)) out = static_cast<T>(whole);
@@ -45,10 +45,10 @@ void read_setting(Fields& fields, std::string_view name, std::string_view unit, 
         if (const std::string problem = rule.adopt(out); !problem.empty())
             fields.check().wrong(fields.path_of(name), problem);
     } else if constexpr (std::is_same_v<T, Point2D>) {
-        if (fields.point(name, out, rule.range)) fields.check_least(name, rule, unit, {{out.x, out.y}});
+        if (fields.point(name, out, rule.range)) fields.check_lengths(name, rule, unit, {{out.x, out.y}});
     } else if constexpr (std::is_same_v<T, Point3D>) {
         if (fields.point(name, out, rule.range, rule.level))
-            fields.check_least(name, rule, unit, {{out.x, out.y, out.z}});
+            fields.check_lengths(name, rule, unit, {{out.x, out.y, out.z}});
     } else if constexpr (std::is_same_v<T, Pose2D>) {
         fields.pose(name, out);
     } else if constexpr (std::is_enum_v<T>) {

@@ -17,15 +17,6 @@ std::string class_of(std::string_view record) {
 
 namespace detail {
 
-std::string words_for(NumberRange range) {
-    switch (range) {
-        case NumberRange::any: return "a number";
-        case NumberRange::not_negative: return "a number from 0 on";
-        case NumberRange::positive: return "a positive number";
-    }
-    return "a number";
-}
-
 std::string list_of(std::span<const std::string_view> names, bool quoted, std::string_view separator) {
     std::string text;
     for (const std::string_view name : names) {

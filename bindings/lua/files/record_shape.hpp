@@ -58,7 +58,6 @@ struct IsVector<std::vector<T>> : std::true_type {};
 
 using Sets = std::map<std::string, ParameterValues, std::less<>>;
 
-std::string words_for(NumberRange range);
 std::string list_of(std::span<const std::string_view> names, bool quoted, std::string_view separator);
 
 /// What belongs into a field that a `T` holds, in words: "a positive number", "{ x, y, z }", "one of box, cylinder".
@@ -67,7 +66,7 @@ std::string values_of(const Rule& rule) {
     if constexpr (std::is_same_v<T, bool>) {
         return rule.words[0].empty() ? "true or false" : list_of(rule.words, true, " or ");
     } else if constexpr (std::is_same_v<T, double>) {
-        return words_for(rule.range);
+        return std::string(words_for(rule.range));
     } else if constexpr (std::is_integral_v<T>) {
         return fmt::format("a whole number from {} to {}", rule.min, rule.max);
     } else if constexpr (std::is_same_v<T, std::string>) {

@@ -9,7 +9,7 @@
 
 #include "bindings/lua/files/file_fields.hpp"
 #include "bindings/lua/files/file_value.hpp"
-#include "bindings/lua/project/project.hpp"
+#include "engine/project/project.hpp"
 #include "engine/world/robot_spec.hpp"
 
 namespace nezumi {

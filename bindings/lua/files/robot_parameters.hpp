@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bindings/lua/files/file_value.hpp"
-#include "bindings/lua/project/project.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {

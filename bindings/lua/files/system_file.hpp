@@ -1,24 +1,16 @@
 // Reads system files: what there is and how it is wired, as data.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/project/project.hpp"
+#include "engine/live/script_host.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
-
-struct SystemFileOptions {
-    std::uint64_t seed = 0;                       ///< of `math.random` in the file
-    double seconds = 2.0;                         ///< of CPU time that the file may take
-    std::function<void(std::string_view)> print;  ///< takes what `print` was given, a line at a time; may be empty
-    bool is_part = false;  ///< the robots that components are on, and the tick, may be in the rest of the system
-};
 
 /// Reads a system file and every file that it names, except scripts, which are only found. Errors say file and line.
 /// What needs the components themselves (ports, parameters, overlaps) is left to `build_system`.

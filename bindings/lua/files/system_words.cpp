@@ -13,6 +13,7 @@
 #include "engine/base/schedule.hpp"
 #include "engine/components/component.hpp"
 #include "engine/system/system_fields.hpp"
+#include "engine/world/arena_fields.hpp"
 
 namespace nezumi {
 namespace {
@@ -278,6 +279,7 @@ Expected<void> SystemWords::finish(bool is_part) const {
         return failure(fmt::format("{0}: is not in the arena: write arena {{ {0} ... }}", thing.call.word),
                        thing.call.place);
     }
+    if (auto ok = check_arena(spec_.arena); !ok) return ok;  // what maps brought
     if (is_part) return {};
     if (auto ok = check_rates(); !ok) return ok;
     if (auto ok = check_lines(); !ok) return ok;

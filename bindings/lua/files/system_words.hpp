@@ -16,7 +16,7 @@
 #include "bindings/lua/files/file_source.hpp"
 #include "bindings/lua/files/file_value.hpp"
 #include "bindings/lua/files/robot_file.hpp"
-#include "bindings/lua/project/project.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {

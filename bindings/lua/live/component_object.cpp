@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "bindings/lua/live/command_arguments.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/call.hpp"
-#include "bindings/lua/script/script_component.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/system/perform.hpp"
 
 namespace nezumi {
@@ -22,12 +21,6 @@ const MemberName* find_member(const Component& component, std::string_view name)
     const auto all = member_names();
     const auto found = std::find_if(all.begin(), all.end(), [&](const MemberName& each) { return each.name == name; });
     return found == all.end() || (found->robot && !is_robot(component)) ? nullptr : &*found;
-}
-
-const std::vector<CommandDeclaration>& commands_of(const Component& component) {
-    static const std::vector<CommandDeclaration> none;
-    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
-    return script != nullptr ? script->commands() : none;
 }
 
 std::string status_of(const Component& component) { return std::string(to_text(component.state())); }
@@ -119,19 +112,14 @@ int command(lua_State* L) {
     });
 }
 
-// What a script shows as plain data; other components show an empty table.
+// "state", "tasks" or "probes".
 Expected<PlainSnapshot> data_of(const ComponentAt& at, std::string_view member, const PlainLimit& limit) {
-    PlainSnapshot snapshot;
-    if (const auto* script = dynamic_cast<const ScriptComponent*>(at.component)) {
-        if (member == "state") return script->state_snapshot(limit);
-        snapshot.data =
-            member == "tasks" ? script->describe_tasks() : script->describe_probes(at.live->system().now().seconds);
-    } else {
-        snapshot.data.values.emplace_back(PlainData::TableRef{0});
-        snapshot.data.tables.emplace_back();
-    }
-    snapshot.whole = snapshot.data.tables.size();
-    return snapshot;
+    const Component& component = *at.component;
+    if (member == "state") return component.state_snapshot(limit);
+    PlainData data =
+        member == "tasks" ? describe(component.tasks()) : describe(component.probes(), at.live->system().now().seconds);
+    const std::size_t whole = data.tables.size();
+    return PlainSnapshot{std::move(data), whole};
 }
 
 Expected<Answer> member_of(const ObjectRef& ref, const ComponentAt& at, std::string_view member) {
@@ -169,7 +157,7 @@ Expected<Answer> member_of(const ObjectRef& ref, const ComponentAt& at, std::str
         return Answer{describe(component.last_error())};
     }
     std::vector<std::string> names;  // commands
-    for (const CommandDeclaration& each : commands_of(component)) names.push_back(each.name);
+    for (const CommandDeclaration& each : component.commands()) names.push_back(each.name);
     return Answer{std::move(names)};
 }
 
@@ -203,7 +191,7 @@ Expected<Answer> member(const ObjectRef& ref, const ComponentAt& at, std::string
     if (own != nullptr && !own->yields) return own_member();
     if (component.find_port(name) != nullptr)
         return Answer{ObjectName{ObjectKind::port, at.live, component.name(), std::string(name)}};
-    for (const CommandDeclaration& each : commands_of(component)) {
+    for (const CommandDeclaration& each : component.commands()) {
         if (each.name == name) return Answer{MethodName{command, each.name}};
     }
     if (own != nullptr) return own_member();
@@ -280,7 +268,7 @@ std::vector<std::string> Objects::members(const Component& component) {
     }
     for (const auto& port : component.in_ports()) all.push_back(port->name());
     for (const auto& port : component.out_ports()) all.push_back(port->name());
-    for (const CommandDeclaration& each : commands_of(component)) all.push_back(each.name);
+    for (const CommandDeclaration& each : component.commands()) all.push_back(each.name);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
@@ -291,13 +279,13 @@ std::vector<std::string> Objects::methods(const Component& component) {
     for (const MemberName& each : member_names()) {
         if (each.called && (!each.robot || is_robot(component))) all.emplace_back(each.name);
     }
-    for (const CommandDeclaration& each : commands_of(component)) all.push_back(each.name);
+    for (const CommandDeclaration& each : component.commands()) all.push_back(each.name);
     std::sort(all.begin(), all.end());
     return all;
 }
 
 Expected<ComponentAt> find_component(const ObjectRef& ref) {
-    LiveSystem* live = ref.live();
+    RunningSystem* live = ref.live();
     if (live == nullptr) return failure(fmt::format("the world of '{}' is not built", ref.component()));
     auto found = live->system().component(ref.component());
     if (!found) return Unexpected(found.error());
@@ -311,7 +299,7 @@ Expected<ComponentAt> Objects::to_component(lua_State* L, int index) const {
         if (to_object(L, index, ObjectKind::port) != nullptr) got = "a port";
         return failure("expected a component or its name, got " + got);
     }
-    LiveSystem& live = core_->current();
+    RunningSystem& live = core_->current();
     auto found = live.system().component(text_at(L, index));
     if (!found) return Unexpected(found.error());
     return ComponentAt{&live, *found};

@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/objects.hpp"
-#include "bindings/lua/script/script_component.hpp"
 #include "bindings/lua/stubs/message_shape.hpp"
 #include "bindings/lua/values/member_names.hpp"
 #include "engine/base/names.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/robot/robot.hpp"
 #include "engine/trace/channel.hpp"
 
@@ -57,8 +56,7 @@ std::string port_help(const Component& component, const Port& port) {
 
 std::string component_help(const Component& component) {
     std::string text = fmt::format("{}  {}", component.name(), component_title(component));
-    const auto* script = dynamic_cast<const ScriptComponent*>(&component);
-    if (script != nullptr) text += indented(script->script().doc());
+    text += indented(component.about().description);
     text += about_text(component);
     const auto add_port = [&](const Port& port) {
         text += fmt::format("\n  {:3} {}  {}{}", port.direction() == Direction::in ? "in" : "out", port.name(),
@@ -67,10 +65,8 @@ std::string component_help(const Component& component) {
     for (const auto& port : component.in_ports()) add_port(*port);
     for (const auto& port : component.out_ports()) add_port(*port);
     for (const auto& parameter : component.parameters().all()) text += "\n  config." + parameter_text(parameter);
-    if (script != nullptr) {
-        for (const CommandDeclaration& command : script->commands())
-            text += fmt::format("\n  :{}(...){}", command.name, behind(first_line(command.doc)));
-    }
+    for (const CommandDeclaration& command : component.commands())
+        text += fmt::format("\n  :{}(...){}", command.name, behind(first_line(command.doc)));
     return text + fmt::format("\n  help \"{0}.status\" explains a member; they are {1}", component.name(),
                               fmt::join(Objects::members(component), ", "));
 }
@@ -106,11 +102,9 @@ Expected<std::string> named_help(const Component& component, std::string_view na
         all.begin(), all.end(), [&](const MemberName& each) { return each.name == name && (!each.robot || is_robot); });
     if (own != all.end() && !own->yields) return member_help(component, *own);
     if (const Port* port = component.find_port(name)) return port_help(component, *port);
-    if (const auto* script = dynamic_cast<const ScriptComponent*>(&component)) {
-        for (const CommandDeclaration& command : script->commands()) {
-            if (command.name == name)
-                return fmt::format("{}:{}(...){}", component.name(), command.name, behind(command.doc));
-        }
+    for (const CommandDeclaration& command : component.commands()) {
+        if (command.name == name)
+            return fmt::format("{}:{}(...){}", component.name(), command.name, behind(command.doc));
     }
     if (own != all.end()) return member_help(component, *own);
     return Unexpected(unknown(component, "", name, Objects::members(component)));

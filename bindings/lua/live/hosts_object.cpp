@@ -76,7 +76,7 @@ int host_tostring(lua_State* L) {
 
 int hosts_index(lua_State* L) {
     return look(L, objects_of(L), [&]() -> Expected<Answer> {
-        LiveSystem* live = to_object(L, 1)->live();
+        RunningSystem* live = to_object(L, 1)->live();
         if (lua_type(L, 2) != LUA_TSTRING) return failure("hosts have names");
         const auto host = find_host(live->system(), text_at(L, 2));
         if (!host) return Unexpected(host.error());
@@ -120,7 +120,7 @@ const ObjectFunctions& host_functions() {
     return functions;
 }
 
-void push_hosts(lua_State* L, Objects& objects, LiveSystem& live) {
+void push_hosts(lua_State* L, Objects& objects, RunningSystem& live) {
     push_object(L, objects, ObjectKind::hosts, live, "", "");
 }
 

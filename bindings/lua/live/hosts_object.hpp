@@ -36,7 +36,7 @@ std::vector<std::string> component_names(const Host& host);
 std::vector<OfferedPort> ports_of(const System& system, std::string_view path);
 
 /// Pushes `hosts`. May raise a Lua error.
-void push_hosts(lua_State* L, Objects& objects, LiveSystem& live);
+void push_hosts(lua_State* L, Objects& objects, RunningSystem& live);
 
 // What could stand behind a dot, or a colon where it is `called`. Sorted by who asks.
 

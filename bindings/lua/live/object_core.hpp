@@ -36,13 +36,13 @@ inline constexpr std::size_t object_kinds = 10;
 /// in the same block.
 struct ObjectRef {
     Objects* objects;
-    LiveSystem* built;         // null: the system is made later, and stands then in
-    LiveSystem* const* place;  // this place
+    RunningSystem* built;         // null: the system is made later, and stands then in
+    RunningSystem* const* place;  // this place
     std::uint32_t component_length;
     std::uint32_t port_length;
     ObjectKind kind;
 
-    LiveSystem* live() const { return built != nullptr ? built : *place; }
+    RunningSystem* live() const { return built != nullptr ? built : *place; }
     std::string_view component() const { return {reinterpret_cast<const char*>(this + 1), component_length}; }
     std::string_view port() const { return {reinterpret_cast<const char*>(this + 1) + component_length, port_length}; }
 };
@@ -50,7 +50,7 @@ struct ObjectRef {
 /// An object that is to be pushed.
 struct ObjectName {
     ObjectKind kind;
-    LiveSystem* live;
+    RunningSystem* live;
     std::string component;
     std::string port;
 };
@@ -73,7 +73,7 @@ enum class Tables : bool { own, locked };
 /// without harm.
 struct Objects::Core {
     LuaState* state = nullptr;
-    std::function<LiveSystem&()> current;
+    std::function<RunningSystem&()> current;
     Actor who;
     Answer answer;
 };
@@ -118,7 +118,7 @@ ObjectRef* to_object(lua_State* L, int index, ObjectKind kind);
 
 /// Pushes an object, which has these names. May raise a Lua error.
 void push_object(lua_State* L, ObjectRef ref, std::string_view component, std::string_view port);
-void push_object(lua_State* L, Objects& objects, ObjectKind kind, LiveSystem& live, std::string_view component,
+void push_object(lua_State* L, Objects& objects, ObjectKind kind, RunningSystem& live, std::string_view component,
                  std::string_view port);
 
 /// Pushes a closure whose first upvalue are the objects and whose second is a name. May raise a Lua error.

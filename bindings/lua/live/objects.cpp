@@ -109,7 +109,7 @@ constexpr bool is_flat() {
 Objects::Objects() : core_(std::make_unique<Core>()) {}
 Objects::~Objects() = default;
 
-Expected<std::unique_ptr<Objects>> Objects::open(LuaState& state, std::function<LiveSystem&()> current, Actor who) {
+Expected<std::unique_ptr<Objects>> Objects::open(LuaState& state, std::function<RunningSystem&()> current, Actor who) {
     std::unique_ptr<Objects> objects(new Objects);
     objects->core_->state = &state;
     objects->core_->current = std::move(current);
@@ -123,17 +123,19 @@ Expected<std::unique_ptr<Objects>> Objects::open(LuaState& state, std::function<
     return objects;
 }
 
-void Objects::push_system(lua_State* L, LiveSystem& live) { push_object(L, *this, ObjectKind::system, live, "", ""); }
+void Objects::push_system(lua_State* L, RunningSystem& live) {
+    push_object(L, *this, ObjectKind::system, live, "", "");
+}
 
-void Objects::push_component(lua_State* L, LiveSystem& live, std::string_view name) {
+void Objects::push_component(lua_State* L, RunningSystem& live, std::string_view name) {
     push_object(L, *this, ObjectKind::component, live, name, "");
 }
 
-void Objects::push_component(lua_State* L, LiveSystem* const& place, std::string_view name) {
+void Objects::push_component(lua_State* L, RunningSystem* const& place, std::string_view name) {
     push_object(L, {this, nullptr, &place, 0, 0, ObjectKind::component}, name, "");
 }
 
-void Objects::push_port(lua_State* L, LiveSystem& live, std::string_view component, std::string_view port) {
+void Objects::push_port(lua_State* L, RunningSystem& live, std::string_view component, std::string_view port) {
     push_object(L, *this, ObjectKind::port, live, component, port);
 }
 
@@ -162,7 +164,7 @@ void push_object(lua_State* L, ObjectRef ref, std::string_view component, std::s
     lua_setmetatable(L, -2);
 }
 
-void push_object(lua_State* L, Objects& objects, ObjectKind kind, LiveSystem& live, std::string_view component,
+void push_object(lua_State* L, Objects& objects, ObjectKind kind, RunningSystem& live, std::string_view component,
                  std::string_view port) {
     push_object(L, {&objects, &live, nullptr, 0, 0, kind}, component, port);
 }

@@ -14,21 +14,21 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/live/live_system.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "engine/base/error.hpp"
+#include "engine/live/running_system.hpp"
 
 namespace nezumi {
 
 /// A component, and the system it is in.
 struct ComponentAt {
-    LiveSystem* live;
+    RunningSystem* live;
     const Component* component;
 };
 
 /// A port, whose it is, and the system it is in.
 struct PortAt {
-    LiveSystem* live;
+    RunningSystem* live;
     const Component* component;
     const Port* port;
 
@@ -40,7 +40,7 @@ public:
     /// Opens the objects in a state that has the sandbox's library. `current` is the system in which texts as
     /// "name.port" are looked up; what is done to a system is an act of `who`. The objects must outlive the state's
     /// use, and every system given to them must outlive the state.
-    static Expected<std::unique_ptr<Objects>> open(LuaState& state, std::function<LiveSystem&()> current, Actor who);
+    static Expected<std::unique_ptr<Objects>> open(LuaState& state, std::function<RunningSystem&()> current, Actor who);
     ~Objects();
     Objects(const Objects&) = delete;
     Objects& operator=(const Objects&) = delete;
@@ -61,11 +61,11 @@ public:
     // within a protected call. The names are not looked up yet.
 
     /// All of a system by name: `world.controller`.
-    void push_system(lua_State* L, LiveSystem& live);
-    void push_component(lua_State* L, LiveSystem& live, std::string_view name);
+    void push_system(lua_State* L, RunningSystem& live);
+    void push_component(lua_State* L, RunningSystem& live, std::string_view name);
     /// The same of a system that is perhaps not made yet: `place` is null until then, and stays where it is.
-    void push_component(lua_State* L, LiveSystem* const& place, std::string_view name);
-    void push_port(lua_State* L, LiveSystem& live, std::string_view component, std::string_view port);
+    void push_component(lua_State* L, RunningSystem* const& place, std::string_view name);
+    void push_port(lua_State* L, RunningSystem& live, std::string_view component, std::string_view port);
 
     // These read a value of Lua and raise nothing.
 
@@ -74,7 +74,7 @@ public:
     /// A component object, or its name as a text.
     Expected<ComponentAt> to_component(lua_State* L, int index) const;
     /// A system object; null for anything else.
-    static LiveSystem* to_system(lua_State* L, int index);
+    static RunningSystem* to_system(lua_State* L, int index);
     /// Does what a method of ports is called ("inject", "hold", "release") to the port at `index`, with the arguments
     /// that follow it, in visits of its own. Raises nothing.
     Expected<void> act_on_port(lua_State* L, int index, std::string_view method) const;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/live/robot_acts.hpp"
 #include "bindings/lua/sandbox/ordered.hpp"
 #include "bindings/lua/sandbox/text.hpp"
 #include "bindings/lua/values/codec.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/system/perform.hpp"
 #include "engine/trace/channel.hpp"
 
@@ -165,7 +165,7 @@ std::vector<std::string> component_names(const System& system) {
 
 int system_index(lua_State* L) {
     return look(L, objects_of(L), [&]() -> Expected<Answer> {
-        LiveSystem* live = to_object(L, 1)->live();
+        RunningSystem* live = to_object(L, 1)->live();
         const auto name = key_of(L, "system");
         if (!name) return Unexpected(name.error());
         const auto component = live->system().component(*name);
@@ -252,7 +252,7 @@ const ObjectFunctions& system_functions() {
 
 std::vector<std::string> Objects::truth_members() { return {std::begin(truth_names), std::end(truth_names)}; }
 
-LiveSystem* Objects::to_system(lua_State* L, int index) {
+RunningSystem* Objects::to_system(lua_State* L, int index) {
     const ObjectRef* ref = to_object(L, index, ObjectKind::system);
     return ref != nullptr ? ref->live() : nullptr;
 }

@@ -5,11 +5,12 @@
 #include <limits>
 
 #include "bindings/lua/files/read_options.hpp"
-#include "bindings/lua/live/live_text.hpp"
 #include "bindings/lua/live/object_core.hpp"
 #include "bindings/lua/values/codec.hpp"
 #include "bindings/lua/values/member_names.hpp"
+#include "engine/live/live_text.hpp"
 #include "engine/system/act_fields.hpp"
+#include "engine/system/perform_on_spec.hpp"
 
 namespace nezumi {
 namespace {
@@ -29,8 +30,8 @@ Answer property(const PortAt& at, std::string_view name) {
     if (name == "age") return port_age(system, port);
     if (name == "stale") return is_stale(system, port);
     if (name == "type") return std::string(port.type_name());
-    if (name == "peers") return peers_of(*at.live, *at.component, port);
-    if (name == "connected") return !peers_of(*at.live, *at.component, port).empty();
+    if (name == "peers") return peers_of(at.live->system(), at.live->spec(), *at.component, port);
+    if (name == "connected") return !peers_of(at.live->system(), at.live->spec(), *at.component, port).empty();
     if (name == "name") return port.name();
     if (name == "path") return at.path();
     if (name == "direction") return std::string(port.direction() == Direction::in ? "in" : "out");
@@ -48,7 +49,7 @@ Answer property(const PortAt& at, std::string_view name) {
 
 // What is to be known of a port before a value for it is read.
 struct PortToRead {
-    LiveSystem* live;
+    RunningSystem* live;
     std::string path;
     std::string title;  // "input 'in' (TimedShortSeq)"
     std::size_t type;
@@ -224,7 +225,7 @@ Expected<PortAt> Objects::to_port(lua_State* L, int index) const {
         return failure(fmt::format("expected a port or \"name.port\", got {}",
                                    ref != nullptr ? told(*ref) : std::string(Arguments{L}.kind(index))));
     }
-    LiveSystem& live = core_->current();
+    RunningSystem& live = core_->current();
     const std::string_view path = text_at(L, index);
     const auto port = live.system().port(path);
     if (!port) return Unexpected(port.error());

@@ -32,7 +32,7 @@ Expected<PlainData> ask(const Objects& objects, const ObjectRef& ref, What what,
     std::optional<Expected<PlainData>> got;
     int start = 0;
     const auto turn = [&]() -> Expected<Answer> {
-        const LiveSystem& live = *ref.live();
+        const RunningSystem& live = *ref.live();
         const Network* network = live.system().network();
         if (network == nullptr) return Unexpected(find_host(live.system(), question.host).error());
         if (number && start != live.starts()) return failure("the system began anew meanwhile");

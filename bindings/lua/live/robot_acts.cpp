@@ -104,7 +104,7 @@ std::vector<std::string> thing_names(const System& system) {
     return names;
 }
 
-Expected<TeleportOf> read_teleport(const Objects& objects, LiveSystem& current, lua_State* L, int thing, int pose) {
+Expected<TeleportOf> read_teleport(const Objects& objects, RunningSystem& current, lua_State* L, int thing, int pose) {
     const auto robot = objects.to_component(L, thing);
     if (robot) {
         const auto place = read_pose(L, pose);

@@ -31,9 +31,9 @@ std::vector<std::string> thing_names(const System& system);
 /// }` [m, rad], a thing to `{ x =, y =, heading = }`, and what is left out stays as it is. The error names the nearest
 /// robot, marker or field. Raises no Lua error.
 struct TeleportOf {
-    LiveSystem* live;
+    RunningSystem* live;
     Act act;
 };
-Expected<TeleportOf> read_teleport(const Objects& objects, LiveSystem& current, lua_State* L, int thing, int pose);
+Expected<TeleportOf> read_teleport(const Objects& objects, RunningSystem& current, lua_State* L, int thing, int pose);
 
 }  // namespace nezumi

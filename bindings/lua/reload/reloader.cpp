@@ -59,7 +59,7 @@ std::vector<ScriptFile> Reloader::loaded_files() const {
     return all;
 }
 
-Expected<ReloadReport> Reloader::reload_files(const std::vector<std::string>& paths) {
+Expected<ActResult> Reloader::reload_files(const std::vector<std::string>& paths) {
     auto changes = changes_of(paths);
     if (!changes) return Unexpected(changes.error());
     return run(*changes);
@@ -87,27 +87,27 @@ Expected<std::vector<Reloader::Change>> Reloader::changes_of(const std::vector<s
     return changes;
 }
 
-Expected<std::vector<Reloader::Rehearsal>> Reloader::rehearsal(const std::vector<std::string>& paths) const {
+Expected<Reloads::Rehearsal> Reloader::rehearsal(const std::vector<std::string>& paths) const {
     auto changes = changes_of(paths);
     if (!changes) return Unexpected(changes.error());
-    std::vector<Rehearsal> parts;
+    std::vector<Part> parts;
     for (auto& [component, source] : *changes) {
         auto state = component->copy_state();
         if (!state) return Unexpected(still_running(state.error(), *component));
-        Rehearsal part{.source = source,
-                       .context = component->script().context(),
-                       .parameters = component->parameters(),
-                       .state = std::move(*state),
-                       .running = component->version()};
+        Part part{.source = source,
+                  .context = component->script().context(),
+                  .parameters = component->parameters(),
+                  .state = std::move(*state),
+                  .running = component->version()};
         part.context.version = part.running + 1;
         parts.push_back(std::move(part));
     }
-    return parts;
+    return [parts = std::move(parts)] { return rehearse(parts); };
 }
 
-Expected<void> Reloader::rehearse(const std::vector<Rehearsal>& parts) {
+Expected<void> Reloader::rehearse(const std::vector<Part>& parts) {
     ChunkCache chunks;  // the system's own goes when it is started anew
-    for (const Rehearsal& part : parts) {
+    for (const Part& part : parts) {
         ScriptContext context = part.context;
         context.chunks = &chunks;
         auto script =
@@ -120,8 +120,8 @@ Expected<void> Reloader::rehearse(const std::vector<Rehearsal>& parts) {
     return {};
 }
 
-Expected<ReloadReport> Reloader::reload(ScriptComponent& component, const SourceText& source) {
-    const std::string file = normal(component.script().file().path);
+Expected<ActResult> Reloader::reload(const SourceText& source) {
+    const std::string file = normal(source.path);
     std::vector<Change> changes;
     for (ScriptComponent* other : scripts()) {
         if (normal(other->script().file().path) == file) changes.emplace_back(other, source);
@@ -129,18 +129,7 @@ Expected<ReloadReport> Reloader::reload(ScriptComponent& component, const Source
     return run(changes);
 }
 
-std::vector<std::string> Reloader::changed(const std::vector<ScriptFile>& files, const Reader& read) {
-    std::set<std::string> seen;
-    std::vector<std::string> paths;
-    for (const ScriptFile& file : files) {
-        if (!seen.insert(file.path).second) continue;
-        const auto now = read(file.path);
-        if (!now || ScriptFile(*now).hash != file.hash) paths.push_back(file.path);
-    }
-    return paths;
-}
-
-Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
+Expected<ActResult> Reloader::run(const std::vector<Change>& changes) {
     const Time& now = system_.now();
     std::vector<ScriptComponent::Version> next;
     for (const auto& [component, source] : changes) {
@@ -157,7 +146,7 @@ Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
             return Unexpected(still_running(ok.error(), *changes[i].first));
     }
 
-    ReloadReport report;
+    ActResult report;
     ++reloads_;
     for (std::size_t i = 0; i < changes.size(); ++i) {
         ScriptComponent& component = *changes[i].first;
@@ -178,7 +167,7 @@ Expected<ReloadReport> Reloader::run(const std::vector<Change>& changes) {
     return report;
 }
 
-void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ReloadReport& report) {
+void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::Version& next, ActResult& report) {
     system_.change_layout();
     for (Port* port : component.ports_going(next)) {
         const std::string path = component.name() + "." + port->name();
@@ -203,7 +192,7 @@ void Reloader::let_ports_go(ScriptComponent& component, const ScriptComponent::V
 }
 
 // A port that is there again, after a slip or a rollback, gets back what it was connected to.
-void Reloader::connect_again(ReloadReport& report) {
+void Reloader::connect_again(ActResult& report) {
     std::erase_if(lost_, [&](const System::Dropped& lost) {
         const auto source = system_.port(lost.from);
         const auto sink = system_.port(lost.to);
@@ -215,11 +204,11 @@ void Reloader::connect_again(ReloadReport& report) {
     });
 }
 
-std::vector<Reloader::Group> Reloader::groups_of(const ReloadReport& report) const {
+std::vector<Reloader::Group> Reloader::groups_of(const ActResult& report) const {
     std::vector<Group> groups;
     for (const std::string& name : report.components) {
-        const auto& component = dynamic_cast<const ScriptComponent&>(*system_.find(name));
-        const std::string& file = component.script().file().shown;
+        const Component& component = *system_.find(name);
+        const std::string& file = component.script_file()->shown;
         auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
             return known.version == component.version() && known.file == file;
         });
@@ -229,7 +218,7 @@ std::vector<Reloader::Group> Reloader::groups_of(const ReloadReport& report) con
     return groups;
 }
 
-void Reloader::finish(const ReloadReport& report, std::string_view what) {
+void Reloader::finish(const ActResult& report, std::string_view what) {
     for (const Group& group : groups_of(report)) {
         system_.log(LogLevel::info, fmt::format("{}: version {} runs in {}", what.empty() ? group.file : what,
                                                 group.version, list_of(group.components)));
@@ -237,12 +226,11 @@ void Reloader::finish(const ReloadReport& report, std::string_view what) {
     for (const std::string& note : report.notes) system_.log(LogLevel::warn, note);
 }
 
-ReloadReport Reloader::go_back(int reload, bool keep_settings) {
-    ReloadReport report;
+ActResult Reloader::go_back(int reload, bool keep_settings) {
+    ActResult report;
     for (ScriptComponent* component : scripts()) {
-        const ScriptComponent::Version* before = component->version_before();
-        if (before == nullptr || before->replaced_by != reload) continue;
-        let_ports_go(*component, *before, report);
+        if (component->last_reload() != reload) continue;
+        let_ports_go(*component, *component->version_before(), report);
         component->go_back(keep_settings);
         watch_probation(*component);
         report.components.push_back(component->name());
@@ -252,13 +240,12 @@ ReloadReport Reloader::go_back(int reload, bool keep_settings) {
     return report;
 }
 
-Expected<ReloadReport> Reloader::rollback(ScriptComponent& component) {
-    const ScriptComponent::Version* before = component.version_before();
-    if (before == nullptr) {
+Expected<ActResult> Reloader::rollback(const Component& component) {
+    if (component.last_reload() == 0) {
         return failure(fmt::format("{} has no version before this one; still running version {}", component.name(),
                                    component.version()));
     }
-    ReloadReport report = go_back(before->replaced_by, true);
+    ActResult report = go_back(component.last_reload(), true);
     finish(report, "rollback");
     for (const std::string& name : report.components) {
         Component* each = system_.find(name);
@@ -278,7 +265,7 @@ void Reloader::after_tick() {
     struct Relapsed {
         std::vector<std::string> names;  // of components that failed alike
         ScriptComponent::Relapse what;
-        ReloadReport report;
+        ActResult report;
     };
     std::vector<Relapsed> all;
     for (const std::string& name : std::vector(on_probation_)) {
@@ -289,7 +276,7 @@ void Reloader::after_tick() {
                 return each.what.reload == relapse.reload && each.what.version == relapse.version &&
                        each.what.execution == relapse.execution && each.what.error == relapse.error;
             });
-            ReloadReport report = go_back(relapse.reload, false);
+            ActResult report = go_back(relapse.reload, false);
             if (relapse.went_back) report.components.insert(report.components.begin(), name);
             if (same == all.end()) same = all.insert(all.end(), {{}, std::move(relapse), {}});
             same->names.push_back(name);
@@ -301,7 +288,7 @@ void Reloader::after_tick() {
         // Those that had gone back with another one have nothing left to go back to.
         std::vector<std::string> back;
         for (const Group& group :
-             groups_of(each.report.components.empty() ? ReloadReport{.components = each.names} : each.report))
+             groups_of(each.report.components.empty() ? ActResult{.components = each.names} : each.report))
             back.push_back(fmt::format("version {} in {}", group.version, list_of(group.components)));
         system_.log(LogLevel::error,
                     fmt::format("{}: version {} failed in execution {} of its first {}: {}; back to {}",

@@ -5,10 +5,12 @@
 
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 
 namespace nezumi {
@@ -16,6 +18,7 @@ namespace {
 
 constexpr std::size_t longest_message = 2000;  // [bytes]
 constexpr int searched_levels = 100;
+constexpr int deep_recursion = 20'000;  // calls within calls
 
 // The length of "file:line: " at the start of `message`, where `file` is shortened as Lua does it.
 std::size_t prefix_length(const char* message, const char* file, int& line) {
@@ -95,8 +98,10 @@ void find_caller(lua_State* lua, const CallRecord::ScriptPlace& error, CallRecor
     }
 }
 
-// What is known of an error on top of the stack of `lua` where it was raised.
+// What is known of an error on top of the stack of `lua`, a coroutine that has failed, whose stack is as it was then.
 void note_error(lua_State* lua, CallRecord& call) {
+    lua_Debug activation;
+    call.is_deep_recursion = lua_getstack(lua, deep_recursion, &activation) != 0;
     find_error_place(lua, call);
     find_caller(lua, call.error_place, call.error_caller);
 }
@@ -127,58 +132,86 @@ std::string describe_value(lua_State* lua, std::size_t prefix) {
     }
 }
 
-CallError error_of_memory(const LuaState& state, const CallRecord& call) {
+CallError error_of_memory(const LuaState& state, bool is_refused, const CallRecord& call) {
     std::string message = "not enough memory";
-    if (call.memory_refused) {
-        message = call.memory_refused_deep ? "stack overflow: the recursion is too deep for the script's limit of "
-                                           : "not enough memory: the script reached its limit of ";
+    if (is_refused) {
+        message = call.is_deep_recursion ? "stack overflow: the recursion is too deep for the script's limit of "
+                                         : "not enough memory: the script reached its limit of ";
         message += shown_number(static_cast<double>(state.memory_limit()) / (1 << 20)) + " MB";
     }
-    return {{message, to_place(call.memory_place)}, false};
+    return {{message, to_place(call.error_place)}, false};
 }
 
-// The message handler of every call.
-int handle_error(lua_State* lua) {
-    CallRecord& call = *current_call;
-    if (call.expired != 0) {
-        if (call.expiry_place.line == 0) find_place(lua, call.expiry_place);
-        return 1;
-    }
-    if (lua_type(lua, 1) != LUA_TSTRING && luaL_getmetafield(lua, 1, "__tostring") != LUA_TNIL) {
-        // If this fails, it is another error, which begins here.
-        const int slice_status = std::exchange(call.slice_status, LUA_OK);
-        lua_pushvalue(lua, 1);
-        lua_call(lua, 1, 1);
-        call.slice_status = slice_status;
-        if (lua_type(lua, -1) != LUA_TSTRING) lua_settop(lua, 1);
-    }
-    if (call.slice_status == LUA_OK) note_error(lua, call);
-    if (lua_type(lua, -1) == LUA_TSTRING && call.error_caller.line != 0) {
-        lua_pushfstring(lua, " (called from %s:%d)", call.error_caller.file, call.error_caller.line);
-        lua_concat(lua, 2);
-    }
+// Ends what a failed call has open. What its closers raise takes the place of the error on top of its stack.
+void close_thread(lua_State* from, lua_State* thread, CallRecord& call) {
+    if (lua_status(thread) == LUA_OK) return;  // it did not even begin
+    const void* const raised = lua_topointer(thread, -1);
+    note_closed(thread);
+    close_coroutine(thread, from);
+    if (lua_topointer(thread, -1) != raised) find_error_place(thread, call);
+}
+
+int convert_to_text(lua_State* lua) {
+    if (lua_type(lua, 1) == LUA_TNUMBER) lua_tostring(lua, 1);
+    if (luaL_getmetafield(lua, 1, "__tostring") == LUA_TNIL) return 1;
+    lua_insert(lua, 1);
+    lua_call(lua, 1, 1);
     return 1;
 }
 
-// What went wrong, from the error value that a failed lua_pcall left on top of the stack, which is popped. `status` is
-// its result; `call` is the record of the call that failed.
-CallError take_error(lua_State* lua, int status, const CallRecord& call) {
-    const LuaState& state = LuaState::of(lua);
+// Leaves the text of an error value on top of the stack, if it has one. Returns the status of the call that failed
+// last: if this fails, it is another error.
+int convert_error(lua_State* from, lua_State* thread, int status, CallRecord& call) {
+    if (status != LUA_ERRRUN || lua_type(thread, -1) == LUA_TSTRING || lua_checkstack(thread, 2) == 0) return status;
+    lua_pushvalue(thread, -1);
+    lua_pushcfunction(thread, convert_to_text);
+    lua_insert(thread, -2);
+    int results = 0;
+    const int converted = lua_resume(thread, from, 1, &results);
+    if (converted == LUA_OK) {
+        if (lua_type(thread, -1) != LUA_TSTRING) lua_pop(thread, 1);
+        return status;
+    }
+    call.slice_status = LUA_OK;
+    if (call.expired != 0) return converted;
+    note_error(thread, call);
+    close_thread(from, thread, call);
+    return converted;
+}
+
+// Calls its first argument with the others. What C calls can't yield, so that a script's pcall is left when it has
+// failed, as it is outside of coroutines, and does not wait on the stack for what it called.
+int call_first(lua_State* lua) {
+    lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+    return lua_gettop(lua);
+}
+
+// What went wrong in `thread`, which is empty again then; or it was stopped, and nothing may run in it any more.
+CallError take_error(lua_State* from, lua_State* thread, int status, bool is_memory_refused, CallRecord& call) {
+    const LuaState& state = LuaState::of(thread);
+    if (call.expired == 0) {
+        if (call.slice_status == LUA_OK) note_error(thread, call);
+        close_thread(from, thread, call);
+        status = convert_error(from, thread, status, call);
+    }
     CallError error;
     if (call.expired != 0) {
+        if (call.expiry_place.line == 0) find_place(thread, call.expiry_place);
         error = {{"ran for more than " + shown_number(call.budget_seconds) + " s: is there an endless loop?",
-                  to_place(call.expiry_place.line != 0 ? call.expiry_place : call.memory_place)},
+                  to_place(call.expiry_place)},
                  true};
     } else if (status == LUA_ERRMEM || call.slice_status == LUA_ERRMEM) {
-        error = error_of_memory(state, call);
+        error = error_of_memory(state, is_memory_refused, call);
     } else {
         // What could not be handled is not the message whose place was found.
-        const std::size_t prefix = status == LUA_ERRERR ? 0 : call.error_prefix;
-        error = {{describe_value(lua, prefix), to_place(call.error_place)}, false};
+        error = {{describe_value(thread, status == LUA_ERRERR ? 0 : call.error_prefix), to_place(call.error_place)},
+                 false};
+        if (call.error_caller.line != 0 && lua_type(thread, -1) == LUA_TSTRING)
+            error.message += fmt::format(" (called from {}:{})", call.error_caller.file, call.error_caller.line);
         error.message += state.hint(error);
     }
     if (call.seen != 0) error.used_seconds = static_cast<double>(thread_time() - call.seen) * 1e-9;
-    lua_pop(lua, 1);
+    if (call.expired == 0) lua_settop(thread, 0);
     return error;
 }
 
@@ -200,8 +233,11 @@ void note_slice_error(lua_State* coroutine, int status) {
 void note_closed(lua_State* coroutine) {
     CallRecord& call = *current_call;
     lua_Debug activation;
-    const int level = last_level(coroutine);
-    call.closes = lua_getstack(coroutine, level, &activation) != 0 && lua_getinfo(coroutine, "Sl", &activation) != 0;
+    call.closes = false;
+    for (int level = last_level(coroutine); level >= 0 && !call.closes; --level) {
+        if (lua_getstack(coroutine, level, &activation) == 0 || lua_getinfo(coroutine, "Sl", &activation) == 0) return;
+        call.closes = *activation.what != 'C';
+    }
     if (!call.closes) return;
     // The function may be gone, and its source with it, when the error is handled.
     call.closed.set(activation);
@@ -209,17 +245,20 @@ void note_closed(lua_State* coroutine) {
 }
 
 CallResult protected_call(lua_State* lua, int arguments, int results, Budget budget) {
+    LuaState& state = LuaState::of(lua);
     const int function = lua_gettop(lua) - arguments;
-    if (LuaState::of(lua).is_lost()) {
+    const auto refuse = [&](std::string message) {
         lua_settop(lua, function - 1);
-        return tl::unexpected(
-            CallError{{"the script is lost: it had to be stopped inside Lua itself; load it again"}, false});
-    }
-    if (lua_checkstack(lua, 2) == 0 || c_stack_is_used_up()) {
-        lua_settop(lua, function - 1);
-        return tl::unexpected(CallError{{"stack overflow: calls are nested too deep"}, false});
-    }
-    CallRecord call(lua, budget);
+        return tl::unexpected(CallError{{std::move(message)}, false});
+    };
+    if (state.is_lost()) return refuse("the script is lost: it had to be stopped inside Lua itself; load it again");
+    if (lua_checkstack(lua, 2) == 0 || c_stack_is_used_up()) return refuse("stack overflow: calls are nested too deep");
+    if (!watch_this_thread())
+        return refuse("scripts can't be stopped here: the system gives this thread neither a timer nor another thread");
+    const std::uint64_t refusals = state.memory_refusals();
+    lua_State* const thread = state.take_thread(lua, arguments + 2);
+    if (thread == nullptr) return refuse("not enough memory");
+    CallRecord call(thread, budget);
     if (call.outer == nullptr) {
         if (_setjmp(call.escape) != 0) {
             finish_escape(call);
@@ -227,19 +266,29 @@ CallResult protected_call(lua_State* lua, int arguments, int results, Budget bud
         }
         call.can_escape = true;
     }
-    lua_pushcfunction(lua, handle_error);
-    lua_insert(lua, function);
-    const int status = lua_pcall(lua, arguments, results, function);
-    lua_remove(lua, function);
-    if (status == LUA_OK) {
-        call.can_escape = false;
-        return {};
+    LineTrace::follow(thread);
+    lua_pushcfunction(thread, call_first);
+    lua_xmove(lua, thread, arguments + 1);
+    int count = 0;
+    const int status = lua_resume(thread, lua, arguments + 1, &count);
+    if (results != LUA_MULTRET) count = results;
+    std::optional<CallError> error;
+    if (status != LUA_OK) {
+        error = take_error(lua, thread, status, state.memory_refusals() != refusals, call);
+    } else if (lua_settop(thread, count), lua_checkstack(lua, count) != 0) {
+        lua_xmove(thread, lua, count);
+    } else {
+        lua_settop(thread, 0);
+        error = CallError{{"stack overflow: too many results"}, false};
     }
-    // What the script had gathered is garbage now; nobody may call it again for a long time.
-    const LuaState& state = LuaState::of(lua);
     call.can_escape = false;
+    call.running = lua;  // from here on there is nothing to interrupt
+    if (status != LUA_OK && call.expired != 0) poison(thread);
+    state.give_back_thread(lua, thread);
+    if (!error) return {};
+    // What the script had gathered is garbage now; nobody may call it again for a long time.
     if (state.memory() > state.memory_limit() / 2) lua_gc(lua, LUA_GCCOLLECT);
-    return tl::unexpected(take_error(lua, status, call));
+    return tl::unexpected(std::move(*error));
 }
 
 }  // namespace nezumi

@@ -22,14 +22,18 @@ constexpr int most_free_visits = 4;  // at a table whose entries have been count
 // The functions below run under `protect` and may raise Lua errors: what has a destructor lies outside, in here.
 class Inspector {
 public:
-    Inspector(lua_State* lua, const InspectOptions& options, InspectWork& work)
-        : lua_(lua), options_(options), work_(work) {}
+    Inspector(const InspectOptions& options, InspectWork& work) : options_(options), work_(work) {}
 
-    void value(int index, int depth, std::size_t indent, bool quote);
+    // Looks at the value at index 1 of the coroutine in which it is called.
+    void look(lua_State* lua, bool quote) {
+        lua_ = lua;
+        value(1, 0, 0, quote);
+    }
     std::string take() { return std::move(out_); }
     const std::string& shown() const { return out_; }
 
 private:
+    void value(int index, int depth, std::size_t indent, bool quote);
     void text(int index, bool quote);
     void table(int index, int depth, std::size_t indent);
     bool entries(int index, int depth, std::size_t indent, bool flat);
@@ -41,7 +45,7 @@ private:
     void key(bool& in_sequence, lua_Integer& next);
     bool is_open(const void* table) const;
 
-    lua_State* lua_;
+    lua_State* lua_ = nullptr;
     const InspectOptions& options_;
     InspectWork& work_;
     std::string out_;
@@ -246,7 +250,7 @@ void Inspector::table(int index, int depth, std::size_t indent) {
 // Arguments: a table, its inspector. Returns its text.
 int show_table(lua_State* L) {
     auto& inspector = *static_cast<Inspector*>(lua_touserdata(L, 2));
-    inspector.value(1, 0, 0, false);
+    inspector.look(L, false);
     lua_pushlstring(L, inspector.shown().data(), inspector.shown().size());
     return 1;
 }
@@ -257,7 +261,7 @@ void push_table_text(lua_State* L, int index, InspectWork& work) {
     int status = LUA_OK;
     {
         const InspectOptions options{.quote = false};
-        Inspector inspector(L, options, work);
+        Inspector inspector(options, work);
         lua_pushcfunction(L, show_table);
         lua_pushvalue(L, index);
         lua_pushlightuserdata(L, &inspector);
@@ -281,10 +285,10 @@ std::string inspect(lua_State* L, int index, const InspectOptions& options) {
     index = lua_absindex(L, index);
     InspectWork own;
     InspectWork& work = options.work != nullptr ? *options.work : own;
-    Inspector inspector(L, options, work);
+    Inspector inspector(options, work);
     lua_pushvalue(L, index);
     lua_pushcfunction(L, [](lua_State* inside) -> int {
-        static_cast<Inspector*>(lua_touserdata(inside, 2))->value(1, 0, 0, lua_toboolean(inside, 3) != 0);
+        static_cast<Inspector*>(lua_touserdata(inside, 2))->look(inside, lua_toboolean(inside, 3) != 0);
         return 0;
     });
     lua_insert(L, -2);

@@ -17,10 +17,6 @@ lua_State* check_coroutine(lua_State* lua, int index) {
     return coroutine;
 }
 
-// A coroutine that was stopped inside its hook can't be watched any more: nothing of it may run again.
-bool is_poisoned(lua_State* coroutine) { return *static_cast<void**>(lua_getextraspace(coroutine)) == nullptr; }
-void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(coroutine)) = nullptr; }
-
 // One that has paused goes on in the next slice of its own: a bit of its pointer, which nothing reads meanwhile, keeps
 // others away. On top of the stack of each is the coroutine in it that has paused, if the pause did not begin there.
 constexpr std::uintptr_t paused_bit = 1;
@@ -43,7 +39,6 @@ void unset_all_paused(lua_State* coroutine) {
 int resume_watched(lua_State* lua, lua_State* coroutine, int arguments, int& results) {
     CallRecord& call = *current_call;
     unset_paused(coroutine);
-    keep_watching(coroutine);
     const bool could_pause = call.can_pause;
     call.can_pause = could_pause && (lua_isyieldable(lua) != 0 || coroutine == call.slice);
     call.running = coroutine;
@@ -120,9 +115,8 @@ int resume(lua_State* lua) {
 bool reset(lua_State* lua, lua_State* coroutine, bool& closes) {
     check_c_stack(lua);
     current_call->running = coroutine;
-    keep_watching(coroutine);
     const bool closed_before = std::exchange(closes, true);  // a closer may have others closed
-    const int status = lua_resetthread(coroutine);           // catches what closers raise
+    const int status = close_coroutine(coroutine, lua);      // catches what closers raise
     closes = closed_before;
     current_call->running = lua;
     poll_budget(lua);
@@ -211,23 +205,20 @@ int close(lua_State* lua) {
     return 2;
 }
 
-// What runs in slices is a coroutine to Lua, and none to the script.
-bool is_slice(lua_State* lua) { return current_call->slice == lua; }
-
 int yield(lua_State* lua) {
-    if (is_slice(lua)) return luaL_error(lua, "attempt to yield from outside a coroutine");
+    if (is_outside_coroutines(lua)) return luaL_error(lua, "attempt to yield from outside a coroutine");
     return lua_yield(lua, lua_gettop(lua));
 }
 
 int is_yieldable(lua_State* lua) {
     lua_State* coroutine = lua_isnone(lua, 1) ? lua : check_coroutine(lua, 1);
-    lua_pushboolean(lua, lua_isyieldable(coroutine) != 0 && !is_slice(coroutine) ? 1 : 0);
+    lua_pushboolean(lua, lua_isyieldable(coroutine) != 0 && !is_outside_coroutines(coroutine) ? 1 : 0);
     return 1;
 }
 
 int running(lua_State* lua) {
-    const bool is_main = lua_pushthread(lua) == 1 || is_slice(lua);
-    lua_pushboolean(lua, is_main ? 1 : 0);
+    lua_pushthread(lua);
+    lua_pushboolean(lua, is_outside_coroutines(lua) ? 1 : 0);
     return 2;
 }
 
@@ -272,7 +263,7 @@ int pause(lua_State* lua, lua_KContext context, lua_KFunction go_on) {
 }
 
 bool close_slices(lua_State* lua, lua_State* coroutine, bool& closes) {
-    if (library::is_poisoned(coroutine)) return true;
+    if (is_poisoned(coroutine)) return true;
     const bool has_failed = lua_status(coroutine) != LUA_YIELD;  // with an error that is known
     luaL_checkstack(lua, 1, nullptr);
     library::unset_all_paused(coroutine);

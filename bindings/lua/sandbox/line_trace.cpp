@@ -132,15 +132,11 @@ int depth_of(lua_State* lua) {
 
 }  // namespace
 
-LineTrace::LineTrace(lua_State* lua, std::vector<Table> tables)
-    : lua_(lua), outer_(std::exchange(current_trace, this)), tables_(std::move(tables)) {
-    follow(lua);
-}
+LineTrace::LineTrace(std::vector<Table> tables)
+    : outer_(std::exchange(current_trace, this)), tables_(std::move(tables)) {}
 
 LineTrace::~LineTrace() {
-    current_trace = outer_;
-    // Those of coroutines go by themselves.
-    if (lua_gethook(lua_) == on_event) lua_sethook(lua_, nullptr, 0, 0);
+    current_trace = outer_;  // the hooks go by themselves
 }
 
 void LineTrace::follow(lua_State* coroutine) {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/components/inside.hpp"
+
 namespace nezumi {
 
 class LineTrace {
@@ -19,21 +21,7 @@ public:
     static constexpr std::size_t most_values = 48, longest_value = 60;
     static constexpr int most_fields = 12;
 
-    struct Value {
-        std::string name;
-        std::string text;
-        bool operator==(const Value&) const = default;
-    };
-    struct Line {
-        std::string file;  ///< as messages call it
-        int line = 0;
-        int depth = 0;                ///< calls within the outermost function
-        std::vector<Value> values{};  ///< of the variables in sight once it had run, and of those that ended with it
-    };
-    struct Seen {
-        std::vector<Line> lines{};
-        bool is_cut = false;  ///< there were more
-    };
+    using Value = TracedLines::Value;
 
     /// A table that scripts have by this name; `push` pushes it, raises nothing and takes no memory.
     struct Table {
@@ -41,17 +29,18 @@ public:
         void (*push)(lua_State* lua);
     };
 
-    /// While it lives, what this thread runs in this state is noted; of the tables the fields count as variables. The
-    /// state must outlive it. Where calls are watched by polling (watchdog.hpp) there is nothing to be seen.
-    explicit LineTrace(lua_State* lua, std::vector<Table> tables = {});
+    /// While it lives, what this thread runs is noted; of the tables the fields count as variables.
+    explicit LineTrace(std::vector<Table> tables = {});
     ~LineTrace();
     LineTrace(const LineTrace&) = delete;
     LineTrace& operator=(const LineTrace&) = delete;
 
-    /// A coroutine that is about to run: if this thread notes lines, its as well.
+    /// A coroutine that is about to run: if this thread notes lines, those of that one.
     static void follow(lua_State* coroutine);
 
-    Seen take() { return std::move(seen_); }
+    /// Without their texts. The values are of the variables in sight once a line had run, and of those that ended
+    /// with it.
+    TracedLines take() { return std::move(seen_); }
 
 private:
     // A function that is being called, and its line that runs.
@@ -67,10 +56,9 @@ private:
     std::vector<Value> values_in_sight(lua_State* lua, lua_Debug* event) const;
     void end_line(lua_State* lua, lua_Debug* event, int depth, const void* function);
 
-    lua_State* lua_;
     LineTrace* outer_;
     std::vector<Table> tables_;
-    Seen seen_;
+    TracedLines seen_;
     std::size_t events_ = 0;
     std::vector<Frame> frames_;
 };

@@ -7,8 +7,6 @@
 #include <cstring>
 #include <utility>
 
-#include "bindings/lua/sandbox/watchdog.hpp"
-
 #if defined(NEZUMI_ADDRESS_SANITIZER)
 #include <sanitizer/lsan_interface.h>
 #endif
@@ -28,6 +26,17 @@ int panic(lua_State* lua) {
     std::abort();
 }
 
+// A call has one, and those within it: more are seldom wanted at a time.
+constexpr std::size_t most_idle_threads = 4;
+
+// Returns a new coroutine, which the registry keeps alive.
+int new_thread(lua_State* lua) {
+    lua_State* const thread = lua_newthread(lua);
+    lua_pushvalue(lua, -1);
+    lua_rawsetp(lua, LUA_REGISTRYINDEX, thread);
+    return 1;
+}
+
 // A lost state can't be closed: it was left in the middle of Lua's own code.
 void leave_to_leak([[maybe_unused]] const lua_State* lost) {
 #if defined(NEZUMI_ADDRESS_SANITIZER)
@@ -39,6 +48,7 @@ void leave_to_leak([[maybe_unused]] const lua_State* lost) {
 
 LuaState::LuaState(StateOptions options) : memory_limit_(options.memory_limit), print_(std::move(options.print)) {
     seed_random(options.seed);
+    idle_threads_.reserve(most_idle_threads);
 }
 
 Expected<std::unique_ptr<LuaState>> LuaState::create(StateOptions options) {
@@ -61,12 +71,34 @@ LuaState* LuaState::replace_lost() {
     leave_to_leak(lua_);
     small_.abandon();
     memory_ = 0;
+    idle_threads_.clear();
     if (!open()) std::abort();
     return std::exchange(next_lost_, nullptr);
 }
 
 LuaState::~LuaState() {
     if (lua_ != nullptr) lua_close(lua_);
+}
+
+lua_State* LuaState::take_thread(lua_State* lua, int values) {
+    lua_State* thread = nullptr;
+    if (!idle_threads_.empty()) {
+        thread = idle_threads_.back();
+        idle_threads_.pop_back();
+    } else {
+        lua_pushcfunction(lua, new_thread);
+        if (lua_pcall(lua, 0, 1, 0) == LUA_OK) thread = lua_tothread(lua, -1);
+        lua_pop(lua, 1);
+    }
+    if (thread == nullptr || lua_checkstack(thread, values) != 0) return thread;
+    give_back_thread(lua, thread);
+    return nullptr;
+}
+
+void LuaState::give_back_thread(lua_State* lua, lua_State* thread) {
+    if (!is_poisoned(thread) && idle_threads_.size() < most_idle_threads) return idle_threads_.push_back(thread);
+    lua_pushnil(lua);
+    lua_rawsetp(lua, LUA_REGISTRYINDEX, thread);  // a key that is there: this takes no memory
 }
 
 void LuaState::seed_random(std::uint64_t seed) {
@@ -83,7 +115,7 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
         return nullptr;
     }
     if (new_size > held && new_size - held > state.memory_limit_ - std::min(state.memory_, state.memory_limit_)) {
-        note_memory_limit(state);
+        ++state.memory_refusals_;
         return nullptr;
     }
     void* grown = state.resize(block, held, new_size);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bindings/lua/sandbox/random.hpp"
 #include "bindings/lua/sandbox/small_blocks.hpp"
@@ -60,6 +61,16 @@ public:
     void set_hint(std::function<std::string(const Error&)> hint) { hint_ = std::move(hint); }
     std::string hint(const Error& error) const { return hint_ ? hint_(error) : std::string(); }
 
+    /// An empty coroutine for a call made from `lua`, with room for so many values; null for want of memory. When the
+    /// call fails, its stack stays as it was: the place of any error can be looked up after Lua has returned.
+    lua_State* take_thread(lua_State* lua, int values);
+    /// Takes it back, empty or poisoned.
+    void give_back_thread(lua_State* lua, lua_State* thread);
+
+    /// How often the memory limit was reached. All that the allocator does about it: Lua may be in the middle of
+    /// anything when it asks for memory, with no stack that can be read.
+    std::uint64_t memory_refusals() const { return memory_refusals_; }
+
     /// The next number that tells a table, function, userdata or coroutine from the others in its text ("table: 1").
     std::int64_t next_identity() { return ++identities_; }
 
@@ -91,7 +102,9 @@ private:
     SmallBlocks small_;  // first: what is in it dies before
     std::size_t memory_ = 0;
     std::size_t memory_limit_;
+    std::uint64_t memory_refusals_ = 0;
     lua_State* lua_ = nullptr;
+    std::vector<lua_State*> idle_threads_;
     bool lost_ = false;
     LuaState* next_lost_ = nullptr;
     std::int64_t identities_ = 0;
@@ -100,5 +113,18 @@ private:
     std::function<void(std::string_view)> print_;
     std::function<std::string(const Error&)> hint_;
 };
+
+/// Closes what a coroutine has open, as lua_resetthread. Lua counts calls from `from` on, where it can.
+inline int close_coroutine(lua_State* coroutine, [[maybe_unused]] lua_State* from) {
+#if LUA_VERSION_RELEASE_NUM >= 50406
+    return lua_closethread(coroutine, from);
+#else
+    return lua_resetthread(coroutine);
+#endif
+}
+
+/// A coroutine that was stopped inside its hook can't be watched any more: nothing of it may run again.
+inline bool is_poisoned(lua_State* coroutine) { return *static_cast<void**>(lua_getextraspace(coroutine)) == nullptr; }
+inline void poison(lua_State* coroutine) { *static_cast<void**>(lua_getextraspace(coroutine)) = nullptr; }
 
 }  // namespace nezumi

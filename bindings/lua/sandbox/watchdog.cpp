@@ -16,14 +16,12 @@
 #include "bindings/lua/sandbox/lua_text.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/thread_sanitizer.hpp"
+#include "bindings/lua/sandbox/thread_timer.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
-// ThreadSanitizer holds signals back until the thread calls into libc, which an endless loop never does. This name is
-// the same function, not intercepted.
-extern "C" int __sigaction(int, const struct sigaction*, struct sigaction*);
-// It also has to see every jump, or it loses count of the calls; Debian's Lua jumps by a name that it does not know.
+// ThreadSanitizer has to see every jump, or it loses count of the calls; Debian's Lua jumps by a name that it does not
+// know.
 extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value); }
-#define NEZUMI_SIGACTION __sigaction
 // The sanitizer notes each call of a function: a handler that does so while its own code is interrupted waits for
 // itself.
 #define NEZUMI_IN_SIGNAL __attribute__((disable_sanitizer_instrumentation))
@@ -31,7 +29,6 @@ extern "C" void __longjmp_chk(jmp_buf target, int value) { longjmp(target, value
 #define NEZUMI_CLOCK_GETTIME(clock, time) syscall(SYS_clock_gettime, clock, time)
 #define NEZUMI_CAN_LEAVE false
 #else
-#define NEZUMI_SIGACTION sigaction
 #define NEZUMI_IN_SIGNAL
 #define NEZUMI_CLOCK_GETTIME(clock, time) clock_gettime(clock, time)
 #define NEZUMI_CAN_LEAVE true
@@ -44,9 +41,6 @@ constinit thread_local CallRecord* current_call = nullptr;
 
 namespace {
 
-constexpr std::int64_t tick_ns = 5'000'000;
-constexpr int deep_recursion = 20'000;  // calls within calls
-constexpr int hook_interval = 1000;     // instructions between two looks at the clock where it is polled
 constexpr std::int64_t shortest_grace_ns = 50'000'000, longest_grace_ns = 1'000'000'000;
 constexpr std::int64_t longest_hook_pause_ns = 20'000'000;
 constexpr std::ptrdiff_t c_stack_limit = std::ptrdiff_t{1} << 20;
@@ -56,8 +50,6 @@ constinit thread_local const std::atomic<bool>* stop_flag = nullptr;
 
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): from a signal handler to the place it jumps to
 constinit thread_local LuaState* lost_states = nullptr;
-
-int watch_signal() { return SIGRTMIN + 5; }
 
 NEZUMI_IN_SIGNAL bool is_set(const std::atomic<bool>* flag) {
     return flag != nullptr && flag->load(std::memory_order_relaxed);
@@ -80,7 +72,7 @@ NEZUMI_IN_SIGNAL std::int64_t grace_ns(double budget_seconds) {
 // systems look at such timers).
 NEZUMI_IN_SIGNAL bool grace_is_over(const CallRecord& call, std::int64_t now) {
     const std::int64_t grace = grace_ns(call.budget_seconds);
-    return now - call.expired_at > grace && call.looks_since_expiry > grace / (4 * tick_ns);
+    return now - call.expired_at > grace && call.looks_since_expiry > grace / (4 * ThreadTimer::period);
 }
 
 NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
@@ -93,17 +85,9 @@ NEZUMI_IN_SIGNAL std::int64_t time_in_signal() {
 void watch_hook(lua_State* lua, lua_Debug*) {
     CallRecord* const call = current_call;
     if (call == nullptr) return lua_sethook(lua, nullptr, 0, 0);
-    if (call->polled_limit != 0 && (thread_time() > call->polled_limit || is_set(call->stop))) call->expired = 1;
-    if (call->expired != 0) {
-        // From here on every instruction ends here: neither handlers nor closers of variables run on.
-        if (lua_gethookcount(lua) != 1) lua_sethook(lua, watch_hook, LUA_MASKCOUNT, 1);
-        raise_expiry(lua);
-    }
-    if (call->polled_limit == 0) {
-        lua_sethook(lua, nullptr, 0, 0);
-    } else if (lua_gethookcount(lua) != hook_interval) {  // left by a call that was stopped
-        lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
-    }
+    if (call->expired == 0) return lua_sethook(lua, nullptr, 0, 0);  // left by a call that was stopped
+    // From here on every instruction ends here: neither handlers nor closers of variables run on.
+    raise_expiry(lua);
 }
 
 // Out of Lua from within its own code, over the frames of C and C++ functions that its own errors jump over as well.
@@ -121,9 +105,9 @@ NEZUMI_IN_SIGNAL void leave_lua(CallRecord* innermost) {
 
 // Runs in the thread that is watched, between any two of its instructions. It only looks at the clock and calls
 // lua_sethook, which Lua allows here.
-NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
+NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t*, void* context) {
     const int saved_errno = errno;
-    CallRecord* const innermost = *static_cast<CallRecord* volatile*>(info->si_value.sival_ptr);
+    CallRecord* const innermost = current_call;
     const std::int64_t now = time_in_signal();
     CallRecord* expired = nullptr;  // the outermost one
     for (CallRecord* call = innermost; call != nullptr; call = call->outer) {
@@ -150,77 +134,31 @@ NEZUMI_IN_SIGNAL void on_tick(int, siginfo_t* info, void* context) {
         leave_lua(innermost);
 }
 
-enum class Watch : unsigned char { not_yet, by_timer, by_polling };
+enum class Watch : unsigned char { not_yet, runs, impossible };
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a timer belongs to its thread
 constinit thread_local Watch watch = Watch::not_yet;
 
-void mask_signal(int how) {
-    sigset_t ours;
-    sigemptyset(&ours);
-    sigaddset(&ours, watch_signal());
-    pthread_sigmask(how, &ours, nullptr);
-}
-
-// A timer on the CPU time of the thread that makes it: an idle thread is not woken.
-class ThreadTimer {
-public:
-    ThreadTimer() = default;
-    ~ThreadTimer() {
-        stop();
-        watch = Watch::by_polling;  // for what the thread still does at its end
-    }
-    ThreadTimer(const ThreadTimer&) = delete;
-    ThreadTimer& operator=(const ThreadTimer&) = delete;
-
-    // Returns whether the system gives such timers.
-    bool restart() {
-        stop();
-        static const int installed = [] {
-            find_lua_text();
-            struct sigaction action {};
-            action.sa_sigaction = on_tick;
-            action.sa_flags = SA_SIGINFO | SA_RESTART;
-            sigemptyset(&action.sa_mask);
-            return NEZUMI_SIGACTION(watch_signal(), &action, nullptr);
-        }();
-        sigevent event{};
-        event.sigev_notify = SIGEV_THREAD_ID;
-        event.sigev_signo = watch_signal();
-        event.sigev_value.sival_ptr = &current_call;
-        event._sigev_un._tid = static_cast<pid_t>(syscall(SYS_gettid));
-        if (installed != 0 || timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &timer_) != 0) return false;
-        itimerspec period{};
-        period.it_interval.tv_nsec = period.it_value.tv_nsec = tick_ns;
-        runs_ = timer_settime(timer_, 0, &period, nullptr) == 0;
-        if (!runs_) timer_delete(timer_);
-        if (runs_) mask_signal(SIG_UNBLOCK);
-        return runs_;
-    }
-
-    void stop() {
-        if (!runs_) return;
-        mask_signal(SIG_BLOCK);  // a signal that is under way must not find the thread's variables gone
-        timer_delete(timer_);
-        runs_ = false;
-    }
-
-private:
-    timer_t timer_{};
-    bool runs_ = false;
-};
-
 void forget_timer() { watch = Watch::not_yet; }
 
-// Where the system gives no timer, the clock is polled from a hook: slower, but an endless loop still ends.
-void watch_this_thread() {
-    // The child of a fork has its parent's variables and none of its timers.
-    static const int registered = pthread_atfork(nullptr, nullptr, forget_timer);
-    static_cast<void>(registered);
-    static thread_local ThreadTimer timer;
-    watch = timer.restart() ? Watch::by_timer : Watch::by_polling;
-}
+struct WatchTimer : ThreadTimer {
+    ~WatchTimer() { watch = Watch::impossible; }  // for what the thread still does at its end
+};
 
 }  // namespace
+
+bool watch_this_thread() {
+    if (watch == Watch::runs) return true;
+    if (watch == Watch::impossible) return false;
+    static const int once = [] {
+        find_lua_text();
+        // The child of a fork has its parent's variables and none of its timers.
+        return pthread_atfork(nullptr, nullptr, forget_timer);
+    }();
+    static_cast<void>(once);
+    static thread_local WatchTimer timer;
+    if (timer.restart(on_tick)) watch = Watch::runs;
+    return watch == Watch::runs;
+}
 
 void CallRecord::ScriptPlace::set(const lua_Debug& activation) {
     const char* name = *activation.source == '@' ? activation.source + 1 : activation.short_src;
@@ -229,21 +167,16 @@ void CallRecord::ScriptPlace::set(const lua_Debug& activation) {
     line = activation.currentline;
 }
 
-CallRecord::CallRecord(lua_State* lua, Budget budget)
-    : running(lua),
+CallRecord::CallRecord(lua_State* thread, Budget budget)
+    : base(thread),
+      running(thread),
       outer(current_call),
       budget_ns(static_cast<std::int64_t>(budget.seconds * 1e9)),
       stop(stop_flag),
       budget_seconds(budget.seconds),
       stack_base(outer != nullptr ? outer->stack_base : static_cast<const char*>(__builtin_frame_address(0))) {
-    if (watch == Watch::not_yet) watch_this_thread();
-    if (watch == Watch::by_polling) {
-        polled_limit = thread_time() + budget_ns;
-        if (outer != nullptr && outer->polled_limit != 0) polled_limit = std::min(polled_limit, outer->polled_limit);
-    }
     std::atomic_signal_fence(std::memory_order_seq_cst);
     current_call = this;
-    keep_watching(lua);
 }
 
 CallRecord::~CallRecord() {
@@ -254,12 +187,7 @@ CallRecord::~CallRecord() {
 void finish_escape(CallRecord& outermost) {
     current_call = &outermost;
     while (lost_states != nullptr) lost_states = lost_states->replace_lost();
-    mask_signal(SIG_UNBLOCK);  // the handler never returned
-}
-
-void keep_watching(lua_State* lua) {
-    if (current_call->polled_limit == 0 || lua_gethook(lua) == watch_hook) return;
-    lua_sethook(lua, watch_hook, LUA_MASKCOUNT, hook_interval);
+    ThreadTimer::unblock();  // the handler never returned
 }
 
 void raise_expiry(lua_State* lua) {
@@ -278,7 +206,6 @@ CallPause::~CallPause() {
     const std::int64_t passed = thread_time() - began_;
     for (CallRecord* call = paused_; call != nullptr; call = call->outer) {
         if (call->seen != 0) call->seen = call->seen + passed;
-        if (call->polled_limit != 0) call->polled_limit += passed;
     }
     std::atomic_signal_fence(std::memory_order_seq_cst);
     current_call = paused_;
@@ -305,7 +232,6 @@ void charge_calls(std::int64_t nanoseconds) {
     const CallRecord* expired = nullptr;  // the outermost one
     for (CallRecord* call = current_call; call != nullptr; call = call->outer) {
         call->budget_ns -= nanoseconds;
-        if (call->polled_limit != 0) call->polled_limit -= nanoseconds;
         if (call->budget_ns <= 0 || is_set(call->stop)) expired = call;
     }
     if (expired != nullptr) expire_calls(*expired);
@@ -333,16 +259,6 @@ void find_place(lua_State* lua, CallRecord::ScriptPlace& place) {
             return place.set(activation);
         }
     }
-}
-
-void note_memory_limit(const LuaState& state) {
-    CallRecord* const call = current_call;
-    if (call == nullptr || &LuaState::of(call->running) != &state) return;
-    call->memory_refused = true;
-    lua_Debug activation;
-    call->memory_refused_deep = lua_getstack(call->running, deep_recursion, &activation) != 0;
-    call->memory_place.line = 0;
-    find_place(call->running, call->memory_place);
 }
 
 bool c_stack_is_used_up() {

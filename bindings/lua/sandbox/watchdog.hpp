@@ -14,17 +14,11 @@
 #include <cstdint>
 #include <lua.hpp>
 
+#include "engine/components/budget.hpp"
+
 namespace nezumi {
 
 class LuaState;
-
-/// What one call into Lua may use up.
-struct Budget {
-    double seconds = 0.1;  ///< of CPU time of the calling thread
-};
-
-inline constexpr Budget paced_budget{0.1};     ///< in runs that follow the clock, and on hardware
-inline constexpr Budget headless_budget{2.0};  ///< in runs without a clock, where reaching it ends the run
 
 /// Steps that the pattern functions may take in one call into Lua.
 inline constexpr std::int64_t pattern_step_budget = 5'000'000;
@@ -32,7 +26,8 @@ inline constexpr std::int64_t pattern_step_budget = 5'000'000;
 /// One call into Lua, on the C++ stack of the thread that makes it. Made by `protected_call` only.
 class CallRecord {
 public:
-    CallRecord(lua_State* lua, Budget budget);
+    /// `thread`: the coroutine in which it will run.
+    CallRecord(lua_State* thread, Budget budget);
     ~CallRecord();
     CallRecord(const CallRecord&) = delete;
     CallRecord& operator=(const CallRecord&) = delete;
@@ -44,6 +39,7 @@ public:
         void set(const lua_Debug& activation);
     };
 
+    lua_State* const base;                   ///< the coroutine that the call was given: to the script it is none
     lua_State* volatile running;             ///< the coroutine that runs: the one to interrupt
     CallRecord* const outer;                 ///< the call within which this one was made
     volatile std::sig_atomic_t expired = 0;  ///< the budget, or that of a call around this one, is used up
@@ -57,9 +53,6 @@ public:
     std::int64_t pattern_steps = pattern_step_budget;
     const char* stack_base;  ///< where the C stack was at the thread's outermost call
 
-    /// [ns] of CPU time, where there is no timer and the hook stays to look at the clock; 0: there is one
-    std::int64_t polled_limit = 0;
-
     /// The way out of Lua's own code, where no hook runs: set by the thread's outermost call, while `can_escape`.
     std::jmp_buf escape;
     volatile bool can_escape = false;
@@ -68,22 +61,23 @@ public:
     bool can_pause = false;      ///< what runs in it may end the slice
     bool pausing = false;        ///< it has, and all coroutines in between yield
 
-    ScriptPlace expiry_place;          ///< where the script was when it was stopped
-    bool memory_refused = false;       ///< the state's limit was reached
-    bool memory_refused_deep = false;  ///< within a deep recursion, last
-    ScriptPlace memory_place;          ///< where, last
-    ScriptPlace error_place;           ///< where an error was raised
-    ScriptPlace error_caller;          ///< the behaviour's line that called the module in which that was, if one did
-    std::size_t error_prefix = 0;      ///< bytes of the message that say that place
-    bool closes = false;               ///< a coroutine was closed that is gone when an error of that is handled
-    ScriptPlace closed;                ///< the file of the function in which it began; set when `closes` is
-    char closed_file[LUA_IDSIZE];      ///< the same as Lua shortens it in messages
-    int slice_status = LUA_OK;         ///< how a slice failed, whose error is raised again and has its place already
+    ScriptPlace expiry_place;        ///< where the script was when it was stopped
+    ScriptPlace error_place;         ///< where an error was raised
+    ScriptPlace error_caller;        ///< the behaviour's line that called the module in which that was, if one did
+    std::size_t error_prefix = 0;    ///< bytes of the message that say that place
+    bool is_deep_recursion = false;  ///< it was raised within a deep recursion
+    bool closes = false;             ///< a coroutine was closed that is gone when an error of that is handled
+    ScriptPlace closed;              ///< the file of the function in which it began; set when `closes` is
+    char closed_file[LUA_IDSIZE];    ///< the same as Lua shortens it in messages
+    int slice_status = LUA_OK;       ///< how a slice failed, whose error is raised again and has its place already
 };
 
 /// The innermost call of this thread, or null. Constant-initialised, hence a plain load.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler finds its thread's call by it
 extern constinit thread_local CallRecord* current_call;
+
+/// Whether this is what the innermost call or its slice runs in: a coroutine to Lua, and none to the script.
+inline bool is_outside_coroutines(lua_State* lua) { return lua == current_call->base || lua == current_call->slice; }
 
 /// Raises the error of an expired budget if it has expired. Library functions that loop call this in their loops.
 void raise_expiry(lua_State* lua);
@@ -121,8 +115,8 @@ void charge_calls(std::int64_t nanoseconds);
 /// nothing around it may need a destructor. When the call's state was lost during a pause, leaves it by a jump.
 [[noreturn]] void end_call(lua_State* lua);
 
-/// Has `lua` look at the clock as it runs if this thread has no timer.
-void keep_watching(lua_State* lua);
+/// Begins to watch the calls of this thread. False where that can't be: then nothing may be called.
+bool watch_this_thread();
 
 /// Whether nesting through C functions has used up what scripts may use of this thread's C stack, 1 MB.
 bool c_stack_is_used_up();
@@ -132,9 +126,6 @@ void check_c_stack(lua_State* lua);
 
 /// Fills `place` with the innermost line of Lua code that runs.
 void find_place(lua_State* lua, CallRecord::ScriptPlace& place);
-
-/// Remembers where memory was refused; called by the allocator.
-void note_memory_limit(const LuaState& state);
 
 /// CPU time of this thread [ns].
 std::int64_t thread_time();

@@ -19,8 +19,8 @@ ParameterValues values_at_start(const BehaviorEntry& entry) {
     return values;
 }
 
-Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
-                                                   const BehaviorSettings& settings) {
+Expected<std::unique_ptr<ScriptComponent>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
+                                                         const BehaviorSettings& settings) {
     auto source = settings.project.read_source(entry.path);
     if (!source) return Unexpected(source.error());
     ScriptContext script{.component = entry.name,
@@ -31,9 +31,7 @@ Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, c
                          .chunks = settings.chunks,
                          .configured = values_at_start(entry),
                          .tick_rate = context.tick_rate};
-    auto component = ScriptComponent::load(entry.name, *source, std::move(script));
-    if (!component) return Unexpected(component.error());
-    return std::unique_ptr<Component>(std::move(*component));
+    return ScriptComponent::load(entry.name, *source, std::move(script));
 }
 
 }  // namespace nezumi

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "bindings/lua/project/project.hpp"
 #include "bindings/lua/script/script_component.hpp"
+#include "engine/project/project.hpp"
 #include "engine/system/build_system.hpp"
 
 namespace nezumi {
@@ -24,7 +24,7 @@ ModuleFinder modules_of(const Project& project);
 ParameterValues values_at_start(const BehaviorEntry& entry);
 
 /// For `Makers::behavior`.
-Expected<std::unique_ptr<Component>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
-                                                   const BehaviorSettings& settings);
+Expected<std::unique_ptr<ScriptComponent>> make_behavior(const BehaviorEntry& entry, const MakerContext& context,
+                                                         const BehaviorSettings& settings);
 
 }  // namespace nezumi

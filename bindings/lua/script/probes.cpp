@@ -86,29 +86,6 @@ int global_probe(lua_State* L) {
     });
 }
 
-// A table of all probes by name, sorted as every table; `add(probe, data)` gives each its entry.
-template <class Add>
-PlainData table_of(const std::vector<Probes::Probe>& probes, const Add& add) {
-    PlainData data;
-    data.values.emplace_back(PlainData::TableRef{0});
-    data.tables.emplace_back();
-    for (const Probes::Probe& probe : probes) {
-        PlainData::Value entry = add(probe, data);
-        data.tables.front().emplace_back(probe.name, std::move(entry));
-    }
-    std::sort(data.tables.front().begin(), data.tables.front().end(), [](const auto& a, const auto& b) {
-        return std::get<std::string>(a.first) < std::get<std::string>(b.first);
-    });
-    return data;
-}
-
-// The value of a probe, its table put among those of `data`.
-PlainData::Value value_in(const Probes::Probe& probe, PlainData& data) {
-    if (probe.value.tables.empty()) return probe.value.values.front();
-    data.tables.push_back(probe.value.tables.front());
-    return PlainData::TableRef{data.tables.size() - 1};
-}
-
 }  // namespace
 
 Expected<void> Probes::set(std::string_view name, PlainData value, double seconds) {
@@ -128,20 +105,6 @@ Expected<void> Probes::set(std::string_view name, PlainData value, double second
         return failure(fmt::format("probe '{}': a component has at most {} probes", name, most));
     probes_.push_back({std::string(name), std::move(value), seconds});
     return {};
-}
-
-PlainData Probes::values() const { return table_of(probes_, value_in); }
-
-PlainData Probes::describe(double now) const {
-    return table_of(probes_, [now](const Probe& probe, PlainData& data) -> PlainData::Value {
-        PlainData::Value value = value_in(probe, data);
-        PlainData::Table fields;
-        fields.emplace_back("age", now - probe.tm);
-        fields.emplace_back("tm", probe.tm);
-        fields.emplace_back("value", std::move(value));
-        data.tables.push_back(std::move(fields));
-        return PlainData::TableRef{data.tables.size() - 1};
-    });
 }
 
 void set_probe_global(lua_State* L, Script& script) {

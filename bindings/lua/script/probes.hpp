@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/base/error.hpp"
-#include "engine/components/plain_data.hpp"
+#include "engine/components/inside.hpp"
 
 namespace nezumi {
 
@@ -22,22 +22,11 @@ public:
     static constexpr std::size_t most_text = 1000;   ///< [bytes] of all texts of a value
     static constexpr std::size_t longest_name = 100;
 
-    struct Probe {
-        std::string name;
-        PlainData value;  ///< one number, truth value or text, or one flat table of them
-        double tm = 0;    ///< [s] when it was set
-    };
-
     /// Sets one. An error when its name is no identifier, or when there are too many.
     Expected<void> set(std::string_view name, PlainData value, double seconds);
     void clear() { probes_.clear(); }
     /// In the order in which they came.
     const std::vector<Probe>& all() const { return probes_; }
-
-    /// For a look: a table from each name to its `value`, `tm` and `age` at this time [s].
-    PlainData describe(double now) const;
-    /// For recordings: a table from each name to its value.
-    PlainData values() const;
 
 private:
     std::vector<Probe> probes_;

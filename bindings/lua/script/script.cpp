@@ -15,16 +15,7 @@
 #include "engine/system/system_spec.hpp"
 
 namespace nezumi {
-namespace {
-
-int stack_depth(lua_State* L) {
-    lua_Debug activation;
-    int depth = 0;
-    while (lua_getstack(L, depth, &activation) != 0) ++depth;
-    return depth;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Script::Script(const SourceText& source, ScriptContext context)
     : file_(source), doc_(first_comment(source.text)), context_(std::move(context)) {
@@ -102,14 +93,11 @@ std::string Script::text_of(std::string_view shown) const {
 
 // Modules
 
-Expected<void> Script::begin_module(lua_State* L, std::string_view name) {
+Expected<void> Script::begin_module(std::string_view name) {
     if (phase_ != Phase::loading)
         return failure(
             fmt::format("require '{}': modules are loaded while the file loads; require it at its top", name));
     if (!context_.find_module) return failure(fmt::format("require '{}': there are no modules here", name));
-    const int depth = stack_depth(L);
-    // What a pcall has caught did not end its module.
-    while (!loading_modules_.empty() && loading_modules_.back().depth >= depth) loading_modules_.pop_back();
     std::string chain;
     for (const LoadingModule& loading : loading_modules_) {
         if (loading.name == name || !chain.empty()) chain += loading.name + " requires ";
@@ -124,15 +112,13 @@ Expected<void> Script::begin_module(lua_State* L, std::string_view name) {
         module_error_ = chunk.error();
         return failure(module_error_->message);
     }
-    loading_modules_.push_back({std::string(name), source->path, depth});
+    loading_modules_.push_back({std::string(name), source->path});
     modules_.emplace_back(*source);
     module_chunk_ = std::move(*chunk);
     return {};
 }
 
-void Script::end_module() {
-    if (!loading_modules_.empty()) loading_modules_.pop_back();
-}
+void Script::end_module() { loading_modules_.pop_back(); }
 
 // Running
 
@@ -253,7 +239,7 @@ Expected<PlainData> Script::call_command(std::string_view name, const PlainData&
     if (auto ok = begin_call(); !ok) return Unexpected(ok.error());
     lua_State* L = lua_->lua();
     const int before = lua_gettop(L);
-    const int function = command->function;
+    const int function = command_functions_[static_cast<std::size_t>(command - commands_.begin())];
     auto pushed = protect(L, context_.budget, [&](lua_State* inside) {
         lua_rawgeti(inside, LUA_REGISTRYINDEX, function);
         push_plain(inside, arguments);

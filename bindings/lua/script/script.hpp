@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/call.hpp"
 #include "bindings/lua/sandbox/state.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
@@ -23,6 +22,7 @@
 #include "bindings/lua/script/tasks.hpp"
 #include "bindings/lua/values/plain_data.hpp"
 #include "engine/components/component.hpp"
+#include "engine/project/script_source.hpp"
 
 namespace nezumi {
 
@@ -67,14 +67,6 @@ struct PortSlot {
     const void* object = nullptr;  ///< the Lua object, to know it by
     Port* port = nullptr;          ///< null while the file loads
     bool live = false;             ///< it may be read and written: the version is the one that runs
-};
-
-/// `command(...)`.
-struct CommandDeclaration {
-    std::string name;
-    std::string doc;
-    int function = LUA_NOREF;
-    Place place;
 };
 
 /// `about { ... }`.
@@ -187,7 +179,8 @@ public:
 
     Expected<PortSlot*> declare_port(PortDeclaration declaration);
     Expected<void> declare_parameter(ParameterSpec spec);
-    Expected<void> declare_command(CommandDeclaration declaration);
+    /// `function` is a registry reference.
+    Expected<void> declare_command(CommandDeclaration declaration, int function);
     Expected<void> declare_about(ScriptAbout about);
     Expected<void> declare_task(Task task);
     /// Tasks can be started and cancelled now.
@@ -198,8 +191,8 @@ public:
     /// The registry reference of a callback; LUA_REFNIL when it is not defined, LUA_NOREF when there is no such
     /// callback.
     int hook_function(std::string_view name) const;
-    /// Finds and compiles a module; `module_chunk` is then its code, to be run before `end_module`.
-    Expected<void> begin_module(lua_State* L, std::string_view name);
+    /// Finds and compiles a module; `module_chunk` is then its code, to be run before `end_module`, however it ends.
+    Expected<void> begin_module(std::string_view name);
     void end_module();
     const Chunk& module_chunk() const { return module_chunk_; }
 
@@ -207,7 +200,6 @@ private:
     struct LoadingModule {
         std::string name;
         std::string path;
-        int depth;  // of the stack when it was required
     };
 
     Script(const SourceText& source, ScriptContext context);
@@ -236,6 +228,7 @@ private:
     std::list<PortDeclaration> ports_;
     std::list<PortSlot> slots_;
     std::vector<CommandDeclaration> commands_;
+    std::vector<int> command_functions_;  // registry references, as `commands_`
     ScriptAbout about_;
     Probes probes_;
     Parameters parameters_;

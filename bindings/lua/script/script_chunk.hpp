@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "bindings/lua/project/script_source.hpp"
 #include "bindings/lua/sandbox/compile.hpp"
 #include "engine/base/error.hpp"
 #include "engine/base/mutex.hpp"
+#include "engine/project/script_source.hpp"
 
 namespace nezumi {
 

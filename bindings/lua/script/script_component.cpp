@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/script/carry_over.hpp"
+#include "bindings/lua/script/line_texts.hpp"
 #include "bindings/lua/script/script_config.hpp"
 #include "bindings/lua/script/script_globals.hpp"
 
@@ -92,8 +94,8 @@ ComponentAbout ScriptComponent::about() const {
 }
 
 bool ScriptComponent::visit_member(std::string_view member, const LeafVisitor& visit) const {
-    if (member == "tasks") visit_plain(describe_tasks(), visit);
-    if (member == "probes") visit_plain(script_->probes().values(), visit);
+    if (member == "tasks") visit_plain(describe(tasks()), visit);
+    if (member == "probes") visit_plain(values_of(probes()), visit);
     if (member != "state") return member == "tasks" || member == "probes";
     if (const auto state = state_snapshot({})) visit_plain(state->data, visit);
     return true;
@@ -243,9 +245,10 @@ void ScriptComponent::begin_probation() {
 }
 
 Expected<void> ScriptComponent::execute_traced() {
-    LineTrace trace(script_->lua(), {{"config", push_config_values}, {"state", push_state}});
+    LineTrace trace({{"config", push_config_values}, {"state", push_state}});
     auto ok = script_->call(Hook::on_execute);
     latest_trace_ = trace.take();
+    add_texts(latest_trace_, *script_);
     traces_next_ = false;
     ++traces_;
     return ok;

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "bindings/lua/sandbox/line_trace.hpp"
 #include "bindings/lua/script/script.hpp"
 #include "engine/components/component.hpp"
 
@@ -27,29 +27,27 @@ public:
     Script& script() { return *script_; }
     const Script& script() const { return *script_; }
 
-    /// The commands that its script gives, callable as `name:command(...)`.
-    const std::vector<CommandDeclaration>& commands() const { return script_->commands(); }
+    const ScriptFile* script_file() const override { return &script_->file(); }
+    int last_reload() const override { return past_.empty() ? 0 : past_.back().replaced_by; }
+    std::span<const CommandDeclaration> commands() const override { return script_->commands(); }
     Expected<PlainData> call_command(std::string_view command, const PlainData& arguments, const Time& now) override;
     /// A copy of the script's `state`; what is no plain data is left out.
     Expected<PlainData> copy_state() const;
-    Expected<PlainSnapshot> state_snapshot(const PlainLimit& limit) const { return script_->state_snapshot(limit); }
-    /// Its tasks by name, for a look at them: `status`, `since`, and of those that wait `waiting` and `line`.
-    PlainData describe_tasks() const { return script_->tasks().describe(now().seconds); }
-    /// Its probes by name, for a look at them at this time [s]: `value`, `tm` and `age`.
-    PlainData describe_probes(double seconds) const { return script_->probes().describe(seconds); }
+    Expected<PlainSnapshot> state_snapshot(const PlainLimit& limit) const override {
+        return script_->state_snapshot(limit);
+    }
+    std::vector<TaskStatus> tasks() const override { return script_->tasks().status(now().seconds); }
+    std::span<const Probe> probes() const override { return script_->probes().all(); }
     bool visit_member(std::string_view member, const LeafVisitor& visit) const override;
     /// What the script printed while it loaded is told first.
     void set_log(LogSink sink) override;
 
-    /// Has an execution traced, line by line: the next one that is not on probation. Returns the number of that
-    /// trace.
-    std::int64_t trace_next() {
+    std::int64_t trace_next() override {
         traces_next_ = true;
         return traces_ + 1;
     }
-    /// The number of the latest trace, and what was seen.
-    std::int64_t traces() const { return traces_; }
-    const LineTrace::Seen& latest_trace() const { return latest_trace_; }
+    std::int64_t traces() const override { return traces_; }
+    TracedLines latest_trace() const override { return latest_trace_; }
 
     // The steps of a reload. None of them is of use alone: `Reloader` makes a transaction of them.
 
@@ -153,7 +151,7 @@ private:
     std::vector<Relapse> relapses_;
     bool traces_next_ = false;
     std::int64_t traces_ = 0;
-    LineTrace::Seen latest_trace_{};
+    TracedLines latest_trace_{};
 };
 
 }  // namespace nezumi

@@ -167,7 +167,7 @@ int global_command(lua_State* L) {
     const int function = keep_function(L);
     declare(L, script, [&]() -> Expected<void> {
         if (auto ok = take_arguments(L, "command", 3, "(name, function, doc)"); !ok) return ok;
-        CommandDeclaration command{.name = {}, .doc = {}, .function = function, .place = caller(L)};
+        CommandDeclaration command{.name = {}, .doc = {}, .place = caller(L)};
         if (lua_type(L, 1) != LUA_TSTRING)
             return failure(fmt::format("command: its name expected a string, got {}", luaL_typename(L, 1)));
         command.name = *text_at(L, 1, "");
@@ -177,7 +177,7 @@ int global_command(lua_State* L) {
         auto doc = text_at(L, 3, "its description");
         if (!doc) return failure(fmt::format("command '{}': {}", command.name, doc.error().message));
         command.doc = std::move(*doc);
-        return script.declare_command(std::move(command));
+        return script.declare_command(std::move(command), function);
     });
     return 0;
 }

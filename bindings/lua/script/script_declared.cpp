@@ -95,7 +95,7 @@ Expected<void> Script::declare_parameter(ParameterSpec spec) {
     return {};
 }
 
-Expected<void> Script::declare_command(CommandDeclaration declaration) {
+Expected<void> Script::declare_command(CommandDeclaration declaration, int function) {
     if (auto ok = check_loading("command"); !ok) return ok;
     if (auto ok = check_name("command", declaration.name, false); !ok) return ok;
     if (auto ok = check_count(commands_.size(), "command", declaration.name, "commands"); !ok) return ok;
@@ -118,6 +118,7 @@ Expected<void> Script::declare_command(CommandDeclaration declaration) {
         }
     }
     commands_.push_back(std::move(declaration));
+    command_functions_.push_back(function);
     return {};
 }
 

@@ -60,6 +60,21 @@ void push_log(lua_State* L, Script& script) {
     lock_table(L, "log");
 }
 
+int end_module(lua_State* L) {
+    script_of(L).end_module();
+    return 0;
+}
+
+// Pushes a value whose closing ends the module: also where its code fails and a script's pcall catches that.
+void push_module_end(lua_State* L) {
+    lua_newuserdatauv(L, 0, 0);
+    lua_createtable(L, 0, 1);
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_pushcclosure(L, end_module, 1);
+    lua_setfield(L, -2, "__close");
+    lua_setmetatable(L, -2);
+}
+
 // require(name)
 int global_require(lua_State* L) {
     Script& script = script_of(L);
@@ -72,15 +87,22 @@ int global_require(lua_State* L) {
         lua_pop(L, 1);
     }
     if (!push_native_module(L, 1)) {
+        push_module_end(L);
         bridge(L, [&]() -> Expected<void> {
             if (lua_type(L, 1) != LUA_TSTRING)
                 return failure(fmt::format("require expected a module's name, got {}", luaL_typename(L, 1)));
-            return script.begin_module(L, string_at(L, 1));
+            return script.begin_module(string_at(L, 1));
         });
+        lua_toclose(L, 3);
         const Chunk& chunk = script.module_chunk();
         if (luaL_loadbufferx(L, chunk.bytecode.data(), chunk.bytecode.size(), "module", "b") != LUA_OK) lua_error(L);
-        lua_call(L, 0, 1);
-        script.end_module();
+        if (is_outside_coroutines(L)) {
+            lua_call(L, 0, 1);
+        } else if (lua_pcall(L, 0, 1, 0) != LUA_OK) {  // nothing closes what is open in a coroutine that has failed
+            lua_closeslot(L, 3);
+            lua_error(L);
+        }
+        lua_closeslot(L, 3);
     }
     if (lua_isnil(L, -1)) {
         lua_pop(L, 1);
@@ -190,17 +212,6 @@ const std::vector<std::string_view>& script_globals() {
                                                        "log",   "now",    "output",  "param",  "probe",     "require",
                                                        "start", "state",  "task",    "wait",   "wait_until"};
     return globals;
-}
-
-const std::vector<std::string_view>& hook_names() {
-    static const std::vector<std::string_view> names = [] {
-        std::vector<std::string_view> all;
-        for (int i = static_cast<int>(Hook::on_activated); i <= static_cast<int>(Hook::on_reload); ++i) {
-            all.push_back(to_text(static_cast<Hook>(i)));
-        }
-        return all;
-    }();
-    return names;
 }
 
 void push_state(lua_State* L) { lua_rawgetp(L, LUA_REGISTRYINDEX, &state_key); }

@@ -17,9 +17,6 @@ void install_globals(lua_State* L, Script& script, const PlainData* state);
 /// Their names, without those of the library.
 const std::vector<std::string_view>& script_globals();
 
-/// The names of all callbacks, in the order of `Hook` from on_activated on.
-const std::vector<std::string_view>& hook_names();
-
 /// Pushes the table behind `state`. May raise a Lua error (memory).
 void push_state(lua_State* L);
 

@@ -37,12 +37,6 @@ std::string_view to_text(Task::Status status) {
     return names[static_cast<int>(status)];
 }
 
-std::string to_text(const Task& task, double now) {
-    std::string text(to_text(task.status));
-    if (task.status == Task::Status::waiting) text += fmt::format(": {} (line {})", waiting_text(task, now), task.line);
-    return text;
-}
-
 Expected<void> Tasks::declare(Task task) {
     if (const Task* other = find(task.name)) {
         return failure(fmt::format("task '{}' is declared twice (first in line {})", task.name, other->place.line));
@@ -168,23 +162,17 @@ void Tasks::end(lua_State* L, double now) {
     lua_settop(L, 0);
 }
 
-PlainData Tasks::describe(double now) const {
-    PlainData data;
-    data.values.emplace_back(PlainData::TableRef{0});
-    data.tables.emplace_back();
+std::vector<TaskStatus> Tasks::status(double now) const {
+    std::vector<TaskStatus> all;
     for (const Task& task : tasks_) {
-        PlainData::Table fields;
-        if (task.status == Task::Status::waiting) fields.emplace_back("line", std::int64_t{task.line});
-        fields.emplace_back("since", task.since);
-        fields.emplace_back("status", std::string(to_text(task.status)));
-        if (task.status == Task::Status::waiting) fields.emplace_back("waiting", waiting_text(task, now));
-        data.tables.front().emplace_back(task.name, PlainData::TableRef{data.tables.size()});
-        data.tables.push_back(std::move(fields));
+        TaskStatus status{.name = task.name, .status = std::string(to_text(task.status)), .since = task.since};
+        if (task.status == Task::Status::waiting) {
+            status.waiting = waiting_text(task, now);
+            status.line = task.line;
+        }
+        all.push_back(std::move(status));
     }
-    std::sort(data.tables.front().begin(), data.tables.front().end(), [](const auto& a, const auto& b) {
-        return std::get<std::string>(a.first) < std::get<std::string>(b.first);
-    });
-    return data;
+    return all;
 }
 
 }  // namespace nezumi

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/lua/values/plain_data.hpp"
 #include "engine/base/error.hpp"
+#include "engine/components/inside.hpp"
 
 namespace nezumi {
 
@@ -46,8 +46,6 @@ struct Task {
 };
 
 std::string_view to_text(Task::Status status);
-/// "waiting: 1.5 s, 0.7 s are left (line 12)", "finished".
-std::string to_text(const Task& task, double now);
 
 class Tasks {
 public:
@@ -79,8 +77,8 @@ public:
     /// Ends all, as on deactivation. `L` has an empty stack.
     void end(lua_State* L, double now);
 
-    /// name -> { status, since, waiting, line }, for a look at them.
-    PlainData describe(double now) const;
+    /// All as they are, in the order of their declarations.
+    std::vector<TaskStatus> status(double now) const;
 
 private:
     void begin(lua_State* L, Task& task);

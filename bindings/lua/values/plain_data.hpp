@@ -26,18 +26,6 @@ struct Dropped {
 Expected<PlainData> take_plain(lua_State* L, int count, Budget budget, const std::vector<std::string>& names,
                                std::vector<Dropped>& dropped);
 
-/// How much a snapshot takes. What is copied between two ticks makes none of them late: some 0.3 us a value.
-struct PlainLimit {
-    std::size_t values = 4000;                ///< entries of tables
-    std::size_t text = std::size_t{1} << 16;  ///< [bytes] of keys and values
-};
-
-/// A copy of a table, breadth first, as far as a limit goes: the tables from `whole` on are empty here.
-struct PlainSnapshot {
-    PlainData data;
-    std::size_t whole = 0;
-};
-
 /// The same as `take_plain` for the topmost value, which stays. `dropped` may be null; where it is given, a matrix is
 /// no plain data either: what is taken is to be put in the place of what was there.
 Expected<PlainSnapshot> snapshot_plain(lua_State* L, Budget budget, const PlainLimit& limit,

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "bindings/openrtm/orb/call_deadline.hpp"
 #include "bindings/openrtm/orb/life.hpp"
 #include "bindings/openrtm/orb/linker.hpp"
 #include "engine/base/thread.hpp"
@@ -18,6 +19,8 @@ constexpr int rounds_of_peers = 5;
 constexpr int rounds_of_links = 2;
 // An RTC that ends takes its connections with it: so long after it has ended one it is asked whether it lives.
 constexpr std::chrono::seconds last_words{3};
+// All calls that end what is exported, with the run.
+constexpr std::chrono::milliseconds longest_end{1500};
 // Instances of one name on a computer.
 constexpr int most_instances = 100;
 
@@ -34,10 +37,12 @@ Keeper::~Keeper() {
     {
         const std::lock_guard lock(mutex_);
         ends_ = true;
+        for (const Rtc& rtc : rtcs_) rtc->stop();  // at once: the thread may wait for a peer
     }
     changed_.notify_all();
     thread_.join();
-    for (const Rtc& rtc : rtcs_) withdraw(*rtc.in());
+    const CallDeadline deadline(longest_end);
+    withdraw(rtcs_);
 }
 
 void Keeper::show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links) {
@@ -68,6 +73,16 @@ void Keeper::publish(std::string_view path, std::span<const std::uint8_t> bytes,
     if (PortObject* port = find_port(path)) port->publish(bytes, order);
 }
 
+bool Keeper::is_made(const RtcLink& link) {
+    const std::lock_guard lock(mutex_);
+    return std::find(made_.begin(), made_.end(), link) != made_.end();
+}
+
+bool Keeper::is_ending() {
+    const std::lock_guard lock(mutex_);
+    return ends_;
+}
+
 void Keeper::run() {
     for (;;) {
         Wanted wanted;
@@ -84,8 +99,18 @@ void Keeper::run() {
         if (looks_around) register_all();
         look_after_connections();
         if (is_new || rounds_ % rounds_of_links == 0) make_links();
+        note_made();
         ++rounds_;
     }
+}
+
+void Keeper::note_made() {
+    std::vector<RtcLink> made;
+    for (const Link& link : links_) {
+        if (!CORBA::is_nil(link.theirs) && !link.ended_at) made.push_back(link.wanted);
+    }
+    const std::lock_guard lock(mutex_);
+    made_ = std::move(made);
 }
 
 void Keeper::take_wanted(const Wanted& wanted) {
@@ -105,8 +130,8 @@ void Keeper::take_wanted(const Wanted& wanted) {
             if (std::none_of(rtcs_.begin(), rtcs_.end(), is_it)) fresh.push_back(profile);
         }
     }
+    withdraw(gone);
     for (const Rtc& rtc : gone) {
-        withdraw(*rtc.in());
         for (Link& link : links_) {
             if (rtc->find_port(link.wanted.path) != nullptr) link = {link.wanted};
         }
@@ -138,14 +163,19 @@ void Keeper::take_links(const std::vector<RtcLink>& wanted) {
     links_ = std::move(links);
 }
 
-void Keeper::withdraw(RtcObject& rtc) {
-    try {
-        names_.unbind(rtc.instance() + ".rtc", rtc.reference());
-    } catch (const CORBA::Exception&) {
-        // The name service is away: whoever looks there next finds a stale entry, as after any crash.
-        told_.clear();
+// Robots hear together that they are to stop.
+void Keeper::withdraw(const std::vector<Rtc>& gone) {
+    for (const Rtc& rtc : gone) rtc->stop();
+    const auto deadline = Clock::now() + PortObject::longest_settling;
+    for (const Rtc& rtc : gone) {
+        try {
+            names_.unbind(rtc->instance() + ".rtc", rtc->reference());
+        } catch (const CORBA::Exception&) {
+            // The name service is away: whoever looks there next finds a stale entry, as after any crash.
+            told_.clear();
+        }
+        rtc->withdraw(deadline);
     }
-    rtc.withdraw();
 }
 
 // The first instance that nobody who lives has on this computer.
@@ -186,11 +216,12 @@ void Keeper::register_all() {
 }
 
 void Keeper::look_after_connections() {
+    const auto goes_on = [this] { return !is_ending(); };
     for (const Rtc& rtc : rtcs_) {
         for (const auto& port : rtc->ports()) {
             std::vector<std::string> lost = port->drop_lost();
             if (rounds_ % rounds_of_peers == 0) {
-                for (std::string& id : port->ask_peers()) lost.push_back(std::move(id));
+                for (std::string& id : port->ask_peers(goes_on)) lost.push_back(std::move(id));
             }
             // Nobody has ended these.
             for (Link& link : links_) {
@@ -224,6 +255,7 @@ void Keeper::make_links() {
     for (Link& each : links_) {
         const RtcLink& wanted = each.wanted;
         PortObject* port = find_port(wanted.path);
+        if (is_ending()) return;
         if (port == nullptr || !is_to_be_made(each, *port)) continue;
         const std::string other = "rtm:" + wanted.component + "." + wanted.port;
         const std::string between = port->port().is_in ? other + " to " + wanted.path : wanted.path + " to " + other;

@@ -28,6 +28,7 @@ public:
     // From the thread that ticks: none of it waits for a peer.
     void show(std::vector<RtcProfile> profiles, std::vector<RtcLink> links);
     WantedOrders wanted(std::string_view path);
+    bool is_made(const RtcLink& link);
     void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order);
 
 private:
@@ -46,14 +47,16 @@ private:
         bool is_ended = false;                        ///< and meant it
     };
 
+    bool is_ending();
     void run();
     void take_wanted(const Wanted& wanted);
     void take_links(const std::vector<RtcLink>& wanted);
-    void withdraw(RtcObject& rtc);
+    void withdraw(const std::vector<Rtc>& gone);
     std::string free_instance(const std::string& component);
     void register_all();
     void look_after_connections();
     void make_links();
+    void note_made();
     bool is_to_be_made(Link& link, PortObject& port);
     void tell_once(const std::string& about, bool is_problem, const std::string& text);
     PortObject* find_port(std::string_view path);
@@ -67,6 +70,7 @@ private:
     Mutex mutex_;  // of all below; never held while a peer is called
     std::condition_variable changed_;
     std::vector<Rtc> rtcs_;
+    std::vector<RtcLink> made_;
     Wanted wanted_;
     bool is_new_ = false;
     bool ends_ = false;

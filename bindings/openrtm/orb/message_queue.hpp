@@ -8,44 +8,79 @@
 #include <deque>
 #include <span>
 #include <utility>
-#include <vector>
 
+#include "bindings/openrtm/orb/velocity_bytes.hpp"
 #include "engine/base/mutex.hpp"
 
 namespace nezumi::openrtm {
 
-using Bytes = std::vector<std::uint8_t>;
 using Clock = std::chrono::steady_clock;
 
+/// Of velocities the latest alone waits, and the last one is zero: a robot that was sent another one is sent zero after
+/// `velocity_silence` without a message, and when the connection is about to end.
 class MessageQueue {
 public:
-    explicit MessageQueue(std::size_t capacity) : capacity_(capacity) {}
+    MessageQueue(std::size_t capacity, bool of_velocities)
+        : capacity_(of_velocities ? 1 : capacity), of_velocities_(of_velocities) {}
 
     void put(std::span<const std::uint8_t> message) {
         {
             const std::lock_guard lock(mutex_);
-            if (messages_.size() == capacity_) messages_.pop_front();
-            messages_.emplace_back(message.begin(), message.end());
+            if (stopped_) return;
+            put_with_lock({message.begin(), message.end()});
         }
         changed_.notify_one();
+    }
+    /// A message that the peer did not take waits again, unless a newer one waits.
+    void put_back(Bytes message) {
+        const std::lock_guard lock(mutex_);
+        if (messages_.empty()) messages_.push_back(std::move(message));
     }
     /// The oldest one. Returns whether there was one.
     bool take(Bytes& message) {
         const std::lock_guard lock(mutex_);
         return take_with_lock(message);
     }
-    /// Waits for one. Returns false when the queue has ended.
+    /// Waits for one. Returns false when none will come any more.
     bool wait(Bytes& message) {
         Lock lock(mutex_);
-        changed_.wait(lock, [this] { return ended_ || !messages_.empty(); });
-        return !ended_ && take_with_lock(message);
+        for (;;) {
+            if (ended_) return false;
+            if (take_with_lock(message)) return true;
+            if (stopped_) return false;
+            if (moves_) {
+                changed_.wait_until(lock, put_at_ + velocity_silence);
+            } else {
+                changed_.wait(lock);
+            }
+        }
     }
-    /// Waits for the time alone. Returns false when the queue has ended.
+    /// Waits for the time, or for `stop`. Returns false when the queue has ended.
     bool wait_until(Clock::time_point time) {
         Lock lock(mutex_);
-        changed_.wait_until(lock, time, [this] { return ended_; });
+        changed_.wait_until(lock, time, [this] { return ended_ || stopped_; });
         return !ended_;
     }
+    /// Waits for the time, or for `end`.
+    void rest_until(Clock::time_point time) {
+        Lock lock(mutex_);
+        changed_.wait_until(lock, time, [this] { return ended_; });
+    }
+    /// What is put from now on is dropped; a robot that may move is sent zero.
+    void stop() {
+        {
+            const std::lock_guard lock(mutex_);
+            if (std::exchange(stopped_, true)) return;
+            if (moves_) put_with_lock(stopped(last_));
+        }
+        changed_.notify_all();
+    }
+    /// Nothing more is to be sent, now or later.
+    bool is_done() {
+        const std::lock_guard lock(mutex_);
+        return stopped_ && messages_.empty();
+    }
+    /// Nobody waits any more.
     void end() {
         {
             const std::lock_guard lock(mutex_);
@@ -55,7 +90,17 @@ public:
     }
 
 private:
+    void put_with_lock(Bytes message) {
+        if (of_velocities_) {
+            moves_ = is_motion(message);
+            last_ = message;
+            put_at_ = Clock::now();
+        }
+        if (messages_.size() == capacity_) messages_.pop_front();
+        messages_.push_back(std::move(message));
+    }
     bool take_with_lock(Bytes& message) {
+        if (messages_.empty() && moves_ && Clock::now() >= put_at_ + velocity_silence) put_with_lock(stopped(last_));
         if (messages_.empty()) return false;
         message = std::move(messages_.front());
         messages_.pop_front();
@@ -63,9 +108,14 @@ private:
     }
 
     const std::size_t capacity_;
+    const bool of_velocities_;
     Mutex mutex_;  // of all below
     std::condition_variable changed_;
     std::deque<Bytes> messages_;
+    Bytes last_;                  // of velocities: the message that was put last
+    bool moves_ = false;          // it is not zero
+    Clock::time_point put_at_{};  // when it was put
+    bool stopped_ = false;
     bool ended_ = false;
 };
 

@@ -1,25 +1,43 @@
 // omniORB: begins with what its options say, and ends with all that is under way.
+#include <omniORB4/CORBA.h>
+#include <omniORB4/internal/objectAdapter.h>
+
+#include <charconv>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bindings/openrtm/orb.hpp"
 #include "bindings/openrtm/orb/asker.hpp"
+#include "bindings/openrtm/orb/connection_gate.hpp"
 #include "bindings/openrtm/orb/keeper.hpp"
 #include "engine/base/thread.hpp"
 
 namespace nezumi::openrtm {
 namespace {
 
+// Of TCP, at which the ORB listens: "giop:tcp:127.0.0.1:41235".
+std::uint16_t own_port() {
+    const auto& endpoints = omni::omniObjAdapter::listMyEndpoints();
+    std::uint16_t port = 0;
+    if (endpoints.length() == 0) return port;
+    const std::string_view text = endpoints[0].in();
+    std::from_chars(text.data() + text.rfind(':') + 1, text.data() + text.size(), port);
+    return port;
+}
+
 class OmniOrb final : public Orb {
 public:
     OmniOrb(CORBA::ORB_ptr orb, RtcSite& site, const OrbOptions& options)
         : orb_(CORBA::ORB::_duplicate(orb)),
           asker_(std::make_unique<Asker>(orb_.in(), options.nameserver)),
-          keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)) {}
+          keeper_(std::make_unique<Keeper>(Home{orb_.in(), site}, options)),
+          gate_(own_port()) {}
     ~OmniOrb() override {
+        keeper_.reset();  // first: robots are told to stop
         asker_.reset();
-        keeper_.reset();
         try {
             orb_->destroy();  // waits for calls that are under way: none lasts longer than a second
         } catch (const CORBA::Exception&) {
@@ -36,6 +54,7 @@ public:
         return asker_->ask(std::move(question), tell);
     }
     WantedOrders wanted(std::string_view path) override { return keeper_->wanted(path); }
+    bool is_made(const RtcLink& link) override { return keeper_->is_made(link); }
     void publish(std::string_view path, std::span<const std::uint8_t> bytes, std::endian order) override {
         keeper_->publish(path, bytes, order);
     }
@@ -44,6 +63,7 @@ private:
     CORBA::ORB_var orb_;
     std::unique_ptr<Asker> asker_;
     std::unique_ptr<Keeper> keeper_;
+    ConnectionGate gate_;
 };
 
 CORBA::ORB_ptr begin(const OrbOptions& options) {

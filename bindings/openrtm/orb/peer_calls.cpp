@@ -152,4 +152,15 @@ PeerAnswer perform(const NameService::Named& named, const RtcRequest& request) {
     return answer;
 }
 
+double execution_rate(RTC::PortService_ptr port) {
+    try {
+        const RTC::PortProfile_var profile = port->get_port_profile();
+        if (CORBA::is_nil(profile->owner)) return 0;
+        const RTC::ExecutionContext_var context = context_of(profile->owner);
+        return CORBA::is_nil(context) ? 0 : context->get_rate();
+    } catch (const CORBA::Exception&) {
+        return 0;
+    }
+}
+
 }  // namespace nezumi::openrtm

@@ -12,4 +12,7 @@ PeerSnapshot look_at(const NameService::Named& named, bool whole);
 /// Has an RTC do something, and looks at it then. May throw CORBA's exceptions: it is gone, or does not answer.
 PeerAnswer perform(const NameService::Named& named, const RtcRequest& request);
 
+/// How often [Hz] the RTC of a port executes; 0 where it does not say. May wait for it.
+double execution_rate(RTC::PortService_ptr port);
+
 }  // namespace nezumi::openrtm

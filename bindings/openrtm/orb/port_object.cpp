@@ -5,6 +5,7 @@
 #include <sys/random.h>
 
 #include <array>
+#include <thread>
 #include <utility>
 
 #include "bindings/openrtm/orb/life.hpp"
@@ -49,6 +50,14 @@ bool is_short(const RTC::ConnectorProfile& profile) {
     return bytes.bufSize() <= PortObject::most_bytes;
 }
 
+// A peer whose messages are fetched is to say when it has none, instead of giving the last one again. One that has made
+// its buffer before it is told can't; nor is it asked for more than who connects has said.
+void ask_for_empty_answers(SDOPackage::NVList& properties) {
+    constexpr const char* policy = "dataport.outport.buffer.read.empty_policy";
+    const auto terms = terms_of(properties);
+    if (terms && !terms->push && text_of(properties, policy).empty()) add_text(properties, policy, "do_nothing");
+}
+
 // What a call of a peer comes to; one that is not there, or hangs, is an error.
 template <class Call>
 RTC::ReturnCode_t ask(const Call& call) {
@@ -71,9 +80,29 @@ RTC::PortService_ptr PortObject::begin(RTC::RTObject_ptr owner, const std::strin
     return RTC::PortService::_duplicate(self_);
 }
 
-void PortObject::withdraw() {
-    static_cast<void>(disconnect_all());
+void PortObject::withdraw(std::chrono::steady_clock::time_point deadline) {
+    for (const std::string& id : ids()) static_cast<void>(disconnect(id, deadline));
     deactivate(*this);
+}
+
+void PortObject::stop() {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, connection] : connections_) {
+        if (connection.connector != nullptr) connection.connector->stop();
+    }
+}
+
+// What an RTC has not read when its connection ends it never reads, and drives on.
+void PortObject::settle(const std::string& id, std::chrono::steady_clock::time_point deadline) {
+    constexpr std::chrono::milliseconds pause{5};
+    const auto is_settled = [&] {
+        const std::lock_guard lock(mutex_);
+        const auto found = connections_.find(id);
+        if (found == connections_.end() || found->second.connector == nullptr) return true;
+        found->second.connector->stop();
+        return found->second.connector->is_settled();
+    };
+    while (!is_settled() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(pause);
 }
 
 bool PortObject::is_self(RTC::PortService_ptr other) const {
@@ -132,9 +161,10 @@ std::vector<std::string> PortObject::drop_lost() {
     return lost;
 }
 
-std::vector<std::string> PortObject::ask_peers() {
+std::vector<std::string> PortObject::ask_peers(const std::function<bool()>& goes_on) {
     std::vector<std::string> lost;
     for (const std::string& id : ids()) {
+        if (!goes_on()) break;
         RTC::PortServiceList ports;
         {
             const std::lock_guard lock(mutex_);
@@ -199,12 +229,18 @@ RTC::ReturnCode_t PortObject::connect(RTC::ConnectorProfile& connector) {
     const std::string id = connector.connector_id.in();
     const RTC::PortService_var first = RTC::PortService::_duplicate(connector.ports[0]);
     if (CORBA::is_nil(first)) return RTC::BAD_PARAMETER;
+    if (port_.is_in) ask_for_empty_answers(connector.properties);
     const RTC::ReturnCode_t connected =
         is_self(first) ? notify_connect(connector) : ask([&] { return first->notify_connect(connector); });
     return connected;
 }
 
 RTC::ReturnCode_t PortObject::disconnect(const char* id) {
+    return disconnect(id, std::chrono::steady_clock::now() + longest_settling);
+}
+
+RTC::ReturnCode_t PortObject::disconnect(const std::string& id, std::chrono::steady_clock::time_point deadline) {
+    settle(id, deadline);
     RTC::PortServiceList ports;
     {
         const std::lock_guard lock(mutex_);
@@ -213,14 +249,12 @@ RTC::ReturnCode_t PortObject::disconnect(const char* id) {
         ports = found->second.profile.ports;
     }
     // Whoever is first passes it on; who is gone can't, and then each is told.
-    const std::string own_copy = id;
     RTC::ReturnCode_t told = RTC::RTC_ERROR;
     for (CORBA::ULong i = 0; i < ports.length() && told != RTC::RTC_OK; ++i) {
         if (CORBA::is_nil(ports[i])) continue;
-        told = is_self(ports[i]) ? notify_disconnect(own_copy.c_str())
-                                 : ask([&] { return ports[i]->notify_disconnect(own_copy.c_str()); });
+        told = is_self(ports[i]) ? leave(id) : ask([&] { return ports[i]->notify_disconnect(id.c_str()); });
     }
-    end(take_away(own_copy));
+    end(take_away(id));
     return told;
 }
 
@@ -255,7 +289,15 @@ RTC::ReturnCode_t PortObject::reserve(const RTC::ConnectorProfile& profile, cons
 
 RtcInlet PortObject::inlet_of(const RTC::ConnectorProfile& profile) const {
     const std::string name = profile.name.in();
-    return {home_.site, port_.path, name.empty() ? std::string(profile.connector_id.in()) : name};
+    return {home_.site, port_.path, name.empty() ? std::string(profile.connector_id.in()) : name, of_velocities()};
+}
+
+RtcOutlet PortObject::outlet_of(const RTC::ConnectorProfile& profile) const {
+    RtcOutlet outlet{.peer = RTC::PortService::_nil(), .of_velocities = of_velocities()};
+    for (CORBA::ULong i = 0; i < profile.ports.length(); ++i) {
+        if (!is_self(profile.ports[i])) outlet.peer = RTC::PortService::_duplicate(profile.ports[i]);
+    }
+    return outlet;
 }
 
 RTC::ReturnCode_t PortObject::notify_connect(RTC::ConnectorProfile& connector) {
@@ -277,16 +319,17 @@ RTC::ReturnCode_t PortObject::make(RTC::ConnectorProfile& profile, const Terms& 
     std::unique_ptr<Connector> connector;
     const bool is_called = port_.is_in == terms.push;
     if (is_called) {
-        connector =
-            port_.is_in ? make_push_inlet(home_.orb, inlet_of(profile), terms) : make_pull_outlet(home_.orb, terms);
+        connector = port_.is_in ? make_push_inlet(home_.orb, inlet_of(profile), terms)
+                                : make_pull_outlet(home_.orb, outlet_of(profile));
         set_text(profile.properties, port_.is_in ? in_port_reference : out_port_reference, connector->reference());
     }
+    if (port_.is_in) ask_for_empty_answers(profile.properties);
     if (const auto told = notify_next(profile); told != RTC::RTC_OK) return told;
     if (!is_short(profile)) return RTC::BAD_PARAMETER;
     if (!is_called) {
         const std::string reference = text_of(profile.properties, port_.is_in ? out_port_reference : in_port_reference);
         connector = port_.is_in ? make_pull_inlet(home_.orb, reference, inlet_of(profile), terms)
-                                : make_push_outlet(home_.orb, reference, terms);
+                                : make_push_outlet(home_.orb, reference, outlet_of(profile), terms);
         if (connector == nullptr) return RTC::BAD_PARAMETER;
     }
     const std::lock_guard lock(mutex_);
@@ -308,12 +351,17 @@ RTC::ReturnCode_t PortObject::notify_next(RTC::ConnectorProfile& profile) {
 
 RTC::ReturnCode_t PortObject::notify_disconnect(const char* id) {
     const std::string own_copy = id;
-    Connection connection = take_away(own_copy);
+    settle(own_copy, std::chrono::steady_clock::now() + longest_settling);
+    return leave(own_copy);
+}
+
+RTC::ReturnCode_t PortObject::leave(const std::string& id) {
+    Connection connection = take_away(id);
     if (connection.profile.ports.length() == 0) return RTC::BAD_PARAMETER;
     const RTC::PortServiceList ports = connection.profile.ports;
     end(std::move(connection));
     for (CORBA::ULong i = 0; i + 1 < ports.length(); ++i) {
-        if (is_self(ports[i])) return ask([&] { return ports[i + 1]->notify_disconnect(own_copy.c_str()); });
+        if (is_self(ports[i])) return ask([&] { return ports[i + 1]->notify_disconnect(id.c_str()); });
     }
     return RTC::RTC_OK;
 }

@@ -84,8 +84,12 @@ RTC::RTObject_ptr RtcObject::begin() {
     return self_;
 }
 
-void RtcObject::withdraw() {
-    for (const auto& port : ports_) port->withdraw();
+void RtcObject::stop() {
+    for (const auto& port : ports_) port->stop();
+}
+
+void RtcObject::withdraw(std::chrono::steady_clock::time_point deadline) {
+    for (const auto& port : ports_) port->withdraw(deadline);
     deactivate(*context_.in());
     deactivate(*configuration_.in());
     deactivate(*this);

@@ -1,6 +1,7 @@
 // A component as an RTC: its profile, its one execution context, its ports.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,8 +49,10 @@ public:
 
     /// Begins to be an RTC.
     RTC::RTObject_ptr begin();
-    /// Disconnects its ports; nobody reaches it any more. May wait for peers.
-    void withdraw();
+    /// Its connections are about to end: robots are told to stop.
+    void stop();
+    /// Disconnects its ports, as `PortObject::withdraw` does; nobody reaches it any more. May wait for peers.
+    void withdraw(std::chrono::steady_clock::time_point deadline);
 
     const RtcProfile& profile() const { return profile_; }
     const std::string& instance() const { return instance_; }

@@ -47,26 +47,47 @@ void add_property(SDOPackage::NVList& list, const std::string& name, const std::
 }
 
 OpenRTM::PortStatus FakeCdr::put(const OpenRTM::CdrData& data) {
-    print("got " + to_hex({data.get_buffer(), data.get_buffer() + data.length()}));
+    const Bytes message(data.get_buffer(), data.get_buffer() + data.length());
+    print("got " + to_hex(message));
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds_.load()));
+    const std::lock_guard lock(mutex_);
+    unread_.push_back(message);
     return OpenRTM::PORT_OK;
+}
+
+bool FakeCdr::read(Bytes& message) {
+    const std::lock_guard lock(mutex_);
+    if (unread_.empty()) return false;
+    message = unread_.back();
+    unread_.clear();
+    return true;
+}
+
+void FakeCdr::forget() {
+    const std::lock_guard lock(mutex_);
+    unread_.clear();
 }
 
 OpenRTM::PortStatus FakeBuffer::get(OpenRTM::CdrData_out data) {
     OpenRTM::CdrData_var answer = new OpenRTM::CdrData;
     const std::lock_guard lock(mutex_);
-    const bool is_there = !waiting_.empty();
-    if (is_there) {
-        answer->length(static_cast<CORBA::ULong>(waiting_.front().size()));
-        for (CORBA::ULong i = 0; i < answer->length(); ++i) answer[i] = waiting_.front()[i];
+    const bool is_there = !waiting_.empty() || (reads_back_ && !last_.empty());
+    if (!waiting_.empty()) {
+        last_ = waiting_.front();
         waiting_.pop_front();
+    }
+    if (is_there) {
+        answer->length(static_cast<CORBA::ULong>(last_.size()));
+        for (CORBA::ULong i = 0; i < answer->length(); ++i) answer[i] = last_[i];
     }
     data = answer._retn();
     return is_there ? OpenRTM::PORT_OK : OpenRTM::BUFFER_EMPTY;
 }
 
 void FakeBuffer::put(const Bytes& bytes) {
+    constexpr std::size_t most_waiting = 8;
     const std::lock_guard lock(mutex_);
+    if (waiting_.size() == most_waiting) waiting_.pop_front();
     waiting_.push_back(bytes);
 }
 
@@ -117,6 +138,54 @@ std::vector<double> FakePort::time_sends(int count, const Bytes& bytes) {
     return times;
 }
 
+std::vector<FakePort::Connection> FakePort::connections() {
+    const std::lock_guard lock(mutex_);
+    std::vector<Connection> all;
+    for (auto& [id, connection] : connections_) all.push_back(connection);
+    return all;
+}
+
+void FakePort::execute(double rate, const Bytes& message, bool stamps) {
+    rate_ = rate;
+    const int own = ++executions_;
+    std::thread([=, this, message = message]() mutable {
+        const auto period =
+            std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(1 / rate));
+        for (auto next = std::chrono::steady_clock::now(); executions_ == own; next += period) {
+            std::this_thread::sleep_until(next);
+            if (stamps && ++message[0] == 0) ++message[1];
+            try {
+                is_in_ ? read_once() : write_once(message);
+            } catch (const CORBA::Exception&) {
+                // Whoever is connected has gone: it is told so.
+            }
+        }
+    }).detach();
+}
+
+void FakePort::read_once() {
+    Bytes message;
+    if (cdr_->read(message)) print("reads " + to_hex(message));
+    for (Connection& each : connections()) {
+        if (!each.pull) continue;
+        OpenRTM::CdrData_var data;
+        if (each.peer_out->get(data.out()) == OpenRTM::PORT_OK)
+            print("reads " + to_hex({data->get_buffer(), data->get_buffer() + data->length()}));
+    }
+}
+
+void FakePort::write_once(const Bytes& message) {
+    Bytes copy = message;
+    const auto size = static_cast<CORBA::ULong>(copy.size());
+    for (Connection& each : connections()) {
+        if (each.pull) {
+            buffer_->put(message);
+        } else {
+            static_cast<void>(each.peer_in->put(OpenRTM::CdrData(size, size, copy.data(), false)));
+        }
+    }
+}
+
 void FakePort::fetch() {
     std::vector<OpenRTM::OutPortCdr_var> peers;
     {
@@ -133,10 +202,10 @@ void FakePort::fetch() {
     }
 }
 
-int FakePort::connect_to(RTC::PortService_ptr other, RTC::ConnectorProfile profile) {
+int FakePort::connect_to(RTC::PortService_ptr other, RTC::ConnectorProfile profile, bool is_last) {
     profile.ports.length(2);
-    profile.ports[0] = _this();
-    profile.ports[1] = RTC::PortService::_duplicate(other);
+    profile.ports[is_last ? 1 : 0] = _this();
+    profile.ports[is_last ? 0 : 1] = RTC::PortService::_duplicate(other);
     return static_cast<int>(connect(profile));
 }
 
@@ -191,6 +260,7 @@ RTC::PortProfile* FakePort::get_port_profile() {
     RTC::PortProfile_var profile = new RTC::PortProfile;
     profile->name = name_.c_str();
     profile->port_ref = _this();
+    profile->owner = RTC::RTObject::_duplicate(owner_);
     add_property(profile->properties, "port.port_type", is_in_ ? "DataInPort" : "DataOutPort");
     add_property(profile->properties, "dataport.data_type", "IDL:RTC/" + type_ + ":1.0");
     const RTC::ConnectorProfileList_var connectors = get_connector_profiles();
@@ -256,6 +326,8 @@ RTC::ReturnCode_t FakePort::notify_connect(RTC::ConnectorProfile& profile) {
         add_property(profile.properties, "dataport.corba_cdr.inport_ior", text.in());
     }
     if (!is_in_ && connection.pull) {
+        buffer_->read_back(reads_back_ &&
+                           property(profile.properties, "dataport.outport.buffer.read.empty_policy") != "do_nothing");
         const OpenRTM::OutPortCdr_var object = buffer_->_this();
         const CORBA::String_var text = orb_->object_to_string(object);
         add_property(profile.properties, "dataport.corba_cdr.outport_ior", text.in());
@@ -285,6 +357,7 @@ RTC::ReturnCode_t FakePort::notify_connect(RTC::ConnectorProfile& profile) {
     return RTC::RTC_OK;
 }
 
+// As in OpenRTM-aist the next port is told first: what this one has not read till then it may still read.
 RTC::ReturnCode_t FakePort::notify_disconnect(const char* id) {
     RTC::ConnectorProfile profile;
     {
@@ -292,11 +365,21 @@ RTC::ReturnCode_t FakePort::notify_disconnect(const char* id) {
         const auto found = connections_.find(id);
         if (found == connections_.end()) return RTC::BAD_PARAMETER;
         profile = found->second.profile;
-        connections_.erase(found);
     }
-    print("left " + std::string(profile.name.in()));
     const RTC::PortService_var next = next_of(profile);
-    return CORBA::is_nil(next) ? RTC::RTC_OK : next->notify_disconnect(profile.connector_id.in());
+    RTC::ReturnCode_t told = RTC::RTC_OK;
+    try {
+        if (!CORBA::is_nil(next)) told = next->notify_disconnect(profile.connector_id.in());
+    } catch (const CORBA::Exception&) {
+        told = RTC::RTC_ERROR;
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        connections_.erase(profile.connector_id.in());
+    }
+    cdr_->forget();
+    print("left " + std::string(profile.name.in()));
+    return told;
 }
 
 }  // namespace nezumi::fakes

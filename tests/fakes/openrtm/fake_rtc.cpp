@@ -1,11 +1,12 @@
 // An RTC with one data port, as a program of its own: fake_rtc NAMESERVER NAME PORT TYPE in|out. It reads commands, a
 // line each, and prints what happens; on the end of its input it leaves the name service.
 //   send HEX, fetch, hang SECONDS, fail: goes into ERROR
-//   connect RTC PORT [name=NAME] [id=ID] [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t
-//   race RTC PORT ROUNDS: connects twice at once, so often; in how many rounds not just one came to be
-//   boast COUNT: tells who connects so many letters
-//   about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC, set RTC SET NAME VALUE, use RTC
-//   SET flood COUNT HEX: sends so often, prints how long it took in all, and one of them
+//   execute RATE [HEX [stamped]]: its in-port reads, its out-port writes; stall: no longer; readback: its buffer does
+//   so connect RTC PORT [name=NAME] [id=ID] [last] [PROPERTY=VALUE ...], disconnect     a number of ReturnCode_t race
+//   RTC PORT ROUNDS: connects twice at once, so often; in how many rounds not just one came to be boast COUNT: tells
+//   who connects so many letters about RTC, ports RTC, state RTC, activate RTC, deactivate RTC, reset RTC, sets RTC,
+//   set RTC SET NAME VALUE, use RTC SET flood COUNT HEX: sends so often, prints how long it took in all, and one of
+//   them
 #include <omniORB4/Naming.hh>
 #include <unistd.h>
 
@@ -27,7 +28,8 @@ namespace {
 // As much of an RTC as others ask of it.
 class FakeRtc final : public POA_OpenRTM::DataFlowComponent {
 public:
-    FakeRtc(std::string name, RTC::PortService_ptr port) : name_(std::move(name)), port_(port) {}
+    FakeRtc(std::string name, RTC::PortService_ptr reference, const FakePort& port)
+        : name_(std::move(name)), port_(reference), context_(new FakeContext(port)) {}
     void fail() { context_->fail(); }
 
     RTC::PortServiceList* get_ports() override {
@@ -85,7 +87,7 @@ public:
 private:
     const std::string name_;
     RTC::PortService_ptr port_;
-    PortableServer::Servant_var<FakeContext> context_{new FakeContext};
+    PortableServer::Servant_var<FakeContext> context_;
     PortableServer::Servant_var<FakeConfiguration> configuration_{new FakeConfiguration};
 };
 
@@ -144,6 +146,15 @@ public:
             double seconds = 0;
             words >> seconds;
             port_.hang(seconds);
+        } else if (command == "execute") {
+            double rate = 0;
+            std::string hex, stamped;
+            words >> rate >> hex >> stamped;
+            port_.execute(rate, from_hex(hex), stamped == "stamped");
+        } else if (command == "stall") {
+            port_.stall();
+        } else if (command == "readback") {
+            port_.read_back();
         } else if (command == "boast") {
             std::size_t count = 0;
             words >> count;
@@ -191,7 +202,12 @@ private:
         RTC::ConnectorProfile told;
         told.name = "made by the fake";
         told.connector_id = "";
+        bool is_last = false;
         while (words >> word) {
+            if (word == "last") {
+                is_last = true;
+                continue;
+            }
             const std::size_t equals = word.find('=');
             const std::string name = word.substr(0, equals), value = word.substr(equals + 1);
             if (name == "name") {
@@ -204,7 +220,7 @@ private:
         }
         const RTC::PortService_var port = find_port(rtc, wanted);
         if (CORBA::is_nil(port)) return print("connected to nobody");
-        print("connected " + std::to_string(port_.connect_to(port, told)));
+        print("connected " + std::to_string(port_.connect_to(port, told, is_last)));
     }
     void race(RTC::RTObject_ptr rtc, std::istringstream& words) {
         std::string wanted;
@@ -294,8 +310,9 @@ int main(int count, char** arguments) {
 
         auto* port = new FakePort(orb, name + "." + port_name, arguments[4], std::string(arguments[5]) == "in");
         const RTC::PortService_var port_reference = port->_this();
-        auto* rtc = new FakeRtc(name, port_reference);
+        auto* rtc = new FakeRtc(name, port_reference, *port);
         const OpenRTM::DataFlowComponent_var reference = rtc->_this();
+        port->set_owner(reference);
         Commands commands(orb, nameserver, *port, *rtc);
         commands.bind(name, reference);
         print("ready");

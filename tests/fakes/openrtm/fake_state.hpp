@@ -13,10 +13,11 @@ namespace nezumi::fakes {
 /// An execution context: INACTIVE, ACTIVE, and nothing that could go wrong but an order that does not fit.
 class FakeContext final : public POA_RTC::ExecutionContextService {
 public:
+    explicit FakeContext(const FakePort& port) : port_(port) {}
     CORBA::Boolean is_running() override { return true; }
     RTC::ReturnCode_t start() override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t stop() override { return RTC::UNSUPPORTED; }
-    CORBA::Double get_rate() override { return 1000; }
+    CORBA::Double get_rate() override { return port_.rate(); }
     RTC::ReturnCode_t set_rate(CORBA::Double) override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t add_component(RTC::LightweightRTObject_ptr) override { return RTC::UNSUPPORTED; }
     RTC::ReturnCode_t remove_component(RTC::LightweightRTObject_ptr) override { return RTC::UNSUPPORTED; }
@@ -42,6 +43,7 @@ private:
         print(said);
         return RTC::RTC_OK;
     }
+    const FakePort& port_;
     std::atomic<RTC::LifeCycleState> state_ = RTC::INACTIVE_STATE;
 };
 

@@ -1,4 +1,4 @@
-// A camera's calibration, tried on a lens that differs from the camera's camera_model.
+// A camera's calibration, tried on a lens that differs from the camera's model.
 #include "bindings/cli/calibrate_camera.hpp"
 
 #include <catch2/catch.hpp>
@@ -101,7 +101,7 @@ double marker_error(const CameraIntrinsics& believed) {
 
 }  // namespace
 
-TEST_CASE("a calibrated camera errs by less than a fifth of what its camera_model does", "[cli][calibration][camera]") {
+TEST_CASE("a calibrated camera errs by less than a fifth of what its model does", "[cli][calibration][camera]") {
     const auto fit = calibrated(all_around);
     INFO((fit ? "" : fit.error().message));
     REQUIRE(fit);
@@ -152,7 +152,7 @@ TEST_CASE("a board that never moves, or is not there, ends the calibration after
 TEST_CASE("a camera's calibration is rehearsed in simulation, and writes nothing then", "[cli][calibration][camera]") {
     const Scratch scratch;
     scratch.write("system.lua",
-                  "robot 'mouse' { camera_model = 'raspimouse' }\n"
+                  "robot 'mouse' { model = 'raspimouse' }\n"
                   "component 'eye' { type = 'Camera', on = 'mouse', config = { k1 = -0.2, format = 'gray8' } }");
     const Outcome outcome = run_nezumi({"calibrate", "camera", "system.lua", "--sim"}, scratch.path("").string());
     CHECK(outcome.status == 0);
@@ -166,7 +166,7 @@ TEST_CASE("a camera's calibration is rehearsed in simulation, and writes nothing
 TEST_CASE("a camera that can't be calibrated is told in one line", "[cli][calibration][camera]") {
     const Scratch scratch;
     const std::string folder = scratch.path("").string();
-    const std::string mouse = "robot 'mouse' { camera_model = 'raspimouse' }\n";
+    const std::string mouse = "robot 'mouse' { model = 'raspimouse' }\n";
     scratch.write("none.lua", mouse);
     scratch.write("free.lua", mouse + "component 'eye' { type = 'Camera' }");
     scratch.write("one.lua", mouse + "component 'eye' { type = 'Camera', on = 'mouse' }");

@@ -71,7 +71,7 @@ TEST_CASE("nezumi check says what it could not read, and checks the rest", "[cli
 TEST_CASE("without a command nezumi says what there is", "[cli]") {
     const std::string known =
         "; known are run, attach, calc, types, check, new, test, doctor, calibrate, push, "
-        "marker, network, completion, manual";
+        "receive, marker, network, completion, manual";
     const std::string none = "nezumi: what is to be done? See nezumi --help" + known + "\n";
     CHECK(run_nezumi({}).error == none);
     CHECK(run_nezumi({}).status == 2);

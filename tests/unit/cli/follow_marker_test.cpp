@@ -14,7 +14,7 @@ struct Follow {
     explicit Follow(int threads = 1) {
         LiveOptions options = cli::simulated_systems();
         options.build.threads = threads;
-        auto loaded = LiveSystem::load("behaviors/systems/follow_marker.lua", std::move(options));
+        auto loaded = RunningSystem::load("behaviors/systems/follow_marker.lua", std::move(options));
         INFO((loaded ? "" : describe(loaded.error())));
         REQUIRE(loaded);
         live = std::move(*loaded);
@@ -33,7 +33,7 @@ struct Follow {
         for (int i = 0; i < std::lround(seconds * 100); ++i) live->tick();
     }
 
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "bindings/cli/new_behavior.hpp"
 #include "bindings/cli/new_files.hpp"
 #include "bindings/cli/new_project.hpp"
-#include "bindings/lua/script/script_globals.hpp"
+#include "engine/components/component.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -317,7 +317,7 @@ TEST_CASE("a new project passes nezumi check and its robot explores without touc
     for (const auto& file : files.files) CHECK(check_file(file, simulated_systems()).empty());
     CHECK(text_of_file(folder.path("README.md")).find("# mine\n") == 0);
 
-    auto live = LiveSystem::load(folder.path("behaviors/systems/room.lua"), simulated_systems());
+    auto live = RunningSystem::load(folder.path("behaviors/systems/room.lua"), simulated_systems());
     REQUIRE(live.has_value());
     (*live)->activate();
     const System& system = (*live)->system();

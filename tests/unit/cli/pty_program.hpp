@@ -135,8 +135,11 @@ inline pid_t fork_on_terminal(int& terminal, unsigned short rows, unsigned short
 /// A program with a terminal of so many columns.
 class PtyProgram {
 public:
-    /// `home` is where it keeps its history and its socket.
-    PtyProgram(std::vector<std::string> words, const std::string& home, unsigned short columns = 80) : screen(columns) {
+    /// `home` is where it keeps its history and its socket. A file `input` takes the place of the terminal as standard
+    /// input.
+    PtyProgram(std::vector<std::string> words, const std::string& home, unsigned short columns = 80,
+               const std::string& input = "")
+        : screen(columns) {
         words.insert(words.begin(), nezumi_program());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
@@ -147,6 +150,7 @@ public:
             setenv("XDG_STATE_HOME", home.c_str(), 1);
             setenv("XDG_RUNTIME_DIR", home.c_str(), 1);
             unsetenv("NO_COLOR");
+            if (!input.empty()) dup2(open(input.c_str(), O_RDONLY), STDIN_FILENO);
             execv(pointers[0], pointers.data());
             _exit(127);
         }
@@ -211,6 +215,17 @@ public:
         child_ = -1;
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
+    /// The terminal takes no output any more, as after Ctrl-S.
+    void stop_output() const {
+        const int other_end = open(ptsname(terminal_), O_RDWR | O_NOCTTY | O_CLOEXEC);
+        tcflow(other_end, TCOOFF);
+        close(other_end);
+    }
+    void send(int signal) const { kill(child_, signal); }
+    pid_t process() const { return child_; }
+    /// Waits for the end for at most so many seconds, and shows nothing meanwhile. Returns as `wait`; nothing when it
+    /// goes on.
+    std::optional<int> wait_unread(double seconds) { return end_within(child_, seconds); }
     /// The window gets another width.
     void resize(unsigned short columns) {
         const winsize size{.ws_row = height, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};

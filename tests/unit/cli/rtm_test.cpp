@@ -20,7 +20,7 @@ std::string exported_mouse(const std::string& nameserver) {
            "\" }\n";
 }
 
-std::string hash_of(const std::string& out) {
+std::string hash_told_in(const std::string& out) {
     const std::string begin = "trace hash: ";
     const std::size_t at = out.find(begin);
     return at == std::string::npos ? "none" : out.substr(at + begin.size(), 16);
@@ -55,15 +55,15 @@ TEST_CASE("what RTCs do is in the journal, and a replay without them ends alike"
             CHECK(out.heard("sent ") == "sent 0");
         }
         CHECK(run.wait() == 0);
-        hash = hash_of(run.out);
+        hash = hash_told_in(run.out);
     }
     Program still({"run", folder.write("still.lua", "robot \"mouse\" { model = \"raspimouse\" }").string(),
                    "--headless", "--speed", "max", "--duration", "8", "--trace-hash"});
     CHECK(still.wait() == 0);
-    CHECK(hash_of(still.out) != hash);  // it did move
+    CHECK(hash_told_in(still.out) != hash);  // it did move
     Program replay({"run", system, "--headless", "--replay", journal, "--trace-hash"});
     CHECK(replay.wait() == 0);
-    CHECK(hash_of(replay.out) == hash);
+    CHECK(hash_told_in(replay.out) == hash);
     CHECK(replay.error.find("rtm:") == std::string::npos);
 }
 

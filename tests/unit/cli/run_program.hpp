@@ -24,6 +24,19 @@ inline std::string nezumi_program() {
     return path.substr(0, path.rfind('/') + 1) + "nezumi";
 }
 
+/// Waits for the end of a child, which is -1 then, for at most so many seconds. Returns its exit status, or minus the
+/// signal that ended it; nothing when it goes on.
+inline std::optional<int> end_within(pid_t& child, double seconds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    int status = 0;
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (std::chrono::steady_clock::now() > end) return std::nullopt;
+        usleep(5000);
+    }
+    child = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
 /// Files in place of the pipes that take what a program says: "" closes it from the beginning.
 struct ProgramFiles {
     std::optional<std::string> out{};
@@ -89,6 +102,11 @@ public:
         waitpid(std::exchange(child_, -1), &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     }
+
+    /// The same for at most so many seconds, and nothing is taken of what it says; nothing when it goes on.
+    std::optional<int> wait_unread(double seconds) { return end_within(child_, seconds); }
+    /// Takes what it says for so long.
+    void listen(double seconds) { wait_for_error("\xff", seconds); }
 
     std::string out;    ///< what it has said so far
     std::string error;  ///< on standard error

@@ -93,7 +93,7 @@ TEST_CASE("a terminal is told how late ticks begin", "[cli][run]") {
 }
 
 TEST_CASE("prompts and browsers are told how late ticks begin, and of a run that has had none nothing", "[cli][run]") {
-    auto live = LiveSystem::make(SystemSpec{}, Project::of("behaviors/systems/any.lua"), {});
+    auto live = RunningSystem::make(SystemSpec{}, Project::of("behaviors/systems/any.lua"), {});
     REQUIRE(live);
     RunLoop loop(**live, {});
     RunConsole console(loop, "tiny");

@@ -1,10 +1,13 @@
 // `--hw --twin`: a simulated robot beside the real one, which never has a say in what that does.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "bindings/cli/run_hardware.hpp"
 #include "bindings/lua/files/system_file.hpp"
+#include "engine/live/twins.hpp"
 #include "engine/system/build_system.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/cli/run_program.hpp"
@@ -98,7 +101,7 @@ struct Pair {
     std::unique_ptr<System> system;
 };
 
-std::string refused(const std::string& text) {
+std::string refused_twin(const std::string& text) {
     const Scratch scratch;
     const auto file = scratch.write("system.lua", text);
     auto spec = read_system_file(file, Project::of(file, {source_root()}), {});
@@ -230,10 +233,19 @@ TEST_CASE("a twin has the sensors of its model, and no in-port that could comman
 }
 
 TEST_CASE("twins that can't be are refused", "[cli][hw][twin]") {
-    CHECK(refused("robot 'mouse' { model = 'raspimouse', backend = 'sim' }\n") ==
-          "--twin: system.lua has no real robot to simulate beside");
-    CHECK(refused(one_mouse + "robot 'mouse_twin' { model = 'raspimouse', backend = 'sim' }\n") ==
-          "--twin: the twin of 'mouse' is called 'mouse_twin': give this one another name");
+    CHECK(refused_twin("robot 'mouse' { model = 'raspimouse', backend = 'sim' }\n") ==
+          "system.lua has no real robot to simulate beside");
+    const std::string taken = one_mouse + "robot 'mouse_twin' { model = 'raspimouse', backend = 'sim' }\n";
+    CHECK(refused_twin(taken) == "the twin of 'mouse' is called 'mouse_twin': give this one another name");
+    const Scratch scratch;
+    const auto system = scratch.write("system.lua", taken);
+    auto spec = read_system_file(system, Project::of(system, {source_root()}), {});
+    REQUIRE(spec);
+    LiveOptions live;
+    use_hardware(live, {.robots = {}, .twins = true}, {});
+    CHECK(describe(live.prepare(*spec).error()) ==
+          fmt::format("{}:2: --twin: the twin of 'mouse' is called 'mouse_twin': give this one another name",
+                      system.string()));
     const std::string file = "behaviors/systems/stop_at_wall.lua";
     const Outcome without_robot = run_nezumi({"run", file, "--twin"});
     CHECK(without_robot.status == 2);

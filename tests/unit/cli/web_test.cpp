@@ -187,6 +187,47 @@ TEST_CASE("other computers are let in by TLS alone, with a certificate whose fin
     unsetenv("XDG_STATE_HOME");
 }
 
+TEST_CASE("TLS that is begun and not gone on with keeps out none that has a token", "[cli][web]") {
+    const WebSystem system;
+    setenv("XDG_STATE_HOME", system.scratch.path("state").c_str(), 1);
+    Program run({"run", system.file, "--listen", "127.0.0.1"});
+    REQUIRE(run.wait_for_error("fingerprint (SHA-256)\n"));
+    unsetenv("XDG_STATE_HOME");
+    const std::string address = run.error.substr(run.error.find("127.0.0.1:"));
+    const std::string port = std::to_string(std::atoi(address.c_str() + 10));
+    const std::string token = address.substr(address.find('#') + 1, 32);
+    // Half of them say nothing, and half the beginning of a greeting.
+    const std::string script =
+        "import socket, ssl\n"
+        "at, token = ('127.0.0.1', " +
+        port + "), '" + token +
+        "'\n"
+        "idle = [socket.create_connection(at) for _ in range(120)]\n"
+        "for each in idle[::2]: each.send(b'\\x16\\x03\\x01\\x02\\x00\\x01')\n"
+        "context = ssl._create_unverified_context()\n"
+        "browsers = []\n"
+        "for _ in range(20):\n"
+        "    link = context.wrap_socket(socket.create_connection(at))\n"
+        "    host = '127.0.0.1:' + str(at[1])\n"
+        "    link.sendall(('GET /ws HTTP/1.1\\r\\nHost: ' + host + '\\r\\nConnection: Upgrade\\r\\nUpgrade: "
+        "websocket\\r\\n'\n"
+        "        'Sec-WebSocket-Version: 13\\r\\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\\r\\nOrigin: https://' + "
+        "host +\n"
+        "        '\\r\\nSec-WebSocket-Protocol: nezumi, token.' + token + '\\r\\n\\r\\n').encode())\n"
+        "    print(link.recv(12).decode())\n"
+        "    browsers.append(link)\n";
+    const std::string file = system.scratch.write("ask.py", script).string();
+    std::string said;
+    if (FILE* const asked = popen(("/usr/bin/python3 " + file).c_str(), "r")) {
+        char piece[256];
+        while (fgets(piece, sizeof piece, asked) != nullptr) said += piece;
+        pclose(asked);
+    }
+    std::string expected;
+    for (int i = 0; i < 20; ++i) expected += "HTTP/1.1 101\n";
+    CHECK(said == expected);
+}
+
 TEST_CASE("a run with --open shows the desktop's browser the page by a file, so that no command line has its token",
           "[cli][web]") {
     const WebSystem system;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bindings/console/client.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "tests/unit/console/session_rig.hpp"
 
 using namespace nezumi;
@@ -272,15 +273,16 @@ TEST_CASE("what the last console holds on a real robot ends with it, a spreadshe
           "[console][server][safety]") {
     ServerRig it;
     LiveOptions options;
+    options.scripts = &lua_scripts();
     options.installed = {source_root()};
     options.world = sim::make_world;
     const std::string who = GENERATE("", "spreadsheet");
     const bool real = GENERATE(true, false);
     CAPTURE(who, real);
     options.build.real_time = real;
-    auto loaded = LiveSystem::load(it.file, options);
+    auto loaded = RunningSystem::load(it.file, options);
     REQUIRE(loaded);
-    LiveSystem& live = **loaded;
+    RunningSystem& live = **loaded;
     ConsoleServer server(live, it);
     std::optional<ConsoleClient> one(std::move(*server.connect(ConsoleServer::Use::prompt)));
     std::optional<ConsoleClient> other(std::move(*server.connect(ConsoleServer::Use::prompt)));

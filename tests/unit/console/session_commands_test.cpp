@@ -22,10 +22,10 @@ TEST_CASE("step and run return when time has moved", "[console][session]") {
     CHECK(it.type("for i = 1, 3 do step(2) end return now()") == "0.6");
     CHECK(it.type("coroutine.wrap(function() run(0.1) end)() return now()") == "0.7");
     CHECK(it.type("pcall(run, 0.1) return now()") == "0.8");
-    CHECK(it.type("step(0)") == "! step: expected a number of ticks, 1 or more, got 0");
-    CHECK(it.type("step(1.5)") == "! step: expected a number of ticks, 1 or more, got 1.5");
+    CHECK(it.type("step(0)") == "! step: expected a whole number of ticks from 1 to 1000000000000, got 0");
+    CHECK(it.type("step(1.5)") == "! step: expected a whole number of ticks from 1 to 1000000000000, got 1.5");
     CHECK(it.type("run(-1)") == "! run: expected seconds, more than 0, got -1");
-    CHECK(it.type("run(1e300)") == "! run: expected seconds, more than 0 and fewer than that, got 1e+300");
+    CHECK(it.type("run(1e300)") == "! run: expected a whole number of ticks from 1 to 1000000000000, got 1e+302");
     CHECK(it.type("run('x')") == "! run: expected seconds, got string");
     CHECK(it.type("step(1, 2)") == "! step: expected at most 1 argument, got 2: step(n)");
 }
@@ -89,7 +89,11 @@ TEST_CASE("pause, run without end and speed go to the clock", "[console][session
     CHECK(it.type("speed()") == "2.5");
     it.type("speed 'max'");
     CHECK(std::isinf(it.factor_));
-    CHECK(it.type("speed(0)") == "! speed: expected a number above 0, got 0; pause() stops time");
+    CHECK(it.type("speed(0)") ==
+          "! speed: expected a factor from 0.001 to 1000000, or \"max\", got 0; pause() stops time");
+    CHECK(it.type("speed(5e-324)") == "! speed: expected a factor from 0.001 to 1000000, or \"max\", got 5e-324");
+    CHECK(it.type("speed(1e300)") == "! speed: expected a factor from 0.001 to 1000000, or \"max\", got 1e+300");
+    CHECK(std::isinf(it.factor_));
     CHECK(it.type("speed('fast')") == "! speed: expected a number or \"max\", got string");
     SessionOptions batch;
     batch.batch = true;

@@ -8,7 +8,8 @@
 
 #include "bindings/console/session.hpp"
 #include "bindings/console/worker.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/system/network.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
@@ -48,13 +49,14 @@ struct HostsRig : ClockControl {
     HostsRig() {
         folder.write("behaviors/it.lua", "local out = output('out', 'TimedVelocity2D')\n");
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.installed = {source_root()};
         options.network = [this](const SystemSpec&, System&) -> Expected<std::unique_ptr<Network>> {
             auto made = std::make_unique<OneHost>();
             network = made.get();
             return made;
         };
-        auto loaded = LiveSystem::load(
+        auto loaded = RunningSystem::load(
             folder.write("s.lua", "network { name = 'pi' }\nbehavior 'it' { script = 'it' }\n"), std::move(options));
         REQUIRE(loaded.has_value());
         live = std::move(*loaded);
@@ -93,7 +95,7 @@ struct HostsRig : ClockControl {
     Scratch folder;
     Bell bell;
     OneHost* network = nullptr;
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
     std::string shown;
     std::unique_ptr<Session> session;
 };

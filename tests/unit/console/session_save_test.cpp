@@ -1,4 +1,6 @@
 // What `save` writes, and where.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -69,6 +71,19 @@ TEST_CASE("a system is not saved over a script of its own", "[console][session]"
           "! save: '" + script + "' is the script of controller: give the system's file another name");
     CHECK(text_of_file(script) == counter_behavior);
     CHECK_FALSE(std::filesystem::exists(script + "~"));
+}
+
+TEST_CASE("a system is saved into a file alone: nothing else is waited for, and nothing left behind",
+          "[console][session]") {
+    SessionRig it;
+    const std::string pipe = it.folder.path("pipe.lua").string();
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK(it.type("save '" + pipe + "'") == "! save: '" + pipe + "' is a FIFO: give another name");
+    const std::string folder = it.folder.path("folder.lua").string();
+    std::filesystem::create_directory(folder);
+    CHECK(it.type("save '" + folder + "'") == "! save: '" + folder + "' is a folder: give another name");
+    CHECK_FALSE(std::filesystem::exists(pipe + "~.new"));
+    CHECK(std::filesystem::is_fifo(pipe));
 }
 
 TEST_CASE("the present wiring and configuration is saved as a system file", "[console][session]") {

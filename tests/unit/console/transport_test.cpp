@@ -193,19 +193,40 @@ TEST_CASE("what was left out is told before the answer, after which a client may
     CHECK(transport.takes_more(id));
 }
 
-TEST_CASE("a lossless client gets everything, as fast as it reads", "[console][transport]") {
+TEST_CASE("a lossless client gets everything where the run waits while it is behind", "[console][transport]") {
     Transport transport;
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossless);
-    ConsoleClient client(std::move(pair.client));
+    CHECK_FALSE(transport.is_behind());
     constexpr std::size_t sent = 5000;
-    std::size_t shown = 0;
-    std::thread reader([&] {
-        while (shown < sent && client.next(10000)) ++shown;
-    });
     for (std::size_t count = 0; count < sent; ++count) transport.send(id, {.text = std::string(1000, 'x')});
-    reader.join();
+    CHECK(transport.is_behind());
+    CHECK_FALSE(transport.takes_more(id));
+    ConsoleClient client(std::move(pair.client));
+    std::size_t shown = 0;
+    while (shown < sent && client.next(10000)) ++shown;
     CHECK(shown == sent);
+    CHECK_FALSE(transport.is_behind());
+    CHECK(transport.takes_more(id));
+}
+
+TEST_CASE("a lossless client that never reads holds nobody, and what it loses is counted", "[console][transport]") {
+    Transport transport;
+    Pair pair = make_pair();
+    const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossless);
+    const std::string text(1'000'000, 'x');
+    constexpr std::size_t sent = 100;
+    for (std::size_t count = 0; count < sent; ++count) transport.send(id, {.text = text});
+    transport.send(id, {.kind = Event::Kind::answer, .id = 1, .text = {}});
+    ConsoleClient client(std::move(pair.client));
+    std::size_t shown = 0;
+    std::size_t lost = 0;
+    for (auto event = client.next(10000); event && event->kind != Event::Kind::answer; event = client.next(10000)) {
+        if (event->kind == Event::Kind::output) ++shown;
+        if (event->kind == Event::Kind::lost) lost += event->count;
+    }
+    CHECK(lost > 0);
+    CHECK(shown + lost == sent);
 }
 
 TEST_CASE("no more requests are read than are dealt with", "[console][transport]") {
@@ -251,6 +272,46 @@ TEST_CASE("whoever is not the user is told so and gets no further", "[console][a
         CHECK_FALSE(client.next(10000));
         CHECK_FALSE(client.is_open());
         CHECK(transport.take().empty());
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("consoles that have said nothing keep nobody out, the oldest goes first", "[console][attach]") {
+    char name[] = "/tmp/nezumi-idle-XXXXXX";
+    const std::filesystem::path folder = mkdtemp(name);
+    {
+        Transport transport;
+        auto listener = Listener::open("it", folder);
+        REQUIRE(listener);
+        transport.listen(std::move(*listener), geteuid());
+        const auto attach = [&] {
+            auto reached = connect_to_system("it", folder);
+            REQUIRE(reached);
+            return ConsoleClient(std::move(reached->socket));
+        };
+        const auto speak = [&](ConsoleClient& client) {
+            client.send({.kind = Request::Kind::hello, .text = {}});
+            const auto incoming = take_until(transport, Incoming::What::request);
+            transport.finish_request(incoming.back().client);
+        };
+        ConsoleClient first = attach();
+        speak(first);
+        std::vector<ConsoleClient> silent;
+        for (int i = 0; i < 100; ++i) silent.push_back(attach());
+        std::vector<ConsoleClient> speaking;
+        for (std::size_t i = 1; i < Transport::max_clients; ++i) {
+            speaking.push_back(attach());
+            speak(speaking.back());
+        }
+        // All speak by now: they keep their places.
+        ConsoleClient one_more = attach();
+        const auto event = one_more.next(10000);
+        REQUIRE(event);
+        CHECK(event->kind == Event::Kind::bye);
+        CHECK(event->text == "too many consoles are attached");
+        speak(first);
+        CHECK_FALSE(silent.front().next(10000));
+        CHECK_FALSE(silent.front().is_open());
     }
     std::filesystem::remove_all(folder);
 }

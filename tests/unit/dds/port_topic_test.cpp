@@ -64,7 +64,8 @@ TEST_CASE("a velocity that its sender measured long ago is old when it comes at 
     Line line;
     OutPort<Velocity2D> out{"speed"};
     std::uint64_t number = 0;
-    Outlet outlet(out, line.place->write(line.topic), number);
+    const System system({}, {});
+    Outlet outlet(system, out, line.place->write(line.topic), number);
     const auto publish = [&](double now, double measured) {
         out.write({.vx = 0.1});
         out.stamp(measured);
@@ -124,7 +125,8 @@ TEST_CASE("an outlet sends every message of a tick, with what it says of itself"
     const Topic topic = topic_of("ev3", "part.count", port.type());
     const auto reader = place->read(topic);
     std::uint64_t number = 41;
-    Outlet outlet(port, place->write(topic), number);
+    const System system({}, {});
+    Outlet outlet(system, port, place->write(topic), number);
     port.write(3);
     port.write(4);
     port.latch({.tick = 9, .seconds = 0.09});

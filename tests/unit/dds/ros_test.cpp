@@ -1,4 +1,4 @@
-// Messages of ROS 2: types, names, bytes, conversions, and a node among them.
+// Messages of ROS 2: types, names, bytes, conversions.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -6,16 +6,13 @@
 #include "bindings/dds/network_maker.hpp"
 #include "bindings/dds/ros/convert.hpp"
 #include "bindings/dds/ros/mapping.hpp"
-#include "bindings/dds/ros/node.hpp"
 #include "bindings/dds/ros/type_hash.hpp"
 #include "engine/ports/cdr.hpp"
-#include "tests/unit/dds/host_rig.hpp"
+#include "tests/unit/dds/node_rig.hpp"
 #include "tests/unit/source_root.hpp"
 
 using namespace nezumi;
-using dds::FakeDomain;
-using dds::Part;
-using dds::RosNode;
+using dds::bytes_of;
 
 namespace {
 
@@ -24,13 +21,6 @@ std::string hex(const Octets& data) {
     for (const std::uint8_t byte : data) text += fmt::format("{:02x} ", byte);
     if (!text.empty()) text.pop_back();
     return text;
-}
-
-template <class M>
-Octets bytes_of(const M& message) {
-    Octets bytes;
-    write_cdr(bytes, {.header = true}, message);
-    return bytes;
 }
 
 // There and back.
@@ -42,48 +32,6 @@ T around(const T& value) {
     const auto read = ros::from_ros(message, back);
     REQUIRE(read.has_value());
     return back;
-}
-
-// A node in a system with one part, and another place in its domain.
-struct NodeRig {
-    explicit NodeRig(const RosSpec& spec, bool real = false)
-        : system({.real_time = real, .clock = [this] { return clock; }},
-                 [this](const LogLine& line) { log.push_back(line.text); }) {
-        auto made = std::make_unique<Part>("part");
-        part = made.get();
-        REQUIRE(system.add(std::move(made)));
-        REQUIRE(part->activate(system.now()));
-        auto added =
-            RosNode::add(system, spec, *place, {.clock = [this] { return clock; }, .wall_clock = [] { return 1.5e9; }});
-        if (!added) refusal = describe(added.error());
-    }
-    RosNode& node() { return dynamic_cast<RosNode&>(*system.find("ros/mouse")); }
-    void tick() {
-        node().between_ticks();
-        node().before_tick([this](const Act& act, const Actor& who) {
-            arrivals.push_back(fmt::format("{} by {}", name_of(act), to_text(who)));
-            return perform(system, std::get<Write>(act), who);
-        });
-        system.tick();
-    }
-
-    double clock = 100;
-    FakeDomain domain;
-    std::unique_ptr<dds::DdsTransport> place = domain.join();
-    std::unique_ptr<dds::DdsTransport> other = domain.join();
-    std::vector<std::string> log;
-    std::vector<std::string> arrivals;  // acts of what came
-    std::string refusal;
-    System system;
-    Part* part = nullptr;
-};
-
-RosSpec spec_of(std::vector<RosTopic> publish, std::vector<RosTopic> subscribe) {
-    RosSpec spec;
-    spec.node = "mouse";
-    spec.publish = std::move(publish);
-    spec.subscribe = std::move(subscribe);
-    return spec;
 }
 
 }  // namespace
@@ -198,130 +146,6 @@ TEST_CASE("times are whole nanoseconds", "[dds][ros]") {
     CHECK(ros::to_time(1.9999999999) == ros::Time{2, 0});
     CHECK(ros::to_time(1e300).sec == std::numeric_limits<std::int32_t>::max());
     CHECK(ros::to_seconds({1, 500'000'000}) == 1.5);
-}
-
-TEST_CASE("a node publishes what ports carry, stamped by the simulation's time, and tells that time", "[dds][ros]") {
-    NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}));
-    REQUIRE(rig.refusal.empty());
-    const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
-    const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
-    const auto clock = rig.other->read({.name = "rt/clock", .type = "rosgraph_msgs::msg::dds_::Clock_"});
-    rig.tick();
-    rig.part->speed.write({.vx = 0.5});
-    rig.tick();
-    const auto samples = reader->take();
-    REQUIRE(samples.size() == 1);
-    ros::TwistStamped message;
-    REQUIRE(read_cdr(samples[0].bytes, {.header = true}, message));
-    CHECK(message.twist.linear.x == 0.5);
-    CHECK(message.header.frame_id == "base_link");
-    CHECK(message.header.stamp == ros::Time{0, 10'000'000});
-    const auto ticks = clock->take();
-    REQUIRE(ticks.size() == 1);
-    ros::Clock time;
-    REQUIRE(read_cdr(ticks[0].bytes, {.header = true}, time));
-    CHECK(time.clock == ros::Time{0, 10'000'000});
-}
-
-TEST_CASE("a node of real robots stamps by the time of day and has no clock of its own", "[dds][ros]") {
-    NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}), true);
-    const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
-    const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
-    rig.tick();
-    rig.part->speed.write({.vx = 0.5});
-    rig.tick();
-    const auto samples = reader->take();
-    REQUIRE(samples.size() == 1);
-    ros::TwistStamped message;
-    REQUIRE(read_cdr(samples[0].bytes, {.header = true}, message));
-    CHECK(message.header.stamp.sec == 1'500'000'000);
-    for (const std::string& topic : rig.domain.topics()) CHECK(topic.find("rt/clock") == std::string::npos);
-}
-
-TEST_CASE("a node takes what comes on topics, and nothing that is no message", "[dds][ros]") {
-    NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}));
-    REQUIRE(rig.refusal.empty());
-    rig.tick();
-    const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "", true);
-    const auto writer = rig.other->write(ros::topic_of("/cmd_vel", **mapping, true));
-    ros::Twist twist;
-    twist.linear.x = 0.1;
-    twist.angular.z = -1;
-    writer->write(bytes_of(twist));
-    rig.tick();
-    REQUIRE(rig.part->targets.size() == 1);
-    CHECK(rig.part->targets[0].data == Velocity2D{0.1, 0, -1});
-    CHECK(rig.arrivals == std::vector<std::string>{"Write by network ros"});
-    const Octets wrong{0, 1, 0, 0, 9};
-    for (int i = 0; i < 2; ++i) {
-        writer->write(wrong);
-        rig.tick();
-    }
-    twist.linear.x = std::numeric_limits<double>::infinity();
-    writer->write(bytes_of(twist));
-    rig.tick();
-    CHECK(rig.part->targets.size() == 1);
-    REQUIRE(rig.log.size() == 2);
-    CHECK(rig.log[0].find("a message is not taken: byte 4") == 0);
-    CHECK(rig.log[1] == "a message is not taken: a number is not finite");
-}
-
-TEST_CASE("a velocity that came while time stood moves nothing afterwards", "[dds][ros]") {
-    const bool real = GENERATE(true, false);
-    NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}), real);
-    REQUIRE(rig.refusal.empty());
-    rig.tick();
-    const auto writer =
-        rig.other->write(ros::topic_of("/cmd_vel", **ros::find_mapping(type_index<Velocity2D>(), "", true), true));
-    writer->write(bytes_of(ros::Twist{}));
-    if (!real) rig.node().between_ticks();  // of a simulation that is paused
-    rig.clock += 0.6;
-    rig.tick();
-    CHECK(rig.arrivals.empty());
-    writer->write(bytes_of(ros::Twist{}));
-    rig.clock += 0.01;
-    rig.tick();
-    CHECK(rig.arrivals.size() == 1);
-}
-
-TEST_CASE("a simulation that is slower than the clock takes every velocity", "[dds][ros]") {
-    NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}));
-    rig.tick();
-    const auto writer =
-        rig.other->write(ros::topic_of("/cmd_vel", **ros::find_mapping(type_index<Velocity2D>(), "", true), true));
-    writer->write(bytes_of(ros::Twist{}));
-    rig.clock += 2;
-    rig.tick();
-    CHECK(rig.arrivals.size() == 1);
-}
-
-TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][ros]") {
-    const auto mapping = ros::find_mapping(type_index<RangeData>(), "sensor_msgs/msg/Range", true);
-    REQUIRE(mapping.has_value());
-    FakeDomain domain;
-    const auto place = domain.join();
-    const dds::Topic topic = ros::topic_of("/ir", **mapping, true);
-    const auto subscription = (*mapping)->subscribe(place->read(topic));
-    const auto writer = place->write(topic);
-    ros::Range range;
-    range.range = 0.5;
-    Octets bytes = bytes_of(range);
-    bytes.resize(bytes.size() - 4);
-    writer->write(bytes);
-    RangeData taken;
-    CHECK(subscription->receive(1, [&](AnyPayload value) { taken = std::get<RangeData>(std::move(value)); }).empty());
-    CHECK(taken.ranges == std::vector<double>{0.5});
-}
-
-TEST_CASE("a node says which topic it can't have", "[dds][ros]") {
-    RosTopic topic{"part.sped", "/a"};
-    topic.place = {"s.lua", 3, 5};
-    CHECK(NodeRig(spec_of({topic}, {})).refusal ==
-          "s.lua:3:5: ros: part.sped: part has no port 'sped' (did you mean 'speed'?)");
-    CHECK(NodeRig(spec_of({{"part.target", "/a"}}, {})).refusal == "ros: part.target: an in-port can't be published");
-    CHECK(NodeRig(spec_of({}, {{"part.speed", "/a"}})).refusal == "ros: /a: an out-port takes nothing from a topic");
-    CHECK(NodeRig(spec_of({{"part.speed", "/a"}, {"part.count", "/a"}}, {})).refusal ==
-          "ros: part.count: the topic /a is there already");
 }
 
 TEST_CASE("the documentation has the table of types of ROS as it is", "[dds][ros]") {

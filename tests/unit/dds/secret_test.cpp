@@ -1,10 +1,18 @@
 // Messages that only those write and read who have a secret, and announcements that were kept from earlier.
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <thread>
+#include <vector>
 
 #include "bindings/dds/host_table.hpp"
+#include "bindings/dds/network_maker.hpp"
 #include "bindings/dds/sealed_transport.hpp"
-#include "tests/unit/dds/fake_domain.hpp"
+#include "bindings/dds/user_secret.hpp"
+#include "tests/unit/dds/host_rig.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
 
 using namespace nezumi;
 using namespace nezumi::dds;
@@ -114,4 +122,126 @@ TEST_CASE("an announcement that was kept from earlier is none", "[dds][secret]")
     CHECK(hosts.find("ev3")->run == 6);
     hosts.heard(3, announced("ev3", 5, 9, {own}), 2);  // and what it said before is sent again
     CHECK(hosts.find("ev3")->run == 6);
+}
+
+TEST_CASE("the secret of a user is made once, and nobody else reads it", "[dds][secret]") {
+    const Scratch scratch;
+    const auto file = scratch.path() / "state" / "nezumi" / "network.secret";
+    std::vector<Expected<Secret>> made(8, failure("not asked"));
+    std::vector<std::thread> askers;
+    for (auto& each : made) askers.emplace_back([&] { each = user_secret(file); });
+    for (std::thread& each : askers) each.join();
+    REQUIRE(made[0]);
+    for (const auto& each : made) CHECK(each == made[0]);
+    CHECK(user_secret(file) == made[0]);
+    struct stat status {};
+    REQUIRE(stat(file.c_str(), &status) == 0);
+    CHECK((status.st_mode & 0777) == 0600);
+    CHECK(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}) == 1);
+    chmod(file.c_str(), 0644);
+    CHECK(user_secret(file).error().message ==
+          "the secret '" + file.string() + "' can be read by others: chmod 600 " + file.string());
+}
+
+TEST_CASE("a secret that can't be kept is refused with what to say instead", "[dds][secret]") {
+    const Scratch scratch;
+    scratch.write("file", "");
+    const auto refused = user_secret(scratch.path() / "file" / "network.secret");
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message ==
+          "no secret for the hosts of this user in '" + (scratch.path() / "file/network.secret").string() +
+              "': Not a directory; say `secret = FILE`, which `nezumi network secret FILE` makes, or `open = true` "
+              "where every user of this computer may drive");
+    CHECK(user_secret("").error().message.find("this user has no home") != std::string::npos);
+    std::filesystem::create_directory(scratch.path() / "network.secret");
+    CHECK(user_secret(scratch.path() / "network.secret").error().message.find("it is no file of this user's") !=
+          std::string::npos);
+}
+
+namespace {
+
+// Hosts of systems, each made as a run makes it, and for a user of its own.
+struct UsersHost {
+    UsersHost(FakeDomain& domain, const Scratch& scratch, const std::string& user, NetworkSpec network)
+        : domains([&domain](const DomainOptions&) { return Expected<std::unique_ptr<DdsTransport>>(domain.join()); }),
+          system({}, [this](const LogLine& line) {
+              if (line.level >= LogLevel::warn) log.push_back(line.text);
+          }) {
+        setenv("XDG_STATE_HOME", (scratch.path() / user).c_str(), 1);
+        SystemSpec spec;
+        spec.network = std::move(network);
+        auto made = make_networks(domains, "1.0")(spec, system);
+        if (!made) FAIL(made.error().message);
+        system.take_network(std::move(*made));
+    }
+    void look() {
+        system.network()->between_ticks([](const Act&, const Actor&) { return ActResult{}; });
+    }
+    bool hears(const std::string& name) {
+        for (const Host& host : system.network()->hosts()) {
+            if (host.name == name && host.here) return true;
+        }
+        return false;
+    }
+    Domains domains;
+    std::vector<std::string> log;
+    System system;
+};
+
+void meet(UsersHost& one, UsersHost& two) {
+    for (int i = 0; i < 30; ++i) {
+        one.look();
+        two.look();
+        std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("on the loopback hosts of one user hear each other, and those of another user are refused",
+          "[dds][secret][wallclock]") {
+    const Scratch scratch;
+    FakeDomain domain;
+    UsersHost one(domain, scratch, "first", {.name = "one"});
+    SECTION("the same user") {
+        UsersHost two(domain, scratch, "first", {.name = "two"});
+        meet(one, two);
+        CHECK(one.hears("two"));
+        CHECK(two.hears("one"));
+        CHECK(one.log == std::vector<std::string>{});
+    }
+    SECTION("another user") {
+        UsersHost two(domain, scratch, "second", {.name = "two"});
+        meet(one, two);
+        CHECK_FALSE(one.hears("two"));
+        CHECK_FALSE(two.hears("one"));
+        const std::vector<std::string> told{
+            "network: a host with another secret, as another user's, is there, and refused: let both say the same "
+            "`secret = FILE`, or both `open = true`"};
+        CHECK(one.log == told);
+        CHECK(two.log == told);
+    }
+    SECTION("a host without a secret") {
+        UsersHost two(domain, scratch, "first", {.name = "two", .open = true});
+        meet(one, two);
+        CHECK_FALSE(one.hears("two"));
+        CHECK(one.log == std::vector<std::string>{
+                             "network: a host without a secret (open = true) is there, and refused: let both say the "
+                             "same `secret = FILE`, or both `open = true`"});
+        CHECK(two.log == std::vector<std::string>{"network: a host with a secret is there, and refused: let both say "
+                                                  "the same `secret = FILE`, or both `open = true`"});
+    }
+    unsetenv("XDG_STATE_HOME");
+}
+
+TEST_CASE("two hosts that say open = true on the loopback hear each other, whosever they are",
+          "[dds][secret][wallclock]") {
+    const Scratch scratch;
+    FakeDomain domain;
+    UsersHost one(domain, scratch, "first", {.name = "one", .open = true});
+    UsersHost two(domain, scratch, "second", {.name = "two", .open = true});
+    meet(one, two);
+    CHECK(one.hears("two"));
+    CHECK(two.hears("one"));
+    unsetenv("XDG_STATE_HOME");
 }

@@ -72,10 +72,11 @@ TEST_CASE("a value that does not fit the port, or is not finite, is refused", "[
     CHECK(error_of(run.system, Hold{"mouse.velocity_in", Velocity2D{.vx = std::nan("")}}) ==
           "mouse.velocity_in: a number of the value is not finite");
     CHECK(run.system.holder("mouse.velocity_in") == nullptr);
-    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-        CHECK(error_of(run.system, Disturb{"mouse", bad, {}, {}}) == "disturb: a speed is not finite");
-        CHECK(error_of(run.system, Disturb{"mouse", 0.1, bad, {}}) == "disturb: a speed is not finite");
-        CHECK(error_of(run.system, Disturb{"mouse", {}, {}, bad}) == "disturb: a speed is not finite");
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300}) {
+        const auto refused = Catch::StartsWith("disturb: a speed: expected a ");
+        CHECK_THAT(error_of(run.system, Disturb{"mouse", bad, {}, {}}), refused);
+        CHECK_THAT(error_of(run.system, Disturb{"mouse", 0.1, bad, {}}), refused);
+        CHECK_THAT(error_of(run.system, Disturb{"mouse", {}, {}, bad}), refused);
     }
     CHECK(error_of(run.system, Disturb{"mouse", 0.1, {}, -0.5}).empty());
 }

@@ -39,20 +39,44 @@ TEST_CASE("whoever writes waits for no disk, and all of it is there at the end",
     close(ends[0]);
 }
 
-TEST_CASE("what waits to be written has a limit, and nothing of it gets lost", "[engine][base]") {
-    const Scratch scratch;
-    const auto path = scratch.path("it");
+TEST_CASE("what waits to be written has a limit: beyond it writing has failed, and nobody waits", "[engine][base]") {
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
     {
-        FileWriter writer(open(path.c_str(), O_WRONLY | O_CREAT, 0666), 10);
-        for (int i = 0; i < 1000; ++i) writer.put(std::to_string(i) + "\n");
+        FileWriter writer(ends[1], 1'000'000);
+        const std::string piece(100'000, 'x');
+        for (int i = 0; i < 5; ++i) writer.put(piece);
+        CHECK_FALSE(writer.is_behind());
+        for (int i = 0; i < 5; ++i) writer.put(piece);
+        CHECK(writer.is_behind());
+        CHECK(writer.problem() == 0);
+        for (int i = 0; i < 5; ++i) writer.put(piece);
+        CHECK(writer.problem() == ENOBUFS);
+        CHECK(why_not_written(writer.problem()) == "too much waits for it, which takes too little");
+        CHECK(writer.close() == ENOBUFS);
     }
-    std::string expected;
-    for (int i = 0; i < 1000; ++i) expected += std::to_string(i) + "\n";
-    CHECK(text_of_file(path) == expected);
+    close(ends[0]);
+}
+
+TEST_CASE("a pipe that is not read is given up, by whoever closes it and by others", "[engine][base]") {
+    const bool by_others = GENERATE(false, true);
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    FileWriter writer(ends[1]);
+    writer.put(std::string(1'000'000, 'x'));
+    const auto before = std::chrono::steady_clock::now();
+    std::thread other;
+    if (by_others) other = std::thread([&] { writer.give_up(); });
+    CHECK(writer.close(by_others ? FileWriter::forever : std::chrono::milliseconds(50)) == ECANCELED);
+    CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(5));
+    CHECK(why_not_written(ECANCELED) == "it did not take all of it in time");
+    CHECK(why_not_written(ENOSPC) == "No space left on device");
+    if (other.joinable()) other.join();
+    close(ends[0]);
 }
 
 TEST_CASE("a disk that is full ends the writing and keeps nobody waiting", "[engine][base]") {
-    FileWriter writer(open("/dev/full", O_WRONLY), 10);
+    FileWriter writer(open("/dev/full", O_WRONLY));
     for (int i = 0; i < 100; ++i) writer.put(std::string(100, 'x'));
     CHECK(writer.close() == ENOSPC);
     CHECK(writer.problem() == ENOSPC);

@@ -118,7 +118,13 @@ TEST_CASE("a bad YAML file of a map is told with its line and what belongs there
     CHECK(facts_error("image: m.pgm\n") == "map.yaml: is no map of ROS: it has no 'resolution:'");
     CHECK(facts_error("image: m.pgm\nresolution: 0.1\n") == "map.yaml: is no map of ROS: it has no 'origin:'");
     CHECK(facts_error("image: m.pgm\nresolution: wide\n") ==
-          "map.yaml:2: 'resolution': expected the edge of a pixel in m, at least 0.001, got 'wide'");
+          "map.yaml:2: 'resolution': expected the edge of a pixel in m, from 0.001 to 1000, got 'wide'");
+    for (const std::string absurd : {"1e300", "1e-300", "1001", "-1", "inf"}) {
+        CHECK(facts_error("image: m.pgm\nresolution: " + absurd + "\n") ==
+              "map.yaml:2: 'resolution': expected the edge of a pixel in m, from 0.001 to 1000, got '" + absurd + "'");
+    }
+    CHECK(facts_error("image: m.pgm\norigin: [0, 1e300]\n") ==
+          "map.yaml:2: 'origin': expected numbers up to 1000000, got '[0, 1e300]'");
     CHECK(facts_error("origin: 5\n") == "map.yaml:1: 'origin': expected [x, y, yaw], got '5'");
     CHECK(facts_error("origin: [1]\n") == "map.yaml:1: 'origin': expected [x, y, yaw], got '[1]'");
     CHECK(facts_error("origin: [1, 2, 3, 4]\n") == "map.yaml:1: 'origin': expected [x, y, yaw], got '[1, 2, 3, 4]'");

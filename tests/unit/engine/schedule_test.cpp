@@ -119,6 +119,8 @@ TEST_CASE("rates and steps are positive numbers", "[engine][schedule]") {
     CHECK(refusal(-5, 0.005) == "rate: -5 Hz is not a positive number");
     CHECK(refusal(std::nan(""), 0.005) == "rate: nan Hz is not a positive number");
     CHECK(refusal(std::numeric_limits<double>::infinity(), 0.005) == "rate: inf Hz is not a positive number");
+    CHECK(refusal(5e-7, 4) == "rate: expected from 1e-06 to 1000000 Hz, got 5e-07");
+    CHECK(refusal(1e300, 1e-300) == "rate: expected from 1e-06 to 1000000 Hz, got 1e+300");
     CHECK(refusal(100, 0) == "physics: a step of 0 s is not a positive number");
     CHECK(refusal(100, std::nan("")) == "physics: a step of nan s is not a positive number");
 }

@@ -1,16 +1,20 @@
 // Files that are read and written whole or not at all.
 #include "engine/base/whole_file.hpp"
 
+#include <fcntl.h>
+
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <string>
 
+#include "engine/base/staged_file.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 
@@ -74,6 +78,57 @@ TEST_CASE("a link, a mode and a device stay what they are", "[engine][base]") {
     CHECK(write_whole("/dev/null", "text"));
     CHECK(describe(write_whole("/dev/full", "text").error()) == "/dev/full: can't be written: No space left on device");
     CHECK(std::filesystem::exists("/dev/full"));
+}
+
+TEST_CASE("what was there before goes on under the name that it is kept as", "[engine][base]") {
+    const Scratch scratch;
+    const auto file = scratch.path("it.txt");
+    const std::string kept = file.string() + "~";
+    REQUIRE(write_whole(file, "first", kept));
+    CHECK_FALSE(std::filesystem::exists(kept));
+    REQUIRE(write_whole(file, "second", kept));
+    REQUIRE(write_whole(file, "third", kept));
+    CHECK(text_of_file(file) == "third");
+    CHECK(text_of_file(kept) == "second");
+    CHECK(files_in(scratch.path("")) == 2);
+    const std::string nowhere = scratch.path("no/it.txt").string();
+    CHECK(describe(write_whole(file, "fourth", nowhere).error()) ==
+          file.string() + ": can't be kept as " + nowhere + ": No such file or directory");
+    CHECK(text_of_file(file) == "third");
+    CHECK(files_in(scratch.path("")) == 2);
+}
+
+TEST_CASE("the reader of a pipe is not waited for, and nothing that lies beside a file", "[engine][base]") {
+    const Scratch scratch;
+    const auto pipe = scratch.path("pipe");
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK(describe(write_whole(pipe, "text").error()) ==
+          pipe.string() + ": is a pipe that nobody reads: start its reader first, or give a file");
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    REQUIRE(reader >= 0);
+    CHECK(write_whole(pipe, "text"));
+    char text[4];
+    CHECK(read(reader, text, sizeof text) == 4);
+    close(reader);
+    for (const char* beside : {"it.txt.new", "it.txt~.new"}) REQUIRE(mkfifo(scratch.path(beside).c_str(), 0600) == 0);
+    const auto file = scratch.path("it.txt");
+    REQUIRE(write_whole(file, "text", file.string() + "~"));
+    REQUIRE(write_whole(file, "text", file.string() + "~"));
+    CHECK(text_of_file(file) == "text");
+}
+
+TEST_CASE("a program that is killed while it writes a file leaves nothing of it", "[engine][base]") {
+    const Scratch scratch;
+    const auto file = scratch.write("it.txt", "before");
+    const pid_t child = fork();
+    if (child == 0) {
+        StagedFile staged(file.string());
+        write_all(staged.descriptor(), "half of what");
+        kill(getpid(), SIGKILL);
+    }
+    waitpid(child, nullptr, 0);
+    CHECK(text_of_file(file) == "before");
+    CHECK(files_in(scratch.path("")) == 1);
 }
 
 TEST_CASE("a file is read whole, or one plain message says why not", "[engine][base]") {

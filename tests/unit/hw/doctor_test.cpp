@@ -207,7 +207,7 @@ TEST_CASE("who drives the motors is seen by the lock as well", "[hw][doctor]") {
     REQUIRE(pipe(ends.data()) == 0);
     const pid_t other = fork();
     if (other == 0) {
-        const auto lease = Lease::take(node);
+        const auto lease = Lease::take("raspimouse", node);
         if (lease && write(ends[1], "1", 1) == 1) pause();
         _exit(1);
     }

@@ -84,6 +84,18 @@ TEST_CASE("an EV3's wheels stand within 250 ms of a stall, and of the death of e
     CHECK(FakeEv3::wait_until([&] { return run.fake.moves(); }, 3));
 }
 
+TEST_CASE("an EV3's motors that were plugged in again, under other numbers, stand within 50 ms of the program's death",
+          "[hw][ev3][run][fakes][safety][wallclock]") {
+    Ev3Run run;
+    for (const char* port : {"outB", "outC"}) {
+        REQUIRE(run.fake.say(std::string("unplug ") + port).empty());
+        REQUIRE(run.fake.say(std::string("plug ") + port).empty());
+    }
+    REQUIRE(FakeEv3::wait_until([&] { return run.fake.motion().left > 400 && run.fake.motion().right > 400; }, 5));
+    sleep_for(0.1);
+    CHECK(run.time_to_stand([&] { run.program->send(SIGKILL); }) < 0.05);
+}
+
 TEST_CASE("a run of an EV3 that is ended by Ctrl-C brakes, and lets its wheels roll",
           "[hw][ev3][run][fakes][wallclock]") {
     Ev3Run run;

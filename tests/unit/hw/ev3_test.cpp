@@ -66,9 +66,11 @@ TEST_CASE("an EV3's motors are where its robot file says", "[hw][ev3]") {
     auto body = Ev3Body::make(spec, roots);
     REQUIRE(body);
     (*body)->set_motor_power(true);
-    (*body)->set_wheel_speeds({.left = -360 * degree * spec.drive.radius, .right = 0});
-    CHECK(FakeRobot::wait_until([&] { return text_of(folder.path("class/tacho-motor/motor2/command")) == "run-timed"; },
-                                2));
+    const auto turns = [&] {  // once the guard has proved that it can stop them
+        (*body)->set_wheel_speeds({.left = -360 * degree * spec.drive.radius, .right = 0});
+        return text_of(folder.path("class/tacho-motor/motor2/command")) == "run-timed";
+    };
+    CHECK(FakeRobot::wait_until(turns, 2));
     const double speed = std::stod(text_of(folder.path("class/tacho-motor/motor2/speed_sp")));
     CHECK(speed < 0);
     CHECK(speed >= -360);

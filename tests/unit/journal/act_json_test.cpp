@@ -6,17 +6,18 @@
 #include <nlohmann/json.hpp>
 
 #include "bindings/journal/base64.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 
 using namespace nezumi;
 
 namespace {
 
-const Project project = Project::of("system.lua");
+const PartReader parts{Project::of("system.lua"), &lua_scripts()};
 
 template <class T>
 T back(const T& act) {
-    const auto json = nlohmann::ordered_json::parse(to_json(act).dump());
-    auto read = act_from_json(Describe<T>::name, json, project);
+    const auto json = nlohmann::ordered_json::parse(to_json(act, lua_scripts()).dump());
+    auto read = act_from_json(Describe<T>::name, json, parts);
     if (!read) FAIL(describe(read.error()));
     return std::get<T>(*read);
 }
@@ -93,7 +94,7 @@ TEST_CASE("a marker that is hung up comes back", "[journal]") {
     CHECK(same.place.file == marker.place.file);
     CHECK(back(RemoveMarker{"target"}).marker == "target");
     const auto read = [](const char* text) {
-        const auto act = act_from_json("AddMarker", nlohmann::ordered_json::parse(text), project);
+        const auto act = act_from_json("AddMarker", nlohmann::ordered_json::parse(text), parts);
         return act ? "" : act.error().message;
     };
     CHECK_THAT(read(R"({"marker":{}})"), Catch::Contains("expected a marker's lua and file"));

@@ -154,7 +154,7 @@ TEST_CASE("a replay reads no map, robot file or table either", "[journal]") {
     RecordingFiles files;
     LiveOptions options = RandomRun::makers();
     options.files = &files;
-    auto live = std::move(LiveSystem::load(system, std::move(options)).value());
+    auto live = std::move(RunningSystem::load(system, std::move(options)).value());
     auto journal = std::move(Journal::create(other.path("it.journal"), files).value());
     journal->begin(*live, journal_version, false);
     live->activate();
@@ -175,8 +175,8 @@ TEST_CASE("what was read and loaded beside the ticks is replayed from the journa
         SystemSpec part = run.live->spec();
         Expected<PreparedAdd> prepared = failure("not yet");
         std::thread([&] {
-            NotedFiles files(preparer.settings.project.files());
-            const auto path = preparer.settings.project.through(files).find(FileKind::script, name, part.file);
+            NotedFiles files(preparer.project.files());
+            const auto path = preparer.project.through(files).find(FileKind::script, name, part.file);
             prepared = preparer.beside(BehaviorEntry{.name = name, .script = name, .path = path->string()},
                                        std::move(part), files);
         }).join();
@@ -274,4 +274,30 @@ TEST_CASE("an act with a million numbers is written beside the ticks", "[journal
     it.end();
     CHECK(spent < 0.01);  // a copy; as text they are 6 MB
     CHECK(text_of_file(it.file).size() > 16'000'000);
+}
+
+TEST_CASE("a run whose files have names that are no UTF-8 replays from its journal", "[journal]") {
+    const Scratch folder;
+    folder.write("behaviors/it.lua", counter);
+    folder.write("behaviors/base64:x", "");
+    const fs::path system = folder.write("caf\xe9/syst\xe8me.lua", "behavior 'it' { script = 'it' }\n");
+    const std::string script = folder.write("caf\xe9/compt\xe9.lua", counter).string();
+    RecordingFiles files;
+    LiveOptions options;
+    options.files = &files;
+    options.scripts = &lua_scripts();
+    auto live = std::move(RunningSystem::load(system, std::move(options)).value());
+    const fs::path file = folder.path("it.journal");
+    auto journal = std::move(Journal::create(file, files).value());
+    journal->begin(*live, journal_version, false);
+    live->activate();
+    const auto added = live->act(
+        Add{BehaviorEntry{.name = "second", .script = "compt\xe9", .path = script, .place = {system.string(), 1}}}, {});
+    REQUIRE(added);
+    for (int i = 0; i < 10; ++i) live->tick();
+    const std::uint64_t hash = live->trace_hash();
+    journal->end(RunEnd::duration, "", live->when(), hash);
+    const Replayed again = replay(file);
+    CHECK(again.error.empty());
+    CHECK(hash_text(again.hash) == hash_text(hash));
 }

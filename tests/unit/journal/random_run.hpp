@@ -14,8 +14,9 @@
 
 #include "bindings/journal/journal.hpp"
 #include "bindings/journal/replay.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "engine/devices/joystick.hpp"
+#include "engine/live/running_system.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
@@ -40,7 +41,7 @@ public:
         options.files = &files_;
         options.world = with_pictures_from(files_, std::move(options.world));
         options.build.seed = seed_;
-        auto loaded = LiveSystem::load(file, std::move(options));
+        auto loaded = RunningSystem::load(file, std::move(options));
         if (!loaded) FAIL(describe(loaded.error()));
         live_ = std::move(*loaded);
         journal.begin(*live_, journal_version, false);
@@ -65,6 +66,7 @@ public:
 
     static LiveOptions makers() {
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.installed = {source_root()};
         options.world = sim::make_world;
         options.components = {{"Joystick", {{"sim", make_joystick}}}};
@@ -166,7 +168,7 @@ function on_execute()
     }
     Act make(std::in_place_type_t<Reload>) {
         write_scripts(random_());
-        std::vector<std::string> changed = live_->changed_files();
+        std::vector<std::string> changed = live_->look_for_changes()();
         if (below(5) == 0)
             return Reload{.component = "controller", .shown = "broken.lua", .text = "function on_execute( end"};
         return Reload{.files = std::move(changed), .component = "nobody"};
@@ -214,7 +216,7 @@ function on_execute()
     std::uint64_t seed_;
     std::mt19937_64 random_;
     RecordingFiles files_;
-    std::unique_ptr<LiveSystem> live_;
+    std::unique_ptr<RunningSystem> live_;
 };
 
 /// What a replay has come to.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bindings/journal/journal.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/journal/random_run.hpp"
 
@@ -20,9 +21,10 @@ struct SmallRun {
         if (prepare) prepare(folder);
         const std::filesystem::path system = folder.write("system.lua", "behavior 'it' { script = 'it' }\n");
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.files = &files;
         options.budget = budget;
-        live = std::move(LiveSystem::load(system, std::move(options)).value());
+        live = std::move(RunningSystem::load(system, std::move(options)).value());
         journal = std::move(Journal::create(file, files).value());
         journal->begin(*live, journal_version, false);
         live->activate();
@@ -49,7 +51,7 @@ struct SmallRun {
     Scratch folder;
     std::filesystem::path file = folder.path("it.journal");
     RecordingFiles files;
-    std::unique_ptr<LiveSystem> live;
+    std::unique_ptr<RunningSystem> live;
     std::unique_ptr<Journal> journal;
 };
 

@@ -1,5 +1,5 @@
 // Every way in which editors and tools save a file is noticed, and what is no change is not.
-#include "bindings/lua/reload/file_watcher.hpp"
+#include "engine/live/file_watcher.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 #include <memory>
 #include <thread>
 
-#include "bindings/lua/project/script_source.hpp"
+#include "engine/project/script_source.hpp"
 
 using namespace nezumi;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "bindings/lua/sandbox/line_trace.hpp"
 #include "tests/unit/live_rig.hpp"
 #include "tests/unit/lua/rig.hpp"
 
@@ -10,19 +11,19 @@ using namespace nezumi;
 namespace {
 
 // "3 near = 7": the line, and the variable's value behind it; "" when that line did not run or names no such variable.
-std::string value_at(const LineTrace::Seen& seen, int line, const std::string& name) {
-    for (const LineTrace::Line& each : seen.lines) {
+std::string value_at(const TracedLines& seen, int line, const std::string& name) {
+    for (const TracedLines::Line& each : seen.lines) {
         if (each.line != line) continue;
-        for (const LineTrace::Value& value : each.values) {
+        for (const TracedLines::Value& value : each.values) {
             if (value.name == name) return value.text;
         }
     }
     return "";
 }
 
-std::vector<int> numbers_of(const LineTrace::Seen& seen) {
+std::vector<int> numbers_of(const TracedLines& seen) {
     std::vector<int> numbers;
-    for (const LineTrace::Line& line : seen.lines) numbers.push_back(line.line);
+    for (const TracedLines::Line& line : seen.lines) numbers.push_back(line.line);
     return numbers;
 }
 
@@ -50,7 +51,7 @@ end
     CHECK(rig.component->trace_next() == 1);
     rig.tick();
     CHECK(rig.component->traces() == 1);
-    const LineTrace::Seen& seen = rig.component->latest_trace();
+    const TracedLines& seen = rig.component->latest_trace();
     CHECK_FALSE(seen.is_cut);
     CHECK(numbers_of(seen) == std::vector<int>{8, 9, 4, 5, 10, 13, 14, 15, 16});
     CHECK(value_at(seen, 8, "count") == "1");
@@ -74,7 +75,7 @@ end
     rig.activate();
     rig.component->trace_next();
     rig.tick();
-    const LineTrace::Seen& seen = rig.component->latest_trace();
+    const TracedLines& seen = rig.component->latest_trace();
     CHECK(value_at(seen, 4, "config.gain") == "0.5");
     CHECK(value_at(seen, 4, "state.count") == "4");
     CHECK(value_at(seen, 4, "state.list").empty());
@@ -193,13 +194,13 @@ TEST_CASE("an explanation goes from the sensor's port over the lines to the whee
     CHECK(seen->inputs[0].port == "controller.in");
     CHECK(seen->inputs[0].peers == std::vector<std::string>{"mouse.ir_sensor_out"});
     CHECK(seen->inputs[0].value.find("{ ") == 0);
-    const auto loop = std::find_if(seen->lines.begin(), seen->lines.end(),
+    const auto loop = std::find_if(seen->traced.lines.begin(), seen->traced.lines.end(),
                                    [](const auto& line) { return line.text.find("if value > config.stop_d") == 0; });
-    REQUIRE(loop != seen->lines.end());
+    REQUIRE(loop != seen->traced.lines.end());
     REQUIRE(loop->values.size() == 2);  // those that the line names
     CHECK(loop->values[0].name == "value");
-    CHECK(loop->values[1] == LineTrace::Value{"config.stop_d", "30"});
-    CHECK(seen->lines.back().file.find("counter.lua") != std::string::npos);
+    CHECK(loop->values[1] == TracedLines::Value{"config.stop_d", "30"});
+    CHECK(seen->traced.lines.back().file.find("counter.lua") != std::string::npos);
     REQUIRE(seen->outputs.size() == 1);
     CHECK(seen->outputs[0].peers == std::vector<std::string>{"mouse.target_velocity_in"});
     REQUIRE(seen->robots.size() == 1);

@@ -122,7 +122,7 @@ TEST_CASE("the trace goes on when a component comes and goes", "[lua][act]") {
     it.tick();
     CHECK((*followed)->exists());  // the same channel, by its name
     CHECK(error(AddMarker{{.name = "m", .id = 1, .size = -1}}) ==
-          "marker 'm' needs a positive size and finite numbers");
+          "marker: field 'size' expected a positive number, got -1");
     CHECK(error(RemoveMarker{"m"}) == "there is no marker 'm'");
 }
 

@@ -1,5 +1,5 @@
 // Saving a file changes the running robot; a bad save is told and changes nothing; no tick waits for either.
-#include "bindings/lua/reload/live_reload.hpp"
+#include "engine/live/live_reload.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "bindings/lua/reload/reloader.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
 
 using namespace nezumi;
@@ -128,7 +129,7 @@ TEST_CASE("a script that a FIFO takes the place of is told once, and reloads whe
     it.run(120);
     CHECK(it.log.empty());
     CHECK(it.value() == 1);
-    const auto refused = it.reloader.reload_files(it.reloader.changed_files());
+    const auto refused = it.reloader.reload_files(changed_files(it.reloader.loaded_files(), read_source));
     REQUIRE_FALSE(refused);
     CHECK(describe(refused.error()) == "it.lua: is a FIFO, expected a file; still running version 1");
     fs::remove(it.file);

@@ -19,7 +19,7 @@ struct Objective : LiveRig {
                        const std::map<std::string, std::string>& behaviors = {{"counter", counter_behavior}})
         : LiveRig(system, behaviors) {
         objects = std::move(
-            Objects::open(*box.state, [this]() -> LiveSystem& { return *live; }, {Actor::Kind::console}).value());
+            Objects::open(*box.state, [this]() -> RunningSystem& { return *live; }, {Actor::Kind::console}).value());
         const auto opened = protect(box.lua(), Budget{1.0}, [this](lua_State* L) {
             lua_pushglobaltable(L);
             for (const char* word : {"inject", "hold", "release"}) {

@@ -1,5 +1,5 @@
 // Names that become files: the order of places, and what is said when there is none.
-#include "bindings/lua/project/project.hpp"
+#include "engine/project/project.hpp"
 
 #include <sys/stat.h>
 

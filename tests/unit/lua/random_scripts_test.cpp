@@ -11,8 +11,9 @@
 #include <string>
 
 #include "bindings/lua/files/system_file.hpp"
-#include "bindings/lua/live/live_system.hpp"
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/lua/sandbox/watchdog.hpp"
+#include "engine/live/running_system.hpp"
 #include "engine/robot/robot.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/file_text.hpp"
@@ -80,7 +81,7 @@ class Hands {
 public:
     explicit Hands(std::uint64_t seed) : seed_(seed), random_(seed) {}
 
-    bool act(LiveSystem& live) {
+    bool act(RunningSystem& live) {
         switch (std::uniform_int_distribution<int>(0, 29)(random_)) {
             case 0: return done(live, Reload{.component = "it", .shown = "it.lua", .text = another()});
             case 1: return done(live, Reset{"it"});
@@ -98,7 +99,7 @@ public:
     bool has_run_out_of_time() const { return out_of_time_; }
 
 private:
-    bool done(LiveSystem& live, const Act& act) {
+    bool done(RunningSystem& live, const Act& act) {
         const auto result = live.act(act, {});
         out_of_time_ = out_of_time_ || (!result && result.error().kind == Error::Kind::out_of_time);
         return result.has_value();
@@ -127,6 +128,7 @@ public:
     End run(const std::string& script, std::uint64_t seed) const {
         folder_.write("behaviors/it.lua", script);
         LiveOptions options;
+        options.scripts = &lua_scripts();
         options.world = sim::make_world;
         options.budget = budget;
         // A reload that runs out of its time is told in the log alone.
@@ -134,7 +136,7 @@ public:
         options.build.log = [&](const LogLine& line) {
             is_told = is_told || line.text.find("ran for more than") != std::string::npos;
         };
-        auto live = LiveSystem::make(spec_, project_, std::move(options));
+        auto live = RunningSystem::make(spec_, project_, std::move(options));
         End end;
         if (!live) return end;
         end.loaded = true;
@@ -162,7 +164,7 @@ public:
     }
 
 private:
-    static void tick(LiveSystem& live, End& end) {
+    static void tick(RunningSystem& live, End& end) {
         const std::int64_t before = thread_time();
         live.tick();
         end.slowest = std::max(end.slowest, static_cast<double>(thread_time() - before) * 1e-9);
@@ -174,7 +176,7 @@ private:
     }
 
     // Soon, and from then on.
-    static void check_stands(LiveSystem& live) {
+    static void check_stands(RunningSystem& live) {
         const System& system = live.system();
         const auto stands = [&] {
             return system.robots().front()->guard().current() == Velocity2D{} &&

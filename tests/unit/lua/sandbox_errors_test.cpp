@@ -1,6 +1,8 @@
 // What a script's error looks like from outside, and what it may use of memory.
 #include <catch2/catch.hpp>
 
+#include <set>
+
 #include "sandbox_support.hpp"
 
 namespace nezumi {
@@ -119,7 +121,8 @@ TEST_CASE("deep recursion through C is an error, however it is done", "[lua][cal
         "local t = setmetatable({}, {}) getmetatable(t).__close = function() local x <close> = t end local x <close> = "
         "t",
         "local function f() local c = coroutine.create(function() local x <close> = setmetatable({}, { __close = f }) "
-        "coroutine.yield() end) coroutine.resume(c) assert(coroutine.close(c)) end f()");
+        "coroutine.yield() end) coroutine.resume(c) local ok, e = coroutine.close(c) if not ok then error(e, 0) end "
+        "end f()");
     CAPTURE(text);
     const std::string outcome = box.run(text, Budget{2.0});
     CHECK((outcome.find("stack overflow") != std::string::npos ||
@@ -152,6 +155,45 @@ TEST_CASE("the memory limit is exact", "[lua][memory]") {
     CHECK(box.run("local s = 'x' return pcall(function() while true do s = s .. s end end)") ==
           "false not enough memory");
     CHECK(box.run("return 'the state lives on'") == "the state lives on");
+}
+
+// Lua 5.4.7 keeps offsets in place of its stack's pointers while it asks for a larger stack.
+TEST_CASE("a limit that is reached while the stack grows is an error at its line", "[lua][memory]") {
+    const char* const text =
+        "local function down(n) local a, b, c, d, e, f = n, n, n, n, n, n\n"
+        "return 1 + down(n + 1) end\n"
+        "down(1)";
+    Box box;
+    const std::size_t before = box.state->memory();
+    for (std::size_t more = 1000; more < 300'000; more += 977) {
+        CAPTURE(more);
+        box.state->set_memory_limit(before + more);
+        load_chunk(box.lua(), compile(text, "box.lua").value());
+        const auto called = protected_call(box.lua(), 0, 0, Budget{10.0});
+        REQUIRE_FALSE(called);
+        CHECK(called.error().message.find("not enough memory: the script reached its limit of ") == 0);
+        CHECK(called.error().place.line >= 1);
+        CHECK(called.error().place.line <= 3);
+        lua_settop(box.lua(), 0);
+        box.state->set_memory_limit(1 << 20);
+        CHECK(box.run("return 'the state lives on'") == "the state lives on");
+    }
+}
+
+TEST_CASE("an error that is a number is told where there is no memory left for its text", "[lua][memory]") {
+    Box box;
+    REQUIRE(box.run("function raise() error(0.1234567890123) end") == "");
+    std::set<std::string> said;
+    for (std::size_t more = 0; more < 600; more += 8) {
+        lua_getglobal(box.lua(), "raise");
+        lua_gc(box.lua(), LUA_GCCOLLECT);
+        box.state->set_memory_limit(box.state->memory() + more);
+        const auto called = protected_call(box.lua(), 0, 0, Budget{10.0});
+        REQUIRE_FALSE(called);
+        said.insert(called.error().message.substr(0, 17));
+        box.state->set_memory_limit(1 << 20);
+    }
+    CHECK(said == std::set<std::string>{"0.1234567890123", "not enough memory"});
 }
 
 TEST_CASE("memory that is let go of is counted back", "[lua][memory]") {

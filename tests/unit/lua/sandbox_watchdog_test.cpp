@@ -1,4 +1,5 @@
 // Scripts that try not to end.
+#include <poll.h>
 #include <sys/resource.h>
 
 #include <catch2/catch.hpp>
@@ -195,6 +196,40 @@ TEST_CASE("where the system gives a thread no timer, scripts are stopped all the
     CHECK(stopped == "box.lua:1: " + too_long);
     CHECK(lives_on == "the state lives on");
     CHECK(inner == "in");
+}
+
+TEST_CASE("without a timer work in C functions counts as well", "[lua][watchdog]") {
+    rlimit timers{};
+    REQUIRE(getrlimit(RLIMIT_SIGPENDING, &timers) == 0);
+    std::string outcome;
+    double used = 0;
+    std::thread([&] {
+        const rlimit none{0, timers.rlim_max};
+        setrlimit(RLIMIT_SIGPENDING, &none);
+        Box box;
+        REQUIRE(box.run("t = {} for i = 1, 300000 do t[i] = 'x' end") == "");
+        const std::int64_t began = thread_time();
+        outcome = box.run_for_a_moment("for i = 1, 1000 do table.concat(t) end");
+        used = static_cast<double>(thread_time() - began) * 1e-9;
+        setrlimit(RLIMIT_SIGPENDING, &timers);
+    }).join();
+    CHECK(outcome == "box.lua:1: " + too_long);
+    CHECK(used < 0.5 * slowness());
+}
+
+TEST_CASE("a thread without a timer is not woken while it is idle", "[lua][watchdog]") {
+    rlimit timers{};
+    REQUIRE(getrlimit(RLIMIT_SIGPENDING, &timers) == 0);
+    int interrupted = -1;
+    std::thread([&] {
+        const rlimit none{0, timers.rlim_max};
+        setrlimit(RLIMIT_SIGPENDING, &none);
+        Box box;
+        box.run("return 1");
+        setrlimit(RLIMIT_SIGPENDING, &timers);
+        interrupted = poll(nullptr, 0, 100);
+    }).join();
+    CHECK(interrupted == 0);
 }
 
 TEST_CASE("a call within a call has its own budget, within the outer one's", "[lua][watchdog]") {

@@ -180,7 +180,7 @@ function on_execute() end)");
     REQUIRE(results);
     CHECK(results->values == std::vector<PlainData::Value>{number(4), PlainData::TableRef{0}});
     CHECK(results->tables == std::vector<PlainData::Table>{{{Text("total"), number(4)}}});
-    CHECK(rig.component->commands().at(0).doc == "adds");
+    CHECK(rig.component->commands()[0].doc == "adds");
 
     CHECK(describe(rig.component->call_command("say", {.values = {Text("hi")}, .tables = {}}, rig.now).error()) ==
           "robot_controller.lua:5: output 'out': controller is INACTIVE and can't write: activate it first");
@@ -282,6 +282,12 @@ function on_execute() out:write(a.double(21)) assert(require "b".twice(2) == 4) 
           "cycle2.lua:1: require 'cycle1': the modules require each other: cycle1 requires cycle2 requires cycle1 "
           "(called from robot_controller.lua:1)");
     CHECK(refusal("pcall(require, 'fails') pcall(require, 'fails') param('x', 1)", context) == "");
+    for (const std::string name : {"fails", "bad", "c", "cycle1"}) {
+        CAPTURE(name);
+        const std::string after = " function on_execute() end";
+        CHECK(refusal("pcall(require, '" + name + "')" + after, context) == "");
+        CHECK(refusal("coroutine.resume(coroutine.create(require), '" + name + "')" + after, context) == "");
+    }
     CHECK(refusal("require 'a'") == "robot_controller.lua:1: require 'a': there are no modules here");
     ScriptRig late("function on_execute() require 'a' end", context);
     late.activate().tick();

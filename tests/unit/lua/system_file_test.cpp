@@ -323,6 +323,24 @@ TEST_CASE("what a map of ROS has occupied stands in the arena", "[lua][system_fi
     CHECK(read("arena { map 'rooms/map.yaml' }").error().message.find("gone.pgm") != std::string::npos);
 }
 
+TEST_CASE("the bounds of a box hold for those of maps as well", "[lua][system_file]") {
+    const Scratch scratch;
+    scratch.write("behaviors/any.lua", "");
+    const Project project = Project::of(scratch.path("s.lua"));
+    const auto error = [&](const std::string& text) {
+        const auto spec = read_system_text(text, scratch.path("s.lua").string(), project);
+        if (spec) return std::string("no error");
+        std::string said = describe(spec.error());
+        return said.substr(said.rfind('/') + 1);
+    };
+    scratch.write("behaviors/map.csv", "x,y,z,lx,ly,lz,yaw\n0,0,0,1,1,1,0\n0,0,0,1,1e-300,1,0\n");
+    CHECK(error("arena { csv 'map.csv' }") == "map.csv:3: box: field 'size.y' expected at least 0.0001 m, got 1e-300");
+    scratch.write("behaviors/map.yaml", "image: map.pgm\nresolution: 1000\norigin: [999999, 0, 0]\n");
+    scratch.write("behaviors/map.pgm", std::string("P5\n3 1\n255\n") + "\xfe\xfe" + '\0');
+    CHECK(error("\narena { map 'map.yaml' }") ==
+          "s.lua:2: box: field 'at.x' expected a number up to 1000000, got 1002499");
+}
+
 TEST_CASE("a system says which RTCs see it, and where its ports lead", "[lua][system_file][rtm]") {
     const auto spec = system_of(
         "behavior 'c' { script = 'robot_controller' }\n"

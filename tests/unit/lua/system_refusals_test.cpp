@@ -28,6 +28,11 @@ TEST_CASE("seed, rate and the physics step are set once", "[lua][system_file]") 
     CHECK(system_error("physics { step = -1 }") ==
           "s.lua:1:11: physics: field 'step' expected a positive number, got -1");
     CHECK(system_error("physics { stepp = 1 }") == "s.lua:1:11: physics: unknown field 'stepp' (did you mean 'step'?)");
+    CHECK(system_error("physics { step = 1e-300 } rate(1e300)") ==
+          "s.lua:1:11: physics: field 'step' expected at least 1e-06 s, got 1e-300");
+    // A component that is due less often than that would be divided by nothing.
+    CHECK(system_error("behavior 'b' { script = 'robot_controller', rate = 1e-7 }") ==
+          "s.lua:1:45: behavior 'b': field 'rate' expected at least 1e-06 Hz, got 1e-07");
     CHECK(system_error("physics {}") ==
           "s.lua:1: physics: field 'step' is missing: expected a positive number in s: of time that the physics "
           "advances at once; a tick is a whole number of them");
@@ -296,7 +301,7 @@ TEST_CASE("what is no Lua, runs into an error or never ends is one message", "[l
     CHECK_THAT(system_error("arena {\n  box {\n"), Catch::StartsWith("s.lua:"));
     CHECK_THAT(system_error("local a = nil\nlocal b = a.x"),
                Catch::StartsWith("s.lua:2: attempt to index a nil value"));
-    CHECK(system_error("system_error('no arena today')") == "s.lua:1: no arena today");
+    CHECK(system_error("error('no arena today')") == "s.lua:1: no arena today");
     CHECK_THAT(system_error("\x1bLua"), Catch::Contains("bytecode"));
     CHECK(system_error("") == "s.lua: the file says nothing: expected robot, behavior, arena, connect ...");
     const auto endless = read("while true do end", {.seconds = 0.05});
@@ -310,7 +315,7 @@ TEST_CASE("what is no Lua, runs into an error or never ends is one message", "[l
 }
 
 TEST_CASE("whatever a file says, a message is one short line", "[lua][system_file]") {
-    CHECK(system_error("system_error('a\\nb\\27[2J\\0')") == "s.lua:1: a b?[2J?");
+    CHECK(system_error("error('a\\nb\\27[2J\\0')") == "s.lua:1: a b?[2J?");
     CHECK_THAT(system_error("robot('a\\nb', {})"), Catch::StartsWith("s.lua:1: robot 'a b': a name consists"));
     CHECK(system_error("behavior('c', { script = ('x'):rep(100000) })").size() < 1100);
     CHECK(system_error("component('c', { type = 'Camera', on = 'a\\1' })") ==
@@ -328,7 +333,7 @@ TEST_CASE("a zero byte ends no name in a system file", "[lua][system_file]") {
     CHECK_THAT(system_error(mouse + "connect('m\\0x.ir_sensor_out', 'm.target_velocity_in')"),
                Catch::Contains("'m?x.ir_sensor_out'"));
     CHECK_THAT(system_error("arena { csv 'map.csv\\0x' }"), Catch::Contains("has a control character in it: '"));
-    CHECK_THAT(system_error(mouse + "system_error('a\\0b')"), Catch::Contains("a?b"));
+    CHECK_THAT(system_error(mouse + "error('a\\0b')"), Catch::Contains("a?b"));
 }
 
 TEST_CASE("a name never stands for a device", "[lua][system_file]") {

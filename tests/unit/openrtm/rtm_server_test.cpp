@@ -26,6 +26,7 @@ struct Told {
     std::vector<RtcProfile> profiles{};
     std::vector<RtcLink> links{};
     std::map<std::string, WantedOrders, std::less<>> wanted{};
+    std::vector<RtcLink> made{};
     std::vector<std::pair<std::string, std::vector<std::uint8_t>>> sent{};
     OrbOptions options{};
     std::vector<PeerQuestion> questions{};
@@ -50,6 +51,9 @@ public:
         std::promise<Expected<std::string>> answer;
         answer.set_value(tell(question, told_.answer));
         return answer.get_future();
+    }
+    bool is_made(const RtcLink& link) override {
+        return std::find(told_.made.begin(), told_.made.end(), link) != told_.made.end();
     }
     WantedOrders wanted(std::string_view path) override {
         const auto found = told_.wanted.find(path);
@@ -365,4 +369,62 @@ TEST_CASE("the end of a server ends what RTCs see", "[openrtm][server]") {
     ServerRig rig;
     rig.server.reset();
     CHECK(rig.told.ended);
+}
+
+TEST_CASE("an emergency stop sends zero to RTCs in every tick, until rearm", "[openrtm][server]") {
+    ServerRig rig;
+    rig.told.wanted["controller.out"] = {.little = true};
+    const auto sent = [&] {
+        rig.told.sent.clear();
+        for (int i = 0; i < 3; ++i) {
+            REQUIRE(rig.live->act(Write{"controller.out", Velocity2D{.vx = 0.25}}, {}));
+            rig.turn();
+        }
+        std::vector<double> speeds;
+        for (const auto& [path, bytes] : rig.told.sent) {
+            if (path != "controller.out little") continue;
+            AnyPayload value = Velocity2D{};
+            double tm = 0;
+            REQUIRE(read_cdr_message(bytes, value, tm, {.order = std::endian::little}));
+            speeds.push_back(std::get<Velocity2D>(value).vx);
+        }
+        return speeds;
+    };
+    REQUIRE(rig.live->act(Deactivate{"controller"}, {}));
+    rig.turn();
+    CHECK(sent() == std::vector<double>{0.25, 0.25, 0.25});
+    REQUIRE(rig.live->act(Stop{}, {}));
+    CHECK(sent() == std::vector<double>{0, 0, 0});
+    CHECK(rig.said_lines ==
+          std::vector<std::string>{"rtm: emergency stop: RTCs connected to controller.out are sent zero until rearm()",
+                                   "rtm: the emergency stop does not reach rtm:Mouse0.target_velocity_in: it is not "
+                                   "connected: stop it there"});
+    rig.turn(100);
+    REQUIRE(rig.live->act(Rearm{}, {}));
+    CHECK(sent() == std::vector<double>{0.25, 0.25, 0.25});
+
+    rig.said_lines.clear();
+    rig.told.made = rig.told.links;
+    REQUIRE(rig.live->act(Stop{}, {}));
+    rig.turn();
+    CHECK(rig.said_lines == std::vector<std::string>{
+                                "rtm: emergency stop: RTCs connected to controller.out are sent zero until rearm()"});
+}
+
+TEST_CASE("an emergency stop leaves what a robot measures as it is", "[openrtm][server]") {
+    ServerRig rig;
+    rig.told.wanted["mouse.current_velocity_out"] = {.little = true};
+    REQUIRE(rig.live->act(Deactivate{"controller"}, {}));
+    for (int i = 0; i < 30; ++i) {
+        REQUIRE(rig.live->act(Inject{"mouse.target_velocity_in", Velocity2D{.vx = 0.25}}, {}));
+        rig.turn();
+    }
+    REQUIRE(rig.live->act(Stop{}, {}));
+    rig.told.sent.clear();
+    rig.turn(2);
+    REQUIRE(rig.told.sent.size() == 2);
+    AnyPayload measured = Velocity2D{};
+    double tm = 0;
+    REQUIRE(read_cdr_message(rig.told.sent[0].second, measured, tm, {.order = std::endian::little}));
+    CHECK(std::get<Velocity2D>(measured).vx > 0.1);
 }

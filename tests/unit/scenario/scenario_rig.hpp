@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/lua/reload/lua_host.hpp"
 #include "bindings/scenario/test_session.hpp"
 #include "sim/world.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
@@ -15,7 +16,9 @@ namespace nezumi {
 inline TestSessionOptions simulated_session() {
     TestSessionOptions options;
     options.installed = {source_root()};
-    options.systems = [] { return LiveOptions{.installed = {source_root()}, .world = sim::make_world}; };
+    options.systems = [] {
+        return LiveOptions{.scripts = &lua_scripts(), .installed = {source_root()}, .world = sim::make_world};
+    };
     return options;
 }
 

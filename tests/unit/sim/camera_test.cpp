@@ -138,7 +138,7 @@ TEST_CASE("no camera on a robot that is not there, no marker moved that is not t
     CHECK(camera.error().message == "there is no robot 'mouse' that could carry a camera");
     CHECK(w.world->move_marker("targt", {}).error().message == "there is no marker 'targt' (did you mean 'target'?)");
     CHECK(w.world->move_marker("target", {{NAN, 0, 0}, {}}).error().message ==
-          "marker 'target': its pose must be of finite numbers");
+          "marker 'target': its pose: expected a finite number, got nan");
     REQUIRE(w.world->move_marker("target", {{2, 1, 0.3}, {.y = 0.5}}));
     REQUIRE(w.world->markers().size() == 1);
     CHECK(w.world->markers()[0].pose.position == Point3D{2, 1, 0.3});

@@ -84,7 +84,8 @@ TEST_CASE("things are carried to no place where they can't be, and nothing has c
     CHECK(refusal(w, "box 2", {{1, 0}, 0}) == "box 2 at x = 1, y = 0 overlaps box 1: move one of them");
     CHECK(refusal(w, "box 2", {{1.99, 1.5}, 0}) ==
           "box 2 at x = 1.99, y = 1.5 overlaps the arena's wall: move one of them");
-    CHECK(refusal(w, "box 1", {{NAN, 0}, 0}) == "box 1: its pose must be of finite numbers");
+    CHECK(refusal(w, "box 1", {{NAN, 0}, 0}) == "box 1: its pose: expected a finite number, got nan");
+    CHECK(refusal(w, "box 1", {{1e300, 0}, 0}) == "box 1: its pose: expected a number up to 1000000, got 1e+300");
     CHECK(refusal(w, "wall", {{0, 0}, 0}) == "the walls of the arena's border stay where they are");
     CHECK(refusal(w, "box 7", {{0, 0}, 0}).find("there is no thing 'box 7' (did you mean 'box ") == 0);
     const auto after = w.world->things();

@@ -54,15 +54,21 @@ TEST_CASE("what has no extent is refused, with its place", "[sim][world]") {
     arena.boxes.push_back({.at = {}, .size = {1, 0, 1}, .place = {"arena.lua", 3}});
     auto made = make_world(arena, {}, {});
     REQUIRE_FALSE(made);
-    CHECK(describe(made.error()) == "arena.lua:3: a box needs a positive size, got { 1, 0, 1 }");
+    CHECK(describe(made.error()) == "arena.lua:3: box: field 'size.y' expected a positive number, got 0");
     arena = {};
     arena.cylinders.push_back({.at = {}, .radius = -1, .height = 1, .place = {"arena.lua", 4}});
     made = make_world(arena, {}, {});
     REQUIRE_FALSE(made);
-    CHECK(describe(made.error()) == "arena.lua:4: a cylinder needs a positive radius and height, got -1 and 1");
+    CHECK(describe(made.error()) == "arena.lua:4: cylinder: field 'radius' expected a positive number, got -1");
     made = make_world({}, {.step = 0}, {});
     REQUIRE_FALSE(made);
-    CHECK(describe(made.error()) == "the physics step must be a positive number of seconds, got 0");
+    CHECK(describe(made.error()) == "physics: the step: expected a positive number, got 0");
+    made = make_world({.size = Point2D{1, 1e300}}, {}, {});
+    REQUIRE_FALSE(made);
+    CHECK(describe(made.error()) == "arena: field 'size.y' expected a number up to 1000000, got 1e+300");
+    made = make_world({.border = BorderSpec{.thickness = 1e-300}}, {}, {});
+    REQUIRE_FALSE(made);
+    CHECK(describe(made.error()) == "arena: field 'border.thickness' expected at least 0.0001 m, got 1e-300");
 }
 
 TEST_CASE("robots that meet are both told, with whom", "[sim][world]") {

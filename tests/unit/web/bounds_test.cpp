@@ -92,6 +92,48 @@ TEST_CASE("a request that never ends keeps nobody out", "[web][bounds]") {
     CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 1}})["ok"] == true);
 }
 
+TEST_CASE("connections that show no token keep out none that do, however many they are", "[web][bounds]") {
+    WebRig rig;
+    std::vector<RawBrowser> idle;
+    for (int i = 0; i < 120; ++i) idle.push_back(rig.connect());
+    std::vector<RawBrowser> browsers;
+    for (int i = 0; i < 20; ++i) {
+        browsers.push_back(rig.open());
+        for (int more = 0; more < 5; ++more) idle.push_back(rig.connect());
+    }
+    for (RawBrowser& browser : browsers) CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 1}})["ok"] == true);
+    CHECK(idle.front().is_closed(3));  // the oldest
+    const std::string head = rig.connect().ask("GET / HTTP/1.1\r\nHost: " + rig.host() + "\r\n");
+    CHECK(head.rfind("HTTP/1.1 200", 0) == 0);
+}
+
+TEST_CASE("a connection that shows no token is closed after 5 s, and one that has asked for a file",
+          "[web][bounds][wallclock]") {
+    WebRig rig;
+    const auto begin = std::chrono::steady_clock::now();
+    RawBrowser idle = rig.connect(), half = rig.connect(), asked = rig.connect(), browser = rig.open();
+    REQUIRE(half.put("GET / HTTP/1.1\r\nHost: 127"));
+    CHECK(asked.ask("GET / HTTP/1.1\r\nHost: " + rig.host() + "\r\n").rfind("HTTP/1.1 200", 0) == 0);
+    for (RawBrowser* each : {&idle, &half, &asked}) CHECK(each->is_closed(15));
+    const auto lasted = std::chrono::steady_clock::now() - begin;
+    CHECK(lasted > std::chrono::milliseconds(4500));
+    CHECK(lasted < std::chrono::seconds(12));
+    CHECK(WebRig::answer(browser, {{"do", "stop"}, {"id", 1}})["ok"] == true);
+}
+
+TEST_CASE("those that may only look keep out none that may stop the robots", "[web][bounds]") {
+    WebRig rig;
+    std::vector<RawBrowser> browsers;
+    for (std::size_t i = 0; i < web::most_viewers; ++i) browsers.push_back(rig.open(rig.view_token));
+    RawBrowser one_more = rig.connect();
+    const std::string head =
+        one_more.ask(WebRig::upgrade(rig.host(), "http://" + rig.host(), "nezumi, token." + rig.view_token));
+    REQUIRE(head.size() > 12);
+    CHECK(head.substr(9, 3) == "503");
+    RawBrowser acts = rig.open();
+    CHECK(WebRig::answer(acts, {{"do", "stop"}, {"id", 1}})["ok"] == true);
+}
+
 TEST_CASE("when the run ends browsers are told, at once", "[web][bounds]") {
     WebRig rig;
     RawBrowser browser(rig.port, [] {});

@@ -1,7 +1,6 @@
 // What a browser is shown of a running system, and what it does to it.
 #include <catch2/catch.hpp>
 
-#include "bindings/lua/script/script_globals.hpp"
 #include "engine/ports/cdr.hpp"
 #include "tests/unit/web/web_rig.hpp"
 
@@ -216,7 +215,7 @@ TEST_CASE("a drive rests for a tick after half a second of silence, and is let g
 
 TEST_CASE("a stop is taken before everything that waits", "[web]") {
     const WebRig rig;
-    Hub hub(AccessControl(), StaticFiles(""), rig.live->project(), "}");
+    Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.opened(1, false);
     CHECK(hub.take().size() == 1);
     for (int i = 0; i < 20; ++i)
@@ -247,10 +246,13 @@ TEST_CASE("time is a browser's as it is the console's", "[web]") {
     CHECK(time("step", 3)["ok"] == true);
     for (int rounds = 0; rounds < 10; ++rounds) rig.serve();
     CHECK(rig.live->system().now().tick == tick + 3);
-    CHECK(time("step", 0.5)["text"] == "expected a number of ticks, 1 or more, got 0.5");
+    CHECK(time("step", 0.5)["text"] == "expected a whole number of ticks from 1 to 1000000000000, got 0.5");
     CHECK(time("speed", 4)["ok"] == true);
     CHECK(rig.factor_ == 4);
-    CHECK(time("speed", -1)["text"] == "expected a number above 0, got -1; pause stops time");
+    CHECK(time("speed", -1)["text"] ==
+          "expected a factor from 0.001 to 1000000, or \"max\", got -1; pause() stops time");
+    CHECK(time("speed", 5e-324)["text"] == "expected a factor from 0.001 to 1000000, or \"max\", got 5e-324");
+    CHECK(rig.factor_ == 4);
     CHECK(time("restart")["ok"] == true);
     CHECK(rig.live->starts() == 2);
     rig.hardware = true;

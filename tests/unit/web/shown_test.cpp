@@ -36,7 +36,7 @@ std::string next_binary(RawBrowser& browser, char kind) {
 
 TEST_CASE("who comes is shown the latest lines of the log, each once", "[web]") {
     const WebRig rig;
-    Hub hub(AccessControl(), StaticFiles(""), rig.live->project(), "}");
+    Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     for (std::size_t i = 0; i < Hub::most_kept + 5; ++i) hub.log("line " + std::to_string(i));
     hub.opened(1, false);
     hub.log("the last");
@@ -48,7 +48,7 @@ TEST_CASE("who comes is shown the latest lines of the log, each once", "[web]") 
 
 TEST_CASE("lines of the log that are long are kept in bounds", "[web]") {
     const WebRig rig;
-    Hub hub(AccessControl(), StaticFiles(""), rig.live->project(), "}");
+    Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     for (int i = 0; i < 10; ++i) hub.log(std::string(Hub::longest_kept / 2, 'x'));
     hub.opened(1, false);
     CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
@@ -59,7 +59,7 @@ TEST_CASE("lines of the log that are long are kept in bounds", "[web]") {
 
 TEST_CASE("who is let in while the run ends is told so, and closed", "[web]") {
     const WebRig rig;
-    Hub hub(AccessControl(), StaticFiles(""), rig.live->project(), "}");
+    Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.end("goodbye");
     hub.opened(1, false);
     CHECK(hub.next(1)->bytes.find("hello") != std::string::npos);
@@ -85,7 +85,7 @@ robot "mouse" { model = "raspimouse" }
 
 TEST_CASE("who asks for a floor's picture where there is none gets none", "[web]") {
     const WebRig rig;
-    Hub hub(AccessControl(), StaticFiles(""), rig.live->project(), "}");
+    Hub hub(AccessControl(), StaticFiles(""), rig.live->part_reader(), "}");
     hub.opened(1, false);
     CHECK(hub.next(1));
     hub.show(Hub::Slot::system, "the system");

@@ -1,0 +1,36 @@
+// Their messages can't be read, or go by topics of another name.
+#include "bindings/dds/strangers.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "bindings/dds/host_table.hpp"
+#include "bindings/dds/sealed_transport.hpp"
+
+namespace nezumi::dds {
+namespace {
+
+// [s] between two looks at all endpoints of the domain.
+constexpr double strangers_period = 1;
+
+}  // namespace
+
+std::string Strangers::look(double now) {
+    if (told_ || now < next_) return "";
+    next_ = now + strangers_period;
+    std::string_view who;
+    if (transport_.strange() > 0) who = "a host with another secret, as another user's,";
+    const std::string plain = announcement_topic().name;
+    const std::string sealed = sealed_name(plain);
+    for (const SeenEndpoint& each : transport_.seen()) {
+        if (each.own || !each.writes || !who.empty()) continue;
+        if (sealed_ && each.topic == plain) who = "a host without a secret (open = true)";
+        if (!sealed_ && each.topic == sealed) who = "a host with a secret";
+    }
+    if (who.empty()) return "";
+    told_ = true;
+    return fmt::format("{} is there, and refused: let both say the same `secret = FILE`, or both `open = true`", who);
+}
+
+}  // namespace nezumi::dds

@@ -1,0 +1,28 @@
+// A time by which all calls of a thread are over, however many peers hang.
+#pragma once
+
+#include <omniORB4/CORBA.h>
+#include <omnithread.h>
+
+#include <chrono>
+
+namespace nezumi::openrtm {
+
+/// While it lives, calls of this thread that have not been answered by then fail as if the peer hung.
+class CallDeadline {
+public:
+    explicit CallDeadline(std::chrono::milliseconds from_now) {
+        unsigned long seconds = 0, nanoseconds = 0;
+        omni_thread::get_time(&seconds, &nanoseconds, static_cast<unsigned long>(from_now.count() / 1000),
+                              static_cast<unsigned long>(from_now.count() % 1000 * 1'000'000));
+        omniORB::setClientThreadCallDeadline(seconds, nanoseconds);
+    }
+    ~CallDeadline() { omniORB::setClientThreadCallDeadline(0, 0); }
+    CallDeadline(const CallDeadline&) = delete;
+    CallDeadline& operator=(const CallDeadline&) = delete;
+
+private:
+    omni_thread::ensure_self self_;  // first: only threads that omniORB knows have one
+};
+
+}  // namespace nezumi::openrtm

@@ -1,0 +1,71 @@
+// The part of a connector that calls its peer, in a thread of its own: a peer that hangs costs nobody else anything.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include <data_port.hh>
+#include "bindings/openrtm/orb/connector.hpp"
+#include "bindings/openrtm/orb/message_queue.hpp"
+#include "engine/base/thread.hpp"
+
+namespace nezumi::openrtm {
+
+/// As many messages wait for a peer as in a buffer of OpenRTM-aist.
+inline constexpr std::size_t most_waiting = 8;
+
+/// Calls a peer until it is gone.
+class Caller : public Connector {
+public:
+    Caller(std::size_t capacity, bool of_velocities) : queue_(capacity, of_velocities) {}
+    bool is_lost() const override { return lost_; }
+
+protected:
+    template <class Call>
+    void start(const Call& call) {
+        thread_ = start_thread(call);
+    }
+    void end() {
+        queue_.end();
+        if (thread_.joinable()) thread_.join();
+    }
+    // Returns what the peer says. Whoever does not answer in time may do so the next time.
+    template <class Call>
+    OpenRTM::PortStatus ask(const Call& call) {
+        try {
+            return call();
+        } catch (const CORBA::TIMEOUT&) {
+            return OpenRTM::BUFFER_TIMEOUT;
+        } catch (const CORBA::Exception&) {
+            lost_ = true;
+        }
+        return OpenRTM::UNKNOWN_ERROR;
+    }
+
+    MessageQueue queue_;
+    std::atomic<bool> lost_ = false;
+
+private:
+    std::thread thread_;
+};
+
+/// Asks nothing of the peer: a port that hangs would be heard of only then.
+template <class Interface>
+typename Interface::_ptr_type peer_of(CORBA::ORB_ptr orb, const std::string& reference) {
+    try {
+        const CORBA::Object_var object = orb->string_to_object(reference.c_str());
+        return Interface::_unchecked_narrow(object);
+    } catch (const CORBA::Exception&) {
+        return Interface::_nil();
+    }
+}
+
+template <class Object>
+std::string reference_of(CORBA::ORB_ptr orb, Object& object) {
+    const CORBA::Object_var reference = object._this();
+    const CORBA::String_var text = orb->object_to_string(reference);
+    return text.in();
+}
+
+}  // namespace nezumi::openrtm

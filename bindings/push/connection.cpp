@@ -1,0 +1,76 @@
+// Each text is its length, as eight hexadecimal digits, and its bytes.
+#include "bindings/push/connection.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi::push {
+namespace {
+
+constexpr std::size_t length_digits = 8;
+constexpr std::size_t longest_text = std::size_t{64} << 20;
+constexpr std::size_t longest_line = 4096;
+
+Unexpected gone() { return failure("the connection broke"); }
+
+}  // namespace
+
+Expected<void> PushConnection::put(std::string_view text) const {
+    if (write_all(to_, fmt::format("{:0{}x}", text.size(), length_digits)) != 0 || write_all(to_, text) != 0)
+        return gone();
+    return {};
+}
+
+Expected<void> PushConnection::put_number(std::size_t number) const { return put(std::to_string(number)); }
+
+Expected<std::string> PushConnection::take_bytes(std::size_t count) const {
+    std::string text(count, '\0');
+    for (std::size_t at = 0; at < count;) {
+        pollfd polled{from_, POLLIN, 0};
+        const int ready = poll(&polled, 1, longest_silence_);
+        const ssize_t size = ready > 0 ? ::read(from_, text.data() + at, count - at) : ready;
+        if (size < 0 && errno == EINTR) continue;
+        if (size <= 0) return gone();
+        at += static_cast<std::size_t>(size);
+    }
+    return text;
+}
+
+Expected<std::string> PushConnection::take() const {
+    const auto digits = take_bytes(length_digits);
+    if (!digits) return digits;
+    std::size_t length = 0;
+    const auto [end, problem] = std::from_chars(digits->data(), digits->data() + length_digits, length, 16);
+    if (problem != std::errc() || end != digits->data() + length_digits || length > longest_text)
+        return failure("expected the other nezumi, got other text: does a shell there print something at its start?");
+    return take_bytes(length);
+}
+
+Expected<std::size_t> PushConnection::take_number() const {
+    const auto text = take();
+    if (!text) return Unexpected(text.error());
+    std::size_t number = 0;
+    const auto [end, problem] = std::from_chars(text->data(), text->data() + text->size(), number);
+    if (problem != std::errc() || end != text->data() + text->size())
+        return failure("expected a number, got other text");
+    return number;
+}
+
+Expected<std::string> PushConnection::take_line() const {
+    std::string line;
+    while (line.size() < longest_line) {
+        const auto byte = take_bytes(1);
+        if (!byte) return byte;
+        if (*byte == "\n") break;
+        line += *byte;
+    }
+    return line;
+}
+
+}  // namespace nezumi::push

@@ -1,0 +1,60 @@
+// Connections that have shown no token: few, so that they keep nobody out who has one.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nezumi::web {
+
+class Unadmitted {
+public:
+    /// At once, and of these from one address.
+    static constexpr std::size_t most = 64, most_of_source = 32;
+    /// How long one may stay without asking for anything, or taking what it has asked for.
+    static constexpr std::chrono::seconds longest_stay{5};
+
+    using Connection = const void*;
+
+    /// Another one has come from the address `source`. Returns the one that has to go for it, which is forgotten, or
+    /// null: the oldest one of an address that has too many, or of the one that has most.
+    Connection add(Connection connection, std::string source) {
+        ++counts_[source];
+        waiting_.push_back({connection, std::move(source)});
+        const bool has_too_many = counts_[waiting_.back().source] > most_of_source;
+        if (!has_too_many && waiting_.size() <= most) return nullptr;
+        const auto largest = std::max_element(counts_.begin(), counts_.end(), [](const auto& left, const auto& right) {
+            return left.second < right.second;
+        });
+        const std::string& from = has_too_many ? waiting_.back().source : largest->first;
+        const auto oldest =
+            std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& each) { return each.source == from; });
+        const Connection goes = oldest->connection;
+        remove(goes);
+        return goes;
+    }
+    /// It is closed, or has shown a token.
+    void remove(Connection connection) {
+        const auto found = std::find_if(waiting_.begin(), waiting_.end(),
+                                        [&](const Waiting& each) { return each.connection == connection; });
+        if (found == waiting_.end()) return;
+        const auto count = counts_.find(found->source);
+        if (--count->second == 0) counts_.erase(count);
+        waiting_.erase(found);
+    }
+
+private:
+    struct Waiting {
+        Connection connection;
+        std::string source;
+    };
+
+    std::vector<Waiting> waiting_;  // oldest first
+    std::map<std::string, std::size_t> counts_;
+};
+
+}  // namespace nezumi::web

@@ -1,0 +1,224 @@
+// One line for a port, a few for a component.
+#include "engine/live/live_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/base/lua_text.hpp"
+#include "engine/base/names.hpp"
+#include "engine/live/running_system.hpp"
+#include "engine/ports/payload.hpp"
+#include "engine/system/perform_on_spec.hpp"
+
+namespace nezumi {
+namespace {
+
+template <class T>
+void append(std::string& out, const T& value, std::size_t most) {
+    if (out.size() >= most) return;
+    if constexpr (std::is_same_v<T, Octets>) {
+        out += fmt::format("<{} bytes>", value.size());
+    } else if constexpr (Described<T>) {
+        out += "{";
+        bool first = true;
+        for_each_field(value, [&](const auto& field, const auto& member) {
+            if (out.size() >= most) return;
+            out += fmt::format("{}{} = ", first ? " " : ", ", field.name);
+            first = false;
+            append(out, member, most);
+        });
+        out += out.size() >= most ? " ..." : " }";
+    } else if constexpr (Sequence<T>) {
+        out += "{";
+        for (std::size_t i = 0; i < value.size() && out.size() < most; ++i) {
+            out += i > 0 ? ", " : " ";
+            append(out, static_cast<typename T::value_type>(value[i]), most);
+        }
+        out += out.size() >= most ? " ..." : value.empty() ? "}" : " }";
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        out += value.size() > most ? lua_quoted(value.substr(0, most)) + "..." : lua_quoted(value);
+    } else if constexpr (std::is_floating_point_v<T>) {
+        out += fmt::format("{:.6g}", value == 0 ? T{0} : value);
+    } else {
+        out += fmt::format("{}", value);
+    }
+}
+
+// "-> controller.in, plotter.in" or "not connected".
+std::string peers_text(const RunningSystem& live, const Component& component, const Port& port) {
+    constexpr std::size_t most = 4;
+    const std::vector<std::string> peers = peers_of(live.system(), live.spec(), component, port);
+    if (peers.empty()) return "not connected";
+    const std::size_t count = std::min(most, peers.size());
+    std::string text = fmt::format("{} {}", port.direction() == Direction::in ? "<-" : "->",
+                                   fmt::join(peers.begin(), peers.begin() + static_cast<std::ptrdiff_t>(count), ", "));
+    if (peers.size() > count) text += fmt::format(" and {} more", peers.size() - count);
+    return text;
+}
+
+// "  held by console"
+std::string override_text(const System& system, const Component& component, const Port& port) {
+    if (port.override() == Override::none) return "";
+    const Actor* holder = system.holder(component.name() + "." + port.name());
+    return fmt::format("  {}{}", to_text(port.override()), holder != nullptr ? " by " + to_text(*holder) : "");
+}
+
+std::string age_text(double age) { return std::isinf(age) ? "nothing yet" : fmt::format("{:.6g} s old", age); }
+
+std::string bounds_text(const ParameterSpec& spec) {
+    if (!spec.choices.empty()) {
+        std::string text = "one of";
+        for (const ParameterValue& choice : spec.choices) text += " " + to_text(choice);
+        return text;
+    }
+    if (spec.min && spec.max) return fmt::format("{:.6g} to {:.6g}", *spec.min, *spec.max);
+    if (spec.min) return fmt::format("at least {:.6g}", *spec.min);
+    if (spec.max) return fmt::format("at most {:.6g}", *spec.max);
+    return "";
+}
+
+// A message of several lines would tear a list.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+// "  (limited to 0.3 m/s and 2 rad/s)"; "" when there is nothing to say of it.
+std::string note_text(const Port& port) {
+    return port.note().empty() ? "" : fmt::format("  ({})", first_line(port.note()));
+}
+
+// A value of a script as a port's is shown: "0.25", "{ left = 1, right = 2 }". Tables in tables do not come here.
+std::string plain_text(const PlainData& data, const PlainData::Value& value, std::size_t width) {
+    std::string text;
+    if (const auto* table = std::get_if<PlainData::TableRef>(&value)) {
+        std::int64_t next = 1;
+        for (const auto& [key, entry] : data.tables[table->index]) {
+            text += text.empty() ? " " : ", ";
+            if (text.size() >= width) return "{" + text + "... }";
+            const auto* place = std::get_if<std::int64_t>(&key);
+            const auto* name = std::get_if<std::string>(&key);
+            if (place == nullptr || *place != next++) {
+                text += name != nullptr && is_identifier(*name) ? *name : "[" + plain_text(data, key, width) + "]";
+                text += " = ";
+            }
+            text += plain_text(data, entry, width);
+        }
+        return text.empty() ? "{}" : "{" + text + " }";
+    }
+    std::visit(
+        [&]<class T>(const T& v) {
+            if constexpr (!std::is_same_v<T, std::monostate> && !std::is_same_v<T, PlainData::TableRef>)
+                append(text, v, width);
+        },
+        value);
+    return text;
+}
+
+std::string probe_text(const PlainData& probe) { return plain_text(probe, probe.values.front(), 80); }
+
+}  // namespace
+
+double port_age(const System& system, const Port& port) {
+    return port.count() == 0 ? std::numeric_limits<double>::infinity() : system.now().seconds - port.tm();
+}
+
+bool is_stale(const System& system, const Port& port) {
+    const double now = system.now().seconds;
+    return port.direction() == Direction::in ? static_cast<const InPortBase&>(port).is_stale(now)
+                                             : static_cast<const OutPortBase&>(port).is_stale(now);
+}
+
+std::string_view to_text(Override override) {
+    constexpr std::string_view names[] = {"", "held", "dropped", "frozen"};
+    return names[static_cast<int>(override)];
+}
+
+std::string payload_text(const AnyPayload& value, std::size_t width) {
+    std::string text;
+    std::visit([&](const auto& v) { append(text, v, width); }, value);
+    return text;
+}
+
+std::string port_text(const RunningSystem& live, const Component& component, const Port& port) {
+    const System& system = live.system();
+    return fmt::format("{}.{}  {}  {}  {}  {}{}{}", component.name(), port.name(), port.type_name(),
+                       payload_text(port.value()), age_text(port_age(system, port)), peers_text(live, component, port),
+                       override_text(system, component, port), note_text(port));
+}
+
+std::string component_title(const Component& component) {
+    std::string text = fmt::format("{}, {}", component.type(), to_text(component.state()));
+    if (component.script_file() != nullptr) text += fmt::format(", version {}", component.version());
+    if (component.rate > 0) text += fmt::format(", {:.6g} Hz", component.rate);
+    if (!component.set_in_use().empty()) text += fmt::format(", set {}", component.set_in_use());
+    return text;
+}
+
+std::string component_text(const RunningSystem& live, const Component& component) {
+    const System& system = live.system();
+    std::string text = fmt::format("{}  {}", component.name(), component_title(component));
+    if (component.state() == LifeState::error) text += "\n  " + first_line(describe(component.last_error()));
+    text += about_text(component);
+    std::size_t name_width = 0;
+    std::size_t type_width = 0;
+    const auto measure = [&](const Port& port) {
+        name_width = std::max(name_width, port.name().size());
+        type_width = std::max(type_width, port.type_name().size());
+    };
+    for (const auto& port : component.in_ports()) measure(*port);
+    for (const auto& port : component.out_ports()) measure(*port);
+    const auto line = [&](const Port& port) {
+        text += fmt::format("\n  {:3} {:{}}  {:{}}  {}{}", port.direction() == Direction::in ? "in" : "out",
+                            port.name(), name_width, port.type_name(), type_width, peers_text(live, component, port),
+                            override_text(system, component, port));
+        if (port.override() == Override::held || port.override() == Override::frozen)
+            text += " at " + payload_text(port.override_value(), 60);
+        text += note_text(port);
+    };
+    for (const auto& port : component.in_ports()) line(*port);
+    for (const auto& port : component.out_ports()) line(*port);
+    for (const auto& parameter : component.parameters().all())
+        text += fmt::format("\n  config.{} = {}", parameter.spec.name, to_text(parameter.value));
+    for (const CommandDeclaration& command : component.commands())
+        text += fmt::format("\n  :{}(...)  {}", command.name, first_line(command.doc));
+    for (const TaskStatus& task : component.tasks()) {
+        text += fmt::format("\n  task {}  {}", task.name, task.status);
+        if (!task.waiting.empty()) text += fmt::format(": {} (line {})", task.waiting, task.line);
+    }
+    for (const Probe& probe : component.probes())
+        text += fmt::format("\n  probe {} = {}", probe.name, probe_text(probe.value));
+    return text;
+}
+
+std::string about_text(const Component& component) {
+    const ComponentAbout about = component.about();
+    std::string text;
+    const auto add = [&text](std::string_view name, const std::string& value) {
+        if (!value.empty()) text += fmt::format("{} {} {}", text.empty() ? "\n  about" : ",", name, first_line(value));
+    };
+    add("version", about.version);
+    add("vendor", about.vendor);
+    add("category", about.category);
+    return text;
+}
+
+std::string parameter_text(const Parameters::Parameter& parameter) {
+    const ParameterSpec& spec = parameter.spec;
+    std::string text = fmt::format("{} = {}", spec.name, to_text(parameter.value));
+    const std::string bounds = bounds_text(spec);
+    if (!spec.unit.empty() || !bounds.empty())
+        text += fmt::format("  {}{}{}", spec.unit, spec.unit.empty() || bounds.empty() ? "" : ", ", bounds);
+    if (!spec.doc.empty()) text += "  " + first_line(spec.doc);
+    return text;
+}
+
+std::string config_text(const Component& component) {
+    std::string text;
+    for (const auto& parameter : component.parameters().all()) {
+        if (!text.empty()) text += "\n";
+        text += parameter_text(parameter);
+    }
+    return text.empty() ? component.name() + " has no parameters" : text;
+}
+
+}  // namespace nezumi

@@ -1,0 +1,40 @@
+// Ports, components and values as text for people.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/ports/messages.hpp"
+#include "engine/system/system.hpp"
+
+namespace nezumi {
+
+class RunningSystem;
+
+/// [s] since the port's message, as of the tick that comes next; infinity before any.
+double port_age(const System& system, const Port& port);
+/// Nothing came through for `OutPortBase::stale_after` of its sender; of an in-port also when nothing is connected.
+bool is_stale(const System& system, const Port& port);
+
+/// "", "held", "dropped", "frozen".
+std::string_view to_text(Override override);
+
+/// "{ vx = 0.1, vy = 0, va = 0 }", "{ 31, 0, 0, 0 }", "true": one line of at most about `width` characters, with
+/// "..." where there is more. Numbers with six digits.
+std::string payload_text(const AnyPayload& value, std::size_t width = 80);
+
+/// "mouse.ir_sensor_out  TimedShortSeq  { 0, 0, 0, 0 }  0.01 s old  -> controller.in", and whether it is held.
+std::string port_text(const RunningSystem& live, const Component& component, const Port& port);
+/// "RobotController, ACTIVE, version 1": type, state, and what is out of the ordinary.
+std::string component_title(const Component& component);
+/// A line for the component, what it says `about` itself, a line for each port, its configuration and its commands.
+std::string component_text(const RunningSystem& live, const Component& component);
+/// "\n  about version 1.2, vendor Acme": what a script says of itself; "" when it says nothing.
+std::string about_text(const Component& component);
+/// "speed_x = 0.1  m/s, -1.5 to 1.5  straight-ahead speed".
+std::string parameter_text(const Parameters::Parameter& parameter);
+/// A line for each parameter.
+std::string config_text(const Component& component);
+
+}  // namespace nezumi

@@ -1,0 +1,31 @@
+// The latest warnings and errors of a run, for whoever asks for them later.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "engine/base/log.hpp"
+
+namespace nezumi {
+
+class Problems {
+public:
+    /// So many are kept.
+    static constexpr std::size_t most_lines = 100;
+
+    /// Keeps a line, if it is a warning or an error.
+    void take(const LogLine& line) {
+        if (line.level != LogLevel::warn && line.level != LogLevel::error) return;
+        if (lines_.size() == most_lines) lines_.pop_front();
+        lines_.push_back(line);
+    }
+    /// Oldest first.
+    std::vector<LogLine> lines() const { return {lines_.begin(), lines_.end()}; }
+
+private:
+    std::deque<LogLine> lines_;
+};
+
+}  // namespace nezumi

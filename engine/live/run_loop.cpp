@@ -1,0 +1,169 @@
+// Deadlines are the pacer's; what is left before them belongs to the attendants.
+#include "engine/live/run_loop.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+namespace nezumi {
+namespace {
+
+Pacer::Clock::duration duration_of(double seconds) {
+    return std::chrono::duration_cast<Pacer::Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+// The last part of a wait is the pacer's, which sleeps to the point [s].
+constexpr double precise = 0.001;
+// What attendants leave of the time before a tick, for all that comes between their turn and it [s].
+constexpr double wake_margin = 0.0002;
+
+}  // namespace
+
+RunLoop::RunLoop(RunningSystem& live, const Options& options) : live_(live), options_(options), starts_(live.starts()) {
+    assert(options.speed > 0);
+    pace_anew();
+}
+
+void RunLoop::pace_anew() {
+    before_ = lateness();
+    pacer_.reset();
+    if (std::isfinite(options_.speed)) pacer_ = std::make_unique<Pacer>(live_.system().settings().rate, options_.speed);
+}
+
+Lateness RunLoop::lateness() const {
+    Lateness all = before_;
+    if (pacer_ != nullptr) all.add(pacer_->lateness());
+    return all;
+}
+
+void RunLoop::pause() {
+    ++moves_;
+    ticks_left_ = 0;
+    live_.set_at_rest(is_hardware());
+}
+
+void RunLoop::resume() {
+    ++moves_;
+    live_.set_at_rest(false);
+    if (is_paused() && pacer_ != nullptr) pacer_->restart();
+    ticks_left_ = forever;
+}
+
+void RunLoop::advance(std::int64_t ticks) {
+    ++moves_;
+    if (is_paused() && pacer_ != nullptr) pacer_->restart();
+    ticks_left_ = std::clamp<std::int64_t>(ticks, 0, forever - 1);
+}
+
+void RunLoop::set_speed(double factor) {
+    assert(factor > 0);
+    options_.speed = factor;
+    pace_anew();
+}
+
+std::vector<LogLine> RunLoop::problems() const {
+    return options_.problems != nullptr ? options_.problems->lines() : std::vector<LogLine>{};
+}
+
+bool RunLoop::ended() const {
+    const System& system = live_.system();
+    if (quit_ || interrupted() || system.fatal_error()) return true;
+    return is_at_end() && !(works_ && stands_still() && works_());
+}
+
+void RunLoop::follow_restart() {
+    if (starts_ == live_.starts()) return;
+    starts_ = live_.starts();
+    pace_anew();  // its rate may be another
+}
+
+void RunLoop::run() {
+    if (pacer_ != nullptr) pacer_->restart();
+    while (!ended()) {
+        serve_until_due();
+        if (ended()) return;
+        if (stands_still()) continue;
+        if (!live_.may_tick()) {
+            wait_for_hosts();
+            continue;
+        }
+        if (pacer_ == nullptr && behind_ && behind_()) {
+            wait_for_files(slice, true);
+            continue;
+        }
+        for (const auto& action : before_tick_) action();
+        follow_restart();
+        if (ended()) return;
+        tick();
+    }
+}
+
+// Mostly other hosts are as far within a moment. While they are not, attendants have their turns as in a pause.
+void RunLoop::wait_for_hosts() {
+    wait_for_files(slice, true);
+    if (!live_.may_tick()) {
+        serve(Clock::now() + duration_of(slice));
+        live_.between_ticks();
+        follow_restart();
+        if (!ended() && !more_waits_ && !live_.may_tick()) wait_for_files(longest_wait);
+    }
+    if (pacer_ != nullptr && pacer_->until_due() < Clock::duration::zero()) pacer_->restart();
+}
+
+void RunLoop::tick() {
+    if (pacer_ != nullptr) pacer_->wait();
+    live_.tick();
+    advanced_ += 1 / live_.system().settings().rate;
+    if (is_advancing()) --ticks_left_;
+    for (const auto& action : after_tick_) action();
+}
+
+void RunLoop::serve_until_due() {
+    for (;;) {
+        const auto now = Clock::now();
+        const double spare = spare_seconds();
+        // Ticks that are never in time, or never wait, still let the others have a turn now and then.
+        const bool starving = now - served_ > duration_of(more_waits_ ? slice : longest_wait / 2);
+        if (spare < 2 * wake_margin && !starving) return;
+
+        serve(now + duration_of(std::clamp(spare - wake_margin, wake_margin, longest_wait)));
+        if (stands_still()) live_.between_ticks();
+        follow_restart();
+        if (ended()) return;
+        const double left = spare_seconds() - wake_margin;
+        if (more_waits_ && left > 0) continue;
+        if (left < precise) return;
+        wait_for_files(std::min(left - precise / 2, longest_wait));
+    }
+}
+
+double RunLoop::spare_seconds() const {
+    if (stands_still()) return longest_wait;
+    return pacer_ != nullptr ? std::chrono::duration<double>(pacer_->until_due()).count() : 0;
+}
+
+void RunLoop::serve(Clock::time_point until) {
+    more_waits_ = false;
+    for (Attendant* attendant : attendants_) more_waits_ = attendant->serve(until) || more_waits_;
+    served_ = Clock::now();
+}
+
+void RunLoop::wait_for_files(double seconds, bool of_hosts_alone) {
+    std::vector<int> files;
+    live_.add_files(files);
+    if (!of_hosts_alone) {
+        for (const Attendant* attendant : attendants_) attendant->add_files(files);
+    }
+    std::vector<pollfd> polled;
+    polled.reserve(files.size());
+    for (const int file : files) polled.push_back({.fd = file, .events = POLLIN, .revents = 0});
+    const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(seconds * 1e9)};  // longest_wait is far below 1 s
+    ppoll(polled.data(), polled.size(), &timeout, nullptr);  // a signal ends it as well, and the loop looks again
+}
+
+}  // namespace nezumi

@@ -1,0 +1,131 @@
+// Runs a system tick by tick, by the clock or as fast as possible, and serves others between two ticks.
+#pragma once
+
+#include <csignal>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "engine/live/clock_control.hpp"
+#include "engine/live/problems.hpp"
+#include "engine/live/running_system.hpp"
+#include "engine/system/lateness.hpp"
+#include "engine/system/pacer.hpp"
+
+namespace nezumi {
+
+/// Something that has its turn between two ticks: the console, its socket, a status line.
+class Attendant {
+public:
+    virtual ~Attendant() = default;
+
+    /// Does what waits. With every tick on time `until` is when the next is due, at most `RunLoop::longest_wait` away;
+    /// work that would last longer is to be left for the next turn. Returns whether more waits: then the next turn
+    /// comes as soon as possible.
+    virtual bool serve(Pacer::Clock::time_point until) = 0;
+
+    /// Adds the file descriptors that it reads from: its turn comes as soon as one of them is readable.
+    virtual void add_files(std::vector<int>& /*files*/) const {}
+};
+
+class RunLoop final : public ClockControl {
+public:
+    /// How long attendants with work wait for their next turn where ticks leave no time [s].
+    static constexpr double slice = 0.002;
+    /// How long they wait at most for their next one, and the longest turn [s].
+    static constexpr double longest_wait = 0.05;
+
+    struct Options {
+        double speed = 1;                    ///< a factor of real time, or `as_fast_as_possible`
+        const Problems* problems = nullptr;  ///< what has been logged; must outlive the loop
+    };
+
+    /// The system must outlive the loop, be active, and be ticked by nobody else.
+    RunLoop(RunningSystem& live, const Options& options);
+
+    /// Attendants have their turns in the order in which they were added, and must outlive the loop.
+    void add(Attendant& attendant) { attendants_.push_back(&attendant); }
+    /// Is called before every tick. When it ends the run, the tick does not come.
+    void before_tick(std::function<void()> action) { before_tick_.push_back(std::move(action)); }
+    /// Is called after every tick.
+    void after_tick(std::function<void()> action) { after_tick_.push_back(std::move(action)); }
+    /// The run ends as soon as this is not 0: what a signal's handler sets. It must outlive the loop.
+    void end_when(const volatile std::sig_atomic_t& flag) { end_ = &flag; }
+    /// The run ends when simulated time gets there [s].
+    void end_at(double seconds) { end_at_ = seconds; }
+    /// While this holds and time stands still there, that end waits: a command that has had all its time gets to its
+    /// end.
+    void end_waits_while(std::function<bool()> works) { works_ = std::move(works); }
+
+    /// While this holds, a run that follows no clock takes no tick: what it writes to takes less than comes. One that
+    /// follows the clock goes on.
+    void wait_while(std::function<bool()> behind) { behind_ = std::move(behind); }
+
+    /// Runs until the end: `quit`, `end_when`, `end_at`, or an error that the system can't go on after.
+    void run();
+    /// Runs one tick, as `run` does, whenever it is due: for those who have a loop of their own.
+    void tick();
+
+    // What attendants may do in their turn, and anybody before `run`.
+    bool is_hardware() const override { return live_.system().settings().real_time; }
+    /// Real robots stand from now on, and time goes on: their system ticks at rest.
+    void pause() override;
+    void resume() override;
+    bool is_paused() const override { return ticks_left_ == 0; }
+    void advance(std::int64_t ticks) override;
+    bool is_advancing() const override { return ticks_left_ > 0 && ticks_left_ < forever; }
+    std::uint64_t moves() const override { return moves_; }
+    void set_speed(double factor) override;
+    double speed() const override { return options_.speed; }
+    void quit() override { quit_ = true; }
+    std::vector<LogLine> problems() const override;
+
+    /// Simulated seconds that have passed in all, over restarts.
+    double advanced() const { return advanced_; }
+    /// Whether `end_when` has ended the run.
+    bool interrupted() const { return end_ != nullptr && *end_ != 0; }
+    /// Whether `end_at` has, and nothing else.
+    bool came_to_end() const { return !quit_ && !interrupted() && is_at_end(); }
+    Lateness lateness() const;
+    RunningSystem& live() { return live_; }
+    const RunningSystem& live() const { return live_; }
+
+private:
+    using Clock = Pacer::Clock;
+    static constexpr std::int64_t forever = std::numeric_limits<std::int64_t>::max();
+
+    bool ended() const;
+    bool is_at_end() const { return live_.system().now().seconds >= end_at_ - 1e-9; }
+    /// Whether no tick comes: time has stopped.
+    bool stands_still() const { return is_paused() && !is_hardware(); }
+    void follow_restart();
+    void pace_anew();
+    void serve_until_due();
+    double spare_seconds() const;
+    void serve(Clock::time_point until);
+    void wait_for_hosts();
+    void wait_for_files(double seconds, bool of_hosts_alone = false);
+
+    RunningSystem& live_;
+    Options options_;
+    double end_at_ = as_fast_as_possible;
+    std::function<bool()> works_;
+    std::function<bool()> behind_;
+    const volatile std::sig_atomic_t* end_ = nullptr;
+    std::vector<Attendant*> attendants_;
+    std::vector<std::function<void()>> before_tick_;
+    std::vector<std::function<void()>> after_tick_;
+    std::unique_ptr<Pacer> pacer_;  // none: as fast as possible
+    Lateness before_;               // of the pacers before this one
+    Clock::time_point served_{};
+    std::int64_t ticks_left_ = forever;
+    std::uint64_t moves_ = 0;
+    double advanced_ = 0;
+    int starts_ = 0;
+    bool more_waits_ = false;
+    bool quit_ = false;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,309 @@
+// Builds beside the system that runs, and takes its place only when all has gone well.
+#include "engine/live/running_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "engine/live/running.hpp"
+
+namespace nezumi {
+namespace {
+
+Expected<SystemSpec> read_spec(const std::filesystem::path& file, const Project& project, const LiveOptions& options) {
+    auto spec = options.scripts->read_system(file, project, {.seed = options.build.seed, .print = options.print});
+    if (spec && options.prepare) {
+        if (auto ok = options.prepare(*spec); !ok) return Unexpected(ok.error());
+    }
+    if (spec) {
+        if (auto ok = options.scripts->apply(options.values, *spec, project); !ok) return Unexpected(ok.error());
+    }
+    return spec;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<RunningSystem>> RunningSystem::load(const std::filesystem::path& file, LiveOptions options) {
+    Project project = Project::of(file, options.installed, *options.files);
+    auto spec = read_spec(file, project, options);
+    if (!spec) return Unexpected(spec.error());
+    auto live = make(std::move(*spec), std::move(project), std::move(options));
+    if (live) (*live)->file_ = file;
+    return live;
+}
+
+Expected<std::unique_ptr<RunningSystem>> RunningSystem::make(SystemSpec spec, Project project, LiveOptions options) {
+    auto live = std::unique_ptr<RunningSystem>(new RunningSystem(std::move(project), std::move(options)));
+    auto running = live->build(std::move(spec));
+    if (!running) return Unexpected(running.error());
+    live->take(std::move(*running));
+    return live;
+}
+
+RunningSystem::RunningSystem(Project project, LiveOptions options)
+    : project_(std::move(project)), options_(std::move(options)) {}
+
+RunningSystem::~RunningSystem() = default;
+
+Expected<std::unique_ptr<RunningSystem::Running>> RunningSystem::build(SystemSpec spec) {
+    auto next = std::make_unique<Running>();
+    next->spec = std::move(spec);
+    next->makers.world = options_.world;
+    next->makers.bodies = options_.bodies;
+    next->makers.drivers = options_.drivers;
+    next->makers.rig = options_.rig;
+    next->makers.network = options_.network;
+    next->makers.components = options_.components;
+    next->behaviors = options_.scripts->behaviors(project_, options_.budget);
+    next->makers.behavior = [&running = *next](const BehaviorEntry& entry,
+                                               const MakerContext& context) -> Expected<std::unique_ptr<Component>> {
+        if (running.prepared != nullptr) return std::exchange(running.prepared, nullptr);
+        return running.behaviors->make(entry, context);
+    };
+    BuildOptions options = options_.build;
+    options.log = [log = options_.build.log, start = starts_ + 1](LogLine line) {
+        line.start = start;
+        if (log) log(line);
+    };
+    auto system = build_system(next->spec, next->makers, options);
+    if (!system) return Unexpected(system.error());
+    next->system = std::move(*system);
+    next->reloads = next->behaviors->reloads_of(*next->system);
+    return next;
+}
+
+std::unique_ptr<RunningSystem::Running> RunningSystem::take(std::unique_ptr<Running> running) {
+    std::swap(running_, running);
+    endings_.clear();
+    running_->system->observe(running_->hash);
+    trace_.start(*running_->system);
+    if (options_.watch) {
+        running_->live_reload.emplace(*running_->system, *running_->reloads, running_->spec.files,
+                                      [this](const std::vector<std::string>& files) -> Expected<void> {
+                                          auto done = act(Reload{.files = files}, {Actor::Kind::file_watcher});
+                                          return done ? Expected<void>() : Unexpected(done.error());
+                                      });
+    }
+    ++starts_;
+    if (!foreseen_.empty()) take_foreseen();
+    if (running != nullptr && running->system->is_stopped()) {
+        running_->system->emergency_stop();
+        running_->system->log(LogLevel::warn, "still stopped: rearm() lets the robots drive again");
+    }
+    return running;
+}
+
+void RunningSystem::activate() {
+    if (!foreseen_.empty()) take_foreseen();
+    activate_all(*running_->system, running_->spec);
+}
+
+void RunningSystem::between_ticks() {
+    if (running_->live_reload) {
+        running_->live_reload->between_ticks();
+    } else {
+        running_->reloads->after_tick();
+    }
+    if (Network* network = running_->system->network()) network->between_ticks(door());
+}
+
+bool RunningSystem::may_tick() {
+    Network* network = running_->system->network();
+    return network == nullptr || network->may_tick();
+}
+
+void RunningSystem::add_files(std::vector<int>& files) const {
+    if (const Network* network = system().network()) network->add_files(files);
+}
+
+ActDoor RunningSystem::door() {
+    return [this](const Act& each, const Actor& who) { return act(each, who); };
+}
+
+void RunningSystem::tick() {
+    between_ticks();
+    if (Network* network = running_->system->network()) network->before_tick(door());
+    if (!endings_.empty()) end_holds();
+    if (!foreseen_.empty()) take_foreseen();
+    const ActTime time = when();
+    running_->system->tick();
+    if (act_observer_ != nullptr) tell_out_of_time(time);
+    // An emergency stop is never refused.
+    for (const auto& component : running_->system->components()) {
+        if (component->take_stop()) static_cast<void>(act(Stop{}, {Actor::Kind::joystick, component->name()}));
+    }
+}
+
+ActTime RunningSystem::when() const { return {starts_, running_->system->now().tick, acts_}; }
+
+void RunningSystem::let_go(const Actor& who) {
+    for (const std::string& path : running_->system->held_by(who)) {
+        const auto port = running_->system->port(path);
+        if (port && (*port)->type() == type_index<Velocity2D>()) {
+            static_cast<void>(act(Hold{path, Velocity2D{}}, who));
+            endings_.push_back({path, who, running_->system->now().tick});
+        } else {
+            static_cast<void>(act(Release{path}, who));
+        }
+    }
+}
+
+void RunningSystem::end_holds() {
+    const std::int64_t tick = running_->system->now().tick;
+    for (const Ending& ending : std::exchange(endings_, {})) {
+        const Actor* holder = running_->system->holder(ending.port);
+        const bool is_its = holder != nullptr && *holder == ending.who;
+        if (tick <= ending.tick) {
+            endings_.push_back(ending);
+        } else if (is_its) {
+            static_cast<void>(act(Release{ending.port}, ending.who));
+        }
+    }
+}
+
+void RunningSystem::take_foreseen() {
+    const Time& now = running_->system->now();
+    std::erase_if(foreseen_, [&](const Foreseen& each) {
+        if (each.start != starts_ || each.tick != now.tick) return false;
+        Component* component = running_->system->find(each.component);
+        if (component != nullptr) component->run_out_of_time_at(each.call);
+        return component != nullptr;
+    });
+}
+
+void RunningSystem::tell_out_of_time(const ActTime& time) {
+    for (const auto& component : running_->system->components()) {
+        if (!component->has_new_out_of_time()) continue;
+        for (const auto& call : component->take_out_of_time())
+            act_observer_->ran_out_of_time(time, component->name(), call);
+    }
+}
+
+Expected<ActResult> RunningSystem::perform(const Restart& /*act*/, const Actor& /*who*/) {
+    Expected<SystemSpec> spec = running_->spec;
+    if (!file_.empty()) spec = read_spec(file_, project_, options_);
+    if (!spec) return Unexpected(spec.error());
+    auto next = build(std::move(*spec));
+    if (!next) return Unexpected(next.error());
+    hash_before_ = trace_hash();
+    take(std::move(*next));
+    activate();
+    return ActResult{};
+}
+
+Expected<void> RunningSystem::rebuild(SystemSpec spec) {
+    auto next = build(std::move(spec));
+    if (!next) return Unexpected(next.error());
+    const std::unique_ptr<Running> before = take(std::move(*next));
+    activate();
+    for (const auto& component : before->system->components()) {
+        if (Component* same = running_->system->find(component->name())) same->parameters() = component->parameters();
+    }
+    return {};
+}
+
+Expected<std::int64_t> RunningSystem::explain_next(std::string_view name) {
+    const auto component = running_->system->component(name);
+    if (!component) return Unexpected(component.error());
+    if ((*component)->script_file() == nullptr)
+        return failure(fmt::format("{} is no behaviour: it has no lines", name));
+    if ((*component)->state() != LifeState::active)
+        return failure(fmt::format("{} is {}: nothing of it is executed", name, to_text((*component)->state())));
+    return (*component)->trace_next();
+}
+
+Expected<std::optional<Explanation>> RunningSystem::explanation(std::string_view name, std::int64_t trace) const {
+    const Component* const component = system().find(name);
+    if (component == nullptr || component->script_file() == nullptr) return failure(fmt::format("{} is gone", name));
+    if (component->traces() < trace) return std::optional<Explanation>();
+    return std::optional(explain(system(), *component));
+}
+
+void RunningSystem::set_at_rest(bool at_rest) { running_->system->set_at_rest(at_rest); }
+
+void RunningSystem::halt() {
+    for (Robot* robot : running_->system->robots()) robot->halt();
+}
+
+void RunningSystem::end() {
+    if (Network* network = running_->system->network()) network->leave();
+    running_->system->stop(0);
+}
+
+const System& RunningSystem::system() const { return *running_->system; }
+const SystemSpec& RunningSystem::spec() const { return running_->spec; }
+std::function<std::vector<std::string>()> RunningSystem::look_for_changes() const {
+    return [files = running_->reloads->loaded_files(), project = project_] {
+        return changed_files(files, [&](const std::string& path) { return project.read_source(path); });
+    };
+}
+
+std::function<Expected<void>()> RunningSystem::try_reload(const std::vector<std::string>& files) const {
+    // There loading that takes too long ends the run, which an attempt does not.
+    if (options_.build.out_of_time_is_fatal) return [] { return Expected<void>(); };
+    return [rehearsal = running_->reloads->rehearsal(files)]() -> Expected<void> {
+        return rehearsal ? (*rehearsal)() : Unexpected(rehearsal.error());
+    };
+}
+
+AddPreparer RunningSystem::add_preparer() const {
+    const System::Settings& settings = running_->system->settings();
+    return {.scripts = options_.scripts,
+            .project = project_,
+            .load = running_->behaviors->loader(),
+            .context = {.seed = settings.seed, .tick_rate = settings.rate},
+            .start = starts_};
+}
+
+std::function<Expected<void>()> RunningSystem::try_restart() const {
+    return [look = look_for_changes(), file = file_, project = project_, seed = options_.build.seed,
+            scripts = options_.scripts]() -> Expected<void> {
+        look();
+        if (file.empty()) return {};
+        const auto spec = scripts->read_system(file, project, {.seed = seed});
+        if (!spec) return Unexpected(spec.error());
+        for (const Entry& entry : spec->entries) {
+            // What is wrong with a script is the act's to say.
+            if (const auto* behavior = std::get_if<BehaviorEntry>(&entry))
+                static_cast<void>(project.read_source(behavior->path));
+        }
+        return {};
+    };
+}
+
+std::function<std::vector<std::string>()> RunningSystem::lost_by_restart() const {
+    // What a file says has a line.
+    std::vector<std::string> added;
+    for (const Entry& entry : running_->spec.entries) {
+        if (place_of(entry).line == 0) added.push_back(name_of(entry));
+    }
+    for (const MarkerSpec& marker : running_->spec.arena.markers) {
+        if (marker.place.line == 0) added.push_back(marker.name);
+    }
+    if (file_.empty()) added.clear();
+    return [added, file = file_, project = project_, seed = options_.build.seed, scripts = options_.scripts]() mutable {
+        if (added.empty()) return added;
+        const auto spec = scripts->read_system(file, project, {.seed = seed});
+        if (!spec) return added;
+        std::erase_if(added, [&](const std::string& name) {
+            const auto same = [&](const auto& each) { return each.name == name; };
+            return std::any_of(spec->entries.begin(), spec->entries.end(),
+                               [&](const Entry& entry) { return name_of(entry) == name; }) ||
+                   std::any_of(spec->arena.markers.begin(), spec->arena.markers.end(), same);
+        });
+        return added;
+    };
+}
+
+std::uint64_t RunningSystem::trace_hash() const {
+    const std::uint64_t hash = running_->hash.value();
+    return hash_before_ ? mix(*hash_before_, hash) : hash;
+}
+
+void RunningSystem::watch_again() {
+    if (running_->live_reload) running_->live_reload->watch_again();
+}
+
+}  // namespace nezumi

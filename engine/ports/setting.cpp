@@ -1,0 +1,49 @@
+// What may stand in a field that holds a number.
+#include "engine/ports/setting.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace nezumi {
+std::string_view words_for(NumberRange range) {
+    switch (range) {
+        case NumberRange::any: return "a number";
+        case NumberRange::not_negative: return "a number from 0 on";
+        case NumberRange::positive: return "a positive number";
+    }
+    return "a number";
+}
+
+std::string check_number(double number, const Rule& rule, std::string_view unit) {
+    if (!std::isfinite(number))
+        return fmt::format("expected a finite number, got {}", std::isnan(number) ? "nan" : fmt::format("{}", number));
+    if ((rule.range == NumberRange::positive && number <= 0) || (rule.range == NumberRange::not_negative && number < 0))
+        return fmt::format("expected {}, got {}", words_for(rule.range), number);
+    if (std::abs(number) > rule.most) return fmt::format("expected a number up to {}, got {}", rule.most, number);
+    const bool may_be_zero = rule.range == NumberRange::not_negative;
+    if (rule.least <= 0 || number >= rule.least || (number == 0 && may_be_zero)) return "";
+    return fmt::format("expected at least {}{}{}{}, got {}", rule.least, unit.empty() ? "" : " ", unit,
+                       may_be_zero ? ", or 0" : "", number);
+}
+
+namespace {
+
+std::string check_numbers(std::initializer_list<double> numbers) {
+    for (const double number : numbers) {
+        if (std::string problem = check_number(number, {}, ""); !problem.empty()) return problem;
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string check_pose(const Pose2D& pose) { return check_numbers({pose.position.x, pose.position.y, pose.heading}); }
+
+std::string check_pose(const Pose3D& pose) {
+    const auto& [at, turn] = pose;
+    return check_numbers({at.x, at.y, at.z, turn.r, turn.p, turn.y});
+}
+
+}  // namespace nezumi

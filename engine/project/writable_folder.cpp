@@ -1,0 +1,26 @@
+// Paths are compared without their links, which may lead out of the project.
+#include "engine/project/writable_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+namespace nezumi {
+
+std::filesystem::path writable_folder(const Project& project, const std::string& file) {
+    if (!project.root().empty()) return project.root();
+    return std::filesystem::absolute(file).parent_path();
+}
+
+Expected<void> check_is_within(const std::filesystem::path& home, const std::filesystem::path& path,
+                               const std::string& shown, std::string_view what) {
+    std::error_code problem;
+    const auto real = std::filesystem::weakly_canonical(std::filesystem::absolute(path), problem);
+    const auto within = std::filesystem::weakly_canonical(home, problem);
+    const auto inside = real.lexically_relative(within);
+    if (!problem && !inside.empty() && *inside.begin() != "..") return {};
+    return failure(
+        fmt::format("'{}' lies outside of the project: {} is saved in {} or below", shown, what, within.string()));
+}
+
+}  // namespace nezumi

@@ -1,0 +1,104 @@
+// The system first, which may refuse; then its description.
+#include "engine/system/perform_on_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "engine/robot/robot.hpp"
+#include "engine/system/perform.hpp"
+#include "engine/system/rtm_wiring.hpp"
+
+namespace nezumi {
+namespace {
+
+Unexpected no_world() { return failure("there is no simulated world"); }
+
+}  // namespace
+
+Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Connect& act, const Actor& who) {
+    if (!is_rtm_path(act.from) && !is_rtm_path(act.to)) return perform(system, act, who);
+    if (auto made = connect_rtm(spec, system, act.from, act.to); !made) return Unexpected(made.error());
+    return ActResult{};
+}
+
+Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Disconnect& act, const Actor& who) {
+    const bool was_there = disconnect_rtm(spec, act.from, act.to) > 0;
+    if (is_rtm_path(act.from) || is_rtm_path(act.to)) {
+        if (was_there) return ActResult{};
+        const std::string missing = act.to.empty() ? "" : " to " + shown(act.to);
+        return failure(fmt::format("{} is not connected{}", shown(act.from), missing));
+    }
+    auto done = perform(system, act, who);
+    return was_there ? ActResult{} : done;
+}
+
+Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const MoveMarker& act, const Actor& /*who*/) {
+    if (system.world() == nullptr) return no_world();
+    if (auto moved = system.world()->move_marker(act.marker, act.pose); !moved) return Unexpected(moved.error());
+    for (MarkerSpec& marker : spec.arena.markers) {
+        if (marker.name != act.marker) continue;
+        marker.at = act.pose.position;
+        marker.facing = act.pose.orientation.y;
+    }
+    return ActResult{};
+}
+
+Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const MoveThing& act, const Actor& /*who*/) {
+    if (system.world() == nullptr) return no_world();
+    if (auto moved = system.world()->move_thing(act.thing, act.pose); !moved) return Unexpected(moved.error());
+    move_thing(spec.arena, act.thing, act.pose);
+    return ActResult{};
+}
+
+Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const AddMarker& act, const Actor& /*who*/) {
+    if (system.world() == nullptr) return no_world();
+    if (system.find(act.marker.name) != nullptr)
+        return failure(fmt::format("marker '{}': a component has this name: choose another", act.marker.name));
+    if (auto added = system.world()->add_marker(act.marker); !added) return Unexpected(added.error());
+    spec.arena.markers.push_back(act.marker);
+    return ActResult{};
+}
+
+Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const RemoveMarker& act, const Actor& /*who*/) {
+    if (system.world() == nullptr) return no_world();
+    if (auto gone = system.world()->remove_marker(act.marker); !gone) return Unexpected(gone.error());
+    std::erase_if(spec.arena.markers, [&](const MarkerSpec& each) { return each.name == act.marker; });
+    return ActResult{};
+}
+
+Expected<ActResult> perform_on_spec(System& system, SystemSpec& spec, const Remove& act, const Actor& /*who*/) {
+    const auto component = system.component(act.component);
+    if (!component) return Unexpected(component.error());
+    if (const auto* robot = dynamic_cast<const Robot*>(*component); robot != nullptr && robot->is_real())
+        return failure(fmt::format("{} is a real robot: it stays until the run ends", act.component));
+    for (const Entry& entry : spec.entries) {
+        const auto* carried = std::get_if<ComponentEntry>(&entry);
+        if (carried != nullptr && carried->on == act.component)
+            return failure(fmt::format("{} carries {}: remove that first", act.component, carried->name));
+    }
+    ActResult result;
+    const auto note = [&](const auto& ports) {
+        for (const auto& port : ports) {
+            const auto peers = peers_of(system, spec, **component, *port);
+            if (!peers.empty())
+                result.notes.push_back(
+                    fmt::format("{}.{} was connected to {}", act.component, port->name(), fmt::join(peers, ", ")));
+        }
+    };
+    note((*component)->in_ports());
+    note((*component)->out_ports());
+    if (auto gone = system.remove(act.component); !gone) return Unexpected(gone.error());
+    std::erase_if(spec.entries, [&](const Entry& entry) { return name_of(entry) == act.component; });
+    forget_rtm(spec, act.component);
+    return result;
+}
+
+std::vector<std::string> peers_of(const System& system, const SystemSpec& spec, const Component& component,
+                                  const Port& port) {
+    std::vector<std::string> peers = system.peers(port);
+    for (std::string& peer : rtm_peers(spec, component.name() + "." + port.name())) peers.push_back(std::move(peer));
+    return peers;
+}
+
+}  // namespace nezumi

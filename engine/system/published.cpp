@@ -1,0 +1,17 @@
+// A robot's own velocity is what it measures.
+#include "engine/system/published.hpp"
+
+#include <algorithm>
+
+namespace nezumi {
+
+bool commands_robots(const System& system, const OutPortBase& port) {
+    if (port.type() != type_index<Velocity2D>()) return false;
+    const auto robots = system.robots();
+    return std::none_of(robots.begin(), robots.end(), [&](const Robot* robot) {
+        const auto& own = robot->out_ports();
+        return std::any_of(own.begin(), own.end(), [&](const OutPortBase* each) { return each == &port; });
+    });
+}
+
+}  // namespace nezumi

@@ -1,0 +1,57 @@
+// What an out-port publishes for robots and programs outside of the system: its messages, and zero while an emergency
+// stop holds.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/ports/payload.hpp"
+#include "engine/ports/port.hpp"
+#include "engine/system/system.hpp"
+
+namespace nezumi {
+
+/// Whether what an out-port publishes may drive robots: it carries velocities, and is not a robot's own, which tells
+/// what that does.
+bool commands_robots(const System& system, const OutPortBase& port);
+
+/// What an out-port publishes from now on. The system must outlive it, the port live until another one is followed.
+class Published {
+public:
+    Published(const System& system, const OutPortBase& port)
+        : system_(&system),
+          port_(&port),
+          type_(port.type()),
+          seen_(port.sequence()),
+          commands_(commands_robots(system, port)) {}
+
+    /// Gives each `Message<T>` that was published since the last call. While the system is stopped a velocity that may
+    /// drive robots is zero, once each call, whatever was published.
+    template <class Give>
+    void take(const Give& give) {
+        const bool is_new = port_->sequence() != seen_;
+        seen_ = port_->sequence();
+        if (commands_ && system_->is_stopped()) return give(Message<Velocity2D>{{}, system_->now().seconds});
+        if (!is_new) return;
+        with_payload_type(type_, [&]<class T>() {
+            for (const Message<T>& message : static_cast<const OutPort<T>&>(*port_).messages()) give(message);
+        });
+    }
+    std::size_t type() const { return type_; }
+    bool commands() const { return commands_; }
+    /// The port of the same name and type that has taken the place of the one before.
+    void follow(const OutPortBase& port) {
+        if (&port == port_) return;
+        port_ = &port;
+        seen_ = 0;
+        commands_ = commands_robots(*system_, port);
+    }
+
+private:
+    const System* system_;
+    const OutPortBase* port_;  // may be gone until another one is followed
+    std::size_t type_;
+    std::uint64_t seen_;
+    bool commands_;
+};
+
+}  // namespace nezumi

@@ -1,0 +1,198 @@
+// A system as a node among those of ROS 2.
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "bindings/dds/network_maker.hpp"
+#include "bindings/dds/ros/convert.hpp"
+#include "bindings/dds/ros/mapping.hpp"
+#include "tests/unit/dds/node_rig.hpp"
+
+using namespace nezumi;
+using namespace nezumi::dds;
+
+namespace {
+
+// What a robot of ROS is told since the last look: forward speeds, of Twist.
+std::vector<double> speeds(Reader& reader) {
+    std::vector<double> all;
+    for (const TopicSample& sample : reader.take()) {
+        ros::Twist twist;
+        REQUIRE(read_cdr(sample.bytes, {.header = true}, twist));
+        all.push_back(twist.linear.x);
+    }
+    return all;
+}
+
+// A node that commands a robot of ROS, which has been told to go.
+struct CommandRig : NodeRig {
+    CommandRig() : NodeRig(spec_of({{"part.speed", "/cmd_vel", "geometry_msgs/msg/Twist"}}, {})) {
+        const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/Twist", false);
+        robot = other->read(ros::topic_of("/cmd_vel", **mapping, false));
+        tick();
+        go();
+        CHECK(speeds(*robot) == std::vector<double>{0.5});
+    }
+    void go() {
+        part->speed.write({.vx = 0.5});
+        tick();
+    }
+    std::unique_ptr<Reader> robot;
+};
+
+}  // namespace
+
+TEST_CASE("a node publishes what ports carry, stamped by the simulation's time, and tells that time", "[dds][ros]") {
+    NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}));
+    REQUIRE(rig.refusal.empty());
+    const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
+    const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
+    const auto clock = rig.other->read({.name = "rt/clock", .type = "rosgraph_msgs::msg::dds_::Clock_"});
+    rig.tick();
+    rig.part->speed.write({.vx = 0.5});
+    rig.tick();
+    const auto samples = reader->take();
+    REQUIRE(samples.size() == 1);
+    ros::TwistStamped message;
+    REQUIRE(read_cdr(samples[0].bytes, {.header = true}, message));
+    CHECK(message.twist.linear.x == 0.5);
+    CHECK(message.header.frame_id == "base_link");
+    CHECK(message.header.stamp == ros::Time{0, 10'000'000});
+    const auto ticks = clock->take();
+    REQUIRE(ticks.size() == 1);
+    ros::Clock time;
+    REQUIRE(read_cdr(ticks[0].bytes, {.header = true}, time));
+    CHECK(time.clock == ros::Time{0, 10'000'000});
+}
+
+TEST_CASE("a node of real robots stamps by the time of day and has no clock of its own", "[dds][ros]") {
+    NodeRig rig(spec_of({{"part.speed", "/velocity", "geometry_msgs/msg/TwistStamped"}}, {}), true);
+    const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "geometry_msgs/msg/TwistStamped", false);
+    const auto reader = rig.other->read(ros::topic_of("/velocity", **mapping, false));
+    rig.tick();
+    rig.part->speed.write({.vx = 0.5});
+    rig.tick();
+    const auto samples = reader->take();
+    REQUIRE(samples.size() == 1);
+    ros::TwistStamped message;
+    REQUIRE(read_cdr(samples[0].bytes, {.header = true}, message));
+    CHECK(message.header.stamp.sec == 1'500'000'000);
+    for (const std::string& topic : rig.domain.topics()) CHECK(topic.find("rt/clock") == std::string::npos);
+}
+
+TEST_CASE("a node takes what comes on topics, and nothing that is no message", "[dds][ros]") {
+    NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}));
+    REQUIRE(rig.refusal.empty());
+    rig.tick();
+    const auto mapping = ros::find_mapping(type_index<Velocity2D>(), "", true);
+    const auto writer = rig.other->write(ros::topic_of("/cmd_vel", **mapping, true));
+    ros::Twist twist;
+    twist.linear.x = 0.1;
+    twist.angular.z = -1;
+    writer->write(bytes_of(twist));
+    rig.tick();
+    REQUIRE(rig.part->targets.size() == 1);
+    CHECK(rig.part->targets[0].data == Velocity2D{0.1, 0, -1});
+    CHECK(rig.arrivals == std::vector<std::string>{"Write by network ros"});
+    const Octets wrong{0, 1, 0, 0, 9};
+    for (int i = 0; i < 2; ++i) {
+        writer->write(wrong);
+        rig.tick();
+    }
+    twist.linear.x = std::numeric_limits<double>::infinity();
+    writer->write(bytes_of(twist));
+    rig.tick();
+    CHECK(rig.part->targets.size() == 1);
+    REQUIRE(rig.log.size() == 2);
+    CHECK(rig.log[0].find("a message is not taken: byte 4") == 0);
+    CHECK(rig.log[1] == "a message is not taken: a number is not finite");
+}
+
+TEST_CASE("a velocity that came while time stood moves nothing afterwards", "[dds][ros]") {
+    const bool real = GENERATE(true, false);
+    NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}), real);
+    REQUIRE(rig.refusal.empty());
+    rig.tick();
+    const auto writer =
+        rig.other->write(ros::topic_of("/cmd_vel", **ros::find_mapping(type_index<Velocity2D>(), "", true), true));
+    writer->write(bytes_of(ros::Twist{}));
+    if (!real) rig.node().between_ticks();  // of a simulation that is paused
+    rig.clock += 0.6;
+    rig.tick();
+    CHECK(rig.arrivals.empty());
+    writer->write(bytes_of(ros::Twist{}));
+    rig.clock += 0.01;
+    rig.tick();
+    CHECK(rig.arrivals.size() == 1);
+}
+
+TEST_CASE("a simulation that is slower than the clock takes every velocity", "[dds][ros]") {
+    NodeRig rig(spec_of({}, {{"part.target", "/cmd_vel"}}));
+    rig.tick();
+    const auto writer =
+        rig.other->write(ros::topic_of("/cmd_vel", **ros::find_mapping(type_index<Velocity2D>(), "", true), true));
+    writer->write(bytes_of(ros::Twist{}));
+    rig.clock += 2;
+    rig.tick();
+    CHECK(rig.arrivals.size() == 1);
+}
+
+TEST_CASE("a range of Humble, which has no variance, is taken as well", "[dds][ros]") {
+    const auto mapping = ros::find_mapping(type_index<RangeData>(), "sensor_msgs/msg/Range", true);
+    REQUIRE(mapping.has_value());
+    FakeDomain domain;
+    const auto place = domain.join();
+    const dds::Topic topic = ros::topic_of("/ir", **mapping, true);
+    const auto subscription = (*mapping)->subscribe(place->read(topic));
+    const auto writer = place->write(topic);
+    ros::Range range;
+    range.range = 0.5;
+    Octets bytes = bytes_of(range);
+    bytes.resize(bytes.size() - 4);
+    writer->write(bytes);
+    RangeData taken;
+    CHECK(subscription->receive(1, [&](AnyPayload value) { taken = std::get<RangeData>(std::move(value)); }).empty());
+    CHECK(taken.ranges == std::vector<double>{0.5});
+}
+
+TEST_CASE("a node says which topic it can't have", "[dds][ros]") {
+    RosTopic topic{"part.sped", "/a"};
+    topic.place = {"s.lua", 3, 5};
+    CHECK(NodeRig(spec_of({topic}, {})).refusal ==
+          "s.lua:3:5: ros: part.sped: part has no port 'sped' (did you mean 'speed'?)");
+    CHECK(NodeRig(spec_of({{"part.target", "/a"}}, {})).refusal == "ros: part.target: an in-port can't be published");
+    CHECK(NodeRig(spec_of({}, {{"part.speed", "/a"}})).refusal == "ros: /a: an out-port takes nothing from a topic");
+    CHECK(NodeRig(spec_of({{"part.speed", "/a"}, {"part.count", "/a"}}, {})).refusal ==
+          "ros: part.count: the topic /a is there already");
+}
+
+TEST_CASE("an emergency stop sends zero to robots of ROS in every tick, until rearm", "[dds][ros][stop]") {
+    CommandRig rig;
+    REQUIRE(perform(rig.system, Stop{}, {Actor::Kind::console}));
+    CHECK(rig.log.back() == "emergency stop: ros/mouse.cmd_vel is sent zero until rearm()");
+    rig.go();
+    CHECK(speeds(*rig.robot) == std::vector<double>{0});
+    rig.tick();
+    CHECK(speeds(*rig.robot) == std::vector<double>{0});
+    REQUIRE(perform(rig.system, Rearm{}, {Actor::Kind::console}));
+    rig.tick();
+    CHECK(speeds(*rig.robot).empty());
+    rig.go();
+    CHECK(speeds(*rig.robot) == std::vector<double>{0.5});
+}
+
+TEST_CASE("a robot of ROS is sent zero once when its port falls silent", "[dds][ros][stop]") {
+    CommandRig rig;
+    rig.clock += 0.4;
+    rig.node().between_ticks();
+    CHECK(speeds(*rig.robot).empty());
+    rig.clock += 0.2;
+    rig.node().between_ticks();
+    rig.node().between_ticks();
+    CHECK(speeds(*rig.robot) == std::vector<double>{0});
+}
+
+TEST_CASE("a robot of ROS is sent zero when the run ends", "[dds][ros][stop]") {
+    CommandRig rig;
+    rig.system.stop(1);
+    CHECK(speeds(*rig.robot) == std::vector<double>{0});
+}

@@ -1,0 +1,53 @@
+// Who may drive a robot: one program of the machine.
+#include "hw/guard/lease.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+
+#include "hw/guard/guard.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::hw;
+
+TEST_CASE("one program at a time drives the motors, and the other is told which", "[hw][guard][safety]") {
+    const Scratch folder;
+    const std::string node = folder.write("rtmotoren0", "").string();
+    auto first = Guard::start("test", node);
+    REQUIRE(first);
+    const auto second = Guard::start("test", node);
+    REQUIRE_FALSE(second);
+    CHECK(second.error().message == node +
+                                        ": another robot of this system drives these motors already: only one of "
+                                        "them can be real, as by --hw=NAME");
+    first->reset();
+    CHECK(Guard::start("test", node));
+}
+
+TEST_CASE("a robot's lease stays its own when its nodes are made anew", "[hw][guard][safety]") {
+    const Scratch folder;
+    const auto node = folder.write("rtmotoren0", "1");
+    auto guard = Guard::start("test", node.string());
+    REQUIRE(guard);
+    std::filesystem::remove(node);
+    folder.write("rtmotoren0", "1");
+    CHECK_FALSE(Lease::take("test", node.string()));
+    CHECK(Lease::take("other", node.string()));
+    // By another path to the same folder as well.
+    std::filesystem::create_directory_symlink(folder.path(""), folder.path("same"));
+    CHECK_FALSE(Lease::take("test", folder.path("same/rtmotoren0").string()));
+}
+
+TEST_CASE("a machine has one robot of each driver behind nodes of the kernel, by whatever path",
+          "[hw][guard][safety]") {
+    const std::string driver = "test " + std::to_string(getpid());  // others may test on this machine as well
+    const auto nodes = Lease::take(driver, "/dev/null");
+    REQUIRE(nodes);
+    CHECK_FALSE(Lease::take(driver, "/dev/zero"));
+    const auto sysfs = Lease::take(driver + " of sysfs", "/sys/class");
+    REQUIRE(sysfs);
+    CHECK_FALSE(Lease::take(driver + " of sysfs", "/sys/class/net"));
+}

@@ -1,0 +1,44 @@
+// Connections that have shown no token: which of them goes when another one comes.
+#include "bindings/web/unadmitted.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+using namespace nezumi;
+using web::Unadmitted;
+
+namespace {
+
+// A connection is known by where it is.
+std::vector<char> connections(2 * Unadmitted::most);
+
+}  // namespace
+
+TEST_CASE("the oldest of an address that has more than its share goes", "[web][bounds]") {
+    Unadmitted unadmitted;
+    std::size_t next = 0;
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.9") == nullptr);
+    for (std::size_t i = 0; i < Unadmitted::most_of_source; ++i)
+        CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == nullptr);
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == &connections[1]);
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == &connections[2]);
+    // One that has shown a token makes room.
+    unadmitted.remove(&connections[3]);
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == nullptr);
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == &connections[4]);
+}
+
+TEST_CASE("where there are too many in all, the oldest of the address that has most goes", "[web][bounds]") {
+    Unadmitted unadmitted;
+    std::size_t next = 0;
+    for (int i = 0; i < 10; ++i) CHECK(unadmitted.add(&connections[next++], "192.168.1.1") == nullptr);
+    const std::size_t first_of_most = next;
+    for (int i = 0; i < 20; ++i) CHECK(unadmitted.add(&connections[next++], "192.168.1.2") == nullptr);
+    for (; next < Unadmitted::most; ++next)
+        CHECK(unadmitted.add(&connections[next], "10.0.0." + std::to_string(next)) == nullptr);
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.3") == &connections[first_of_most]);
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.4") == &connections[first_of_most + 1]);
+    unadmitted.remove(&connections[first_of_most]);  // is forgotten already
+    CHECK(unadmitted.add(&connections[next++], "192.168.1.5") == &connections[first_of_most + 2]);
+}
