@@ -85,7 +85,7 @@ Expected<std::unique_ptr<Guard>> Guard::start(const std::string& driver, const D
     if (is_real && getpid() == 1)
         return failure(
             "motors: this program is process 1 of its container, whose end would kill the guard of the motors as well: "
-            "let the container have an init, as by docker run --init");
+            "start it by a shell that lives a second longer, as by sh -c 'nezumi run ...; sleep 1'");
     auto taken = is_real ? Lease::take(driver, node.text()) : Lease::of_nothing();
     if (!taken) return Unexpected(taken.error());
     std::array<int, 2> ends{};
