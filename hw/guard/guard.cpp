@@ -2,7 +2,9 @@
 #include "hw/guard/guard.hpp"
 
 #include <fcntl.h>
+#include <linux/sockios.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -14,6 +16,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -71,12 +74,15 @@ Guard::Guard(Lease lease, int socket, pid_t process) : lease_(std::move(lease)),
 
 void Guard::brake_all() {
     const Lock lock(sockets().mutex);
-    // A guard that hears no more stops the motors and ends.
-    for (const int socket : sockets().all) shutdown(socket, SHUT_WR);
+    const GuardOrder order{.kind = GuardOrder::Kind::brake};
+    for (const int socket : sockets().all)
+        send(socket, &order, offsetof(GuardOrder, node), MSG_DONTWAIT | MSG_NOSIGNAL);
+    // What it has not taken yet it has not done.
     const double end = clock_seconds() + std::chrono::duration<double>(longest_braking).count();
     for (const int socket : sockets().all) {
-        pollfd hangup{.fd = socket, .events = 0, .revents = 0};
-        poll(&hangup, 1, std::max(0, static_cast<int>((end - clock_seconds()) * 1e3)));
+        int waiting = 0;
+        while (ioctl(socket, SIOCOUTQ, &waiting) == 0 && waiting > 0 && clock_seconds() < end)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
 }
 

@@ -60,8 +60,8 @@ public:
     bool is_proved(double now) const { return !trouble_ && now - proved_at_ <= beat_timeout; }
     /// Why it could not stop them at the last beat.
     const std::optional<NodeError>& trouble() const { return trouble_; }
-    /// All guards of this process stop their motors and end. Waits until they have, `longest_braking` at most. From any
-    /// thread, whatever the others do: for a program that is about to end at once.
+    /// All guards of this process stop their motors, and let nothing turn any more. Waits until they have been told,
+    /// `longest_braking` at most. From any thread, whatever the others do: for a program that is about to end at once.
     static void brake_all();
     static constexpr std::chrono::milliseconds longest_braking{300};
     /// Has something to read, or is at its end, when the guard has.

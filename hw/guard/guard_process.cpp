@@ -157,6 +157,7 @@ void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words) {
 
     Nodes nodes;
     bool awaits_beat = false;
+    bool brakes = false;
     double beat_at = 0;
     while (getppid() == engine) {
         std::array<pollfd, 2> files{pollfd{.fd = socket, .events = POLLIN, .revents = 0},
@@ -180,11 +181,18 @@ void be_guard(int socket, int lease, pid_t engine, const ProcessWords& words) {
         switch (order.kind) {
             case GuardOrder::Kind::node: take_up(nodes.at(order.node.index), order.node, file); break;
             case GuardOrder::Kind::rest: awaits_beat = false; break;
+            case GuardOrder::Kind::brake: brakes = true; break;
             case GuardOrder::Kind::beat:
+                if (brakes) break;
                 awaits_beat = true;
                 beat_at = order.tm;  // not when it is read: both processes may have been stopped meanwhile
                 say(socket, prove(nodes, order.tm));
                 break;
+        }
+        // What was written since is undone as well.
+        if (brakes) {
+            stop_all(nodes, socket);
+            say(socket, {.kind = GuardAnswer::Kind::stopped});
         }
     }
     stop_all(nodes, socket);

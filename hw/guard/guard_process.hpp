@@ -21,9 +21,10 @@ enum class Proof : std::uint8_t {
 /// `node` comes a descriptor, open for writing, of the guard's own.
 struct GuardOrder {
     enum class Kind : std::uint8_t {
-        beat,  ///< the motors have power, or shall have it, and the control loop is alive at `tm`
-        rest,  ///< the motors have no power; there may be no beats now
-        node,  ///< stop this node as well, in place of the one that had its index before
+        beat,   ///< the motors have power, or shall have it, and the control loop is alive at `tm`
+        rest,   ///< the motors have no power; there may be no beats now
+        node,   ///< stop this node as well, in place of the one that had its index before
+        brake,  ///< stop all nodes, now and at each beat that still comes: the engine is about to end
     };
     Kind kind = Kind::beat;
     double tm = 0;  ///< [s] by the engine's `clock_seconds`
@@ -42,7 +43,7 @@ struct GuardAnswer {
     enum class Kind : std::uint8_t {
         proved,    ///< to a beat: I can stop all nodes
         unproved,  ///< to a beat: I can't stop the node `index`, for the reason `error`
-        stopped,   ///< no beat came in time, the motors are stopped
+        stopped,   ///< no beat came in time, or the engine is about to end: the motors are stopped
     };
     Kind kind = Kind::proved;
     double tm = 0;  ///< the beat's
