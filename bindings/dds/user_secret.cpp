@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -30,8 +31,8 @@ int make_file(const std::filesystem::path& file) {
     std::error_code none;
     std::filesystem::create_directories(file.parent_path().parent_path(), none);
     if (mkdir(file.parent_path().c_str(), 0700) != 0 && errno != EEXIST) return errno;
-    const std::string own = fmt::format("{}.{}", file.string(), getpid());
-    const int written = ::open(own.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
+    std::string own = file.string() + ".XXXXXX";
+    const int written = ::mkostemp(own.data(), O_CLOEXEC);  // for its user alone
     if (written < 0) return errno;
     int problem = write_all(written, secret_text(make_secret()));
     ::close(written);
