@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/ports/payload.hpp"
+#include "engine/ports/setting.hpp"
 #include "sim/ode_world.hpp"
 
 namespace nezumi::sim {

@@ -10,6 +10,7 @@
 #include "sim/robot_body.hpp"
 
 #include "engine/ports/payload.hpp"
+#include "engine/ports/setting.hpp"
 #include "engine/world/frames.hpp"
 
 namespace nezumi::sim {

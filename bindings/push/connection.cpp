@@ -43,7 +43,7 @@ Expected<std::string> PushConnection::take_bytes(std::size_t count) const {
 }
 
 Expected<std::string> PushConnection::take() const {
-    const auto digits = take_bytes(length_digits);
+    auto digits = take_bytes(length_digits);
     if (!digits) return digits;
     std::size_t length = 0;
     const auto [end, problem] = std::from_chars(digits->data(), digits->data() + length_digits, length, 16);
@@ -65,7 +65,7 @@ Expected<std::size_t> PushConnection::take_number() const {
 Expected<std::string> PushConnection::take_line() const {
     std::string line;
     while (line.size() < longest_line) {
-        const auto byte = take_bytes(1);
+        auto byte = take_bytes(1);
         if (!byte) return byte;
         if (*byte == "\n") break;
         line += *byte;

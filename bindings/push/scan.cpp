@@ -2,6 +2,7 @@
 #include "bindings/push/scan.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <string_view>
@@ -19,7 +20,7 @@ Expected<void> add_folder(const std::string& folder, ProjectScan& scan) {
     if (!names) return Unexpected(names.error());
     for (const std::string& last : *names) {
         if (stays(last, folder.empty())) continue;
-        const std::string name = folder.empty() ? last : folder + "/" + last;
+        const std::string name = folder.empty() ? last : fmt::format("{}/{}", folder, last);
         const auto found = scan.folder.find(name);
         if (!found) continue;  // it has gone since
         if (found->kind == ListedFile::Kind::other) {
