@@ -56,7 +56,7 @@ public:
     void after_tick() { server_->after_tick(); }
 
 private:
-    Expected<FileHandle> connect(ConsoleServer::Use use);
+    Expected<Descriptor> connect(ConsoleServer::Use use);
     void show_status();
 
     RunLoop& loop_;

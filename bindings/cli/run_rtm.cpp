@@ -12,7 +12,7 @@
 namespace nezumi::cli {
 
 Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void(const LogLine&)> log) {
-    FileHandle bell(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
+    Descriptor bell(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
     if (!bell) return failure(std::string("rtm: ") + std::strerror(errno));
     const int rings = bell.get();
     std::unique_ptr<RunRtm> rtm(new RunRtm(std::move(bell)));

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/console/file_handle.hpp"
 #include "bindings/console/peers.hpp"
 #include "bindings/openrtm/rtm_server.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/live/run_loop.hpp"
 
 namespace nezumi::cli {
@@ -26,9 +26,9 @@ public:
     void add_files(std::vector<int>& files) const override { files.push_back(bell_.get()); }
 
 private:
-    explicit RunRtm(FileHandle bell) : bell_(std::move(bell)) {}
+    explicit RunRtm(Descriptor bell) : bell_(std::move(bell)) {}
 
-    FileHandle bell_;  // an eventfd: readable when an RTC wants something
+    Descriptor bell_;  // an eventfd: readable when an RTC wants something
     std::unique_ptr<openrtm::RtmServer> server_;
 };
 

@@ -4,20 +4,20 @@
 #include <optional>
 #include <string>
 
-#include "bindings/console/file_handle.hpp"
 #include "bindings/console/protocol.hpp"
+#include "engine/base/descriptor.hpp"
 
 namespace nezumi {
 
 class ConsoleClient {
 public:
-    explicit ConsoleClient(FileHandle socket) : socket_(std::move(socket)) {}
+    explicit ConsoleClient(Descriptor socket) : socket_(std::move(socket)) {}
 
     /// Readable when an event may have come.
     int file() const { return socket_.get(); }
     bool is_open() const { return bool(socket_); }
     /// Leaves.
-    void close() { socket_.reset(); }
+    void close() { socket_.close(); }
 
     /// Sends a request, under an id of its own that is returned. When the system is gone, the client is closed.
     std::int64_t send(Request request);
@@ -33,7 +33,7 @@ private:
     // Results may be long; a system is trusted not to send lines without end.
     static constexpr std::size_t longest_event = std::size_t{1} << 28;
 
-    FileHandle socket_;
+    Descriptor socket_;
     LineReader reader_{longest_event};
     bool fed_ = false;  // the reader may have another line
     std::int64_t last_id_ = 0;

@@ -35,16 +35,16 @@ Expected<void> ConsoleServer::listen(std::string_view name, const std::filesyste
     return {};
 }
 
-Expected<FileHandle> ConsoleServer::connect(Use use, const Actor& who) {
+Expected<Descriptor> ConsoleServer::connect(Use use, const Actor& who) {
     if (auto ok = transport_.ready(); !ok) return Unexpected(ok.error());
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return failure(std::string("can't open a console: ") + std::strerror(errno));
     const bool batch = use == Use::batch;
-    const ClientId id = transport_.add(FileHandle(ends[0]), batch ? Transport::Flow::lossless : Transport::Flow::lossy);
+    const ClientId id = transport_.add(Descriptor(ends[0]), batch ? Transport::Flow::lossless : Transport::Flow::lossy);
     consoles_[id].batch = batch;
     consoles_[id].who = who;
-    return FileHandle(ends[1]);
+    return Descriptor(ends[1]);
 }
 
 bool ConsoleServer::serve(Clock::time_point until) {

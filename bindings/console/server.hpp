@@ -50,7 +50,7 @@ public:
         batch,   ///< commands come from a file: nothing that is said is left out, and time moves only by their order
     };
     /// Returns the other end of a connection, for a client in this process; `who` is who acts by it.
-    Expected<FileHandle> connect(Use use, const Actor& who = {Actor::Kind::console});
+    Expected<Descriptor> connect(Use use, const Actor& who = {Actor::Kind::console});
 
     /// Deals with what clients sent and with what their sessions want of the system, and while one of them works waits
     /// for that, until about `until`. Returns whether more may come.

@@ -28,8 +28,8 @@ constexpr std::string_view suffix = ".sock";
 std::string why() { return std::strerror(errno); }
 
 // Opens the folder if it is there, is a folder, ours, and closed to all others.
-Expected<FileHandle> open_folder(const std::filesystem::path& path) {
-    FileHandle folder(::open(path.c_str(), O_DIRECTORY | O_NOFOLLOW | O_RDONLY | O_CLOEXEC));
+Expected<Descriptor> open_folder(const std::filesystem::path& path) {
+    Descriptor folder(::open(path.c_str(), O_DIRECTORY | O_NOFOLLOW | O_RDONLY | O_CLOEXEC));
     struct stat status {};
     if (!folder || fstat(folder.get(), &status) != 0)
         return failure("can't open the console's folder " + path.string() + ": " + why());
@@ -40,7 +40,7 @@ Expected<FileHandle> open_folder(const std::filesystem::path& path) {
     return folder;
 }
 
-sockaddr_un address_in(const FileHandle& folder, std::string_view name) {
+sockaddr_un address_in(const Descriptor& folder, std::string_view name) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     std::snprintf(address.sun_path, sizeof address.sun_path, "/proc/self/fd/%d/%.*s", folder.get(),
@@ -51,8 +51,8 @@ sockaddr_un address_in(const FileHandle& folder, std::string_view name) {
 // A system that is stopped takes nobody in: those who wait at its door are let go after a while, with EAGAIN.
 constexpr timeval longest_wait{.tv_sec = 2, .tv_usec = 0};
 
-FileHandle connect_in(const FileHandle& folder, std::string_view name, bool wait) {
-    FileHandle socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | (wait ? 0 : SOCK_NONBLOCK), 0));
+Descriptor connect_in(const Descriptor& folder, std::string_view name, bool wait) {
+    Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | (wait ? 0 : SOCK_NONBLOCK), 0));
     if (!socket) return socket;
     const auto let_sends_wait = [&](const timeval& time) {
         return setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time) == 0;
@@ -62,7 +62,7 @@ FileHandle connect_in(const FileHandle& folder, std::string_view name, bool wait
         connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
         (wait && !let_sends_wait({}))) {
         const int error = errno;
-        socket.reset();
+        socket.close();
         errno = error;
     }
     return socket;
@@ -109,7 +109,7 @@ Expected<Listener> Listener::open(std::string_view name, const std::filesystem::
     // It gets its name once it listens: whoever looks before would take it for one that nobody listens at.
     const std::string unready = "." + process;
 
-    FileHandle socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     const sockaddr_un address = address_in(*folder, unready);
     unlinkat(folder->get(), unready.c_str(), 0);
     if (!socket || bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
@@ -134,7 +134,7 @@ Expected<std::vector<ListeningSystem>> running_systems(const std::filesystem::pa
     while (const dirent* entry = readdir(list.get())) {
         auto system = parse_name(entry->d_name);
         if (!system) continue;
-        const FileHandle socket = connect_in(*folder, entry->d_name, false);
+        const Descriptor socket = connect_in(*folder, entry->d_name, false);
         if (!socket && errno == ECONNREFUSED) unlinkat(folder->get(), entry->d_name, 0);
         if (!socket && errno != EAGAIN) continue;
         system->path = path / entry->d_name;
@@ -166,7 +166,7 @@ Expected<ReachedSystem> connect_to_system(std::string_view which, const std::fil
 
     const auto folder = open_folder(path);
     if (!folder) return Unexpected(folder.error());
-    FileHandle socket = connect_in(*folder, fitting.front().path.filename().string(), true);
+    Descriptor socket = connect_in(*folder, fitting.front().path.filename().string(), true);
     if (!socket && errno == EAGAIN) return failure(no_answer(fitting.front()));
     if (!socket) return failure("can't reach " + list_of(fitting) + ": " + why());
     if (!is_peer(socket.get(), geteuid())) return failure(list_of(fitting) + " belongs to another user");

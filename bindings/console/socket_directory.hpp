@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/console/file_handle.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {
@@ -30,11 +30,11 @@ public:
     const std::filesystem::path& path() const { return path_; }
 
 private:
-    Listener(FileHandle folder, FileHandle socket, std::filesystem::path path)
+    Listener(Descriptor folder, Descriptor socket, std::filesystem::path path)
         : folder_(std::move(folder)), socket_(std::move(socket)), path_(std::move(path)) {}
 
-    FileHandle folder_;
-    FileHandle socket_;
+    Descriptor folder_;
+    Descriptor socket_;
     std::filesystem::path path_;
 };
 
@@ -52,7 +52,7 @@ Expected<std::vector<ListeningSystem>> running_systems(const std::filesystem::pa
 /// A running system that is connected to.
 struct ReachedSystem {
     ListeningSystem system;
-    FileHandle socket;
+    Descriptor socket;
 };
 
 /// Connects to the one that `which` names (a name or a process number; "": the only one), within 2 s. The error says

@@ -30,14 +30,14 @@ constexpr std::size_t high_water = Transport::max_backlog / 2;
 // Lines are written in portions of about this size.
 constexpr std::size_t portion = std::size_t{1} << 16;
 
-void signal(const FileHandle& event) {
+void signal(const Descriptor& event) {
     const std::uint64_t one = 1;
     // When the counter is full it is readable anyway; whatever else it is, who waits must not wait for ever.
     for (int tries = 0; tries < 3 && ::write(event.get(), &one, sizeof one) < 0 && errno != EAGAIN; ++tries) {
     }
 }
 
-void clear(const FileHandle& event) {
+void clear(const Descriptor& event) {
     std::uint64_t count = 0;
     [[maybe_unused]] const ssize_t got = ::read(event.get(), &count, sizeof count);
 }
@@ -98,9 +98,9 @@ void Transport::listen(Listener listener, uid_t user) {
     signal(wake_);
 }
 
-ClientId Transport::add(FileHandle socket, Flow flow) { return add(std::move(socket), flow, true); }
+ClientId Transport::add(Descriptor socket, Flow flow) { return add(std::move(socket), flow, true); }
 
-ClientId Transport::add(FileHandle socket, Flow flow, bool has_spoken) {
+ClientId Transport::add(Descriptor socket, Flow flow, bool has_spoken) {
     fcntl(socket.get(), F_SETFL, fcntl(socket.get(), F_GETFL) | O_NONBLOCK);
     auto client = std::make_unique<Client>();
     client->socket = std::move(socket);
@@ -213,7 +213,7 @@ void Transport::work() {
 // Returns false when there is no descriptor for another client.
 bool Transport::accept_all(int listener) {
     for (;;) {
-        FileHandle socket(accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+        Descriptor socket(accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
         if (!socket) return errno != EMFILE && errno != ENFILE && errno != ENOBUFS && errno != ENOMEM;
         const bool ours = is_peer(socket.get(), user_);
         if (ours && leaves_free(socket.get(), for_files) && make_room()) {

@@ -14,9 +14,9 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/console/file_handle.hpp"
 #include "bindings/console/protocol.hpp"
 #include "bindings/console/socket_directory.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/mutex.hpp"
 
 namespace nezumi {
@@ -61,7 +61,7 @@ public:
     /// Takes clients from `listener` that belong to `user`. Once.
     void listen(Listener listener, uid_t user);
     /// Takes a client that is connected already.
-    ClientId add(FileHandle socket, Flow flow);
+    ClientId add(Descriptor socket, Flow flow);
 
     /// Readable while something waits for `take`.
     int file() const { return news_.get(); }
@@ -79,7 +79,7 @@ public:
 
 private:
     struct Client {
-        FileHandle socket;
+        Descriptor socket;
         Flow flow = Flow::lossy;
         std::deque<Event> events;  // that wait
         std::size_t backlog = 0;   // [bytes] of them, about
@@ -95,7 +95,7 @@ private:
         bool gone = false;
     };
 
-    ClientId add(FileHandle socket, Flow flow, bool has_spoken);
+    ClientId add(Descriptor socket, Flow flow, bool has_spoken);
     void work();
     bool accept_all(int listener);
     bool make_room();
@@ -105,8 +105,8 @@ private:
     void put(Client& client, Event event);
     void remove(ClientId id);
 
-    FileHandle news_;  // eventfd: something for `take`
-    FileHandle wake_;  // eventfd: something for the thread
+    Descriptor news_;  // eventfd: something for `take`
+    Descriptor wake_;  // eventfd: something for the thread
     int problem_ = 0;  // an errno: there is no thread
 
     Mutex mutex_;  // of all below, and of the first part of each client

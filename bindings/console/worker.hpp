@@ -10,7 +10,7 @@
 #include <functional>
 #include <thread>
 
-#include "bindings/console/file_handle.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/mutex.hpp"
 
 namespace nezumi {
@@ -29,7 +29,7 @@ public:
     bool wait(Clock::time_point until, int also = -1) const;
 
 private:
-    FileHandle file_;  // eventfd
+    Descriptor file_;  // eventfd
 };
 
 /// One job runs at a time. It never touches the system: what it wants of it, it asks the thread that ticks for, which

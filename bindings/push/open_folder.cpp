@@ -24,7 +24,7 @@ int errno_of(int returned) { return returned == 0 ? 0 : errno; }
 
 int read_file(int folder, const char* name, const TakesBytes& takes) {
     const Descriptor in(openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-    if (!in.is_open()) return errno;
+    if (!in) return errno;
     std::array<char, 65536> buffer;
     for (;;) {
         const ssize_t count = ::read(in.get(), buffer.data(), buffer.size());
@@ -51,20 +51,19 @@ ListedFile::Kind kind_of(mode_t mode) {
 
 Expected<OpenFolder> OpenFolder::open(const std::filesystem::path& path) {
     Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (!folder.is_open()) return failure(std::strerror(errno), {.file = path.string()});
+    if (!folder) return failure(std::strerror(errno), {.file = path.string()});
     return OpenFolder(std::move(folder));
 }
 
 Expected<OpenFolder> OpenFolder::below(const std::string& name) const {
     Descriptor folder(openat(folder_.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    if (!folder.is_open()) return failure(std::strerror(errno), {.file = name});
+    if (!folder) return failure(std::strerror(errno), {.file = name});
     return OpenFolder(std::move(folder));
 }
 
 OpenFolder::Place OpenFolder::place_of(const std::string& name) const {
     Place place{Descriptor(openat(folder_.get(), ".", only_folder)), name};
-    for (auto slash = place.last.find('/'); place.folder.is_open() && slash != std::string::npos;
-         slash = place.last.find('/')) {
+    for (auto slash = place.last.find('/'); place.folder && slash != std::string::npos; slash = place.last.find('/')) {
         place.folder = Descriptor(openat(place.folder.get(), place.last.substr(0, slash).c_str(), only_folder));
         place.last.erase(0, slash + 1);
     }
@@ -73,13 +72,13 @@ OpenFolder::Place OpenFolder::place_of(const std::string& name) const {
 
 int OpenFolder::with_place(const std::string& name, const std::function<int(int, const char*)>& act) const {
     const Place place = place_of(name);
-    return place.folder.is_open() ? act(place.folder.get(), place.last.c_str()) : errno;
+    return place.folder ? act(place.folder.get(), place.last.c_str()) : errno;
 }
 
 std::optional<ListedFile> OpenFolder::find(const std::string& name) const {
     const Place place = place_of(name);
     struct stat status {};
-    if (!place.folder.is_open() || fstatat(place.folder.get(), place.last.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
+    if (!place.folder || fstatat(place.folder.get(), place.last.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
         return std::nullopt;
     ListedFile found{.kind = kind_of(status.st_mode)};
     if (found.is_folder() || found.kind == ListedFile::Kind::other) return found;
@@ -96,10 +95,10 @@ std::optional<ListedFile> OpenFolder::find(const std::string& name) const {
 Expected<std::vector<std::string>> OpenFolder::names_in(const std::string& name) const {
     const Place place = place_of(name.empty() ? "." : name);
     Descriptor listed;
-    if (place.folder.is_open())
+    if (place.folder)
         listed =
             Descriptor(openat(place.folder.get(), place.last.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    std::unique_ptr<DIR, int (*)(DIR*)> entries(listed.is_open() ? fdopendir(listed.get()) : nullptr, closedir);
+    std::unique_ptr<DIR, int (*)(DIR*)> entries(listed ? fdopendir(listed.get()) : nullptr, closedir);
     if (!entries) return failure(std::string("can't be read: ") + std::strerror(errno), {.file = name});
     listed.release();
     std::vector<std::string> names;
@@ -123,7 +122,7 @@ int OpenFolder::read(const std::string& name, const TakesBytes& takes) const {
 int OpenFolder::refuses(const std::string& name) const {
     // The nearest of its folders that is there: the others will be made, and are like it.
     Place place = place_of(name);
-    for (std::string above = name; !place.folder.is_open();) {
+    for (std::string above = name; !place.folder;) {
         const auto slash = above.rfind('/');
         if (slash == std::string::npos) return errno;
         above.erase(slash);

@@ -55,7 +55,7 @@ Expected<FileList> read_list(const OpenFolder& folder, const std::string& name) 
 
 int write_synced(int folder, const char* name, std::string_view text) {
     const Descriptor file(openat(folder, name, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, file_mode));
-    if (!file.is_open()) return errno;
+    if (!file) return errno;
     if (const int problem = write_all(file.get(), text); problem != 0) return problem;
     return fsync(file.get()) == 0 ? 0 : errno;
 }
@@ -130,7 +130,7 @@ Expected<void> PushedFolder::stage(std::size_t number, const std::string& name, 
     if (!is_link) {
         const mode_t mode = file.kind == ListedFile::Kind::program ? program_mode : file_mode;
         out = Descriptor(openat(staged_.descriptor(), staged.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
-        if (!out.is_open()) return problem_with(name, errno);
+        if (!out) return problem_with(name, errno);
     }
     ContentHash hash;
     std::string target;

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "bindings/console/file_handle.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/state_folder.hpp"
 
 namespace nezumi {
@@ -41,17 +41,17 @@ std::string decode_line(std::string_view line) {
     return input;
 }
 
-FileHandle open_locked(const std::filesystem::path& path, int flags) {
+Descriptor open_locked(const std::filesystem::path& path, int flags) {
     for (;;) {
-        FileHandle file(open(path.c_str(), flags | O_CLOEXEC, 0600));
+        Descriptor file(open(path.c_str(), flags | O_CLOEXEC, 0600));
         struct stat locked {};
-        if (!file || flock(file.get(), LOCK_EX) != 0 || fstat(file.get(), &locked) != 0) return FileHandle();
+        if (!file || flock(file.get(), LOCK_EX) != 0 || fstat(file.get(), &locked) != 0) return Descriptor();
         // Another console may have put a shorter file in its place before we had the lock: then this has no name.
         if (locked.st_nlink > 0) return file;
     }
 }
 
-std::string read_all(const FileHandle& file) {
+std::string read_all(const Descriptor& file) {
     std::string text;
     std::array<char, 65536> piece{};
     for (;;) {
@@ -61,7 +61,7 @@ std::string read_all(const FileHandle& file) {
     }
 }
 
-bool write_all(const FileHandle& file, std::string_view text) {
+bool write_all(const Descriptor& file, std::string_view text) {
     while (!text.empty()) {
         const ssize_t written = write(file.get(), text.data(), text.size());
         if (written < 0 && errno == EINTR) continue;
@@ -88,7 +88,7 @@ void cut_down(const std::filesystem::path& path, const std::vector<std::string_v
         text.append(lines[at]).append("\n");
     std::filesystem::path shorter = path;
     shorter += ".new";
-    const FileHandle file(open(shorter.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
+    const Descriptor file(open(shorter.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
     if (file && write_all(file, text)) rename(shorter.c_str(), path.c_str());
 }
 
@@ -102,7 +102,7 @@ std::filesystem::path history_path() {
 std::vector<std::string> HistoryFile::read() const {
     std::vector<std::string> inputs;
     if (path_.empty()) return inputs;
-    const FileHandle file = open_locked(path_, O_RDONLY);
+    const Descriptor file = open_locked(path_, O_RDONLY);
     if (!file) return inputs;
     const std::string text = read_all(file);
     const std::vector<std::string_view> lines = lines_of(text);
@@ -121,7 +121,7 @@ Expected<void> HistoryFile::append(std::string_view input) const {
     std::error_code error;
     std::filesystem::create_directories(folder.parent_path(), error);
     if (!error && mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return failed();
-    const FileHandle file = open_locked(path_, O_RDWR | O_APPEND | O_CREAT);
+    const Descriptor file = open_locked(path_, O_RDWR | O_APPEND | O_CREAT);
     if (!file) return failed();
     // A file written by another program, or truncated by a full disk, may end within a line.
     char last = '\n';

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bindings/console/client.hpp"
-#include "bindings/console/file_handle.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/error.hpp"
 
 namespace nezumi {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/console/file_handle.hpp"
 #include "bindings/console/protocol.hpp"
 #include "bindings/console/server.hpp"
 #include "bindings/web/site.hpp"
+#include "engine/base/descriptor.hpp"
 
 namespace nezumi::web {
 
@@ -31,7 +31,7 @@ public:
 
 private:
     struct Console {
-        FileHandle socket;
+        Descriptor socket;
         LineReader reader{std::size_t{1} << 24};
     };
 

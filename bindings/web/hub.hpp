@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "bindings/console/file_handle.hpp"
 #include "bindings/web/access.hpp"
 #include "bindings/web/changes.hpp"
 #include "bindings/web/messages.hpp"
 #include "bindings/web/site.hpp"
 #include "bindings/web/static_files.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/mutex.hpp"
 
 namespace nezumi::web {
@@ -126,7 +126,7 @@ private:
     const StaticFiles files_;
     const PartReader parts_;
     const std::string hello_;
-    FileHandle news_;  // eventfd
+    Descriptor news_;  // eventfd
     std::atomic<int> clients_there_ = 0;
 
     mutable Mutex mutex_;  // of all below, but for what is said to be of one thread

@@ -17,7 +17,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "bindings/console/file_handle.hpp"
+#include "engine/base/descriptor.hpp"
 #include "engine/base/whole_file.hpp"
 
 namespace nezumi::web {
@@ -73,7 +73,7 @@ Expected<PageEntry> PageEntry::open(const RunningPage& page, const std::filesyst
         before_url, page.url, after_url, page.url, plain(page.name), before_view, page.view_url, after_view);
     const std::filesystem::path file = folder / fmt::format("{}-{}{}", plain(page.name), page.process, suffix);
     unlink(file.c_str());
-    const FileHandle opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+    const Descriptor opened(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (!opened || ::write(opened.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))
         return failure(file.string() + " can't be written: " + std::strerror(errno));
     return PageEntry(file);

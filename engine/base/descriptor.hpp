@@ -9,26 +9,29 @@ namespace nezumi {
 
 class Descriptor {
 public:
+    Descriptor() = default;
     /// Takes over an open descriptor, or -1 for none.
-    explicit Descriptor(int opened = -1) : file_(opened) {}
+    explicit Descriptor(int opened) : file_(opened) {}
     Descriptor(Descriptor&& other) noexcept : file_(other.release()) {}
     Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(file_, other.file_);
+        const int taken = other.release();
+        close();
+        file_ = taken;
         return *this;
     }
     ~Descriptor() { close(); }
 
     /// -1 when there is none.
     int get() const { return file_; }
-    bool is_open() const { return file_ >= 0; }
+    explicit operator bool() const { return file_ >= 0; }
     /// The descriptor, which is the caller's from now on.
     int release() { return std::exchange(file_, -1); }
     void close() {
-        if (is_open()) ::close(release());
+        if (file_ >= 0) ::close(release());
     }
 
 private:
-    int file_;
+    int file_ = -1;
 };
 
 }  // namespace nezumi

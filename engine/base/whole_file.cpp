@@ -91,7 +91,7 @@ Expected<std::string> read_whole(const fs::path& file, const std::string& shown,
     if (const auto what = other_than_file(file); !what.empty()) return expected_a_file(what);
     const Descriptor in(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     struct stat status {};
-    if (!in.is_open() || fstat(in.get(), &status) != 0) return refuse_with(errno);
+    if (!in || fstat(in.get(), &status) != 0) return refuse_with(errno);
     if (const auto what = other_than_file(status.st_mode); !what.empty()) return expected_a_file(what);
     const auto too_large = [&] { return refuse(fmt::format("is larger than {} MB", largest >> 20)); };
     if (static_cast<std::uint64_t>(status.st_size) > largest) return too_large();

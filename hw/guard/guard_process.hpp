@@ -17,7 +17,7 @@ enum class Proof : std::uint8_t {
     empty_write,  ///< and the node's driver takes a write of no bytes through it
 };
 
-/// What the engine says to the guard: a packet each. Of a `beat` and a `rest` only what comes before `node`; with a
+/// What the engine says to the guard: a packet each. Of all but a `node` only what comes before its member; with a
 /// `node` comes a descriptor, open for writing, of the guard's own.
 struct GuardOrder {
     enum class Kind : std::uint8_t {

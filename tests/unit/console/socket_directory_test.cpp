@@ -105,8 +105,8 @@ TEST_CASE("a folder's path may be longer than a socket's address", "[console][at
 TEST_CASE("the other end's user is known", "[console][attach]") {
     int ends[2] = {-1, -1};
     REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
-    const FileHandle one(ends[0]);
-    const FileHandle other(ends[1]);
+    const Descriptor one(ends[0]);
+    const Descriptor other(ends[1]);
     CHECK(is_peer(one.get(), geteuid()));
     CHECK_FALSE(is_peer(one.get(), geteuid() + 1));
 }

@@ -27,16 +27,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Pair {
-    FileHandle system, client;
+    Descriptor system, client;
 };
 
 Pair make_pair() {
     int ends[2] = {-1, -1};
     REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
-    return {FileHandle(ends[0]), FileHandle(ends[1])};
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-void write_text(const FileHandle& socket, std::string_view text) {
+void write_text(const Descriptor& socket, std::string_view text) {
     while (!text.empty()) {
         const ssize_t sent = ::send(socket.get(), text.data(), text.size(), MSG_NOSIGNAL);
         REQUIRE(sent > 0);
@@ -106,7 +106,7 @@ TEST_CASE("a client that leaves in the middle of a line is gone, and nothing els
     Pair pair = make_pair();
     const ClientId id = transport.add(std::move(pair.system), Transport::Flow::lossy);
     write_text(pair.client, "{\"do\":\"ev");
-    pair.client.reset();
+    pair.client.close();
     const auto all = take_until(transport, Incoming::What::closed);
     REQUIRE(all.size() == 2);
     CHECK(all.back().client == id);
@@ -124,7 +124,7 @@ TEST_CASE("nothing is kept of a client that has left", "[console][transport]") {
         Pair pair = make_pair();
         transport.add(std::move(pair.system), Transport::Flow::lossy);
         write_text(pair.client, "{\"do\":\"eval\",\"id\":1,\"text\":\"1\"}\n");
-        pair.client.reset();
+        pair.client.close();
         take_until(transport, Incoming::What::closed);
     }
     CHECK(open_files() == before);
@@ -354,7 +354,7 @@ TEST_CASE("a system has answered when the answer is to the question, not when so
     CHECK_FALSE(client.is_answered(50));
     write_text(pair.system, "{\"is\":\"answer\",\"id\":2,\"ok\":true}\n");
     CHECK(client.is_answered(10'000));
-    pair.system.reset();
+    pair.system.close();
     CHECK_FALSE(client.is_answered(10'000));
 }
 
