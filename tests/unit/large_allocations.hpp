@@ -1,10 +1,13 @@
 // Counts large pieces of memory that a thread takes with `new`, for tests that nothing large is copied. For one file of
-// a program: it replaces the program's operators.
+// a program: it replaces the program's operators. None is counted under the thread sanitizer, which has operators of
+// its own that can't be replaced.
 #pragma once
 
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+
+#include "engine/base/thread_sanitizer.hpp"
 
 namespace nezumi {
 
@@ -18,6 +21,7 @@ inline std::size_t& large_allocations() {
 
 }  // namespace nezumi
 
+#ifndef NEZUMI_THREAD_SANITIZER
 void* operator new(std::size_t size) {
     if (size >= nezumi::large_allocation) ++nezumi::large_allocations();
     if (void* const memory = std::malloc(size > 0 ? size : 1)) return memory;
@@ -25,3 +29,4 @@ void* operator new(std::size_t size) {
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif

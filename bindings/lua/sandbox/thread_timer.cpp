@@ -9,9 +9,9 @@
 #include <system_error>
 #include <utility>
 
-#include "bindings/lua/sandbox/thread_sanitizer.hpp"
 #include "engine/base/mutex.hpp"
 #include "engine/base/thread.hpp"
+#include "engine/base/thread_sanitizer.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
 // ThreadSanitizer holds signals back until the thread calls into libc, which an endless loop never does. This name is

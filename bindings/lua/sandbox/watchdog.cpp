@@ -15,8 +15,8 @@
 
 #include "bindings/lua/sandbox/lua_text.hpp"
 #include "bindings/lua/sandbox/state.hpp"
-#include "bindings/lua/sandbox/thread_sanitizer.hpp"
 #include "bindings/lua/sandbox/thread_timer.hpp"
+#include "engine/base/thread_sanitizer.hpp"
 
 #if defined(NEZUMI_THREAD_SANITIZER)
 // ThreadSanitizer has to see every jump, or it loses count of the calls; Debian's Lua jumps by a name that it does not
