@@ -6,6 +6,7 @@
 #include <semaphore.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <ctime>
@@ -24,8 +25,10 @@ volatile std::sig_atomic_t last_signal = 0;
 // Posted by each signal, and at the end of it all.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
 sem_t news;
+// Read by the thread that watches as well. A handler may use atomics that need no lock.
+static_assert(std::atomic<int>::is_always_lock_free);
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
-volatile std::sig_atomic_t second_signal = 0, is_watched = 0, is_over = 0;
+std::atomic<int> second_signal = 0, is_watched = 0, is_over = 0;
 
 // How long files have to be completed at once, and a line to be written.
 constexpr std::chrono::milliseconds longest_completion{1000}, longest_telling{100};
@@ -33,7 +36,10 @@ constexpr std::chrono::milliseconds longest_completion{1000}, longest_telling{10
 void take(int signal) {
     const int saved_errno = errno;
     const bool second = last_signal != 0;
-    (second ? second_signal : last_signal) = signal;
+    if (second)
+        second_signal = signal;
+    else
+        last_signal = signal;
     if (second || is_watched == 0) {
         for (const int each : StopSignals::signals) std::signal(each, SIG_DFL);
     }

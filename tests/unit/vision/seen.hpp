@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <opencv2/core/utility.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,9 @@
 #include "sim/world.hpp"
 
 namespace nezumi {
+
+/// As detectors do; the thread sanitizer knows nothing of the locks of OpenCV's own threads.
+inline const bool without_threads_of_opencv = (cv::setNumThreads(1), true);
 
 inline constexpr double field_of_view = 1.0472;
 
