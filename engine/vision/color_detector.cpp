@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
+
+#include "engine/vision/one_thread.hpp"
 
 namespace nezumi {
 namespace {
@@ -74,8 +75,7 @@ ColorDetector::ColorDetector(std::string name, bool wait)
     bound("value_to", 1, 1, "", "brightest of the colour");
     bound("least_area", 0.0005, 1, "", "share of the picture; what is smaller is not seen");
     declare_latency();
-    // A picture shall cost one core: others run behaviours. What is seen does not depend on the number.
-    cv::setNumThreads(1);
+    use_one_thread();
 }
 
 Expected<ColorDetector::DetectionTask> ColorDetector::detection_task(const CameraImage& image) {

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
+
+#include "engine/vision/one_thread.hpp"
 
 namespace nezumi {
 namespace {
@@ -66,8 +67,7 @@ LineDetector::LineDetector(std::string name, bool wait)
              .max = 1,
              .doc = "share of the picture; what is smaller is no line"});
     declare_latency();
-    // A picture shall cost one core: others run behaviours. What is seen does not depend on the number.
-    cv::setNumThreads(1);
+    use_one_thread();
 }
 
 Expected<LineDetector::DetectionTask> LineDetector::detection_task(const CameraImage& image) {

@@ -12,10 +12,11 @@
 #include <cassert>
 #include <cmath>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <tuple>
+
+#include "engine/vision/one_thread.hpp"
 
 namespace nezumi {
 namespace {
@@ -125,8 +126,7 @@ TagFinder::TagFinder(std::string_view family) {
                                      [&](const Family& known) { return known.name == family; });
     assert(found != std::end(known_families));
     detector_ = std::make_unique<Detector>(*found);
-    // A picture shall cost one core: others run behaviours. What is found does not depend on the number.
-    cv::setNumThreads(1);
+    use_one_thread();
 }
 
 TagFinder::~TagFinder() = default;

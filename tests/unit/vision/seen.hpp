@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <memory>
-#include <opencv2/core/utility.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "engine/system/system.hpp"
 #include "engine/trace/trace_hash.hpp"
 #include "engine/vision/image_component.hpp"
+#include "engine/vision/one_thread.hpp"
 #include "engine/vision/tag_finder.hpp"
 #include "engine/world/camera_source.hpp"
 #include "sim/world.hpp"
@@ -21,7 +21,7 @@
 namespace nezumi {
 
 /// As detectors do; the thread sanitizer knows nothing of the locks of OpenCV's own threads.
-inline const bool without_threads_of_opencv = (cv::setNumThreads(1), true);
+inline const bool has_one_thread = use_one_thread();
 
 inline constexpr double field_of_view = 1.0472;
 
