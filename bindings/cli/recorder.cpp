@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <chrono>
 #include <fstream>
+#include <thread>
 #include <utility>
 
 #include "engine/base/csv.hpp"
@@ -144,8 +146,12 @@ Expected<void> Recorder::finish() {
 }
 
 void Recorder::end_here(std::string_view why) {
-    const std::unique_lock lock(*mutex_, longest_wait);
-    if (!lock.owns_lock() || complete_) return;
+    Lock lock(*mutex_, std::try_to_lock);
+    for (const auto until = Clock::now() + longest_wait; !lock && Clock::now() < until;) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        static_cast<void>(lock.try_lock());
+    }
+    if (!lock || complete_) return;
     complete(longest_end);
     end_with_note(error_ ? error_->message : why);
 }

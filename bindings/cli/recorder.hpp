@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "engine/base/error.hpp"
 #include "engine/base/file_writer.hpp"
+#include "engine/base/mutex.hpp"
 #include "engine/base/result_file.hpp"
 #include "engine/trace/trace.hpp"
 #include "engine/trace/trace_table.hpp"
@@ -71,8 +71,8 @@ private:
     void align_rows();
     void end_with_note(std::string_view why);
 
-    std::unique_ptr<std::timed_mutex> mutex_ = std::make_unique<std::timed_mutex>();  // of all below
-    std::string name_;                                                                // of the file, as it was given
+    std::unique_ptr<Mutex> mutex_ = std::make_unique<Mutex>();  // of all below
+    std::string name_;                                          // of the file, as it was given
     ResultFile file_;
     std::unique_ptr<FileWriter> writer_;
     Trace* trace_;
