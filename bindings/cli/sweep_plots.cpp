@@ -212,6 +212,7 @@ std::vector<SweepPlot> sweep_plots(const std::vector<MeasuredRun>& runs) {
     std::vector<Key> keys;
     std::map<Key, std::vector<Sample>> samples;
     for (const MeasuredRun& run : runs) {
+        if (!run.counts) continue;
         for (const Measure& measure : run.measures) {
             for (const auto& [parameter, value] : run.point) {
                 const Key key{run.scenario, measure.name, measure.unit, parameter};

@@ -32,7 +32,7 @@ struct SweepPlot {
     std::string file;  ///< its name, without the folder
 };
 
-/// One for each scenario, measure and parameter that has more than one value.
+/// One for each scenario, measure and parameter that has more than one value, of the runs that count.
 std::vector<SweepPlot> sweep_plots(const std::vector<MeasuredRun>& runs);
 
 /// Draws one as SVG. An error says why it can't be written; then there is no file.

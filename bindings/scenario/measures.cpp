@@ -61,10 +61,15 @@ std::vector<MeasureSummary> summarize(const std::vector<MeasuredRun>& runs) {
                 all.push_back({.scenario = run.scenario, .name = measure.name, .unit = measure.unit});
                 values.emplace_back();
             }
-            values[index].push_back(measure.value);
+            if (run.counts) {
+                values[index].push_back(measure.value);
+            } else {
+                ++all[index].left_out;
+            }
         }
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
+        if (values[i].empty()) continue;
         std::sort(values[i].begin(), values[i].end());
         all[i].count = values[i].size();
         all[i].min = values[i].front();
@@ -77,9 +82,14 @@ std::vector<MeasureSummary> summarize(const std::vector<MeasuredRun>& runs) {
 
 std::string text_of(const MeasureSummary& summary) {
     const std::string unit = summary.unit.empty() ? "" : fmt::format(" [{}]", summary.unit);
-    return fmt::format("{}{} of {}: {} run{}, min {:.6g}, median {:.6g}, mean {:.6g}, max {:.6g}", summary.name, unit,
-                       summary.scenario, summary.count, summary.count == 1 ? "" : "s", summary.min, summary.median,
-                       summary.mean, summary.max);
+    std::string text = fmt::format("{}{} of {}: {} run{}", summary.name, unit, summary.scenario, summary.count,
+                                   summary.count == 1 ? "" : "s");
+    if (summary.count > 0)
+        text += fmt::format(", min {:.6g}, median {:.6g}, mean {:.6g}, max {:.6g}", summary.min, summary.median,
+                            summary.mean, summary.max);
+    if (summary.left_out > 0)
+        text += fmt::format(" ({} with a component in ERROR, or not run to the end, left out)", summary.left_out);
+    return text;
 }
 
 bool is_column_of_measures(std::string_view name) {

@@ -19,6 +19,7 @@ struct MeasuredRun {
     SweepPoint point;
     bool passed = false;
     std::vector<Measure> measures;
+    bool counts = true;  ///< false: a component went to ERROR, or it could not be run; what it measured says nothing
 };
 
 /// What the runs of a scenario came to in one measure.
@@ -27,6 +28,7 @@ struct MeasureSummary {
     std::string name;
     std::string unit;
     std::size_t count = 0;
+    std::size_t left_out = 0;  ///< runs that measured it and do not count
     double min = 0;
     double median = 0;
     double mean = 0;
@@ -37,10 +39,11 @@ struct MeasureSummary {
 /// Hyndman and Fan 1996, as R and NumPy have it). Of at least one value, in ascending order.
 double quantile(const std::vector<double>& sorted, double share);
 
-/// Of each measure of each scenario, in the order in which they come first.
+/// Of each measure of each scenario, in the order in which they come first. Only of runs that count.
 std::vector<MeasureSummary> summarize(const std::vector<MeasuredRun>& runs);
 
-/// "time to goal [s] of drives: 20 runs, min 3.2, median 4, mean 4.1, max 6".
+/// "time to goal [s] of drives: 20 runs, min 3.2, median 4, mean 4.1, max 6", and how many
+/// runs are left out.
 std::string text_of(const MeasureSummary& summary);
 
 /// CSV (RFC 4180): a row for each run, the columns scenario, run, seed, passed, the parameters and the measures. A text

@@ -15,9 +15,9 @@ template <class Archive, class Result>
 bool all_fields(Archive& archive, Result& result) {
     return archive(result.outcome) && archive(result.error.message) && archive(result.error.place.file) &&
            archive(result.error.place.line) && archive(result.error.place.column) && archive(result.error.kind) &&
-           archive(result.facts) && archive(result.margins) && archive(result.printed) && archive(result.measures) &&
-           archive(result.goldens) && archive(result.folder) && archive(result.files) && archive(result.seconds) &&
-           archive(result.wall_seconds) && archive(result.hash);
+           archive(result.component_failed) && archive(result.facts) && archive(result.margins) &&
+           archive(result.printed) && archive(result.measures) && archive(result.goldens) && archive(result.folder) &&
+           archive(result.files) && archive(result.seconds) && archive(result.wall_seconds) && archive(result.hash);
 }
 
 // Bytes of another machine may say anything.

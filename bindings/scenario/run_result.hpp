@@ -37,6 +37,7 @@ struct GoldenUse {
 struct RunResult {
     RunOutcome outcome = RunOutcome::passed;
     Error error{};                     ///< what failed, with the scenario's line
+    bool component_failed = false;     ///< it failed because a component went to ERROR
     std::vector<std::string> facts;    ///< more about it, a line each: by how much, when, values, a plot
     std::vector<std::string> margins;  ///< how near the conditions came to their limits, a line each
     std::vector<std::string> printed;  ///< what the scenario printed, and what was warned of

@@ -263,6 +263,13 @@ int ScenarioRun::Methods::restore(ScenarioRun& run, lua_State* lua) {
     return done ? 0 : raise(run, done.error().message);
 }
 
+int ScenarioRun::Methods::allow_error(ScenarioRun& run, lua_State* lua) {
+    const auto at = run.objects_->to_component(lua, 2);
+    if (!at) return raise(run, at.error().message);
+    run.allowed_errors_.emplace(at->live, at->component->name());
+    return 0;
+}
+
 const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts() {
     static const std::vector<Method> methods{
         {"load", load, 2, "(file, { robots = { NAME = { ... } } })"},
@@ -282,6 +289,7 @@ const std::vector<ScenarioRun::Methods::Method>& ScenarioRun::Methods::of_acts()
         {"press", press, 3, "(robot, sensor, seconds)"},
         {"teleport", teleport, 2, "(robot, pose)"},
         {"restore", restore, 1, "(thing)"},
+        {"allow_error", allow_error, 1, "(component)"},
         {"stop", [](ScenarioRun& run, lua_State*) { return act(run, Stop{}); }, 0, "()"},
         {"rearm", [](ScenarioRun& run, lua_State*) { return act(run, Rearm{}); }, 0, "()"},
     };

@@ -70,6 +70,7 @@ private:
     static int press(ScenarioRun& run, lua_State* lua);
     static int teleport(ScenarioRun& run, lua_State* lua);
     static int restore(ScenarioRun& run, lua_State* lua);
+    static int allow_error(ScenarioRun& run, lua_State* lua);
     static int act(ScenarioRun& run, const Act& act);
 };
 

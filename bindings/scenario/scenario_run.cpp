@@ -120,6 +120,7 @@ void ScenarioRun::take_outcome(const CallResult& called) {
         return stop(could_not ? RunOutcome::could_not_run : RunOutcome::failed, std::move(plain));
     }
     if (auto ok = settle(); !ok) return stop(RunOutcome::could_not_run, ok.error());
+    if (!check_components()) return;
     // What no tick has come after is looked at once, now: it must be able to fail.
     for (const auto& watch : watches_) {
         if (!watch->sampled && !sample(file_.state().lua(), *watch)) return;

@@ -7,8 +7,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bindings/lua/files/system_lua.hpp"
@@ -129,6 +131,7 @@ private:
     bool sample(lua_State* lua, Watched& watched);
     bool pass_time(lua_State* lua, double seconds);
     bool wait(lua_State* lua, Watched& watched);
+    bool check_components();
 
     void tell_ports(const std::vector<PortAt>& ports);
     void tell_plot(const Watched& watched);
@@ -146,8 +149,9 @@ private:
     std::vector<Golden> goldens_;
     std::vector<std::unique_ptr<Watched>> watches_;
     std::vector<std::unique_ptr<Watched>> waits_;
-    std::vector<PortAt> read_ports_;  // since the last sample began
-    double asked_until_ = 0;          // [s] what s:run was asked for, which may end between two ticks
+    std::set<std::pair<const RunningSystem*, std::string>> allowed_errors_;  // components that may go to ERROR
+    std::vector<PortAt> read_ports_;                                         // since the last sample began
+    double asked_until_ = 0;  // [s] what s:run was asked for, which may end between two ticks
     std::size_t printed_bytes_ = 0;
     bool sampling_ = false;  // a condition is being called
     bool stopped_ = false;

@@ -30,6 +30,7 @@ bool ScenarioRun::advance(lua_State* lua, const Watched* waiting) {
         for (const std::size_t world : *ticked) settings_.files->after_tick(world);
     }
     for (Golden& golden : goldens_) golden.add(worlds_.now());
+    if (!check_components()) return false;
     for (const auto& watch : watches_) {
         if (!sample(lua, *watch)) return false;
     }
@@ -78,6 +79,7 @@ bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
     // What was asked for may have ended between two ticks: then the rest counts.
     const double from = asked_until_ > worlds_.now() && asked_until_ < worlds_.next() ? asked_until_ : worlds_.now();
     asked_until_ = from + seconds;
+    if (!check_components()) return false;
     while (worlds_.next() <= asked_until_ + time_tolerance) {
         if (!advance(lua, nullptr)) return false;
     }
@@ -85,12 +87,35 @@ bool ScenarioRun::pass_time(lua_State* lua, double seconds) {
 }
 
 bool ScenarioRun::wait(lua_State* lua, Watched& watched) {
+    if (!check_components()) return false;
     // What is so already needs no tick; before the first tick there is nothing to look at.
     if (worlds_.ticks() > 0 && !sample(lua, watched)) return false;
     while (watched.expectation.verdict() == Verdict::open) {
         if (!advance(lua, &watched) || !sample(lua, watched)) return false;
     }
     return true;
+}
+
+// What a system does whose behaviour is in ERROR says nothing about the behaviour, so the run ends there.
+bool ScenarioRun::check_components() {
+    for (std::size_t i = 0; i < worlds_.size(); ++i) {
+        const RunningSystem& live = worlds_[i];
+        for (const auto& component : live.system().components()) {
+            if (component->state() != LifeState::error) continue;
+            if (allowed_errors_.contains({&live, component->name()})) continue;
+            const Error& error = component->last_error();
+            const std::string text = fmt::format("{} went to ERROR: {}", component->name(), one_line(error.message));
+            if (stopped_) {
+                result_.facts.push_back("also " + describe(Error{text, error.place}));
+                continue;
+            }
+            stop(RunOutcome::failed, {text, error.place});
+            result_.component_failed = true;
+            result_.facts.push_back(
+                fmt::format("s:allow_error(\"{}\") before that lets the scenario go on", component->name()));
+        }
+    }
+    return !stopped_;
 }
 
 void ScenarioRun::stop(RunOutcome outcome, Error error) {

@@ -230,11 +230,13 @@ private:
         for (const std::size_t index : told_) {
             const PlannedRun& run = plan_.runs[index];
             const RunResult result = agree(results_[index], scenario_of(run).place);
-            end_.measured.push_back({.scenario = scenario_of(run).name,
-                                     .name = run.name,
-                                     .point = run.point,
-                                     .passed = result.outcome == RunOutcome::passed,
-                                     .measures = result.measures});
+            end_.measured.push_back(
+                {.scenario = scenario_of(run).name,
+                 .name = run.name,
+                 .point = run.point,
+                 .passed = result.outcome == RunOutcome::passed,
+                 .measures = result.measures,
+                 .counts = !result.component_failed && result.outcome != RunOutcome::could_not_run});
         }
         end_.summary.measures = summarize(end_.measured);
     }

@@ -88,6 +88,10 @@ function s:check(value, message) end
 ---@param message? string
 function s:near(actual, expected, tolerance, message) end
 
+---From here on this component may go to ERROR; else that fails the scenario.
+---@param component Component|string
+function s:allow_error(component) end
+
 ---Keeps one number of this run under a name: `nezumi test --measures FILE.csv` has a row for each run.
 ---@param name string
 ---@param value number finite

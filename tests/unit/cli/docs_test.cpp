@@ -299,6 +299,8 @@ TEST_CASE("the page for those who come from elsewhere does what it says", "[cli]
 
 TEST_CASE("the page about sweeps does what it says", "[cli][docs]") { follow("sweeps.md"); }
 
+TEST_CASE("the page about upgrading does what it says", "[cli][docs]") { follow("upgrading.md"); }
+
 TEST_CASE("every example has a picture", "[cli][docs]") {
     const std::string page = text_of_file(root / "docs/examples.md");
     const auto names = parts_between(page, "\n| [", ']');

@@ -66,6 +66,9 @@ TEST_CASE("every method of a scenario refuses an argument too many and one of a 
           "s:press('mouse', 5)", "expected the name of a button or touch sensor"}},
         {"teleport",
          {"s:teleport('mouse', { x = 1 }, 3)", "expected at most 2 arguments, got 3: teleport(robot, pose)", "", ""}},
+        {"allow_error",
+         {"s:allow_error('mouse', 2)", "expected at most 1 argument, got 2: allow_error(component)",
+          "s:allow_error(true)", no_component}},
         {"restore",
          {"s:restore('mouse', 2)", "expected at most 1 argument, got 2: restore(thing)", "s:restore(true)", no_port}},
     };

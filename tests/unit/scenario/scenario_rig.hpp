@@ -40,12 +40,9 @@ public:
         const TestPlan planned = plan(filter);
         if (planned.runs.empty()) return {.outcome = RunOutcome::could_not_run, .error = {"no run"}};
         RunResult result = run_planned(planned, planned.runs.front(), options, true);
-        // Messages name the file by its whole path, which is another one each time.
-        const std::string path = file_.string();
-        for (std::string* text : {&result.error.message, &result.error.place.file}) {
-            for (std::size_t at = text->find(path); at != std::string::npos; at = text->find(path))
-                text->replace(at, path.size(), "it_test.lua");
-        }
+        shorten(result.error.message);
+        shorten(result.error.place.file);
+        for (std::string& fact : result.facts) shorten(fact);
         return result;
     }
     SessionEnd session(const std::string& filter = "") {
@@ -61,6 +58,13 @@ public:
     std::string said;  ///< of the last session
 
 private:
+    // Messages name files by their whole paths, which are others each time.
+    void shorten(std::string& text) const {
+        const std::string folder = file_.parent_path().string() + "/";
+        for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder))
+            text.erase(at, folder.size());
+    }
+
     Scratch folder_;
     std::filesystem::path file_;
 };
