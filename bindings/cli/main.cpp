@@ -3,11 +3,11 @@
 #include <exception>
 #include <string>
 
-#include "bindings/cli/environment.hpp"
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/stack_limit.hpp"
+#include "bindings/cli/base/standard_files.hpp"
+#include "bindings/cli/base/status.hpp"
 #include "bindings/cli/program.hpp"
-#include "bindings/cli/stack_limit.hpp"
-#include "bindings/cli/standard_files.hpp"
-#include "bindings/cli/status.hpp"
 
 using namespace nezumi;
 

@@ -1,7 +1,10 @@
 // Joins the sub-commands to the program.
 #include "bindings/cli/program.hpp"
 
-#include "bindings/cli/commands.hpp"
+#include <fmt/format.h>
+
+#include "bindings/cli/base/version.hpp"
+#include "bindings/cli/commands/commands.hpp"
 
 namespace nezumi::cli {
 
@@ -11,8 +14,8 @@ SubCommand program() {
         .help = "nezumi runs what small robots do: Lua behaviours, in simulation and on the robots",
         .commands = {run_command(), attach_command(), calc_command(), types_command(), check_command(), new_command(),
                      test_command(), doctor_command(), calibrate_command(), push_command(), receive_command(),
-                     marker_command(), network_command(), completion_command(), manual_command()},
-        .version = "nezumi " NEZUMI_VERSION};
+                     marker_command(), network_command(), completion_command(program), manual_command(program)},
+        .version = fmt::format("nezumi {}", version())};
 }
 
 }  // namespace nezumi::cli

@@ -1,7 +1,7 @@
 // The whole command line of `nezumi`, as main() runs it and as whatever describes it reads it.
 #pragma once
 
-#include "bindings/cli/command_line.hpp"
+#include "bindings/cli/shell/command_line.hpp"
 
 namespace nezumi::cli {
 

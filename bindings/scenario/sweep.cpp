@@ -111,7 +111,7 @@ SweepPoint point_at(const Sweep& sweep, std::uint64_t index) {
     return point;
 }
 
-SweepValue draw(const SweepRange& range, Random& random) {
+SweepValue draw_value(const SweepRange& range, Random& random) {
     if (range.step > 0) return value_at(range, random.next_up_to(static_cast<std::uint64_t>(steps_of(range))));
     return number_value(range, range.lo + (range.hi - range.lo) * random.next_fraction());
 }
@@ -216,12 +216,12 @@ std::vector<SweepPoint> combinations(const Sweep& sweep) {
     return all;
 }
 
-SweepPoint draw(const Sweep& sweep, std::uint64_t seed, std::size_t index) {
+SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index) {
     Random random(seed, index + 1);
     SweepPoint point;
     for (const SweepKey& key : sweep.keys) {
         if (const auto* range = std::get_if<SweepRange>(&key.values)) {
-            point.emplace_back(key.name, draw(*range, random));
+            point.emplace_back(key.name, draw_value(*range, random));
         } else {
             const auto& values = std::get<std::vector<SweepValue>>(key.values);
             point.emplace_back(key.name, values[static_cast<std::size_t>(random.next_up_to(values.size() - 1))]);
@@ -236,7 +236,7 @@ std::vector<SweepPoint> draws(const Sweep& sweep, std::uint64_t seed) {
     for (const SweepKey& key : sweep.keys) all *= count_of(key);
     std::vector<SweepPoint> points;
     if (!(all <= countable)) {
-        for (std::size_t i = 0; i < sweep.samples; ++i) points.push_back(draw(sweep, seed, i));
+        for (std::size_t i = 0; i < sweep.samples; ++i) points.push_back(draw_point(sweep, seed, i));
         return points;
     }
     const auto count = static_cast<std::uint64_t>(all);

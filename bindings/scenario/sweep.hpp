@@ -69,7 +69,7 @@ SweepPoint without(const SweepPoint& point, std::string_view key);
 std::vector<SweepPoint> combinations(const Sweep& sweep);
 
 /// Draws sample `index`; `seed` is that of the scenario. Each sample is independent of the others.
-SweepPoint draw(const Sweep& sweep, std::uint64_t seed, std::size_t index);
+SweepPoint draw_point(const Sweep& sweep, std::uint64_t seed, std::size_t index);
 
 /// The points of a random sweep. Where all its values can be counted (lists, ranges with a step or of one number), none
 /// comes twice: all of them, as `combinations` would order them, when they are no more than the samples; else a draw of

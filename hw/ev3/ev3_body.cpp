@@ -11,27 +11,27 @@
 namespace nezumi::hw {
 namespace {
 
-using Kind = SensorSpec::Kind;
+using SensorKind = SensorSpec::Kind;
 
 constexpr double degree = std::numbers::pi / 180;
 
 // How the sensor of a kind is read; nothing where the brick has none.
-std::optional<SensorMode> mode_of(Kind kind) {
+std::optional<SensorMode> mode_of(SensorKind kind) {
     switch (kind) {
-        case Kind::touch: return SensorMode{"lego-ev3-touch", "TOUCH"};
-        case Kind::range: return SensorMode{"lego-ev3-us", "US-DIST-CM"};
-        case Kind::gyro: return SensorMode{"lego-ev3-gyro", "GYRO-G&A", 2};
-        case Kind::color:
-        case Kind::reflect: return SensorMode{"lego-ev3-color", "RGB-RAW", 3};
-        case Kind::ambient: return SensorMode{"lego-ev3-color", "COL-AMBIENT"};
-        case Kind::button:
-        case Kind::scan:
-        case Kind::imu: return std::nullopt;
+        case SensorKind::touch: return SensorMode{"lego-ev3-touch", "TOUCH"};
+        case SensorKind::range: return SensorMode{"lego-ev3-us", "US-DIST-CM"};
+        case SensorKind::gyro: return SensorMode{"lego-ev3-gyro", "GYRO-G&A", 2};
+        case SensorKind::color:
+        case SensorKind::reflect: return SensorMode{"lego-ev3-color", "RGB-RAW", 3};
+        case SensorKind::ambient: return SensorMode{"lego-ev3-color", "COL-AMBIENT"};
+        case SensorKind::button:
+        case SensorKind::scan:
+        case SensorKind::imu: return std::nullopt;
     }
     return std::nullopt;
 }
 
-bool is_color(Kind kind) { return kind == Kind::color || kind == Kind::reflect; }
+bool is_color(SensorKind kind) { return kind == SensorKind::color || kind == SensorKind::reflect; }
 
 // The devices of a kind: sensors of the spec that are one device have one place.
 std::vector<std::size_t> devices_of(const RobotSpec& spec) {
@@ -59,7 +59,7 @@ std::optional<std::size_t> servo_of(const RobotSpec& spec) {
 
 std::optional<std::size_t> key_of(const SensorSpec& sensor) {
     const auto key = std::find(brick_keys.begin(), brick_keys.end(), sensor.port);
-    if (sensor.kind != Kind::button || key == brick_keys.end()) return std::nullopt;
+    if (sensor.kind != SensorKind::button || key == brick_keys.end()) return std::nullopt;
     return static_cast<std::size_t>(key - brick_keys.begin());
 }
 
@@ -73,7 +73,7 @@ Expected<void> check(const RobotSpec& spec) {
         return failure(fmt::format("drive.port of model '{}': expected two, the left motor's and the right's, got {}",
                                    spec.model, spec.drive.port.size()));
     for (const SensorSpec& sensor : spec.sensors) {
-        if (sensor.kind == Kind::button && !key_of(sensor))
+        if (sensor.kind == SensorKind::button && !key_of(sensor))
             return failure(fmt::format("sensor '{}' of model '{}': port: expected a key of the brick, {}, got '{}'",
                                        sensor.name, spec.model, fmt::join(brick_keys, ", "), shown(sensor.port)));
     }
@@ -170,7 +170,7 @@ void Ev3Body::add_sensors(const DevicePath& folder) {
         const SensorSpec& sensor = spec_.sensors[i];
         const auto mode = mode_of(sensor.kind);
         // The room's light is another mode of the sensor that tells colours.
-        if (!mode || (sensor.kind == Kind::ambient && has_color(spec_))) continue;
+        if (!mode || (sensor.kind == SensorKind::ambient && has_color(spec_))) continue;
         if (devices[i] == i) {
             channels_.push_back(std::make_unique<Channel>(
                 std::make_shared<ModeSensor>(fmt::format("sensor '{}'", sensor.name), folder, *mode, sensor.port)));
@@ -189,7 +189,8 @@ WheelReading Ev3Body::read_wheels(const Time& now, double /*period*/) {
 // Whether another touch sensor has been there: the robot has one, and this is the one that it lacks.
 bool Ev3Body::is_touch_elsewhere(std::size_t sensor) const {
     for (std::size_t i = 0; i < channel_of_.size(); ++i) {
-        if (i != sensor && spec_.sensors[i].kind == Kind::touch && channel_of_[i]->device->was_there()) return true;
+        if (i != sensor && spec_.sensors[i].kind == SensorKind::touch && channel_of_[i]->device->was_there())
+            return true;
     }
     return false;
 }
@@ -199,29 +200,29 @@ void Ev3Body::read(std::size_t sensor, const SensorValues& values) {
     SensorReading& reading = readings_[sensor];
     const double first = values.values[0];
     switch (spec.kind) {
-        case Kind::range:
+        case SensorKind::range:
             reading.physical = std::clamp(first / 100, spec.minimum, spec.range);
             reading.value = spec.has_response ? spec.response(reading.physical) : reading.physical;
             break;
-        case Kind::gyro:
+        case SensorKind::gyro:
             reading.value = gyro_.take(values);
             reading.physical = -values.values[1] * degree;
             break;
-        case Kind::color: {
+        case SensorKind::color: {
             const auto seen = floor_seen(values);
             reading.value = static_cast<double>(seen ? nearest_floor_color(*seen) : FloorColor::none);
             break;
         }
-        case Kind::reflect: {
+        case SensorKind::reflect: {
             const auto seen = floor_seen(values);
             reading.value = seen ? brightness(*seen) : 0;
             break;
         }
-        case Kind::touch:
-        case Kind::ambient:
-        case Kind::button: reading.value = first; break;
-        case Kind::scan:
-        case Kind::imu: break;  // no device of a brick
+        case SensorKind::touch:
+        case SensorKind::ambient:
+        case SensorKind::button: reading.value = first; break;
+        case SensorKind::scan:
+        case SensorKind::imu: break;  // no device of a brick
     }
 }
 
@@ -236,7 +237,7 @@ std::span<const SensorReading> Ev3Body::read_sensors(const Time& now, double /*p
             reading.is_there = true;
             reading.tm = clock_.system_time(now, sample->tm);
             read(i, sample->value);
-        } else if (spec_.sensors[i].kind == Kind::touch && !device.was_there() && is_touch_elsewhere(i)) {
+        } else if (spec_.sensors[i].kind == SensorKind::touch && !device.was_there() && is_touch_elsewhere(i)) {
             reading = {.is_there = true, .tm = now.seconds};
         }
     }

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<Kind, std::string_view>, 6> names{{{Kind::open_re
                                                                   {Kind::keys, "keys"}}};
 constexpr std::string_view never = "never";  // came back
 
-std::string quoted(std::string_view text) {
+std::string quoted_text(std::string_view text) {
     std::string all = "\"";
     for (const char each : text) {
         const auto byte = static_cast<unsigned char>(each);
@@ -142,7 +142,7 @@ std::string path_text(const std::string& path) {
     const bool is_plain = std::all_of(path.begin(), path.end(), [](unsigned char each) {
         return each > 0x20 && each < 0x7f && each != '"' && each != '\\';
     });
-    return is_plain ? path : quoted(path);
+    return is_plain ? path : quoted_text(path);
 }
 
 // A line of a log, or what was expected in it.
@@ -230,7 +230,7 @@ std::string to_line(const DeviceCall& call) {
     const bool came_back = std::isfinite(call.took);
     std::string line = fmt::format("{:.6f} {} {} {}", call.begin, came_back ? fmt::format("{:.6f}", call.took) : never,
                                    name_of(call.kind), path_text(call.path));
-    if (call.kind == Kind::write) line += " " + quoted(call.text);
+    if (call.kind == Kind::write) line += " " + quoted_text(call.text);
     line += " =";
     if (!came_back) return line + "\n";
     if (call.error != 0) return line + " " + error_name(call.error) + "\n";
@@ -242,7 +242,7 @@ std::string to_line(const DeviceCall& call) {
         case Kind::list:
         case Kind::keys: break;
     }
-    return line + " " + quoted(call.text) + "\n";
+    return line + " " + quoted_text(call.text) + "\n";
 }
 
 Expected<DeviceLog> read_device_log(std::string_view text, const std::string& file) {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "bindings/cli/check_files.hpp"
-#include "bindings/cli/lua_kind.hpp"
+#include "bindings/cli/files/check_files.hpp"
+#include "bindings/cli/files/lua_kind.hpp"
 #include "bindings/lua/reload/lua_host.hpp"
 #include "tests/fuzz/require.hpp"
 

@@ -1,5 +1,5 @@
 // New behaviours for a running system's project.
-#include "bindings/cli/author.hpp"
+#include "bindings/cli/new/author.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/cli/check_files.hpp"
-#include "bindings/cli/environment.hpp"
-#include "bindings/cli/json_text.hpp"
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/json_text.hpp"
+#include "bindings/cli/files/check_files.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"
 #include "tests/unit/source_root.hpp"
 

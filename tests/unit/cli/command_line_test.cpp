@@ -1,5 +1,5 @@
 // The command line is described once: what is parsed, what is refused, what --help says.
-#include "bindings/cli/command_line.hpp"
+#include "bindings/cli/shell/command_line.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/commands.hpp"
+#include "bindings/cli/commands/commands.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"

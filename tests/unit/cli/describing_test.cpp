@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/completion.hpp"
-#include "bindings/cli/manual.hpp"
 #include "bindings/cli/program.hpp"
+#include "bindings/cli/shell/completion.hpp"
+#include "bindings/cli/shell/manual.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"
 #include "tests/unit/lua/scratch_folder.hpp"

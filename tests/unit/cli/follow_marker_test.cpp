@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "bindings/cli/environment.hpp"
+#include "bindings/cli/base/environment.hpp"
 
 using namespace nezumi;
 

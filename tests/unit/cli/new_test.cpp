@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/check_files.hpp"
-#include "bindings/cli/environment.hpp"
-#include "bindings/cli/new_arguments.hpp"
-#include "bindings/cli/new_behavior.hpp"
-#include "bindings/cli/new_files.hpp"
-#include "bindings/cli/new_project.hpp"
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/files/check_files.hpp"
+#include "bindings/cli/new/arguments.hpp"
+#include "bindings/cli/new/behavior.hpp"
+#include "bindings/cli/new/files.hpp"
+#include "bindings/cli/new/project.hpp"
 #include "engine/components/component.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/file_text.hpp"

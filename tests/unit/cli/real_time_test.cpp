@@ -1,5 +1,5 @@
 // `--realtime`, and what a run tells of its ticks.
-#include "bindings/cli/real_time.hpp"
+#include "bindings/cli/run/real_time.hpp"
 
 #include <catch2/catch.hpp>
 #include <cerrno>

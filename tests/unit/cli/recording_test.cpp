@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/cli/recorder.hpp"
+#include "bindings/cli/run/recorder.hpp"
 #include "tests/unit/cli/run_program.hpp"
 #include "tests/unit/engine/try_component.hpp"
 #include "tests/unit/file_text.hpp"

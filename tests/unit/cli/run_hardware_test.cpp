@@ -1,5 +1,5 @@
 // `--hw`: which robots are real, and what is refused before anything moves.
-#include "bindings/cli/run_hardware.hpp"
+#include "bindings/cli/run/hardware.hpp"
 
 #include <catch2/catch.hpp>
 

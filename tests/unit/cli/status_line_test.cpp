@@ -10,7 +10,7 @@
 #include <regex>
 #include <string>
 
-#include "bindings/cli/run_console.hpp"
+#include "bindings/cli/run/console.hpp"
 #include "tests/unit/cli/pty_program.hpp"
 
 using namespace nezumi;

@@ -1,5 +1,5 @@
 // How a long session tells how far it has come.
-#include "bindings/cli/sweep_progress.hpp"
+#include "bindings/cli/test/progress.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bindings/cli/run_hardware.hpp"
+#include "bindings/cli/run/hardware.hpp"
 #include "bindings/lua/files/system_file.hpp"
 #include "engine/live/twins.hpp"
 #include "engine/system/build_system.hpp"

@@ -1,0 +1,58 @@
+// Looks for the installed files and joins the rooms.
+#include "bindings/cli/base/environment.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "bindings/cli/base/status.hpp"
+#include "bindings/console/put_text.hpp"
+#include "bindings/dds/network_maker.hpp"
+#include "bindings/embed/simulation.hpp"
+#include "engine/base/visible.hpp"
+#include "hw/drivers.hpp"
+
+namespace nezumi::cli {
+
+std::vector<std::filesystem::path> installed_folders() {
+    // bin/nezumi and share/nezumi lie side by side. In a build folder the second is a link to the sources, whose name
+    // is the one that people know.
+    std::error_code none;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+    std::filesystem::path folder =
+        std::filesystem::canonical(program.parent_path().parent_path() / "share/nezumi", none);
+    if (!std::filesystem::is_directory(folder / "engine/robots", none)) return {};
+    return {std::move(folder)};
+}
+
+LiveOptions simulated_systems() {
+    LiveOptions live = nezumi::simulated_systems(installed_folders());
+    live.network = dds::make_silent_networks();
+    for (const auto& [name, maker] : hw::drivers({})) live.drivers.push_back(name);
+    return live;
+}
+
+Expected<void> need_simulation(std::initializer_list<std::pair<std::string_view, bool>> uses) {
+    if (nezumi::simulated_systems({}).world) return {};
+    for (const auto& [use, is_wanted] : uses) {
+        if (is_wanted) return failure(fmt::format("{}: {}", use, no_simulation));
+    }
+    return {};
+}
+
+std::string refusal(const Error& error) {
+    // A place begins the line, so that editors can go there.
+    if (error.place.file.empty()) return visible("nezumi: " + error.message) + "\n";
+    return visible(describe(error)) + "\n";
+}
+
+int refuse(std::string_view why) { return refuse(Error{std::string(why), {}}); }
+
+int refuse(const Error& error) {
+    put_text(stderr, refusal(error));
+    return exit_could_not_run;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,18 @@
+// A behaviour may use 1 MB of the C stack (watchdog.hpp); what calls it, and libraries, need far less than as much
+// again.
+#include "bindings/cli/base/stack_limit.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+namespace nezumi::cli {
+
+std::string stack_problem() {
+    constexpr rlim_t least = rlim_t{2} << 20;
+    rlimit stack{};
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= least) return "";  // RLIM_INFINITY is the largest
+    return fmt::format("the limit of the stack is {} kB, at least {} are needed: say `ulimit -s 8192` before",
+                       stack.rlim_cur >> 10, least >> 10);
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,34 @@
+// A closed standard output is opened for reading only, so that writing to it fails as it should.
+#include "bindings/cli/base/standard_files.hpp"
+
+#include <fcntl.h>
+#include <stdio_ext.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace nezumi::cli {
+
+void open_missing_standard_files() {
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(file, F_GETFD) >= 0 || errno != EBADF) continue;
+        // The lowest free number is this one: those below are open by now.
+        static_cast<void>(open("/dev/null", file == STDERR_FILENO ? O_RDWR : O_RDONLY));
+    }
+}
+
+std::string lost_output() {
+    const bool was_lost = std::ferror(stdout) != 0;
+    const bool flushed = std::fflush(stdout) == 0;
+    const int problem = errno;
+    if (flushed && !was_lost) return "";
+    std::clearerr(stdout);
+    __fpurge(stdout);
+    std::string text = "standard output can't be written";
+    if (!flushed) text += std::string(": ") + std::strerror(problem);
+    return text;
+}
+
+}  // namespace nezumi::cli

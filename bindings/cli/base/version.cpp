@@ -1,0 +1,8 @@
+// The only file that is compiled anew for another version.
+#include "bindings/cli/base/version.hpp"
+
+namespace nezumi::cli {
+
+const char* version() { return NEZUMI_VERSION; }
+
+}  // namespace nezumi::cli

@@ -1,0 +1,141 @@
+// `nezumi calc`: finds the system, and hands its console to the program in Python that reaches LibreOffice Calc.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/json_text.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/console/socket_directory.hpp"
+#include "bindings/lua/stubs/message_shape.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+// Debian's own, which python3-uno belongs to.
+constexpr const char* python = "/usr/bin/python3";
+
+struct CalcOptions {
+    std::string file;
+    std::string system;
+    std::vector<std::string> ports;
+    double rate = 10;
+    std::string profile;
+    bool headless = false;
+};
+
+// Every number, truth value, text and picture of a type as [name, unit, kind, is a sequence].
+void add_fields(const ValueShape& shape, const std::string& name, std::string_view unit,
+                std::vector<std::string>& fields) {
+    switch (shape.kind) {
+        case ValueShape::Kind::structure:
+            if (shape.sequence) return;
+            for (const FieldShape& field : shape.fields)
+                add_fields(field.shape, name + (name.empty() ? "" : ".") + std::string(field.name), field.unit, fields);
+            return;
+        case ValueShape::Kind::boolean:
+        case ValueShape::Kind::integer:
+        case ValueShape::Kind::number:
+        case ValueShape::Kind::text:
+        case ValueShape::Kind::octets: break;
+    }
+    // In the order of their enumerators.
+    constexpr std::string_view kinds[] = {"boolean", "integer", "number", "text", "octets"};
+    fields.push_back(fmt::format("[{},{},{},{}]", json_text(name), json_text(unit),
+                                 json_text(kinds[static_cast<std::size_t>(shape.kind)]), shape.sequence));
+}
+
+std::string types_as_json() {
+    std::vector<std::string> types;
+    for (const MessageShape& message : message_shapes()) {
+        std::vector<std::string> fields;
+        add_fields(message.shape, "", "", fields);
+        types.push_back(fmt::format("{}:[{}]", json_text(message.name), fmt::join(fields, ",")));
+    }
+    return fmt::format("{{{}}}", fmt::join(types, ","));
+}
+
+std::string link_program() {
+    std::error_code none;
+    for (const std::filesystem::path& folder : installed_folders()) {
+        const std::filesystem::path file = folder / "bindings/calc/link.py";
+        if (std::filesystem::exists(file, none)) return file.string();
+    }
+    return "";
+}
+
+int link(const CalcOptions& options) {
+    std::error_code wrong;
+    std::string file;
+    if (!options.file.empty()) {
+        if (!std::filesystem::is_regular_file(options.file, wrong))
+            return refuse("calc: there is no file " + options.file + "; without one, a new sheet is made");
+        file = std::filesystem::absolute(options.file).string();
+    }
+    const std::string program = link_program();
+    if (program.empty()) return refuse("calc: bindings/calc/link.py is not among the installed files");
+    auto reached = connect_to_system(options.system);
+    if (!reached) return refuse(reached.error());
+
+    const int socket = reached->socket.get();
+    fcntl(socket, F_SETFD, 0);  // it goes along
+    // -B -E -s: Python leaves nothing beside the program, and takes nothing from around it.
+    std::vector<std::string> words{python,
+                                   "-B",
+                                   "-E",
+                                   "-s",
+                                   program,
+                                   "--socket",
+                                   std::to_string(socket),
+                                   "--system=" + reached->system.name,
+                                   "--types",
+                                   types_as_json(),
+                                   "--file=" + file,
+                                   "--profile=" + options.profile,
+                                   "--rate",
+                                   fmt::format("{}", options.rate)};
+    for (const std::string& port : options.ports) words.push_back("--port=" + port);
+    if (options.headless) words.emplace_back("--headless");
+    std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    execv(python, pointers.data());
+    return refuse(
+        fmt::format("the spreadsheet link needs LibreOffice Calc: sudo apt install --no-install-recommends "
+                    "libreoffice-calc python3-uno ({}: {})",
+                    python, std::strerror(errno)));
+}
+
+}  // namespace
+
+SubCommand calc_command() {
+    auto options = std::make_shared<CalcOptions>();
+    return {.name = "calc",
+            .help = "Link a running system with LibreOffice Calc: ports in cells, both ways, live",
+            .options = {{"[FILE]", &options->file, "the spreadsheet; without one, a new sheet that shows the system"},
+                        {"--system", &options->system,
+                         "its name (of its file) or its process; may be left out when only one runs", "SYSTEM"},
+                        {"--port", &options->ports,
+                         "of a new sheet: only this port, or the ports of this component; can be given again", "NAME"},
+                        {"--rate", &options->rate, "refreshes per second", "HZ", number_from(4, 25)},
+                        {"--profile", &options->profile, "a folder for an office of its own, with settings of its own",
+                         "DIR"},
+                        {"--headless", &options->headless, "without a window: for machines"}},
+            .run = [options] { return link(*options); },
+            .footer =
+                "A table begins with the cells `Port` and `State` side by side; below them stand ports, right of "
+                "them their values: docs/spreadsheet.md. Needs Debian's libreoffice-calc and python3-uno. Exit "
+                "status: 0 the link ended in good order, 2 it could not begin."};
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,269 @@
+// `nezumi calibrate`: guided runs that measure one robot and write what it is like beside its system.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/stop_signals.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/cli/files/named_files.hpp"
+#include "bindings/cli/guided/guided_camera.hpp"
+#include "bindings/cli/guided/person.hpp"
+#include "bindings/cli/guided/setup.hpp"
+#include "bindings/lua/files/calibration_file.hpp"
+#include "engine/base/whole_file.hpp"
+#include "engine/world/frames.hpp"
+#include "hw/calibrate/camera.hpp"
+#include "hw/calibrate/odometry.hpp"
+#include "hw/calibrate/ranges.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+struct CalibrateOptions {
+    std::string file, robot, camera, dev_root, sys_root;
+    std::string board = "9x6";
+    double side = hw::OdometryCourse{}.side;
+    double wall = 0.02;
+    bool simulated = false;
+    bool is_sure = false;
+};
+
+// "9x6".
+BoardSize board_of(const std::string& text) {
+    BoardSize board;
+    std::istringstream words(text);
+    char by = 0;
+    words >> board.columns >> by >> board.rows;
+    return board;
+}
+
+std::string board_problem(const std::string& text) {
+    const BoardSize board = board_of(text);
+    if (fmt::format("{}x{}", board.columns, board.rows) == text && std::min(board.columns, board.rows) >= 3 &&
+        std::max(board.columns, board.rows) <= 50)
+        return "";
+    return "expected its inner corners as COLUMNSxROWS, from 3 to 50, as 9x6";
+}
+
+// One calibration, from the robot to the file.
+class Session {
+public:
+    explicit Session(const CalibrateOptions& options)
+        : options_(options), person_(signals_.received(), options.is_sure || options.simulated) {}
+
+    Expected<int> odometry() {
+        if (auto ready = begin(); !ready) return Unexpected(ready.error());
+        person_.tell(
+            fmt::format("It drives a line of {} m and two squares of {} m. Mark where the middle of its axle "
+                        "stands, and which way it looks, and measure from there: x ahead, y to the left.",
+                        2 * options_.side, options_.side));
+        auto fit = hw::calibrate_odometry(*robot_, {.side = options_.side},
+                                          {.place = [&](const std::string& drive) { return place(drive); },
+                                           .measure = [&](const std::string&) { return measure(); }});
+        if (!fit) return Unexpected(fit.error());
+        fmt::print(
+            "track {:.5f} m, left radius {:.6f} m, right radius {:.6f} m; the ends are {:.4f} m off, {:.4f} m "
+            "before\n",
+            fit->wheels.track, fit->wheels.left_radius, fit->wheels.right_radius, fit->after, fit->before);
+        return write(robot_entry(), [&](Calibration& calibration) { calibration.odometry = fit->wheels; });
+    }
+
+    Expected<int> ranges() {
+        if (auto ready = begin(); !ready) return Unexpected(ready.error());
+        double front = 0;
+        for (const SensorSpec& sensor : robot_->robot().spec().sensors) {
+            if (sensor.kind == SensorSpec::Kind::range) front = std::max(front, sensor.at.x);
+        }
+        const double wall = options_.simulated ? distance_to_wall() : front + options_.wall;
+        auto asked = person_.confirm(fmt::format(
+            "Stand the robot squarely before a white wall, its foremost sensors {} m from it, with 0.5 m of "
+            "room behind. It backs away and turns.",
+            options_.wall));
+        if (!asked) return Unexpected(asked.error());
+        auto ranges = hw::calibrate_ranges(*robot_, {.wall = wall});
+        if (!ranges) return Unexpected(ranges.error());
+        for (const RangeCalibration& range : *ranges) {
+            fmt::print("{}:", range.sensor);
+            for (const auto& point : range.points) fmt::print(" {:.3f} m {:.0f},", point.distance, point.value);
+            fmt::print("\n");
+        }
+        return write(robot_entry(), [&](Calibration& calibration) { calibration.ranges = std::move(*ranges); });
+    }
+
+    Expected<int> camera() {
+        if (auto there = person_.is_there(); !there) return Unexpected(there.error());
+        const Hardware hardware = roots();
+        const hw::BoardCourse course{.board = board_of(options_.board)};
+        auto camera = GuidedCamera::make(
+            {.file = options_.file, .camera = options_.camera, .simulated = options_.simulated, .hardware = hardware},
+            signals_.received());
+        if (!camera) return Unexpected(camera.error());
+        auto asked = person_.confirm(fmt::format(
+            "Show it a chessboard of {} x {} inner corners with a white margin, on something flat and stiff: all of it "
+            "in the picture, and held still for a moment, {} times, each time elsewhere: near and far, in the corners "
+            "of the picture, tilted to all sides.",
+            course.board.columns, course.board.rows, course.views));
+        if (!asked) return Unexpected(asked.error());
+        const auto fit = hw::calibrate_camera(
+            course, [&] { return (*camera)->next(); }, [&](const std::string& text) { person_.tell(text); });
+        if (!fit) return Unexpected(fit.error());
+        const CameraIntrinsics& intrinsics = fit->intrinsics;
+        fmt::print(
+            "fx {:.2f}, fy {:.2f}, cx {:.2f}, cy {:.2f} px, k1 {:.4f}, k2 {:.4f}, p1 {:.5f}, p2 {:.5f}, k3 {:.4f}; the "
+            "corners are {:.3f} px off\n",
+            intrinsics.fx, intrinsics.fy, intrinsics.cx, intrinsics.cy, intrinsics.k1, intrinsics.k2, intrinsics.p1,
+            intrinsics.p2, intrinsics.k3, fit->error);
+        return write((*camera)->robot(),
+                     [&](Calibration& calibration) { calibration.cameras[(*camera)->name()] = intrinsics; });
+    }
+
+private:
+    Expected<void> begin() {
+        if (auto there = person_.is_there(); !there) return there;
+        const GuidedSetup setup{
+            .file = options_.file, .robot = options_.robot, .simulated = options_.simulated, .hardware = roots()};
+        auto robot = guided_by_file(setup, signals_.received());
+        if (!robot) return Unexpected(robot.error());
+        robot_ = std::move(*robot);
+        return {};
+    }
+
+    Hardware roots() {
+        Hardware hardware;
+        if (!options_.dev_root.empty()) hardware.dev_root = options_.dev_root;
+        if (!options_.sys_root.empty()) hardware.sys_root = options_.sys_root;
+        serial_ = serial_number(hardware.sys_root);
+        return hardware;
+    }
+    const RobotEntry& robot_entry() const {
+        const std::string& name = robot_->robot().name();
+        return std::get<RobotEntry>(*std::find_if(robot_->spec().entries.begin(), robot_->spec().entries.end(),
+                                                  [&](const Entry& each) { return name_of(each) == name; }));
+    }
+
+    Expected<void> place(const std::string& drive) {
+        if (options_.simulated) start_ = truth();
+        return person_.confirm(fmt::format("Put it on its mark for {}.", drive));
+    }
+    Expected<Point2D> measure() {
+        if (options_.simulated) return seen_from(start_, truth()).position;
+        const auto end = person_.numbers("Where does it stand now: x y [m]", 2);
+        if (!end) return Unexpected(end.error());
+        return Point2D{(*end)[0], (*end)[1]};
+    }
+    Pose2D truth() { return robot_->system().world()->truth(robot_->robot().id()).pose; }
+    // By its first ray that looks ahead.
+    double distance_to_wall() {
+        const Pose2D now = truth();
+        double nearest = 1e6;
+        for (const Ray& ray : robot_->system().world()->rays(robot_->robot().id())) {
+            if (ray.hit) nearest = std::min(nearest, seen_from(now, {{ray.to.x, ray.to.y}, 0}).position.x);
+        }
+        return nearest;
+    }
+
+    // The file as it is, with what is new in it.
+    template <class Change>
+    Expected<int> write(const RobotEntry& robot, Change change) {
+        if (options_.simulated) {
+            fmt::print("nothing is written: it was simulated\n");
+            return exit_done;
+        }
+        const std::filesystem::path path = calibration_path(options_.file, robot.name);
+        Calibration calibration;
+        if (std::error_code none; std::filesystem::exists(path, none)) {
+            const auto text = read_whole(path, path.string());
+            if (!text) return Unexpected(text.error());
+            auto read = read_calibration_text(*text, path.string(), Project::of(path));
+            if (!read) return Unexpected(read.error());
+            calibration = std::move(*read);
+        }
+        calibration.robot = robot.name;
+        calibration.model = robot.model;
+        calibration.serial = serial_;
+        change(calibration);
+        if (auto written = write_whole(path, write_calibration(calibration)); !written)
+            return Unexpected(written.error());
+        fmt::print("{} is used by nezumi run --hw\n", path.string());
+        return exit_done;
+    }
+
+    const CalibrateOptions& options_;
+    StopSignals signals_;
+    Person person_;
+    std::string serial_;
+    std::unique_ptr<hw::GuidedRobot> robot_;
+    Pose2D start_;
+};
+
+int run(CalibrateOptions options, Expected<int> (Session::*calibrate)()) {
+    if (auto ok = need_simulation(
+            {{"calibrate --sim", options.simulated}, {"calibrate camera", calibrate == &Session::camera}});
+        !ok)
+        return refuse(ok.error());
+    const auto file = find_system_file(options.file);
+    if (!file) return refuse(file.error());
+    options.file = file->string();
+    Session session(options);
+    const auto status = (session.*calibrate)();
+    return status ? *status : refuse(status.error());
+}
+
+}  // namespace
+
+SubCommand calibrate_command() {
+    auto options = std::make_shared<CalibrateOptions>();
+    const auto with = [&](std::vector<Option> own) {
+        own.insert(own.begin(), {"FILE", &options->file, "the system file that the robot belongs to"});
+        const std::vector<Option> common{
+            {"--sim", &options->simulated, "rehearse it in simulation: measured by the truth, nothing is written"},
+            {"--yes", &options->is_sure, "nothing is confirmed; measurements are read from standard input"},
+            {"--dev-root", &options->dev_root, "the folder of the devices' nodes (default /dev)", "DIR"},
+            {"--sys-root", &options->sys_root, "the folder of the kernel's devices (default /sys)", "DIR"}};
+        own.insert(own.end(), common.begin(), common.end());
+        return own;
+    };
+    const Option robot{"--robot", &options->robot, "its name in the file; may be left out when there is only one",
+                       "NAME"};
+    const std::string footer =
+        "Writes ROBOT.calibration.lua beside FILE, which nezumi run --hw uses from then on.\nExit status: 0 written, 2 "
+        "it "
+        "could not be done.";
+    const SubCommand odometry{
+        .name = "odometry",
+        .help = "Measure the wheels' radii and track by a line and two squares",
+        .options = with(
+            {{"--side", &options->side, "of the squares [m]; the line is twice as long", "M", number_from(0.1, 10)},
+             robot}),
+        .run = [options] { return run(*options, &Session::odometry); },
+        .footer = footer};
+    const SubCommand ranges{
+        .name = "ir",
+        .help = "Measure what the distance sensors say of a wall at known distances",
+        .options = with({{"--wall", &options->wall, "from the foremost sensors to the wall, where the robot starts [m]",
+                          "M", number_from(0.015, 1)},
+                         robot}),
+        .run = [options] { return run(*options, &Session::ranges); },
+        .footer = footer};
+    const SubCommand camera{
+        .name = "camera",
+        .help = "Measure how a camera on a robot sees, by views of a chessboard",
+        .options = with(
+            {{"--camera", &options->camera, "its name in the file; may be left out when there is only one", "NAME"},
+             {"--board", &options->board, "the chessboard's inner corners (default 9x6)", "COLUMNSxROWS",
+              board_problem}}),
+        .run = [options] { return run(*options, &Session::camera); },
+        .footer = footer};
+    return {.name = "calibrate",
+            .help = "Measure what a real robot is like, by guided runs",
+            .commands = {odometry, ranges, camera}};
+}
+
+}  // namespace nezumi::cli

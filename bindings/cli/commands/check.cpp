@@ -1,0 +1,131 @@
+// `nezumi check`: what is wrong with files, for editors and for tests that run by themselves.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/json_text.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/cli/files/check_files.hpp"
+#include "engine/base/visible.hpp"
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+constexpr std::string_view standard_input = "-";
+
+constexpr const char* unnamed = "stdin";
+
+struct CheckOptions {
+    std::vector<std::string> paths;
+    std::string name = unnamed;
+    bool json = false;
+};
+
+// All of standard input, at most what a file may have.
+Expected<std::string> read_input(const std::string& shown) {
+    std::string text;
+    char buffer[65536];
+    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, stdin)) {
+        text.append(buffer, count);
+        if (text.size() > largest_text) return failure(fmt::format("has more than {} MB", largest_text >> 20), {shown});
+    }
+    if (std::ferror(stdin) != 0) return failure("standard input can't be read", {shown});
+    return text;
+}
+
+// [{"file":"x.lua","line":3,"column":5,"message":"..."}], without what is not known.
+std::string to_json(const std::vector<Error>& errors) {
+    std::string text;
+    for (const Error& error : errors) {
+        text += fmt::format("{}{{\"file\":{}", text.empty() ? "" : ",\n ", json_text(error.place.file));
+        if (error.place.line > 0) text += fmt::format(",\"line\":{}", error.place.line);
+        if (error.place.column > 0) text += fmt::format(",\"column\":{}", error.place.column);
+        text += fmt::format(",\"message\":{}}}", json_text(error.message));
+    }
+    return "[" + text + "]\n";
+}
+
+// What was found so far, and how it ends.
+class Findings {
+public:
+    explicit Findings(bool json) : json_(json) {}
+
+    void could_not(const Error& error) {
+        errors_.push_back(error);
+        status_ = refuse(error);
+    }
+    void add(std::vector<Error> errors) {
+        for (Error& error : errors) {
+            // A script that several systems name is wrong once.
+            if (std::find(errors_.begin(), errors_.end(), error) != errors_.end()) continue;
+            if (!json_) fmt::print("{}\n", visible_message(describe(error)));
+            errors_.push_back(std::move(error));
+            status_ = std::max(status_, static_cast<int>(exit_failed));
+        }
+    }
+    int finish(const std::string& checked) const {
+        if (json_) fmt::print("{}", to_json(errors_));
+        if (!json_ && errors_.empty()) fmt::print("{}: nothing wrong\n", checked);
+        return status_;
+    }
+
+private:
+    bool json_;
+    int status_ = exit_done;
+    std::vector<Error> errors_;
+};
+
+int check(const CheckOptions& options) {
+    const LiveOptions systems = simulated_systems();
+    Findings findings(options.json);
+    const auto input = std::find(options.paths.begin(), options.paths.end(), standard_input);
+    if (input != options.paths.end()) {
+        if (options.paths.size() > 1)
+            return refuse("check: - is standard input, which is one file: leave out the others");
+        const auto text = read_input(options.name);
+        if (text) {
+            findings.add(check_text(*text, options.name, systems));
+        } else {
+            findings.could_not(text.error());
+        }
+        return findings.finish(options.name);
+    }
+    if (options.name != unnamed)
+        return refuse("check: --name is for what comes from standard input: give - as the file");
+    const FoundFiles found = lua_files(options.paths);
+    for (const Error& error : found.errors) findings.could_not(error);
+    for (const std::filesystem::path& file : found.files) {
+        if (auto readable = read_whole(file, file.string()); !readable) {
+            findings.could_not(readable.error());
+        } else {
+            findings.add(check_file(file, systems));
+        }
+    }
+    return findings.finish(fmt::format("{} file{}", found.files.size(), found.files.size() == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+SubCommand check_command() {
+    auto options = std::make_shared<CheckOptions>();
+    return {.name = "check",
+            .help = "Say what is wrong with files, without running them",
+            .options = {{"FILE", &options->paths,
+                         "behaviours, modules, systems, robots, scenarios, by path or name, or folders with them, for "
+                         "example .; - is standard input"},
+                        {"--name", &options->name, "with -: the file that the text is to be", "FILE.lua"},
+                        {"--json", &options->json, "write an array of {file, line, column, message}"}},
+            .run = [options] { return check(*options); },
+            .footer =
+                "Each finding is a line `file:line:column: message`.\n"
+                "Exit status: 0 nothing wrong, 1 something is, 2 it could not be checked."};
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,26 @@
+// The sub-commands of `nezumi`: each file of this room describes one and says what it does.
+#pragma once
+
+#include "bindings/cli/base/status.hpp"
+#include "bindings/cli/shell/command_line.hpp"
+
+namespace nezumi::cli {
+
+SubCommand run_command();
+SubCommand attach_command();
+SubCommand calc_command();
+SubCommand types_command();
+SubCommand check_command();
+SubCommand new_command();
+SubCommand test_command();
+SubCommand doctor_command();
+SubCommand calibrate_command();
+SubCommand push_command();
+SubCommand receive_command();
+SubCommand marker_command();
+SubCommand network_command();
+/// These two describe the whole program, which `program` gives.
+SubCommand completion_command(SubCommand (*program)());
+SubCommand manual_command(SubCommand (*program)());
+
+}  // namespace nezumi::cli

@@ -1,0 +1,39 @@
+// `nezumi completion`: what can be typed, told to a shell.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/cli/shell/completion.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+int write_completion(const SubCommand& program, const std::string& shell) {
+    const auto& known = completed_shells();
+    if (std::find(known.begin(), known.end(), shell) == known.end()) {
+        return refuse(fmt::format("completion: there is nothing for a shell '{}'{}; known are {}", shown(shell),
+                                  did_you_mean(shell, known), fmt::join(known, ", ")));
+    }
+    fmt::print("{}", completion_script(program, shell));
+    return exit_done;
+}
+
+}  // namespace
+
+SubCommand completion_command(SubCommand (*program)()) {
+    auto shell = std::make_shared<std::string>();
+    return {.name = "completion",
+            .help = "Write a script that lets a shell complete nezumi's command line",
+            .options = {{"SHELL", shell.get(), "which", "bash|zsh|fish"}},
+            .run = [shell, program] { return write_completion(program(), *shell); },
+            .footer =
+                "For this shell: `source <(nezumi completion bash)`, `source <(nezumi completion zsh)`, `nezumi "
+                "completion fish | source`.\nFor all to come: the same line in ~/.bashrc, in ~/.zshrc below "
+                "compinit, in ~/.config/fish/config.fish.\nDebian's package brings them."};
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,123 @@
+// `nezumi doctor`: what this machine has of a robot, and what to do about what is missing.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/json_text.hpp"
+#include "bindings/cli/base/stop_signals.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/cli/guided/person.hpp"
+#include "bindings/cli/guided/setup.hpp"
+#include "engine/base/visible.hpp"
+#include "hw/calibrate/move_check.hpp"
+#include "hw/doctor/doctor.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+struct DoctorOptions {
+    std::string dev_root, sys_root, proc_root, udev_root;
+    bool json = false;
+    bool move = false;
+    bool is_sure = false;
+};
+
+hw::MachineRoots roots(const DoctorOptions& options) {
+    hw::MachineRoots roots;
+    if (!options.dev_root.empty()) roots.devices.dev = options.dev_root;
+    if (!options.sys_root.empty()) roots.devices.sys = options.sys_root;
+    if (!options.proc_root.empty()) roots.proc = options.proc_root;
+    if (!options.udev_root.empty()) roots.udev = {options.udev_root};
+    for (const auto& folder : installed_folders()) roots.rules = (folder / "hw/udev/60-nezumi.rules").string();
+    return roots;
+}
+
+std::string_view word(hw::Finding::State state) {
+    switch (state) {
+        case hw::Finding::State::good: return "ok";
+        case hw::Finding::State::note: return "note";
+        case hw::Finding::State::wrong: return "wrong";
+    }
+    return "";
+}
+
+void print(const hw::Findings& findings) {
+    for (const hw::Finding& finding : findings) {
+        fmt::print("{:<6} {}: {}\n", word(finding.state), finding.check, visible(finding.found));
+        if (!finding.advice.empty()) fmt::print("       do: {}\n", visible(finding.advice));
+    }
+}
+
+// {"robot":"raspimouse","findings":[{"check":"driver","state":"ok","found":"...","advice":"..."}]}
+std::string to_json(const hw::Examination& examination) {
+    std::string text;
+    for (const hw::Finding& finding : examination.findings)
+        text += fmt::format("{}{{\"check\":{},\"state\":\"{}\",\"found\":{},\"advice\":{}}}",
+                            text.empty() ? "" : ",\n ", json_text(finding.check), word(finding.state),
+                            json_text(finding.found), json_text(finding.advice));
+    return fmt::format("{{\"robot\":{},\"findings\":[{}]}}\n", json_text(examination.driver), text);
+}
+
+Expected<hw::Findings> moves(const DoctorOptions& options, const std::string& driver) {
+    StopSignals signals;
+    Person person(signals.received(), options.is_sure);
+    if (auto there = person.is_there(); !there) return Unexpected(there.error());
+    Hardware hardware;
+    const hw::MachineRoots all = roots(options);
+    hardware.dev_root = all.devices.dev;
+    hardware.sys_root = all.devices.sys;
+    auto robot = guided_by_model(driver, hardware, signals.received());
+    if (!robot) return Unexpected(robot.error());
+    auto ok = person.confirm("The wheels are going to turn: hold the robot so that they touch nothing.");
+    if (!ok) return Unexpected(ok.error());
+    return hw::check_moves(**robot, [&](const std::string& text) { person.tell(text); });
+}
+
+int doctor(const DoctorOptions& options) {
+    hw::Examination examination = hw::examine(roots(options));
+    if (options.move) {
+        if (examination.driver.empty()) return refuse("--move: this machine has no robot");
+        if (!options.json) print(examination.findings);
+        const auto moved = moves(options, examination.driver);
+        if (!moved) return refuse(moved.error());
+        if (!options.json) print(*moved);
+        examination.findings.insert(examination.findings.end(), moved->begin(), moved->end());
+    } else if (!options.json) {
+        print(examination.findings);
+    }
+    if (options.json) fmt::print("{}", to_json(examination));
+    const auto wrong = std::count_if(examination.findings.begin(), examination.findings.end(),
+                                     [](const auto& finding) { return finding.state == hw::Finding::State::wrong; });
+    if (!options.json)
+        fmt::print("{}\n",
+                   wrong == 0 ? "nothing wrong" : fmt::format("{} thing{} to do", wrong, wrong == 1 ? "" : "s"));
+    return wrong == 0 ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+SubCommand doctor_command() {
+    auto options = std::make_shared<DoctorOptions>();
+    return {.name = "doctor",
+            .help = "Say what is there of a robot's hardware, and what to do about what is missing",
+            .options = {{"--json", &options->json, "write {robot, findings: [{check, state, found, advice}]}"},
+                        {"--move", &options->move,
+                         "turn each wheel as well, slowly, with the robot held in the air; asks first"},
+                        {"--yes", &options->is_sure, "with --move: nobody is asked"},
+                        {"--dev-root", &options->dev_root, "the folder of the devices' nodes (default /dev)", "DIR"},
+                        {"--sys-root", &options->sys_root, "the folder of the kernel's devices (default /sys)", "DIR"},
+                        {"--proc-root", &options->proc_root, "the folder of processes (default /proc)", "DIR"},
+                        {"--udev-root", &options->udev_root, "the folder of rules.d (default /etc/udev and /lib/udev)",
+                         "DIR"}},
+            .run = [options] { return doctor(*options); },
+            .footer =
+                "Each finding is a line `ok`, `note` or `wrong`, and what to do about it. Without --move nothing is "
+                "written to any device.\nExit status: 0 nothing wrong, 1 something is to be done, 2 --move could not "
+                "be done."};
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,195 @@
+// `nezumi push`: brings a project to the robot, where the running nezumi reloads it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/version.hpp"
+#include "bindings/cli/commands/commands.hpp"
+#include "bindings/console/put_text.hpp"
+#include "bindings/push/remote.hpp"
+#include "bindings/push/scan.hpp"
+#include "bindings/push/send.hpp"
+#include "bindings/scenario/test_plan.hpp"
+#include "engine/base/lua_text.hpp"
+#include "engine/project/project.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using What = push::FileChange::What;
+
+struct PushOptions {
+    std::string host, run, config, folder;
+    bool dry_run = false;
+};
+
+std::string our_version() { return fmt::format("nezumi {}", version()); }
+
+// The project that the working directory is in.
+Expected<fs::path> project_here() {
+    std::error_code none;
+    const fs::path here = fs::current_path(none);
+    const fs::path root = Project::of(here / "x.lua").root();
+    if (root.empty()) return failure("no project is here: expected a folder with behaviors/ in it, or above");
+    return fs::canonical(root, none);
+}
+
+// Says which nezumi is there, and lets it take the project if it is ours. `sh` reads it the same on every computer.
+std::string receiving_command() {
+    return "exec sh -c " + shell_text(fmt::format("v=$(nezumi --version) || exit; echo \"$v\"; "
+                                                  "test \"$v\" = '{}' && exec nezumi receive",
+                                                  our_version()));
+}
+
+Expected<void> compare_versions(const push::Remote& remote, const std::string& theirs) {
+    if (theirs.empty()) return failure(fmt::format("{} has no nezumi: install its package there", remote.host()));
+    if (theirs == our_version()) return {};
+    return failure(
+        fmt::format("{} has {}, here is {}: install the same on both", remote.host(), shown(theirs), our_version()));
+}
+
+// What the robot's nezumi says of itself; "" when it says nothing. A shell may have greeted before.
+std::string take_version(const push::PushConnection& connection) {
+    while (const auto line = connection.take_line()) {
+        if (line->starts_with("nezumi ")) return *line;
+    }
+    return "";
+}
+
+Expected<push::Sent> send(const push::Remote& remote, const push::ProjectScan& project, const std::string& folder,
+                          bool only_shows) {
+    std::string version;
+    Expected<push::Sent> sent;
+    const auto ended = remote.talk(receiving_command(), [&](int from, int to) {
+        const push::PushConnection connection(from, to);
+        version = take_version(connection);
+        if (version == our_version()) sent = push::send_project(connection, project, folder, only_shows);
+    });
+    if (!ended) return Unexpected(ended.error());
+    if (version.empty() && ended->status == push::no_connection)
+        return failure(
+            fmt::format("{} is not to be reached by ssh: does `ssh {}` work?", remote.host(), remote.host()));
+    if (auto same = compare_versions(remote, version); !same) return Unexpected(same.error());
+    const bool is_there = !sent && sent.error().place.file.empty();
+    return is_there ? failure(fmt::format("{}: {}", remote.host(), sent.error().message)) : sent;
+}
+
+std::string_view word_for(What what) {
+    switch (what) {
+        case What::added: return "new";
+        case What::changed: return "changed";
+        case What::removed: return "removed";
+        default: return "kept";
+    }
+}
+
+// A name on one line.
+std::string name_shown(const std::string& name) {
+    const std::string quoted = lua_quoted(name);
+    return quoted.size() == name.size() + 2 ? name : quoted;
+}
+
+// What is there instead of the project's file, or besides the project, and what to do.
+std::string explain_kept(const push::FileChange& change) {
+    switch (change.what) {
+        case What::kept_edited: return "it was edited there; copy it here or remove it there, then push again";
+        case What::kept_own:
+            return "it was not pushed there; copy it here, or rename or remove it there, then push again";
+        default: return "it was edited there; the project has it no longer, so it is the robot's own now";
+    }
+}
+
+void say_changes(const push::Sent& sent, const std::string& host, bool only_shows) {
+    for (const push::FileChange& change : sent.changes) {
+        const std::string name = name_shown(change.name);
+        if (only_shows) put_text(stdout, fmt::format("{:<8} {}\n", word_for(change.what), name));
+        if (!push::is_change(change.what))
+            put_text(stderr, fmt::format("nezumi: {} is kept on {}: {}\n", name, host, explain_kept(change)));
+    }
+    if (sent.has_finished)
+        put_text(stderr, fmt::format("nezumi: an interrupted push to {} was finished first\n", host));
+    if (!sent.copy_before.empty() && !only_shows)
+        put_text(stderr, fmt::format("nezumi: {} needs the folder {} no longer: an earlier nezumi made it\n", host,
+                                     sent.copy_before));
+}
+
+Expected<int> run_there(const push::Remote& remote, const std::string& folder, std::string file) {
+    if (file.starts_with("-")) file.insert(0, "./");  // a file, and no option
+    const bool has_terminal = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+    const auto ran = push::run_in_front(remote.ssh(
+        fmt::format("cd {} && exec nezumi run {} --hw", shell_text(folder), shell_text(file)), has_terminal));
+    if (!ran) return Unexpected(ran.error());
+    if (ran->status == push::no_connection)
+        return failure(
+            fmt::format("the connection to {} broke: its guard has stopped the robot if the run has ended, "
+                        "`nezumi attach ssh:{}` tells whether it goes on",
+                        remote.host(), remote.host()));
+    return ran->status;
+}
+
+Expected<int> push_project(const PushOptions& options) {
+    if (options.dry_run && !options.run.empty())
+        return failure("--dry-run only shows what would change: leave out --run");
+    const auto remote = push::Remote::at(options.host, options.config);
+    if (!remote) return Unexpected(remote.error());
+    const auto root = project_here();
+    if (!root) return Unexpected(root.error());
+    const auto project = push::scan_project(*root);
+    if (!project) return Unexpected(project.error());
+    const std::string folder = options.folder.empty() ? root->filename().string() : options.folder;
+
+    const auto sent = send(*remote, *project, folder, options.dry_run);
+    if (!sent) return Unexpected(sent.error());
+    for (const std::string& name : project->passed_over)
+        put_text(stderr, fmt::format("nezumi: {} is passed over: it is no file, folder or link\n", name_shown(name)));
+    say_changes(*sent, remote->host(), options.dry_run);
+    const bool is_whole = std::none_of(sent->changes.begin(), sent->changes.end(),
+                                       [](const push::FileChange& change) { return push::is_withheld(change.what); });
+    if (options.dry_run) {
+        put_text(stdout, fmt::format("nothing was changed on {}\n", remote->host()));
+        return is_whole ? exit_done : exit_failed;
+    }
+    put_text(stdout, fmt::format("{} is on {} in {}{}\n", root->filename().string(), remote->host(), folder,
+                                 is_whole ? "" : ", but for the files that are kept"));
+    if (options.run.empty()) return is_whole ? exit_done : exit_failed;
+    if (!is_whole)
+        return failure(fmt::format("{} is not run: {} has other files than the project", options.run, remote->host()));
+    std::fflush(stdout);
+    return run_there(*remote, sent->folder, options.run);
+}
+
+}  // namespace
+
+SubCommand push_command() {
+    auto options = std::make_shared<PushOptions>();
+    return {
+        .name = "push",
+        .help = "Bring this project to a robot by ssh, where the running system reloads it",
+        .options = {{"HOST", &options->host, "as ssh takes it, for example pi@mouse"},
+                    {"--run", &options->run, "then run this system file of the project there, with --hw", "FILE"},
+                    {"--to", &options->folder, "the folder there (default: the project's name, in the home folder)",
+                     "DIR"},
+                    {"--dry-run", &options->dry_run, "only show what would change there"},
+                    {"--ssh-config", &options->config, "for ssh -F", "FILE"}},
+        .run =
+            [options] {
+                const auto status = push_project(*options);
+                return status ? *status : refuse(status.error());
+            },
+        .footer =
+            "The versions of nezumi have to be the same on both. The project comes over whole or not at all. Only "
+            "files that a push has brought are replaced or removed: what the robot has written stays, and a file that "
+            "was edited there is kept and told.\nExit status: 0 it is there (with --run: that of the run), 1 it is "
+            "there but for files that are kept, 2 it is not."};
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,243 @@
+// Gives each file to the reader that will load it.
+#include "bindings/cli/files/check_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "bindings/cli/files/named_files.hpp"
+#include "bindings/cli/files/system_error.hpp"
+#include "bindings/dds/network_maker.hpp"
+#include "bindings/lua/files/calibration_file.hpp"
+#include "bindings/lua/files/robot_file.hpp"
+#include "bindings/lua/files/system_file.hpp"
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/lua/sandbox/compile.hpp"
+#include "bindings/lua/sandbox/stdlib.hpp"
+#include "bindings/lua/script/behavior_maker.hpp"
+#include "bindings/lua/script/check_script.hpp"
+#include "bindings/lua/script/script_component.hpp"
+#include "bindings/openrtm/rtc_profiles.hpp"
+#include "bindings/scenario/scenario_file.hpp"
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_errors = 50;  // of one system: each costs a build
+
+// The text of a script as messages here call it: by its path, so that an editor finds it.
+Expected<SourceText> read_shown(const fs::path& path, const Project& project) {
+    const std::string name = project.shown(path);
+    auto text = read_whole(path, name);
+    if (!text) return Unexpected(text.error());
+    return SourceText{path.string(), name, std::move(*text)};
+}
+
+ScriptContext context_of(const std::string& component, const Project& project) {
+    ScriptContext context;
+    context.component = component;
+    context.budget = headless_budget;
+    context.find_module = [&project](std::string_view name, std::string_view from) -> Expected<SourceText> {
+        const auto path = project.find(FileKind::module, name, from);
+        if (!path) return Unexpected(path.error());
+        return read_shown(*path, project);
+    };
+    return context;
+}
+
+// Whether an entry, or one of its values, stands at that place.
+bool stands_at(const Entry& entry, const Place& place) {
+    if (place_of(entry) == place) return true;
+    return std::visit(
+        [&](const auto& its) {
+            if constexpr (requires { its.places; }) {
+                return std::any_of(its.places.begin(), its.places.end(),
+                                   [&](const auto& value) { return value.second == place; });
+            } else {
+                return false;
+            }
+        },
+        entry);
+}
+
+// Takes out of a system what an error is about, and all that needs it, so that a further build finds further errors.
+// False when nothing is at that place.
+bool leave_out(SystemSpec& spec, const Project& project, const Place& place) {
+    if (std::erase_if(spec.connections, [&](const ConnectionSpec& c) { return c.place == place; }) > 0) return true;
+    if (spec.network && spec.network->place == place) {
+        spec.network.reset();
+        std::erase_if(spec.connections, [](const auto& c) { return is_remote(c.from) || is_remote(c.to); });
+        return true;
+    }
+    if (spec.ros) {
+        const auto is_there = [&](const RosTopic& topic) { return topic.place == place; };
+        if (std::erase_if(spec.ros->publish, is_there) + std::erase_if(spec.ros->subscribe, is_there) > 0) return true;
+        if (spec.ros->place == place) {
+            spec.ros.reset();
+            return true;
+        }
+    }
+    std::set<std::string, std::less<>> gone;
+    for (const Entry& entry : spec.entries) {
+        const auto* behavior = std::get_if<BehaviorEntry>(&entry);
+        const auto* component = std::get_if<ComponentEntry>(&entry);
+        if (stands_at(entry, place) || (behavior != nullptr && project.shown(behavior->path) == place.file) ||
+            (component != nullptr && gone.contains(component->on))) {
+            gone.insert(name_of(entry));
+        }
+    }
+    std::erase_if(spec.entries, [&](const Entry& entry) { return gone.contains(name_of(entry)); });
+    std::erase_if(spec.connections, [&](const ConnectionSpec& c) {
+        return gone.contains(c.from.substr(0, c.from.find('.'))) || gone.contains(c.to.substr(0, c.to.find('.')));
+    });
+    return !gone.empty();
+}
+
+// Where nothing is simulated robots have no bodies: what is checked never runs.
+void leave_out_bodies(SystemSpec& spec, Makers& makers) {
+    const std::string none = "none";
+    makers.bodies[none] = [](const RobotEntry& /*entry*/, const RobotSpec& /*spec*/) { return nullptr; };
+    for (Entry& entry : spec.entries) {
+        auto* robot = std::get_if<RobotEntry>(&entry);
+        if (robot != nullptr && (robot->backend.empty() || robot->backend == simulated)) robot->backend = none;
+    }
+}
+
+// What RTCs would be shown of a system.
+void check_rtm(const System& system, const SystemSpec& spec, std::vector<Error>& errors) {
+    if (!spec.rtm) return;
+    if (const auto profiles = openrtm::profiles_of(system, *spec.rtm); !profiles) errors.push_back(profiles.error());
+    for (const ConnectionSpec& connection : spec.rtm_connections) {
+        if (const auto link = openrtm::links_of(system, {connection}); !link) errors.push_back(link.error());
+    }
+}
+
+std::vector<Error> check_system(const std::string& text, const std::string& shown, const Project& project,
+                                const LiveOptions& options) {
+    if (auto errors = check_system_text(text, shown, project); !errors.empty()) {
+        for (Error& error : errors) error = explain_system_error(std::move(error));
+        return errors;
+    }
+    auto spec = read_system_text(text, shown, project);
+    if (!spec) return {spec.error()};
+    Makers makers;
+    makers.world = options.world;
+    makers.bodies = options.bodies;
+    makers.drivers = options.drivers;
+    makers.components = options.components;
+    makers.network = dds::make_checked_networks();
+    if (!makers.world) leave_out_bodies(*spec, makers);
+    std::vector<Error> errors;
+    const auto add = [&errors](Error error) {
+        if (std::find(errors.begin(), errors.end(), error) == errors.end()) errors.push_back(std::move(error));
+    };
+    makers.behavior = [&](const BehaviorEntry& entry,
+                          const MakerContext& maker) -> Expected<std::unique_ptr<Component>> {
+        auto source = read_shown(entry.path, project);
+        if (!source) return Unexpected(source.error());
+        ScriptContext context = context_of(entry.name, project);
+        context.configured = values_at_start(entry);
+        context.tick_rate = maker.tick_rate;
+        for (Error& error : check_behavior(*source, context)) add(std::move(error));
+        auto made = ScriptComponent::load(entry.name, *source, std::move(context));
+        if (!made) return Unexpected(made.error());
+        return std::unique_ptr<Component>(std::move(*made));
+    };
+    for (int i = 0; i < most_errors; ++i) {
+        const auto built = build_system(*spec, makers, options.build);
+        if (built) {
+            check_rtm(**built, *spec, errors);
+            break;
+        }
+        add(built.error());
+        if (!leave_out(*spec, project, built.error().place)) break;
+    }
+    return errors;
+}
+
+// A text that is compiled and not run, and may name these words.
+std::vector<Error> check_words(const std::string& text, const std::string& shown, std::vector<std::string_view> words) {
+    words.insert(words.end(), sandbox_names().begin(), sandbox_names().end());
+    words.emplace_back("require");
+    auto chunk = compile_checked(text, shown, {std::move(words), {}});
+    return chunk ? std::vector<Error>() : std::move(chunk.error());
+}
+
+// Declares the scenarios and runs none.
+std::vector<Error> check_scenarios(const fs::path& file, const std::string& text, const LiveOptions& options) {
+    std::vector<Error> errors;
+    static_cast<void>(ScenarioFile::read(file, {.installed = options.installed, .text = text}, &errors));
+    return errors;
+}
+
+std::vector<Error> check_calibration(const std::string& text, const std::string& shown, const Project& project) {
+    auto calibration = read_calibration_text(text, shown, project);
+    return calibration ? std::vector<Error>() : std::vector<Error>{std::move(calibration.error())};
+}
+
+}  // namespace
+
+std::vector<Error> check_file(const fs::path& file, const LiveOptions& options) {
+    const std::string shown = Project::of(file, options.installed).shown(file);
+    const auto text = read_whole(file, shown);
+    return text ? check_text(*text, file, options) : std::vector<Error>{text.error()};
+}
+
+std::vector<Error> check_text(const std::string& text, const fs::path& file, const LiveOptions& options) {
+    const Project project = Project::of(file, options.installed);
+    const std::string shown = project.shown(file);
+    const SourceText source{file.string(), shown, text};
+    switch (kind_of_file(file, text)) {
+        case LuaKind::behavior: return check_behavior(source, context_of(type_of_file(shown), project));
+        case LuaKind::module: return check_module(source);
+        case LuaKind::system_module:
+            return check_words(text, shown, {system_word_names().begin(), system_word_names().end()});
+        case LuaKind::system: return check_system(text, shown, project, options);
+        case LuaKind::calibration: return check_calibration(text, shown, project);
+        case LuaKind::robot: return check_robot_text(text, shown, project, options.drivers);
+        case LuaKind::scenario: return check_scenarios(file, text, options);
+        case LuaKind::definitions: break;
+    }
+    const auto chunk = compile(text, shown);
+    return chunk ? std::vector<Error>() : std::vector<Error>{chunk.error()};
+}
+
+FoundFiles lua_files(const std::vector<std::string>& paths) {
+    FoundFiles all;
+    std::set<fs::path> known;
+    const auto add = [&](const fs::path& file) {
+        std::error_code none;
+        if (known.insert(fs::weakly_canonical(file, none)).second) all.files.push_back(file);
+    };
+    for (const std::string& path : paths) {
+        const auto refuse = [&](std::string why) { all.errors.push_back({std::move(why), {path}}); };
+        std::error_code none;
+        if (fs::is_directory(path, none)) {
+            FoundFiles below = find_files(path, ".lua");
+            if (below.files.empty() && below.errors.empty()) refuse("has no Lua files");
+            for (const fs::path& file : below.files) add(file);
+            for (Error& error : below.errors) all.errors.push_back(std::move(error));
+        } else if (!fs::exists(path, none)) {
+            auto found = find_lua_files(path);
+            if (found) {
+                std::for_each(found->begin(), found->end(), add);
+            } else {
+                all.errors.push_back(found.error());
+            }
+        } else if (fs::path(path).extension() != ".lua") {
+            refuse("is no Lua file: `nezumi check` reads files that end in .lua, and folders");
+        } else {
+            add(path);
+        }
+    }
+    return all;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,61 @@
+// Counts the words of each kind of file.
+#include "bindings/cli/files/lua_kind.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "bindings/lua/files/system_lua.hpp"
+#include "bindings/lua/sandbox/globals_scan.hpp"
+#include "bindings/lua/sandbox/lexer.hpp"
+#include "bindings/lua/script/script_globals.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+template <class Names>
+bool has(const Names& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Whether the file ends by returning something, as modules do.
+bool returns(std::string_view text) {
+    Lexer lexer(without_preamble(text));
+    int depth = 0;
+    for (Token token = lexer.next(); token.kind != Token::Kind::end; token = lexer.next()) {
+        if (token.kind != Token::Kind::keyword) continue;
+        const std::string_view word = token.text;
+        // `for` and `while` have their `do`, `elseif` is within its `if`.
+        if (word == "function" || word == "if" || word == "do" || word == "repeat") ++depth;
+        if (word == "end" || word == "until") --depth;
+        if (word == "return" && depth == 0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+LuaKind kind_of_file(const std::filesystem::path& path, std::string_view text) {
+    if (path.stem().string().ends_with("_test")) return LuaKind::scenario;
+    if (text.starts_with("---@meta")) return LuaKind::definitions;
+    if (path.stem().extension() == ".calibration") return LuaKind::calibration;
+    const std::string folder = path.parent_path().filename().string();
+
+    int of_behaviors = 0;
+    int of_systems = 0;
+    bool declares = false;
+    for (const GlobalUse& use : scan_globals(text)) {
+        if (use.name == "robot_model") return LuaKind::robot;
+        if (use.name == "scenario") return LuaKind::scenario;
+        if (use.name == "calibration") return LuaKind::calibration;
+        if (use.assigned && use.name.starts_with("on_")) declares = true;
+        if (has(script_globals(), use.name) && use.name != "require") ++of_behaviors;
+        if (has(system_word_names(), use.name)) ++of_systems;
+    }
+    if (!declares && folder == "robots") return LuaKind::robot;
+    if (!declares && returns(text)) return of_systems > of_behaviors ? LuaKind::system_module : LuaKind::module;
+    if (declares || of_behaviors > of_systems) return LuaKind::behavior;
+    return of_systems > of_behaviors || folder == "systems" ? LuaKind::system : LuaKind::behavior;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,24 @@
+// A file is tried without leaving a trace.
+#include "bindings/cli/files/output_files.hpp"
+
+#include <unistd.h>
+
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi::cli {
+
+bool is_picture_name(std::string_view name) {
+    return name.size() > 4 && (name.ends_with(".png") || name.ends_with(".svg"));
+}
+
+Expected<void> check_can_write(const std::string& file) {
+    // Opening is the only test that all file systems answer truly; what it made goes again.
+    const bool was_there = access(file.c_str(), F_OK) == 0;
+    const auto opened = open_to_write(file);
+    if (!opened) return Unexpected(opened.error());
+    close(*opened);
+    if (!was_there) unlink(file.c_str());
+    return {};
+}
+
+}  // namespace nezumi::cli

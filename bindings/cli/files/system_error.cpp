@@ -1,0 +1,27 @@
+// A global of another kind of file says what that file is for.
+#include "bindings/cli/files/system_error.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "bindings/lua/script/script_globals.hpp"
+
+namespace nezumi::cli {
+
+Error explain_system_error(Error error) {
+    constexpr std::string_view begin = "unknown global '";
+    if (!error.message.starts_with(begin)) return error;
+    const std::string name = error.message.substr(begin.size(), error.message.find('\'', begin.size()) - begin.size());
+    const auto& globals = script_globals();
+    if (name == "scenario") {
+        error.message += ": it is a scenario's; try `nezumi test`";
+    } else if (name == "robot_model") {
+        error.message += ": it is a robot's; a system file says `robot NAME { model = ... }`";
+    } else if (name.starts_with("on_") || std::find(globals.begin(), globals.end(), name) != globals.end()) {
+        error.message += ": it is a behaviour's; a system file says `behavior NAME { script = ... }`";
+    }
+    return error;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,14 @@
+// A new project as files: a first behaviour with its system and scenario, and what an editor needs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bindings/cli/new/files.hpp"
+
+namespace nezumi::cli {
+
+/// The files of a project called `name`, with paths from its folder.
+std::vector<NewFile> project_files(const std::string& name);
+
+}  // namespace nezumi::cli

@@ -1,0 +1,83 @@
+// A journal is written as the loop goes; a replay goes before every tick.
+#include "bindings/cli/run/journal.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include "bindings/cli/base/version.hpp"
+
+namespace nezumi::cli {
+
+Expected<std::unique_ptr<RunningSystem>> RunJournal::load(const RunOptions& options, LiveOptions live) {
+    if (!options.replay.empty()) {
+        file_ = options.replay;
+        auto replay = Replay::read(options.replay, version());
+        if (!replay) return Unexpected(replay.error());
+        replay_ = std::move(*replay);
+        if (auto ok = replay_->check_system(options.file); !ok) return Unexpected(ok.error());
+        if (replay_->torn_line() > 0)
+            notes_.push_back(fmt::format("{}:{}: the last line is torn, and left out", file_, replay_->torn_line()));
+        if (!replay_->end())
+            notes_.push_back(fmt::format("{}: has no end: that run was cut off, and so is this one", file_));
+        auto loaded = replay_->load(std::move(live));
+        if (loaded) live_ = loaded->get();
+        return loaded;
+    }
+    if (options.journal.empty()) return RunningSystem::load(options.file, std::move(live));
+    auto journal = Journal::create(options.journal, files_);
+    if (!journal) return Unexpected(journal.error());
+    live.files = &files_;
+    live.world = with_pictures_from(files_, std::move(live.world));
+    auto loaded = RunningSystem::load(options.file, std::move(live));
+    if (!loaded) return loaded;
+    journal_ = std::move(*journal);
+    live_ = loaded->get();
+    journal_->begin(*live_, version(), options.hardware.has_value());
+    return loaded;
+}
+
+void RunJournal::follow(RunLoop& loop) {
+    loop_ = &loop;
+    if (journal_) loop.add(*this);
+    if (replay_) loop.before_tick([this] { before_tick(); });
+}
+
+bool RunJournal::serve(Pacer::Clock::time_point /*until*/) {
+    journal_->serve();
+    if (journal_->error() && !error_) {
+        error_ = journal_->error();
+        loop_->quit();
+    }
+    return false;
+}
+
+void RunJournal::before_tick() {
+    const auto more = replay_->before_tick(*live_);
+    if (!more) error_ = more.error();
+    if (!more || !*more) loop_->quit();
+    if (more && !*more && replay_->end() == RunEnd::error) error_ = Error{replay_->end_message()};
+}
+
+void RunJournal::stop() {
+    if (live_ == nullptr) return;
+    live_->observe_acts(nullptr);
+    stopped_ = live_->when();
+}
+
+bool RunJournal::is_of_given_length(bool here) const { return replay_ ? replay_->end() != RunEnd::stopped : here; }
+
+Expected<void> RunJournal::finish(bool of_given_length, std::uint64_t hash) {
+    if (journal_) {
+        journal_->end(of_given_length ? RunEnd::duration : RunEnd::stopped, "", stopped_, hash);
+        if (journal_->error()) return Unexpected(*journal_->error());
+    }
+    if (!replay_ || !replay_->hash() || *replay_->hash() == hash) return {};
+    return failure(fmt::format("{}: the run is another one than the journal's: its hash was {}, not {}", file_,
+                               hash_text(*replay_->hash()), hash_text(hash)));
+}
+
+void RunJournal::give_up(const std::string& why) {
+    if (journal_) journal_->end(RunEnd::error, why, live_->when(), live_->trace_hash());
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,258 @@
+// Options are read as words first, so that every mistake gets one plain sentence.
+#include "bindings/cli/run/options.hpp"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "bindings/cli/files/output_files.hpp"
+#include "engine/live/run_loop.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+constexpr double longest = 1e9;  // [s], some thirty years
+constexpr int most_threads = 256;
+
+template <class T>
+std::optional<T> number(std::string_view word) {
+    T value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return value;
+}
+
+Unexpected wrong(std::string_view option, std::string_view expected, std::string_view got) {
+    return failure(fmt::format("{}: expected {}, got '{}'", option, expected, shown(got)));
+}
+
+// "a, b" as its parts; an error where one is empty.
+Expected<std::vector<std::string>> split(std::string_view option, std::string_view expected, const std::string& given) {
+    std::vector<std::string> parts;
+    std::string_view words = given;
+    while (true) {
+        const auto comma = words.find(',');
+        std::string_view part = words.substr(0, comma);
+        while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+        while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+        if (part.empty()) return wrong(option, expected, given);
+        parts.emplace_back(part);
+        if (comma == std::string_view::npos) return parts;
+        words.remove_prefix(comma + 1);
+    }
+}
+
+// What real robots need, and what can't be had with them.
+Expected<std::optional<Hardware>> read_hardware(const RunWords& words) {
+    if (words.hw.text.empty()) {
+        for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},
+                                            {"--sys-root", words.sys_root},
+                                            {"--device-log", words.device_log},
+                                            {"--device-log-play", words.played_log}}) {
+            if (!given.empty()) return failure(fmt::format("{} is for real robots: give --hw as well", option));
+        }
+        if (words.twin) return failure("--twin is for real robots: give --hw as well");
+        return std::nullopt;
+    }
+    for (const auto& [option, given] :
+         {std::pair{"--speed", !words.speed.empty()}, {"--batch", words.batch}, {"--replay", !words.replay.empty()}}) {
+        if (given) return failure(fmt::format("--hw: real robots know only real time: leave out {}", option));
+    }
+    for (const auto& [option, given] : {std::pair{"--dev-root", words.dev_root},
+                                        {"--sys-root", words.sys_root},
+                                        {"--device-log", words.device_log}}) {
+        if (!words.played_log.empty() && !given.empty())
+            return failure(fmt::format("--device-log-play: no device is used: leave out {}", option));
+    }
+    if (words.twin && !words.threads.empty())
+        return failure("--twin: the real robot and its twin share a thread: leave out --threads");
+    Hardware hardware{.twins = words.twin};
+    if (words.hw.text != "true") {
+        auto robots = split("--hw", "names of robots as in --hw=mouse", words.hw.text);
+        if (!robots) return Unexpected(robots.error());
+        hardware.robots = std::move(*robots);
+    }
+    if (!words.dev_root.empty()) hardware.dev_root = words.dev_root;
+    if (!words.sys_root.empty()) hardware.sys_root = words.sys_root;
+    hardware.device_log = words.device_log;
+    hardware.played_log = words.played_log;
+    return hardware;
+}
+
+// Where the page is served: not to machines.
+Expected<std::optional<Web>> read_web(const RunWords& words, bool headless) {
+    for (const auto& [option, given] :
+         {std::pair{"--port", !words.port.empty()}, {"--listen", !words.listen.empty()}, {"--open", words.open}}) {
+        if (!given) continue;
+        if (headless) return failure(fmt::format("{}: a run for machines serves no page: leave it out", option));
+        if (words.no_web) return failure(fmt::format("{}: --no-web serves no page: leave out one of them", option));
+    }
+    if (headless || words.no_web) return std::nullopt;
+    Web web{.open = words.open, .listen = words.listen};
+    in_addr address{};
+    if (!words.listen.empty() && (inet_pton(AF_INET, words.listen.c_str(), &address) != 1 || address.s_addr == 0))
+        return wrong("--listen", "the IPv4 address at which others reach this computer, as in 192.168.1.20",
+                     words.listen);
+    if (!words.port.empty()) {
+        const auto port = number<int>(words.port);
+        if (!port || *port < 1 || *port > 65535) return wrong("--port", "a whole number from 1 to 65535", words.port);
+        web.port = *port;
+    }
+    return web;
+}
+
+}  // namespace
+
+std::vector<Option> run_options(RunWords& words) {
+    return {
+        {"FILE", &words.file, "the system file, or its name: corridor is behaviors/systems/corridor.lua"},
+        {"--hw", &words.hw,
+         "drive the real robots; --hw=NAME,...: only these, the others stay simulated, and neither kind sees the "
+         "other"},
+        {"--twin", &words.twin,
+         "with --hw: simulate each real robot beside it on the same commands; NAME_twin.error is how far they are "
+         "apart"},
+        {"--headless", &words.headless,
+         "for machines: no terminal, no reload when a file is saved. A call into a script may take 2 s; reaching that "
+         "ends the run"},
+        {"--batch", &words.batch,
+         "console commands come from standard input; time moves only by their step and run, as fast as possible "
+         "unless --speed is given. As --headless otherwise"},
+        {"--speed", &words.speed, "times real time (default 1), or max: without waiting", "N|max"},
+        {"--port", &words.port, "serve the page for browsers on this port, or the next free one (default 8765)", "N"},
+        {"--no-web", &words.no_web, "serve no page for browsers"},
+        {"--open", &words.open,
+         "show the page in the desktop's browser; without a desktop its address is printed alone"},
+        {"--listen", &words.listen,
+         "serve the page to other computers, too, at this address of this one, by TLS with a certificate of its own",
+         "ADDRESS"},
+        {"--realtime", &words.real_time,
+         "ask the kernel for ticks in time beside other programs: SCHED_FIFO and locked memory"},
+        {"--duration", &words.duration, "end at this simulated time [s] (default: at Ctrl-C)", "S"},
+        {"--seed", &words.seed, "decides all that is random; wins over the file's seed(n)", "N"},
+        {"--set", &words.set, "a parameter's value over the file's, also after a restart; as often as you like",
+         "NAME.PARAMETER=VALUE"},
+        {"--params", &words.params,
+         "take the parameters of this file, which the console's save has written; by path or name", "FILE.lua"},
+        {"--threads", &words.threads, "that run behaviours (default 1); the result is the same", "N"},
+        {"--trace-hash", &words.trace_hash, "print a hash over all that ports published: equal runs, equal hashes"},
+        {"--picture",
+         &words.picture,
+         "draw the arena, the robots and their paths when the run ends",
+         "FILE.png|svg",
+         {},
+         FileUse::result},
+        {"--record",
+         &words.record,
+         "write what ports publish as CSV, a row for every tick",
+         "FILE.csv",
+         {},
+         FileUse::result},
+        {"--ports", &words.ports,
+         "with --record: only these, in this order: ports, truth, config, state, or parts of them, as in "
+         "mouse.truth.pose (default: all out-ports)",
+         "NAME.WHAT,..."},
+        {"--journal",
+         &words.journal,
+         "write every act on the running system, with its tick",
+         "OUT",
+         {},
+         FileUse::result},
+        {"--replay",
+         &words.replay,
+         "perform a journal again, headless and as fast as possible unless --speed is given; it ends where and as that "
+         "run ended. No other file is read",
+         "OUT",
+         {},
+         FileUse::source},
+        {"--sounds", &words.sounds, "write what robots say and beep as WAV files into this folder", "DIR"},
+        {"--dev-root", &words.dev_root, "with --hw: the folder of the devices' nodes (default /dev)", "DIR"},
+        {"--sys-root", &words.sys_root, "with --hw: the folder of the kernel's devices (default /sys)", "DIR"},
+        {"--device-log",
+         &words.device_log,
+         "with --hw: write all that the robots' drivers read and write",
+         "FILE",
+         {},
+         FileUse::result},
+        {"--device-log-play",
+         &words.played_log,
+         "with --hw: a device log stands for the robots, and what is written now is compared with it",
+         "FILE",
+         {},
+         FileUse::source},
+    };
+}
+
+Expected<RunOptions> read_run_options(const RunWords& words) {
+    RunOptions options{.file = words.file,
+                       .headless = words.headless || words.batch || !words.replay.empty(),
+                       .batch = words.batch,
+                       .trace_hash = words.trace_hash,
+                       .real_time = words.real_time};
+    if (words.speed == "max" || (words.speed.empty() && (words.batch || !words.replay.empty()))) {
+        options.speed = as_fast_as_possible;
+    } else if (!words.speed.empty()) {
+        const auto speed = number<double>(words.speed);
+        if (!speed || !std::isfinite(*speed) || !check_speed(*speed))
+            return wrong("--speed", fmt::format("a factor from {} to {:.0f}, or max", slowest_speed, fastest_speed),
+                         words.speed);
+        options.speed = *speed;
+    }
+    if (!words.duration.empty()) {
+        const auto duration = number<double>(words.duration);
+        if (!duration || !(*duration >= 0 && *duration <= longest))
+            return wrong("--duration", fmt::format("seconds from 0 to {:.0f}", longest), words.duration);
+        options.duration = *duration;
+    }
+    if (!words.seed.empty()) {
+        options.seed = number<std::uint64_t>(words.seed);
+        if (!options.seed) return wrong("--seed", "a whole number from 0 to 2^64 - 1", words.seed);
+    }
+    if (!words.threads.empty()) {
+        const auto threads = number<int>(words.threads);
+        if (!threads || *threads < 1 || *threads > most_threads)
+            return wrong("--threads", fmt::format("a whole number from 1 to {}", most_threads), words.threads);
+        options.threads = *threads;
+    }
+    if (options.real_time && !std::isfinite(options.speed))
+        return failure(
+            "--realtime: ticks that follow no clock have no time to keep: leave it out, or give --speed a number");
+    if (options.real_time && options.threads > 1)
+        return failure("--realtime: one thread ticks, and waits for no other: leave out --threads");
+    if (!words.picture.empty() && !is_picture_name(words.picture))
+        return wrong("--picture", "a file name that ends in .png or .svg", words.picture);
+    options.picture = words.picture;
+    options.record = words.record;
+    options.sounds = words.sounds;
+    options.journal = words.journal;
+    options.replay = words.replay;
+    options.values = {.file = words.params, .set = words.set};
+    for (const auto& [option, given] : {std::pair{"--batch", words.batch},
+                                        {"--seed", !words.seed.empty()},
+                                        {"--duration", !words.duration.empty()},
+                                        {"--journal", !words.journal.empty()},
+                                        {"--set", !words.set.empty()},
+                                        {"--params", !words.params.empty()}}) {
+        if (!words.replay.empty() && given)
+            return failure(fmt::format("--replay does what the journal says: leave out {}", option));
+    }
+    if (!words.ports.empty()) {
+        if (words.record.empty())
+            return failure("--ports chooses what --record writes: give --record FILE.csv as well");
+        auto ports = split("--ports", "names of ports as in mouse.ir_sensor_out,controller.out", words.ports);
+        if (!ports) return Unexpected(ports.error());
+        options.ports = std::move(*ports);
+    }
+    auto hardware = read_hardware(words);
+    if (!hardware) return Unexpected(hardware.error());
+    options.hardware = std::move(*hardware);
+    auto web = read_web(words, options.headless);
+    if (!web) return Unexpected(web.error());
+    options.web = *web;
+    return options;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,69 @@
+// What `nezumi run` was asked for: options as words, checked and turned into numbers.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/cli/run/hardware.hpp"
+#include "bindings/cli/shell/command_line.hpp"
+#include "engine/base/error.hpp"
+#include "engine/live/script_host.hpp"
+
+namespace nezumi::cli {
+
+/// The options as they were typed: "" for what was not given.
+struct RunWords {
+    std::string file;
+    std::string speed, duration, seed, threads, picture, record, ports, sounds, journal, replay;
+    std::string dev_root, sys_root, device_log, played_log;
+    std::string params;
+    std::string port, listen;
+    std::vector<std::string> set;
+    FlagText hw;
+    bool headless = false;
+    bool batch = false;
+    bool trace_hash = false;
+    bool real_time = false;
+    bool twin = false;
+    bool no_web = false;
+    bool open = false;
+};
+
+/// They as a command has them. `words` must outlive the parsing.
+std::vector<Option> run_options(RunWords& words);
+
+/// Where the page for browsers is served.
+struct Web {
+    int port = 8765;       ///< or the next free one
+    bool open = false;     ///< the page is shown in the desktop's browser, where there is one
+    std::string listen{};  ///< IPv4 address at which other computers reach it, by TLS; "": only this computer does
+};
+
+struct RunOptions {
+    std::string file;
+    bool headless = false;
+    bool batch = false;  ///< commands come from standard input; headless as well
+    double speed = 1;    ///< a factor of real time; `as_fast_as_possible` for "max"
+    double duration = std::numeric_limits<double>::infinity();  ///< [s] of simulated time
+    std::optional<std::uint64_t> seed;
+    int threads = 1;
+    bool trace_hash = false;
+    bool real_time = false;            ///< ask the kernel for ticks in time; `speed` is a number then
+    std::string picture;               ///< "" for none; ends in .png or .svg
+    std::string record;                ///< "" for none
+    std::vector<std::string> ports;    ///< "name.port"; empty: every out-port
+    std::string journal;               ///< "" for none
+    std::string replay;                ///< "" for none; then headless
+    std::string sounds;                ///< folder for what robots say; "" for none
+    StartValues values;                ///< over the file's
+    std::optional<Web> web;            ///< none: no page is served
+    std::optional<Hardware> hardware;  ///< none: everything is simulated
+};
+
+/// The same as values, or what is wrong with the first word that is.
+Expected<RunOptions> read_run_options(const RunWords& words);
+
+}  // namespace nezumi::cli

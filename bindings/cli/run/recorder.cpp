@@ -1,0 +1,159 @@
+// Rows are written as they come. When a sequence grows the rows from then on have more cells, and `finish` gives the
+// earlier ones as many.
+#include "bindings/cli/run/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <thread>
+#include <utility>
+
+#include "engine/base/csv.hpp"
+#include "engine/base/staged_file.hpp"
+#include "engine/base/whole_file.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+constexpr std::size_t flush_at = 16384;  // bytes
+// A crash may cost 0.1 s: this, a tick and the time to write.
+constexpr std::chrono::milliseconds longest_unwritten{50};
+// For a tick that is just adding its rows, and then for a disk that is slow.
+constexpr std::chrono::milliseconds longest_wait{400};
+constexpr std::chrono::milliseconds longest_end{200};
+
+}  // namespace
+
+Expected<Recorder> Recorder::open(const std::string& file, Trace& trace, const System& system,
+                                  const std::vector<std::string>& names) {
+    Recorder recorder(trace);
+    if (names.empty()) recorder.follow_ports(system);
+    for (const std::string& name : names) {
+        const auto channel = trace.follow(name);
+        if (!channel) return failure("--ports: " + channel.error().message);
+        recorder.table_.follow(**channel);
+    }
+    auto opened = ResultFile::open(file);
+    if (!opened) return Unexpected(opened.error());
+    recorder.name_ = file;
+    recorder.file_ = std::move(*opened);
+    recorder.writer_ = std::make_unique<FileWriter>(recorder.file_.descriptor());
+    return recorder;
+}
+
+// Those that were there before go on in their columns.
+void Recorder::follow_ports(const System& system) {
+    followed_layout_ = system.layout();
+    for (const auto& component : system.components()) {
+        for (const auto& port : component->out_ports()) {
+            std::string name = component->name() + "." + port->name();
+            if (followed_.contains(name)) continue;
+            if (const auto channel = trace_->follow(name)) table_.follow(**channel);
+            followed_.insert(std::move(name));
+        }
+    }
+}
+
+void Recorder::begin_layout() {
+    layouts_.push_back({rows_, table_.order(), table_.header()});
+    width_ = table_.width();
+    if (layouts_.size() > 1) return;
+    buffer_ += layouts_.back().header + "\n";
+    // What can't be read again keeps the columns it began with.
+    if (file_.path().empty()) table_.fix_columns();
+}
+
+void Recorder::add_rows(const System& system) {
+    const std::lock_guard lock(*mutex_);
+    if (sealed_ || error_) return;
+    if (followed_layout_ && *followed_layout_ != system.layout()) follow_ports(system);
+    const std::string time = fmt::format("{}", system.last_tick().seconds);
+    table_.read([&](const std::vector<std::string>& cells) {
+        if (layouts_.empty() || table_.width() > width_) begin_layout();
+        buffer_ += TraceTable::row(time, layouts_.back().ids, cells) + "\n";
+        ++rows_;
+    });
+    if (buffer_.size() >= flush_at || Clock::now() - flushed_ > longest_unwritten) flush();
+}
+
+void Recorder::fail(const std::string& why) { error_ = Error{"can't be written: " + why, {name_}}; }
+
+void Recorder::flush() {
+    flushed_ = Clock::now();
+    writer_->put(std::exchange(buffer_, {}));
+    if (const int problem = writer_->problem(); problem != 0 && !error_) fail(why_not_written(problem));
+}
+
+void Recorder::align_rows() {
+    StagedFile aligned(file_.path());
+    std::ifstream in(file_.path(), std::ios::binary);
+    std::string row;
+    std::string text = layouts_.back().header + "\n";
+    int problem = aligned.problem();
+    const auto write = [&] {
+        if (problem == 0) problem = write_all(aligned.descriptor(), std::exchange(text, {}));
+        if (problem == 0 && writer_->is_given_up()) problem = ECANCELED;
+    };
+    read_csv_row(in, row);  // the header of the beginning
+    std::size_t layout = 0;
+    std::vector<std::string> by_id;
+    for (std::uint64_t number = 0; problem == 0 && read_csv_row(in, row); ++number) {
+        if (layout + 1 < layouts_.size() && layouts_[layout + 1].row == number) ++layout;
+        const auto cells = split_csv_row(row).value_or(std::vector<std::string_view>{""});
+        by_id.assign(table_.width(), {});
+        const auto& ids = layouts_[layout].ids;
+        for (std::size_t i = 0; i < ids.size() && i + 1 < cells.size(); ++i) by_id[ids[i]] = cells[i + 1];
+        text += TraceTable::row(cells.front(), layouts_.back().ids, by_id) + "\n";
+        if (text.size() >= flush_at) write();
+    }
+    write();
+    if (problem == 0) problem = aligned.commit();
+    if (problem != 0) fail(why_not_written(problem));
+}
+
+void Recorder::complete(std::chrono::milliseconds patience) {
+    sealed_ = complete_ = true;
+    if (layouts_.empty()) begin_layout();  // no tick has passed: the header alone
+    flush();
+    if (const int problem = writer_->close(patience); problem != 0 && !error_) fail(why_not_written(problem));
+    if (!error_ && layouts_.size() > 1) align_rows();
+    aligned_ = !error_;
+}
+
+void Recorder::end_with_note(std::string_view why) {
+    std::string note;
+    for (std::size_t i = 1; i < layouts_.size() && !aligned_; ++i)
+        note += fmt::format("# from row {} on the columns are {}\n", layouts_[i].row + 1, layouts_[i].header);
+    note += fmt::format("# the recording ends here: {}\n", why);
+    file_.cut_to_rows(aligned_ && layouts_.size() > 1 ? 0 : writer_->last_whole_piece(), note);
+}
+
+Expected<void> Recorder::finish() {
+    const std::lock_guard lock(*mutex_);
+    if (complete_) return {};
+    complete(FileWriter::forever);
+    if (!error_) {
+        file_.replace_older();
+        return {};
+    }
+    if (!file_.path().empty()) {
+        end_with_note(error_->message);
+        error_->message += ": the rows that are whole are kept" + file_.told_of_older();
+    }
+    return Unexpected(*error_);
+}
+
+void Recorder::end_here(std::string_view why) {
+    Lock lock(*mutex_, std::try_to_lock);
+    for (const auto until = Clock::now() + longest_wait; !lock && Clock::now() < until;) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        static_cast<void>(lock.try_lock());
+    }
+    if (!lock || complete_) return;
+    complete(longest_end);
+    end_with_note(error_ ? error_->message : why);
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,62 @@
+// The recording is written as the run goes; all else is taken at its end, and then written.
+#include "bindings/cli/run/results.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bindings/cli/files/output_files.hpp"
+
+namespace nezumi::cli {
+
+Expected<void> RunResults::open(const RunOptions& options, RunningSystem& live) {
+    live_ = &live;
+    picture_file_ = options.picture;
+    if (!picture_file_.empty()) {
+        if (auto ok = check_can_write(picture_file_); !ok) return ok;
+    }
+    if (options.record.empty()) return {};
+    auto recorder = Recorder::open(options.record, live.trace(), live.system(), options.ports);
+    if (!recorder) return Unexpected(recorder.error());
+    recorder_.emplace(std::move(*recorder));
+    return {};
+}
+
+void RunResults::follow(RunLoop& loop) {
+    loop_ = &loop;
+    if (recorder_ || !picture_file_.empty()) loop.after_tick([this] { after_tick(); });
+}
+
+void RunResults::after_tick() {
+    if (recorder_) {
+        recorder_->add_rows(live_->system());
+        if (recorder_->error()) loop_->quit();
+    }
+    if (picture_file_.empty()) return;
+    if (starts_ != live_->starts()) trajectories_.clear();
+    starts_ = live_->starts();
+    trajectories_.add(live_->system(), live_->trace());
+}
+
+void RunResults::take(const std::string& title) {
+    if (recorder_) recorder_->seal();
+    hash_ = live_->trace_hash();
+    if (!picture_file_.empty()) picture_ = draw::look_at(*live_, trajectories_, title);
+}
+
+Expected<void> RunResults::write() {
+    if (recorder_) {
+        if (auto ok = recorder_->finish(); !ok) return ok;
+    }
+    if (picture_) return draw::draw_picture(std::move(*picture_), picture_file_);
+    return {};
+}
+
+std::string RunResults::discard(const std::string& why) {
+    if (!recorder_) return "";
+    recorder_->end_here(why);
+    const std::string older = recorder_->told_of_older();
+    return older.empty() ? "" : fmt::format(" (the recording ends there{})", older);
+}
+
+}  // namespace nezumi::cli

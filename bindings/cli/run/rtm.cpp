@@ -1,0 +1,78 @@
+// RTCs act through the live system's one door.
+#include "bindings/cli/run/rtm.hpp"
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace nezumi::cli {
+
+Expected<std::unique_ptr<RunRtm>> RunRtm::open(RunLoop& loop, std::function<void(const LogLine&)> log) {
+    Descriptor bell(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
+    if (!bell) return failure(std::string("rtm: ") + std::strerror(errno));
+    const int rings = bell.get();
+    std::unique_ptr<RunRtm> rtm(new RunRtm(std::move(bell)));
+    RunningSystem& live = loop.live();
+    auto server =
+        openrtm::RtmServer::open({.system = [&live]() -> const System& { return live.system(); },
+                                  .spec = [&live]() -> const SystemSpec& { return live.spec(); },
+                                  .starts = [&live] { return live.starts(); },
+                                  .act = [&live](const Act& act, const Actor& who) { return live.act(act, who); },
+                                  .say =
+                                      [&live, log = std::move(log)](bool is_problem, const std::string& text) {
+                                          const LogLevel level = is_problem ? LogLevel::warn : LogLevel::info;
+                                          log({level, live.system().now().seconds, "", text, live.starts()});
+                                      },
+                                  .wake =
+                                      [rings] {
+                                          const std::uint64_t one = 1;
+                                          // Full, it is readable as well.
+                                          if (write(rings, &one, sizeof one) < 0) return;
+                                      }});
+    if (!server) return Unexpected(server.error());
+    rtm->server_ = std::move(*server);
+    loop.before_tick([its = rtm.get()] { its->server_->before_tick(); });
+    loop.after_tick([its = rtm.get()] { its->server_->after_tick(); });
+    return rtm;
+}
+
+std::future<Expected<std::string>> RunRtm::ask(const PeerWish& wish) {
+    using What = openrtm::RtcRequest::What;
+    const auto to_be_done = [&]() -> std::optional<What> {
+        switch (wish.what) {
+            case PeerWish::What::look: break;
+            case PeerWish::What::activate: return What::activate;
+            case PeerWish::What::deactivate: return What::deactivate;
+            case PeerWish::What::reset: return What::reset;
+            case PeerWish::What::use: return What::use;
+            case PeerWish::What::configure: return What::set;
+        }
+        return std::nullopt;
+    };
+    openrtm::PeerQuestion question{.name = wish.name};
+    if (const auto what = to_be_done()) {
+        question.request = openrtm::RtcRequest{.what = *what, .set = wish.set};
+        for (const auto& [name, value] : wish.values)
+            question.request->values.emplace_back(name, openrtm::to_rtc_text(value));
+    }
+    return server_->ask(std::move(question));
+}
+
+std::future<Expected<std::string>> refused_peers() {
+    std::promise<Expected<std::string>> refused;
+    refused.set_value(failure("this system is not among RTCs: write rtm { export = ... } in its file"));
+    return refused.get_future();
+}
+
+bool RunRtm::serve(Pacer::Clock::time_point /*until*/) {
+    std::uint64_t rings = 0;
+    if (read(bell_.get(), &rings, sizeof rings) < 0 && errno != EAGAIN) return false;
+    server_->serve();
+    return false;
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,105 @@
+// Where the page's files are, and which port is free.
+#include "bindings/cli/run/web.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "bindings/cli/base/environment.hpp"
+#include "bindings/cli/base/version.hpp"
+#include "bindings/terminal/input_history.hpp"
+#include "bindings/web/certificate.hpp"
+#include "bindings/web/qr_code.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+// So many ports are tried, from the one that is wanted on.
+constexpr int most_ports = 20;
+
+bool is_set(const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+}
+
+// Asks the desktop, if there is one, and waits for nothing.
+void show_in_browser(const std::filesystem::path& file) {
+    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return;
+    const pid_t child = fork();
+    if (child < 0) return;
+    if (child == 0) {
+        // The grandchild is nobody's to wait for.
+        if (setsid() < 0 || fork() != 0) _exit(0);
+        const int nothing = ::open("/dev/null", O_RDWR);
+        for (const int file_of_ours : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, file_of_ours);
+        execlp("xdg-open", "xdg-open", file.c_str(), static_cast<char*>(nullptr));
+        _exit(1);
+    }
+    waitpid(child, nullptr, 0);
+}
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+}  // namespace
+
+RunWeb::RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint)
+    : loop_(loop), console_(console), server_(std::move(server)), fingerprint_(std::move(fingerprint)) {
+    console_.show_status_by([this](const std::string& text, bool running) { server_->show_status(text, running); });
+}
+
+RunWeb::~RunWeb() { console_.show_status_by({}); }
+
+Expected<std::unique_ptr<RunWeb>> RunWeb::open(RunLoop& loop, RunConsole& console, const Web& web) {
+    const auto folders = installed_folders();
+    web::WebOptions options{.page = folders.empty() ? std::filesystem::path() : folders.front() / "bindings/web/page",
+                            .version = version()};
+    options.sockets.first_port = web.port;
+    options.sockets.ports = std::min(most_ports, 65536 - web.port);
+    std::string fingerprint;
+    if (!web.listen.empty()) {
+        if (history_path().empty()) return failure("a certificate needs a folder of yours: set HOME");
+        const auto certificate =
+            web::find_certificate({.folder = history_path().parent_path(), .address = web.listen, .host = host_name()});
+        if (!certificate) return Unexpected(certificate.error());
+        options.sockets.address = web.listen;
+        options.sockets.certificate = certificate->file;
+        options.sockets.key = certificate->key;
+        fingerprint = certificate->fingerprint;
+    }
+    auto server = web::WebServer::open(loop.live(), loop, console.server(), options);
+    if (!server) return Unexpected(server.error());
+    std::unique_ptr<RunWeb> run(new RunWeb(loop, console, std::move(*server), std::move(fingerprint)));
+    // Without it the page is as good, and other pages do not tell of it.
+    auto entry = web::PageEntry::open({.name = loop.live().file().stem().string(),
+                                       .process = getpid(),
+                                       .url = run->server_->url(),
+                                       .view_url = run->server_->view_url()});
+    if (entry) run->entry_.emplace(std::move(*entry));
+    if (web.open && run->entry_) show_in_browser(run->entry_->file());
+    return run;
+}
+
+std::string RunWeb::where() const {
+    std::string text = "in a browser: " + url();
+    if (!fingerprint_.empty())
+        text += "\nits certificate is this computer's own: a browser that warns must show the fingerprint (SHA-256)\n" +
+                fingerprint_;
+    return text;
+}
+
+std::string RunWeb::picture() const {
+    if (fingerprint_.empty()) return "";
+    const auto code = web::qr_code(url());
+    return code ? *code : code.error().message + "\n";
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,47 @@
+// The page for browsers of `nezumi run`.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bindings/cli/run/console.hpp"
+#include "bindings/cli/run/options.hpp"
+#include "bindings/web/page_directory.hpp"
+#include "bindings/web/web_server.hpp"
+#include "engine/live/run_loop.hpp"
+
+namespace nezumi::cli {
+
+class RunWeb final : public Attendant {
+public:
+    /// Begins to serve. Loop and console must outlive it. The error says why it can't.
+    static Expected<std::unique_ptr<RunWeb>> open(RunLoop& loop, RunConsole& console, const Web& web);
+    ~RunWeb() override;
+    RunWeb(const RunWeb&) = delete;
+    RunWeb& operator=(const RunWeb&) = delete;
+
+    /// Where it is, with the token that lets somebody act.
+    std::string url() const { return server_->url(); }
+    /// That for people, and where other computers are let in the fingerprint of the certificate.
+    std::string where() const;
+    /// The address for a phone's camera, lines for a terminal; "" where only this computer is let in.
+    std::string picture() const;
+    void log(const LogLine& line) { server_->log(line); }
+    void say(const std::string& text) { server_->say(text); }
+
+    bool serve(Pacer::Clock::time_point until) override { return server_->serve(until, loop_.lateness().latest()); }
+    void add_files(std::vector<int>& files) const override { server_->add_files(files); }
+
+private:
+    RunWeb(RunLoop& loop, RunConsole& console, std::unique_ptr<web::WebServer> server, std::string fingerprint);
+
+    RunLoop& loop_;
+    RunConsole& console_;
+    std::unique_ptr<web::WebServer> server_;
+    std::optional<web::PageEntry> entry_;
+    std::string fingerprint_;  // of the certificate; "" for none
+};
+
+}  // namespace nezumi::cli

@@ -1,0 +1,91 @@
+// A value that was forgotten, or a name that was taken twice, costs a line and no file.
+#include "bindings/cli/shell/command_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+const Option* find_option(const SubCommand& command, const std::string& word) {
+    for (const Option& option : command.options) {
+        const auto names = names_of(option);
+        if (!is_positional(option) && std::find(names.begin(), names.end(), word) != names.end()) return &option;
+    }
+    return nullptr;
+}
+
+// "--trace-hash", known or not; a comment of Lua, as in --eval '-- none', is no option.
+bool is_option(const SubCommand& command, const std::string& word) {
+    const bool is_long = word.size() > 2 && word.starts_with("--") &&
+                         std::isalpha(static_cast<unsigned char>(word[2])) &&
+                         word.find_first_of(" \t\n") == std::string::npos;
+    return is_long || word == "-h" || find_option(command, word) != nullptr;
+}
+
+std::string file_of(const Option& option) {
+    const auto* const text = std::get_if<std::string*>(&option.value);
+    return text != nullptr ? **text : "";
+}
+
+// A name without links, also of what is not there yet.
+std::filesystem::path place_of(const std::string& file) {
+    std::error_code problem;
+    auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(file, problem), problem);
+    return problem ? std::filesystem::path(file) : place;
+}
+
+// Devices and pipes lose nothing.
+bool is_lost_by_writing(const std::string& file) {
+    std::error_code none;
+    const auto status = std::filesystem::status(file, none);
+    return std::filesystem::is_regular_file(status) || !std::filesystem::exists(status);
+}
+
+bool is_same(const std::string& a, const std::string& b) {
+    std::error_code none;
+    return place_of(a) == place_of(b) || std::filesystem::equivalent(a, b, none);
+}
+
+}  // namespace
+
+std::string missing_value(const SubCommand& command, const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i + 1 < words.size() && words[i] != "--"; ++i) {
+        const Option* const option = find_option(command, words[i]);
+        if (option == nullptr || !takes_value(*option)) continue;
+        const std::string& value = words[++i];
+        if (is_option(command, value))
+            return fmt::format("{}: its value is missing (got the option {})", words[i - 1], shown(value));
+    }
+    return "";
+}
+
+std::string lost_file(const SubCommand& command) {
+    for (const Option& option : command.options) {
+        const std::string file = file_of(option);
+        if (option.file != FileUse::result || file.empty() || !is_lost_by_writing(file)) continue;
+        const std::string name = names_of(option).back();
+        if (file.ends_with(".lua") || place_of(file).extension() == ".lua")
+            return fmt::format("{}: '{}' is a script's name, and a result would take its place: choose another ending",
+                               name, shown(file));
+        for (const Option& other : command.options) {
+            if (&other == &option || other.file == FileUse::none || file_of(other).empty()) continue;
+            if (!is_same(file, file_of(other))) continue;
+            return other.file == FileUse::result
+                       ? fmt::format("{} and {} would write the same file, '{}': give each its own", name,
+                                     names_of(other).back(), shown(file))
+                       : fmt::format("{} would write over '{}', which {} reads: give it another file", name,
+                                     shown(file), names_of(other).back());
+        }
+    }
+    return "";
+}
+
+}  // namespace nezumi::cli

@@ -1,0 +1,85 @@
+// Records every world from its first tick on, and draws it when the run is over.
+#include "bindings/cli/test/scenario_files.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings/cli/run/recorder.hpp"
+#include "bindings/draw/picture.hpp"
+#include "bindings/draw/trajectories.hpp"
+
+namespace nezumi::cli {
+namespace {
+
+class ScenarioFiles final : public RunFiles {
+public:
+    explicit ScenarioFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    void begin(std::size_t world, RunningSystem& live) override {
+        const std::string number = world == 0 ? "" : fmt::format("_{}", world + 1);
+        worlds_.push_back({"trace" + number + ".csv", "picture" + number + ".png", live});
+    }
+
+    // The trace begins with the first tick: until then words add to the world.
+    void after_tick(std::size_t world) override {
+        World& kept = worlds_[world];
+        const System& system = kept.live.system();
+        if (!std::exchange(kept.begun, true)) {
+            auto opened = Recorder::open((folder_ / kept.trace).string(), kept.live.trace(), system, {});
+            if (opened) {
+                kept.recorder.emplace(std::move(*opened));
+            } else if (!problem_) {
+                problem_ = opened.error();
+            }
+        }
+        if (kept.recorder) kept.recorder->add_rows(system);
+        kept.trajectories.add(system, kept.live.trace());
+    }
+
+    Kept finish(const std::string& title) override {
+        Kept kept;
+        const auto take = [&kept](const std::string& name, const Expected<void>& written) {
+            if (written) {
+                kept.names.push_back(name);
+            } else {
+                kept.problems.push_back(written.error());
+            }
+        };
+        if (problem_) kept.problems.push_back(*problem_);
+        for (World& world : worlds_) {
+            if (world.recorder) take(world.trace, world.recorder->finish());
+            // Without simulated robots there is nothing to be seen.
+            const System& system = world.live.system();
+            if (!world.begun || system.world() == nullptr || system.robots().empty()) continue;
+            take(world.picture, draw::draw_picture(draw::look_at(world.live, world.trajectories, title),
+                                                   (folder_ / world.picture).string()));
+        }
+        return kept;
+    }
+
+private:
+    struct World {
+        std::string trace;
+        std::string picture;
+        RunningSystem& live;
+        std::optional<Recorder> recorder{};
+        draw::Trajectories trajectories{};
+        bool begun = false;  // it has ticked
+    };
+
+    std::filesystem::path folder_;
+    std::vector<World> worlds_;
+    std::optional<Error> problem_;
+};
+
+}  // namespace
+
+std::unique_ptr<RunFiles> scenario_files(const std::filesystem::path& folder) {
+    return std::make_unique<ScenarioFiles>(folder);
+}
+
+}  // namespace nezumi::cli

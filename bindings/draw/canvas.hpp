@@ -1,0 +1,75 @@
+// A sheet to draw on with cairo, written to a file as PNG or SVG.
+#pragma once
+
+#include <cairo.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "engine/base/error.hpp"
+#include "engine/ports/messages.hpp"
+
+namespace nezumi::draw {
+
+struct Colour {
+    double red = 0, green = 0, blue = 0, alpha = 1;  ///< 0 to 1
+    Colour with_alpha(double a) const { return {red, green, blue, a}; }
+    /// Towards black (`amount` < 0) or white (> 0), by at most 1.
+    Colour shaded(double amount) const;
+};
+
+/// "#rrggbb", or a grey for anything else.
+Colour colour_of(std::string_view text);
+/// Colours that go together and that colour-blind people can tell apart, again from the first after the last.
+Colour series_colour(std::size_t index);
+
+namespace ink {
+inline constexpr Colour paper{1, 1, 1};
+inline constexpr Colour text{0.13, 0.16, 0.20};
+inline constexpr Colour faint{0.45, 0.49, 0.54};
+}  // namespace ink
+
+/// What cairo writes a file with: appends to the std::string at `text`.
+cairo_status_t append_to_string(void* text, const unsigned char* data, unsigned int length);
+
+class Canvas {
+public:
+    /// `file` ends in .png or .svg, which decides what is drawn; nothing is written before `write`. Sizes in pixels.
+    Canvas(std::string file, double width, double height);
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+
+    cairo_t* context() { return context_.get(); }
+    double width() const { return width_; }
+    double height() const { return height_; }
+
+    void set(const Colour& colour) {
+        cairo_set_source_rgba(context(), colour.red, colour.green, colour.blue, colour.alpha);
+    }
+    /// Text in the present units' pixels; `anchor` 0 begins at x, 0.5 is centred on it, 1 ends there.
+    void text(double x, double y, const std::string& words, double size, const Colour& colour, double anchor = 0,
+              bool bold = false);
+    /// A picture's file, as large as this, its pixels sharp; nothing when it can't be read.
+    void image(const std::string& file, double x, double y, double width, double height);
+    double text_width(const std::string& words, double size, bool bold = false);
+
+    /// Completes the drawing and writes the file, or says why not and leaves none.
+    Expected<void> write();
+
+private:
+    struct Release {
+        void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+        void operator()(cairo_t* context) const { cairo_destroy(context); }
+    };
+    void choose_font(double size, bool bold);
+
+    std::string file_;
+    bool svg_;
+    double width_, height_;
+    std::string bytes_;  // of the file; before what writes into it
+    std::unique_ptr<cairo_surface_t, Release> surface_;
+    std::unique_ptr<cairo_t, Release> context_;
+};
+
+}  // namespace nezumi::draw

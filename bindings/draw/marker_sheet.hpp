@@ -1,0 +1,15 @@
+// Markers on paper: a page for each, to scale.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bindings/draw/paper.hpp"
+#include "engine/base/error.hpp"
+
+namespace nezumi::draw {
+
+/// A PDF with a page for each marker; `size` [m] is the edge of the black border, at most `largest_marker`.
+Expected<std::string> marker_pdf(const Paper& paper, const std::vector<int>& ids, double size);
+
+}  // namespace nezumi::draw

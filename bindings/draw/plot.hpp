@@ -1,0 +1,39 @@
+// Values of ports over time, drawn to a file: with limits as lines across and moments as lines down.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/error.hpp"
+
+namespace nezumi::draw {
+
+struct Plot {
+    struct Point {
+        double seconds;  ///< simulated time
+        double value;    ///< one that is not finite leaves a gap
+    };
+    struct Series {
+        std::string name;           ///< as in "mouse.ir_sensor_out[1]"
+        std::vector<Point> points;  ///< in the order of time
+    };
+    struct Limit {
+        std::string name;  ///< "" for none
+        double value;
+    };
+    struct Moment {
+        std::string name;
+        double seconds;
+    };
+
+    std::string title;
+    std::vector<Series> series;
+    std::vector<Limit> limits;
+    std::vector<Moment> moments;
+};
+
+/// Draws it to a file that ends in .png or .svg. An error says why it can't be written; then there is no file.
+Expected<void> draw_plot(const Plot& plot, const std::string& file);
+
+}  // namespace nezumi::draw

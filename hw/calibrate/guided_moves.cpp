@@ -1,0 +1,62 @@
+// Braking begins where it will end at the goal: v^2 / 2a before it.
+#include "hw/calibrate/guided_moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace nezumi::hw {
+namespace {
+
+constexpr double least_move = 5e-4;  // [m], [rad]: less is no more than a pulse of a stepping motor
+constexpr double move_patience = 2;  // times as long as it should take, and two seconds
+
+// `moved` says how far it has come of `amount`.
+Expected<void> move(GuidedRobot& robot, double amount, double fastest, double limit, double deceleration,
+                    const std::function<Velocity2D(double signed_speed)>& velocity,
+                    const std::function<double()>& moved, const GuidedRobot::EachTick& each_tick) {
+    if (std::abs(amount) < least_move) return {};
+    const double size = std::abs(amount);
+    // No faster than it can brake halfway.
+    const double speed = std::min({fastest, limit, std::sqrt(size * deceleration)});
+    const double braking = speed * speed / (2 * deceleration);
+    const double seconds = move_patience * (size / speed + speed / deceleration) + 2;
+    bool is_there = false;
+    auto driven = robot.drive(
+        velocity(std::copysign(speed, amount)), seconds,
+        [&] {
+            is_there = moved() >= size - braking;
+            return is_there;
+        },
+        each_tick);
+    if (!driven) return driven;
+    if (is_there) return {};
+    robot.rest();
+    return failure("the robot does not move as it is told: nezumi doctor says why, or its wheel counters are silent");
+}
+
+}  // namespace
+
+Expected<void> go(GuidedRobot& robot, double distance, const Pace& pace, const GuidedRobot::EachTick& each_tick) {
+    const Limits& limits = robot.robot().guard().limits();
+    const Point2D start = robot.robot().odometry().pose().position;
+    return move(
+        robot, distance, pace.speed, limits.speed, limits.acceleration,
+        [](double speed) { return Velocity2D{.vx = speed}; },
+        [&] {
+            const Point2D now = robot.robot().odometry().pose().position;
+            return std::hypot(now.x - start.x, now.y - start.y);
+        },
+        each_tick);
+}
+
+Expected<void> turn(GuidedRobot& robot, double angle, const Pace& pace, const GuidedRobot::EachTick& each_tick) {
+    const Limits& limits = robot.robot().guard().limits();
+    const double start = robot.robot().odometry().pose().heading;
+    return move(
+        robot, angle, pace.yaw_rate, limits.yaw_rate, limits.yaw_acceleration,
+        [](double rate) { return Velocity2D{.va = rate}; },
+        [&] { return std::abs(robot.robot().odometry().pose().heading - start); }, each_tick);
+}
+
+}  // namespace nezumi::hw

@@ -1,0 +1,63 @@
+// Slowly, a second for each: the left wheel forward and back, then the right one.
+#include "hw/calibrate/move_check.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "hw/calibrate/travel_recorder.hpp"
+
+namespace nezumi::hw {
+namespace {
+
+constexpr double rim_speed = 0.05;  // [m/s]
+constexpr double seconds = 1;
+constexpr double tolerance = 0.4;  // of the way: speeding up and braking are in it
+
+Finding judged(const std::string& what, double wanted, double own, double other) {
+    using enum Finding::State;
+    const std::string found = fmt::format("{}: {:.3f} m counted, {:.3f} m expected", what, own, wanted);
+    if (std::abs(own - wanted) > tolerance * std::abs(wanted))
+        return {"wheels", wrong, found,
+                std::abs(own) < 0.1 * std::abs(wanted)
+                    ? "its counter or its motor is not connected: look at their cables"
+                    : "look at its motor's cables: left and right, or forward and backward, are exchanged"};
+    if (std::abs(other) > tolerance * std::abs(wanted))
+        return {"wheels", wrong, fmt::format("{}: the other wheel turned by {:.3f} m", what, other),
+                "look at the motors' cables: left and right are exchanged"};
+    return {"wheels", good, found, ""};
+}
+
+}  // namespace
+
+Expected<Findings> check_moves(GuidedRobot& robot, const std::function<void(const std::string& text)>& tell) {
+    Findings findings;
+    const double track = robot.robot().spec().drive.track;
+    for (const bool is_left : {true, false}) {
+        for (const bool is_forward : {true, false}) {
+            const double speed = is_forward ? rim_speed : -rim_speed;
+            // The other wheel stands: the robot would turn about it.
+            const Velocity2D velocity{.vx = speed / 2, .va = (is_left ? -speed : speed) / track};
+            const std::string what =
+                fmt::format("{} wheel {}", is_left ? "left" : "right", is_forward ? "forward" : "backward");
+            tell(what);
+            TravelRecorder recorder(robot.robot());
+            if (auto driven = robot.drive(velocity, seconds, {}, [&] { recorder.sample(); }); !driven)
+                return Unexpected(driven.error());
+            if (auto stood = robot.stand(0.2, [&] { recorder.sample(); }); !stood) return Unexpected(stood.error());
+            Wheels sum;
+            for (const Wheels& step : recorder.take()) {
+                sum.left += step.left;
+                sum.right += step.right;
+            }
+            findings.push_back(
+                judged(what, speed * seconds, is_left ? sum.left : sum.right, is_left ? sum.right : sum.left));
+        }
+    }
+    robot.rest();
+    tell("Did each wheel turn as it was said? The counters see what the motors are told, not what they do.");
+    return findings;
+}
+
+}  // namespace nezumi::hw

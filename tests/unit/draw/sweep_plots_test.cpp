@@ -1,0 +1,97 @@
+// Measures over the parameters of a sweep: which plots there are, what they group, what they draw.
+#include "bindings/draw/sweep_plots.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/unit/cli/run_program.hpp"
+#include "tests/unit/file_text.hpp"
+#include "tests/unit/lua/scratch_folder.hpp"
+
+using namespace nezumi;
+using namespace nezumi::draw;
+
+namespace {
+
+MeasuredRun run(const std::string& speed, const std::string& kind, double time) {
+    const auto value = [](const std::string& text) { return SweepValue{.data = {}, .text = text}; };
+    return {.scenario = "drives",
+            .name = "",
+            .point = {{"kind", value(kind)}, {"speed", value(speed)}},
+            .passed = true,
+            .measures = {{"time", time, "s"}}};
+}
+
+}  // namespace
+
+TEST_CASE("there is a plot for each measure over each parameter that has several values", "[draw][plot]") {
+    const auto plots = sweep_plots({run("0.2", "a", 5), run("0.1", "a", 7), run("0.1", "a", 1), run("0.1", "a", 3)});
+    REQUIRE(plots.size() == 1);  // kind is always the same
+    const SweepPlot& plot = plots.front();
+    CHECK(plot.title == "drives: time over speed");
+    CHECK(plot.measure == "time [s]");
+    CHECK(plot.file == "drives-time-over-speed.svg");
+    CHECK(plot.is_numeric);
+    CHECK(plot.points.size() == 4);
+    REQUIRE(plot.groups.size() == 2);
+    CHECK(plot.groups[0].at == 0.1);
+    CHECK(plot.groups[0].sorted == std::vector<double>{1, 3, 7});
+    CHECK(plot.groups[1].sorted == std::vector<double>{5});
+    CHECK(sweep_plots({}).empty());
+}
+
+TEST_CASE("values that are no numbers stand side by side", "[draw][plot]") {
+    const auto plots = sweep_plots({run("1", "slow", 1), run("1", "fast", 2), run("1", "slow", 0)});
+    REQUIRE(plots.size() == 1);
+    CHECK_FALSE(plots[0].is_numeric);
+    REQUIRE(plots[0].groups.size() == 2);
+    CHECK(plots[0].groups[0].label == "slow");
+    CHECK(plots[0].groups[0].sorted == std::vector<double>{0, 1});
+    CHECK(plots[0].groups[1].at == 1);
+}
+
+TEST_CASE("many different numbers are put together in ranges", "[draw][plot]") {
+    std::vector<MeasuredRun> runs;
+    for (int i = 0; i <= 100; ++i) runs.push_back(run(std::to_string(i), "a", i));
+    const auto plots = sweep_plots(runs);
+    REQUIRE(plots.size() == 1);
+    REQUIRE(plots[0].groups.size() == 10);
+    CHECK(plots[0].groups[0].at == 5);
+    CHECK(plots[0].groups[0].sorted.size() == 10);
+    CHECK(plots[0].groups[9].sorted.size() == 11);  // the greatest belongs to the last
+    CHECK(plots[0].points.size() == 101);
+}
+
+TEST_CASE("a plot is SVG, or an error and no file", "[draw][plot]") {
+    const Scratch scratch;
+    for (const auto& runs : {std::vector<MeasuredRun>{run("1", "a", 2), run("2", "a", 2)},
+                             std::vector<MeasuredRun>{run("1", "a", 1e300), run("1", "b", -1e300), run("1", "b", 0)}}) {
+        const auto plots = sweep_plots(runs);
+        REQUIRE(plots.size() == 1);
+        REQUIRE(draw_sweep_plot(plots[0], scratch.path("")));
+        const std::string svg = text_of_file(scratch.path(plots[0].file));
+        CHECK(svg.starts_with("<?xml"));
+        CHECK(svg.find("nan") == std::string::npos);
+        CHECK(svg.find("inf") == std::string::npos);
+        CHECK_FALSE(draw_sweep_plot(plots[0], scratch.path("none")));
+    }
+}
+
+TEST_CASE("nezumi test --plots draws what was measured over what was swept", "[draw][test][plot]") {
+    const Scratch scratch;
+    scratch.write("it_test.lua",
+                  "scenario('it', { sweep = { x = { 1, 2, 3 } } }, function(s, p) s:measure('square', p.x * p.x) end)\n"
+                  "scenario('alone', function(s) s:measure('one', 1) end)\n");
+    const auto test = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"test", "it_test.lua"});
+        return run_nezumi(std::move(words), scratch.path("").string());
+    };
+    CHECK(test({"--plots", "deep/plots"}).status == 0);
+    CHECK(text_of_file(scratch.path("deep/plots/it-square-over-x.svg")).starts_with("<?xml"));
+    CHECK(test({"--plots", "none", "--filter", "alone"}).error ==
+          "nezumi: --plots: nothing was measured over a swept parameter\n");
+    CHECK(test({"--plots", "it_test.lua/x"}).error == "it_test.lua/x: can't be made: Not a directory\n");
+}
