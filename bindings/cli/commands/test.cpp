@@ -43,6 +43,7 @@ struct TestOptions {
     bool list = false;
     std::optional<std::uint64_t> seed, repeat, jobs;
     std::string junit;
+    std::string seeds, paired;
     std::string measures;
     std::string plots;
     bool tap = false;
@@ -148,6 +149,8 @@ Expected<void> check_options(const TestOptions& command) {
         ok = refuse_given({{"--filter", !command.filter.empty()},
                            {"--list", command.list},
                            {"--seed", command.seed.has_value()},
+                           {"--seeds", !command.seeds.empty()},
+                           {"--paired", !command.paired.empty()},
                            {"--repeat", command.repeat.has_value()},
                            {"--jobs", command.jobs.has_value()},
                            {"-o", command.folder != usual_folder},
@@ -182,8 +185,7 @@ int finish(const TestOptions& command, const SessionEnd& end) {
         if (auto ok = write_whole(command.junit, junit_text(end.reports, end.summary)); !ok) return refuse(ok.error());
     }
     if (!command.measures.empty()) {
-        if (auto ok = write_whole(command.measures, measures_csv(end.measured, end.summary.seed)); !ok)
-            return refuse(ok.error());
+        if (auto ok = write_whole(command.measures, measures_csv(end.measured)); !ok) return refuse(ok.error());
     }
     if (!command.plots.empty()) {
         const auto plots = draw::sweep_plots(end.measured);
@@ -219,6 +221,9 @@ int test(const TestOptions& command) {
     options.systems = simulated_systems;
     options.files = scenario_files;
     if (auto ready = choose_robots(command, options); !ready) return refuse(ready.error());
+    if (!command.paired.empty()) options.words += " --paired " + shell_text(command.paired);
+    const auto seeds = read_seeds(command.seeds);
+    if (!seeds) return refuse(seeds.error());
     const auto shard = read_shard(command.shard);
     if (!shard) return refuse(shard.error());
     options.shard = *shard;
@@ -229,8 +234,12 @@ int test(const TestOptions& command) {
         if (!kept) return refuse(kept.error());
         session = [&paths, kept = std::move(*kept)](Reporter& reporter) { return merge_tests(kept, paths, reporter); };
     } else {
-        auto plan = plan_tests(
-            {.paths = paths, .filter = command.filter, .seed = options.seed, .installed = options.installed});
+        auto plan = plan_tests({.paths = paths,
+                                .filter = command.filter,
+                                .seed = options.seed,
+                                .installed = options.installed,
+                                .seeds = *seeds,
+                                .paired = command.paired});
         if (!plan) return refuse(plan.error());
         if (command.list) return list(*plan, options.shard);
         if (auto one = check_is_one(command, *plan); !one) return refuse(one.error());
@@ -273,8 +282,15 @@ SubCommand test_command() {
             {{"[PATHS]", &options->paths, "scenario files, and folders that are searched for *_test.lua"},
              {"--filter", &options->filter, "only runs whose name contains this; a whole name means only that", "TEXT"},
              {"--list", &options->list, "show the names of the runs and where they are, and run nothing"},
-             {"--seed", &options->seed, "decides everything that is drawn at random (default 124)", "N",
-              whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1")},
+             {"--seed", &options->seed,
+              "decides everything that is drawn at random: each run's own seed is made of it and the run's name "
+              "(default 124)",
+              "N", whole_number(0, std::numeric_limits<std::uint64_t>::max(), "2^64 - 1")},
+             {"--seeds", &options->seeds, "make each combination with each of these seeds, whatever its scenario says",
+              "A..B"},
+             {"--paired", &options->paired,
+              "runs that differ in this key of their sweep alone have the same seed; shows what lies between them",
+              "NAME"},
              {"--repeat", &options->repeat, "make each run so often (default 1); all must have the same trace hash",
               "N", whole_number(1, 1'000'000, "1000000")},
              {"--jobs", &options->jobs,
