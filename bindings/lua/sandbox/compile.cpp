@@ -7,8 +7,8 @@
 #include <charconv>
 #include <utility>
 
-#include "bindings/lua/sandbox/lexer.hpp"
 #include "bindings/lua/sandbox/state.hpp"
+#include "bindings/lua/syntax/lexer.hpp"
 #include "engine/base/visible.hpp"
 
 namespace nezumi {
@@ -108,7 +108,7 @@ tl::expected<Chunk, std::vector<Error>> compile_checked(std::string_view source,
                                                         const KnownGlobals& known) {
     auto chunk = compile(source, file);
     if (!chunk) return tl::unexpected(std::vector<Error>{chunk.error()});
-    std::vector<Error> errors = check_globals(source, file, known);
+    std::vector<Error> errors = check_globals(SyntaxTree(without_preamble(source)), file, known);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return std::move(*chunk);
 }
