@@ -13,10 +13,27 @@
 namespace nezumi {
 namespace {
 
+// Globals that a person may expect in a behaviour, beside those of Lua, and what there is instead.
+constexpr std::string_view of_system_files = "it is of system files, and this is to be a behaviour";
+constexpr std::array instead{
+    Instead{"os", "the time is now(); there are no files and no processes"},
+    Instead{"io", "`log` writes lines, and `nezumi run --record` what ports carry"},
+    Instead{"debug", "`print` and the console show values"},
+    Instead{"sleep", "`wait(seconds)` waits, in a task: task(\"name\", function() ... end)"},
+    Instead{"self", "a behaviour is its file: parameters are in `config`, what is kept in `state` and locals"},
+    Instead{"arena", of_system_files},
+    Instead{"robot", of_system_files},
+    Instead{"behavior", of_system_files},
+    Instead{"component", of_system_files},
+    Instead{"connect", of_system_files},
+};
+
 const KnownGlobals& known_globals(ScriptKind kind) {
     static const KnownGlobals components = [] {
-        KnownGlobals known{script_globals(), hook_names()};
-        known.readable.insert(known.readable.end(), sandbox_names().begin(), sandbox_names().end());
+        KnownGlobals known = sandbox_globals();
+        known.readable.insert(known.readable.end(), script_globals().begin(), script_globals().end());
+        known.callbacks = hook_names();
+        known.instead.insert(known.instead.end(), instead.begin(), instead.end());
         return known;
     }();
     static const KnownGlobals modules = [] {
@@ -41,52 +58,14 @@ void find_local_callbacks(const SyntaxTree& tree, const std::string& file, std::
     }
 }
 
+// Each `config.NAME` that the text reads or sets.
 std::vector<ParameterUse> parameter_uses(const SyntaxTree& tree) {
     std::vector<ParameterUse> uses;
-    for (const SyntaxNode& node : tree.nodes()) {
-        if (!node.is(SyntaxNode::Kind::member) || !node.child->is_global("config")) continue;
-        uses.push_back({std::string(node.word_text()), node.word->line, node.word->column});
+    for (const GlobalUse& use : global_uses(tree)) {
+        const auto field = use.name() == "config" ? field_of(*use.node) : std::nullopt;
+        if (field) uses.push_back({std::string(field->name), field->place->line, field->place->column});
     }
     return uses;
-}
-
-// Globals that a person may expect here, and what there is instead.
-struct Instead {
-    std::string_view name;
-    std::string_view hint;
-};
-constexpr std::string_view of_system_files = "it is of system files, and this is to be a behaviour";
-constexpr std::string_view no_loading = "code comes from files, by `require`";
-constexpr std::array instead{
-    Instead{"os", "the time is now(); there are no files and no processes"},
-    Instead{"io", "`log` writes lines, and `nezumi run --record` what ports carry"},
-    Instead{"debug", "`print` and the console show values"},
-    Instead{"sleep", "`wait(seconds)` waits, in a task: task(\"name\", function() ... end)"},
-    Instead{"self", "a behaviour is its file: parameters are in `config`, what is kept in `state` and locals"},
-    Instead{"load", no_loading},
-    Instead{"loadfile", no_loading},
-    Instead{"dofile", no_loading},
-    Instead{"loadstring", no_loading},
-    Instead{"package", no_loading},
-    Instead{"unpack", "it is table.unpack in Lua 5.4"},
-    Instead{"collectgarbage", "memory is collected by itself"},
-    Instead{"arena", of_system_files},
-    Instead{"robot", of_system_files},
-    Instead{"behavior", of_system_files},
-    Instead{"component", of_system_files},
-    Instead{"connect", of_system_files},
-};
-
-void explain_unknown_globals(std::vector<Error>& errors) {
-    for (Error& error : errors) {
-        constexpr std::string_view begin = "unknown global '";
-        if (!error.message.starts_with(begin)) continue;
-        const std::string name =
-            error.message.substr(begin.size(), error.message.find('\'', begin.size()) - begin.size());
-        const auto* found =
-            std::find_if(instead.begin(), instead.end(), [&](const Instead& i) { return i.name == name; });
-        if (found != instead.end()) error.message = std::string(begin) + name + "': " + std::string(found->hint);
-    }
 }
 
 }  // namespace
@@ -102,7 +81,6 @@ tl::expected<ScriptCode, std::vector<Error>> compile_script(const SourceText& so
             return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
         });
     }
-    explain_unknown_globals(errors);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return ScriptCode{std::move(*chunk), parameter_uses(tree)};
 }

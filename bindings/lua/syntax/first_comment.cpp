@@ -20,7 +20,7 @@ std::string first_comment(std::string_view source) {
     for (Token token = lexer.next(); token.kind == Token::Kind::comment; token = lexer.next()) {
         std::string_view said = token.text;
         if (token.line > line + 1 && !text.empty()) break;
-        if (said.starts_with("--[[") || said.starts_with("--[=")) break;
+        if (token.is_long()) break;
         said.remove_prefix(std::min(said.find_first_not_of('-'), said.size()));
         said = trimmed(said);
         if (text.size() + said.size() >= most) break;

@@ -2,6 +2,7 @@
 #include "bindings/lua/syntax/globals.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace nezumi {
 namespace {
@@ -10,6 +11,12 @@ constexpr std::string_view environment = "_ENV";
 
 bool contains(const std::vector<std::string_view>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+template <class Named>
+const Named* find(const std::vector<Named>& list, std::string_view name) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Named& each) { return each.name == name; });
+    return found != list.end() ? &*found : nullptr;
 }
 
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
@@ -47,12 +54,31 @@ std::string complaint(const SyntaxTree& tree, const GlobalUse& use, const KnownG
         }
         return "unknown callback " + quoted(name) + " (there are " + hint + ")";
     }
+    if (const Instead* const instead = find(known.instead, name))
+        return "unknown global " + quoted(name) + ": " + std::string(instead->hint);
     std::vector<std::string_view> candidates = locals_at(tree, use.node->first);
     candidates.insert(candidates.end(), known.readable.begin(), known.readable.end());
     if (has_callbacks) candidates.insert(candidates.end(), known.callbacks.begin(), known.callbacks.end());
     std::string hint = did_you_mean(name, candidates);
     if (hint.empty() && use.assigned) hint = " (declare it first: local " + std::string(name) + ")";
     return "unknown global " + quoted(name) + hint;
+}
+
+// The same of a field that is read of a library: `math.flor`. An assignment fails in any case, and says why.
+std::optional<Error> field_complaint(const GlobalUse& use, const KnownGlobals& known) {
+    const KnownLibrary* const library = find(known.libraries, use.name());
+    const auto field = field_of(*use.node);
+    if (library == nullptr || !field || is_assigned(*use.node->parent)) return std::nullopt;
+    const std::vector<std::string_view> fields(library->fields.begin(), library->fields.end());
+    if (contains(fields, field->name)) return std::nullopt;
+    const std::string whole = library->name + "." + shown(field->name);
+    Error error{"unknown field " + quoted(whole), {{}, field->place->line, field->place->column}};
+    if (const Instead* const instead = find(known.instead, whole)) {
+        error.message += ": " + std::string(instead->hint);
+    } else if (const std::string_view near = nearest(field->name, fields); !near.empty()) {
+        error.message += " (did you mean '" + library->name + "." + std::string(near) + "'?)";
+    }
+    return error;
 }
 
 }  // namespace
@@ -74,7 +100,12 @@ std::vector<Error> check_globals(const SyntaxTree& tree, const std::string& file
     for (const GlobalUse& use : global_uses(tree)) {
         if (errors.size() >= most) break;
         std::string text = complaint(tree, use, known);
-        if (!text.empty()) errors.push_back({std::move(text), {file, use.node->first->line, use.node->first->column}});
+        if (!text.empty()) {
+            errors.push_back({std::move(text), {file, use.node->first->line, use.node->first->column}});
+        } else if (auto error = field_complaint(use, known)) {
+            error->place.file = file;
+            errors.push_back(std::move(*error));
+        }
     }
     return errors;
 }

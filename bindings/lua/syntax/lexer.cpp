@@ -50,6 +50,12 @@ bool is_number(std::string_view text) {
 
 }  // namespace
 
+bool Token::is_long() const {
+    const std::size_t bracket = kind == Kind::comment ? 2 : 0;
+    const std::size_t second = text.find_first_not_of('=', bracket + 1);
+    return text.substr(bracket, 1) == "[" && second != std::string_view::npos && text[second] == '[';
+}
+
 std::string_view Token::inside() const {
     if (kind != Kind::string) return {};
     const std::size_t quote = text.front() == '[' ? text.find('[', 1) + 1 : 1;

@@ -18,6 +18,8 @@ struct Token {
     bool is(std::string_view word) const { return text == word && (kind == Kind::keyword || kind == Kind::sign); }
     /// A name, or a keyword that stands where a name is expected.
     bool is_word() const { return kind == Kind::name || kind == Kind::keyword; }
+    /// A string or comment in long brackets: [==[ ... ]==].
+    bool is_long() const;
     /// What a string holds, as it is written: without its quotes or brackets. Nothing for any other token.
     std::string_view inside() const;
 };

@@ -48,8 +48,7 @@ SyntaxTree::SyntaxTree(std::string_view source, Dialect dialect) : source_(sourc
         const Token token = lexer.next();
         if (token.kind == Token::Kind::comment) {
             open_comment = token.open;
-            const bool is_long = token.text.substr(2).starts_with('[') && token.text.ends_with(']');
-            ends_in_comment_ = token.open || (!is_long && token.text.end() == source.end());
+            ends_in_comment_ = token.open || (!token.is_long() && token.text.end() == source.end());
         } else {
             tokens_.push_back(token);
         }
@@ -73,6 +72,16 @@ std::optional<std::vector<std::string>> name_chain(const SyntaxNode& expression)
     chain.emplace_back(node->word->text);
     std::reverse(chain.begin(), chain.end());
     return chain;
+}
+
+std::optional<FieldName> field_of(const SyntaxNode& expression) {
+    const SyntaxNode* const parent = expression.parent;
+    if (parent == nullptr || parent->child != &expression) return std::nullopt;
+    if (parent->is(SyntaxNode::Kind::member) && parent->word != nullptr)
+        return FieldName{parent->word->text, parent->word};
+    const auto text = parent->is(SyntaxNode::Kind::subscript) ? parent->last->string() : std::nullopt;
+    if (!text || text->find('\\') != std::string_view::npos) return std::nullopt;
+    return FieldName{*text, parent->last->first};
 }
 
 bool is_assigned(const SyntaxNode& expression) {

@@ -87,8 +87,7 @@ struct SyntaxNode {
     std::optional<std::string_view> string() const;
     /// A name that means this global.
     bool is_global(std::string_view name) const;
-    /// The node that this is the only expression of, through parentheses and operators: `b` of `f(a or b)` gives the
-    /// argument.
+    /// The outermost expression that has this one as an operand: of `b` in `f(a or (b))` that is `a or (b)`.
     const SyntaxNode& operand_of() const;
 
     /// For `for (const SyntaxNode& child : node)`.
@@ -123,6 +122,8 @@ public:
 
     /// The text must outlive the tree; of a file it is that without its preamble.
     explicit SyntaxTree(std::string_view source, Dialect dialect = Dialect::lua);
+    SyntaxTree(const SyntaxTree&) = delete;  // nodes point at each other
+    SyntaxTree& operator=(const SyntaxTree&) = delete;
 
     std::string_view source() const { return source_; }
     /// All but comments; the last one is Kind::end.
@@ -159,6 +160,15 @@ private:
 
 /// The names of `controller.out`, or of `controller["out"].x`; nothing when the expression is anything else.
 std::optional<std::vector<std::string>> name_chain(const SyntaxNode& expression);
+
+/// A field by its name.
+struct FieldName {
+    std::string_view name;
+    const Token* place;
+};
+
+/// `b` of `a.b` and `a["b"]`, for the expression `a`; nothing where it is no such part.
+std::optional<FieldName> field_of(const SyntaxNode& expression);
 
 /// Whether the expression stands left of an `=`, or is what a `function a.b()` defines.
 bool is_assigned(const SyntaxNode& expression);

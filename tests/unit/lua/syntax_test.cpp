@@ -246,6 +246,13 @@ TEST_CASE("a text that breaks off is told from one that is wrong", "[lua][syntax
     }
 }
 
+TEST_CASE("a text is known to end in a comment", "[lua][syntax]") {
+    for (const char* text : {"-- a", "x = 1 --[a]", "--[[ a", "--[==[ a ]=]", "--"})
+        CHECK(SyntaxTree(text).ends_in_comment());
+    for (const char* text : {"", "-- a\n", "--[[ a ]]", "--[==[ a ]==]", "-- a\nx", "'-- a'"})
+        CHECK_FALSE(SyntaxTree(text).ends_in_comment());
+}
+
 TEST_CASE("each name means the variable that Lua would take", "[lua][syntax]") {
     CHECK(meanings("local x = x x = 1") == "x=global x=7");
     CHECK(meanings("local x; do local x = x f(x) end f(x)") == "x=7 f=global x=19 f=global x=7");
