@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/picture.hpp"
+#include "engine/world/picture.hpp"
 
 namespace nezumi::draw {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr double unprintable = 0.005;   // [m] at the edges of a sheet, for most printers
 constexpr double lines_height = 0.020;  // [m] of what stands below a marker
 
-constexpr double cells_across = static_cast<double>(sim::tag_cells) / sim::tag_border_cells;
+constexpr double cells_across = static_cast<double>(tag_cells) / tag_border_cells;
 
 }  // namespace
 
